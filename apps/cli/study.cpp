@@ -7,14 +7,11 @@
 #include <cstdio>
 #include <cstdlib>
 #include <filesystem>
-#include <fstream>
-#include <iterator>
 #include <memory>
 
 #include "asked.hpp"
 #include "outputs.hpp"
 #include "physim/task_runner.hpp"
-#include "report/file.hpp"
 #include "report/gnuplot.hpp"
 #include "report/number.hpp"
 #include "report/study_map.hpp"
@@ -22,6 +19,7 @@
 #include "report/study_shot.hpp"
 #include "report/table.hpp"
 #include "study_columns.hpp"
+#include "study_part_files.hpp"
 #include "study_progress.hpp"
 #include "study_ranks.hpp"
 #include "terminal.hpp"
@@ -31,73 +29,11 @@ namespace {
 
 struct StudyCommand {
   Question question;
-  std::optional<std::uint64_t> shots, over_inputs, fly;
+  std::optional<std::uint64_t> shots, over_inputs, histograms, fly;
   std::optional<std::uint32_t> threads;
-  std::vector<std::string> vary, targets, merge;
+  std::vector<std::string> vary, targets, at, merge;
   std::string range, ranges, width, time, csv, plot, kml, hdf5, resume, shards, log_every;
   double log_seconds = 60;
-};
-
-// ------------------------------------------------------------------------------------------------------- part files
-Result<StudyPart> read_part(const std::string& file) {
-  std::ifstream in(file, std::ios::binary);
-  if (!in) return Error{"the file cannot be read", file, ""};
-  const std::string text{std::istreambuf_iterator<char>(in), {}};
-  auto part = load_part(std::as_bytes(std::span(text)));
-  if (part) return part;
-  Error error = part.error();
-  error.place = file;
-  return error;
-}
-
-Status write_part(const std::string& file, const StudyPart& part) {
-  const std::vector<std::byte> bytes = save_part(part);
-  return write_file(file,
-                    std::string_view(static_cast<const char*>(static_cast<const void*>(bytes.data())), bytes.size()));
-}
-
-/// What was flown before: in the file that is gone on with, where there is one, and in those to be joined.
-Result<StudyPart> flown_before(const StudyCommand& command, const StudyPlan& plan) {
-  std::vector<std::string> files = command.merge;
-  if (!command.resume.empty() && std::filesystem::exists(command.resume)) files.push_back(command.resume);
-  StudyPart all;
-  for (const std::string& file : files) {
-    const auto part = read_part(file);
-    if (!part) return part.error();
-    if (part->shards() > 0 && part->record().hash != plan.record().hash)
-      return Error{"the part is of another study, or of another version", file,
-                   "join parts of this study alone, with all of its options"};
-    auto merged = merge(all, *part);
-    if (!merged) return Error{merged.error().message, file, merged.error().hint};
-    all = *std::move(merged);
-  }
-  return all;
-}
-
-/// Keeps what is flown in a file, once a second.
-class PartKeeper {
- public:
-  explicit PartKeeper(std::string file) : file_(std::move(file)) {}
-
-  /// False where it could not be written, now or before.
-  bool take(const StudyPart& part) {
-    using Clock = std::chrono::steady_clock;
-    if (file_.empty() || Clock::now() - last_ < std::chrono::seconds(1)) return true;
-    last_ = Clock::now();
-    return write(part);
-  }
-  bool write(const StudyPart& part) {
-    if (file_.empty()) return true;
-    const Status written = write_part(file_, part);
-    if (status_.ok()) status_ = written;  // the first failure stopped the study
-    return status_.ok();
-  }
-  [[nodiscard]] const Status& status() const { return status_; }
-
- private:
-  std::string file_;
-  std::chrono::steady_clock::time_point last_ = std::chrono::steady_clock::now();
-  Status status_;
 };
 
 /// "17/512": the 17th of 512 parts of the shards.
@@ -137,6 +73,7 @@ Status add_time(const StudyCommand& command, ScenarioStudy& study) {
 Status add_options(const StudyCommand& command, Scenario& scenario) {
   for (const std::string& text : command.vary) scenario.study.inputs.push_back(text);
   for (const std::string& text : command.targets) scenario.study.targets.push_back(text);
+  for (const std::string& text : command.at) scenario.study.at.push_back(text);
   if (command.shots) scenario.study.shots = static_cast<std::int64_t>(*command.shots);
   const auto range = option_value("--range", command.range, Quantity::length);
   if (!range) return range.error();
@@ -144,6 +81,11 @@ Status add_options(const StudyCommand& command, Scenario& scenario) {
   if (command.over_inputs) {
     if (*command.over_inputs > 100) return Error{"must be from 2 to 100 parts", "--over-inputs", ""};
     scenario.study.over_inputs = static_cast<std::int64_t>(*command.over_inputs);
+  }
+  if (command.histograms) {
+    if (*command.histograms < 3 || *command.histograms > 1000)
+      return Error{"must be from 3 to 1000 bars", "--histograms", ""};
+    scenario.study.histograms = static_cast<std::int64_t>(*command.histograms);
   }
   return add_time(command, scenario.study);
 }
@@ -232,12 +174,13 @@ Result<StudyResult> fly_on(Ranks& ranks, TaskRunner& threads, const StudyPlan& p
   return result;
 }
 
-Result<FlownStudy> fly_study(const Study& study, std::optional<double> until_time, TaskRunner& threads, Ranks& ranks,
+Result<FlownStudy> fly_study(const Study& study, const ScenarioStudy& texts, TaskRunner& threads, Ranks& ranks,
                              const StudyCommand& command) {
+  const std::optional<double> until_time = texts.until_time;
   const auto plan = plan_study(study);
   if (!plan) return plan.error();
   for (const std::string& note : plan->notes()) print_warning(note);
-  const auto before = flown_before(command, *plan);
+  const auto before = flown_before(command.merge, command.resume, *plan);
   if (!before) return before.error();
   const bool joins_only = !command.merge.empty() && command.resume.empty() && !study.until_width && !until_time;
   if (joins_only)
@@ -258,9 +201,7 @@ Result<FlownStudy> fly_study(const Study& study, std::optional<double> until_tim
   if (!keeper.status()) return keeper.status().error();
   if (!ranks.failed()) return with_what_is_kept(ranks.failed().error(), last, command.resume);
   if (!result) return result.error();
-  FlownStudy flown{*plan, *std::move(result), {}};
-  if (auto linear = propagate_linearly(*plan)) flown.linear = *std::move(linear);
-  return flown;
+  return told_study(*plan, *std::move(result), static_cast<std::size_t>(texts.histograms));
 }
 
 struct AskedStudy {
@@ -297,7 +238,7 @@ Result<int> run_part(const StudyCommand& command, const Study& study, TaskRunner
   if (!plan) return plan.error();
   const auto range = shards_of(command.shards, plan->shards());
   if (!range) return range.error();
-  const auto before = flown_before(command, *plan);
+  const auto before = flown_before(command.merge, command.resume, *plan);
   if (!before) return before.error();
   PartKeeper keeper(command.resume);
   StudyProgress progress(*plan, *before, command.log_seconds, {});
@@ -313,13 +254,16 @@ Result<int> run_part(const StudyCommand& command, const Study& study, TaskRunner
 /// The study at each range. A shot that is zeroed is zeroed there, as a shooter does who knows the range.
 Result<int> run_over_ranges(const StudyCommand& command, const AskedShot& asked, Study study, TaskRunner& threads,
                             Ranks& ranks) {
+  if (!study.at.empty())
+    return Error{"ranges are flown to one after the other, and places are told of the same flights", "--ranges",
+                 "leave it out, or study.at and --at"};
   std::vector<StudyAtRange> list;
   StudyCommand alone;
   alone.log_seconds = command.log_seconds;
   for (const double range : asked.scenario.ranges) {
     study.until.range = range;
     if (study.launch.sight.zero_range > 0) study.launch.sight.zero_range = range;
-    auto flown = fly_study(study, asked.scenario.study.until_time, threads, ranks, alone);
+    auto flown = fly_study(study, asked.scenario.study, threads, ranks, alone);
     if (!flown) return about(asked, flown.error());
     list.push_back({range, std::move(flown->result)});
   }
@@ -342,6 +286,8 @@ Status check_command(const StudyCommand& command) {
     return Error{"a study over ranges writes CSV alone", "--json", "give --csv"};
   if (!command.ranges.empty() && command.over_inputs)
     return Error{"hits are told over range or over inputs", "--over-inputs", "leave --ranges out"};
+  if (!command.ranges.empty() && command.histograms)
+    return Error{"histograms are told of one study", "--histograms", "leave --ranges out; --at tells of ranges, too"};
   if (!command.ranges.empty() && !command.kml.empty())
     return Error{"a map is of shots that come down on the ground", "--kml", "leave --ranges out"};
   if (!command.shards.empty() && !(command.plot.empty() && command.kml.empty()))
@@ -358,17 +304,34 @@ Status check_command(const StudyCommand& command) {
   return command.plot.empty() ? Status() : check_plot(command.plot);
 }
 
+Picture picture_of(const std::string& title, const FlownStudy& flown) {
+  if (!flown.result.over_inputs.empty()) return over_inputs_picture(title, flown);
+  return flown.histogram_bars > 0 ? histograms_picture(title, flown) : study_picture(title, flown);
+}
+
+/// One picture, and further ones beside it of a study that is told at places, too: "out/308-at-1.png" of the first of
+/// them, "out/308-ranges.png" over range.
+Status draw_all(const std::string& file, const std::string& title, const FlownStudy& flown) {
+  const std::filesystem::path path(file);
+  const auto beside = [&](const std::string& what) {
+    std::filesystem::path other = path;
+    return other.replace_filename(path.stem().string() + "-" + what + path.extension().string()).string();
+  };
+  Status status = draw(file, picture_of(title, flown));
+  for (std::size_t i = 0; i < flown.at.size() && status; ++i)
+    status =
+        draw(beside("at-" + std::to_string(i + 1)), picture_of(title + ", at " + name_of_place(flown, i), flown.at[i]));
+  const std::vector<StudyAtRange> ranges = ranges_of(flown);
+  return status && ranges.size() > 1 ? draw(beside("ranges"), ranges_picture(title, ranges)) : status;
+}
+
 Status write_files(const StudyCommand& command, const AskedShot& asked, const FlownStudy& flown, TaskRunner& threads) {
   if (!command.hdf5.empty())
     if (Status status = write_columns(command.hdf5, title_of_shot(asked), flown.plan, flown.result.shards, threads);
         !status)
       return status;
   if (!command.plot.empty())
-    if (Status status =
-            draw(command.plot, flown.result.over_inputs.empty() ? study_picture(title_of_shot(asked), flown)
-                                                                : over_inputs_picture(title_of_shot(asked), flown));
-        !status)
-      return status;
+    if (Status status = draw_all(command.plot, title_of_shot(asked), flown); !status) return status;
   if (!command.kml.empty()) {
     const auto map = study_kml(asked, flown);
     if (!map) return map.error();
@@ -421,7 +384,7 @@ Result<int> run(StudyCommand command) {
   if (command.fly) return fly_again(command, asked, study);
   if (!command.shards.empty()) return run_part(command, study, *threads);
   if (!command.ranges.empty()) return run_over_ranges(command, asked, study, *threads, ranks);
-  const auto flown = fly_study(study, asked.scenario.study.until_time, *threads, ranks, command);
+  const auto flown = fly_study(study, asked.scenario.study, *threads, ranks, command);
   if (!flown) return about(asked, flown.error());
   if (Status status = write_files(command, asked, *flown, *threads); !status) return status.error();
   if (command.csv == "-" || command.kml == "-") return kExitOk;
@@ -437,6 +400,22 @@ void add_part_options(Command& command, StudyCommand& options) {
       .add_option("--merge", options.merge, "FILE",
                   "Join what another run flew; may be given many times. With --resume what is missing is flown, too")
       .one_value_each();
+}
+
+void add_file_options(Command& command, StudyCommand& options) {
+  command.add_option("--csv", options.csv, "FILE", "Write all figures as CSV; - is the standard output");
+  command.add_option(
+      "--plot", options.plot, "FILE.png|svg",
+      "Draw it: impacts with ellipses and targets, what each input does, how the figure settles; with "
+      "--ranges hits over range, with --over-inputs hits over each input, with --histograms these; with --at a picture "
+      "of each place beside it");
+  command.add_option(
+      "--kml", options.kml, "FILE",
+      "Write a map of where shots come down, for globes: ellipses, safety zone, shots; - is the standard output");
+  command.add_option(
+      "--hdf5", options.hdf5, "FILE",
+      "Write each shot as columns of an HDF5 file, what it drew, where it ended and what it hit; they are "
+      "flown again for it");
 }
 
 }  // namespace
@@ -455,12 +434,19 @@ void add_study_command(Command& program) {
           "--target", options->targets, "TEXT",
           "A further target, as \"circle 10 cm\", \"plate: rectangle 30 cm x 50 cm at 0 m, 1 m\" or \"thing NAME\"")
       .one_value_each();
+  command
+      .add_option("--at", options->at, "PLACE",
+                  "Tell of the same flights on their way, too: \"400 m\", \"apex\", \"height 100 m falling\", with "
+                  "other quantities \"apex: y, time\"; may be given many times")
+      .one_value_each();
   command.add_option("--range", options->range, "LENGTH", "Where the plane of impact stands, instead of until.range");
   command.add_option("--ranges", options->ranges, "RANGES",
                      "Hit probability over range, as \"100 m .. 1000 m step 100 m\"; a zeroed shot is zeroed at each");
   command.add_option(
       "--over-inputs", options->over_inputs,
       "Hit probability over each input, by so many equally likely parts of it, 2 to 100; --plot draws it");
+  command.add_option("--histograms", options->histograms,
+                     "A histogram of each quantity, of so many bars, 3 to 1000; --plot draws them");
   command.add_option("--shots", options->shots, "At least so many, instead of study.shots");
   command.add_option("--until-width", options->width, "WIDTH",
                      "Stop when the hit probability of the first target is known to so much, as \"1 %\"; without "
@@ -474,17 +460,7 @@ void add_study_command(Command& program) {
   command.add_option("--log-every", options->log_every, "TIME",
                      "How often a log gets a line with rate, time left and the figure so far, instead of 1 min; on a "
                      "terminal they stand below and change");
-  command.add_option("--csv", options->csv, "FILE", "Write all figures as CSV; - is the standard output");
-  command.add_option("--plot", options->plot, "FILE.png|svg",
-                     "Draw it: impacts with ellipses and targets, what each input does, how the figure settles; with "
-                     "--ranges hits over range, with --over-inputs hits over each input");
-  command.add_option(
-      "--kml", options->kml, "FILE",
-      "Write a map of where shots come down, for globes: ellipses, safety zone, shots; - is the standard output");
-  command.add_option(
-      "--hdf5", options->hdf5, "FILE",
-      "Write each shot as columns of an HDF5 file, what it drew, where it ended and what it hit; they are "
-      "flown again for it");
+  add_file_options(command, *options);
   add_part_options(command, *options);
   command.footer(
       "As a job of MPI, `mpirun -n 64 physim study FILE`, all ranks fly one study, one thread each.\n"

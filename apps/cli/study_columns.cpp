@@ -137,21 +137,22 @@ class ColumnsFile {
 /// All columns of a study.
 class StudyColumns {
  public:
-  StudyColumns(ColumnsFile& file, const StudyPlan& plan) : file_(file) {
-    const Study& study = plan.study();
-    file.add_group("inputs"), file.add_group("quantities");
-    for (const StudyInput& input : study.inputs)
+  StudyColumns(ColumnsFile& file, const StudyPlan& plan) : StudyColumns(file, plan.study(), "") {
+    file.add_group("inputs");
+    for (const StudyInput& input : plan.study().inputs)
       inputs_.push_back(file.add("inputs", input.path, report::unit_of(input), H5T_IEEE_F64LE, H5T_NATIVE_DOUBLE));
-    for (const StudyQuantity quantity : study.quantities)
-      quantities_.push_back(file.add("quantities", std::string(name(quantity)), std::string(report::unit_of(quantity)),
-                                     H5T_IEEE_F64LE, H5T_NATIVE_DOUBLE));
-    if (!study.targets.empty()) file.add_group("hits");
-    for (const StudyTarget& target : study.targets)
-      hits_.push_back(file.add("hits", target.name, "1: hit", H5T_STD_U8LE, H5T_NATIVE_UINT8));
+    const std::vector<StudyPlan> places = plan.places();
+    if (!places.empty()) file.add_group("at");
+    for (std::size_t i = 0; i < places.size(); ++i) {
+      const std::string group = "at/" + place_text(plan.study().at[i].event);
+      file.add_group(group.c_str());
+      at_.push_back(StudyColumns(file, places[i].study(), group + "/"));
+    }
   }
 
   void write(std::uint64_t first, const StudyShots& shots) {
-    PHYSIM_ASSERT(shots.inputs.size() == inputs_.size() && shots.hits.size() == hits_.size());
+    PHYSIM_ASSERT(shots.inputs.size() == inputs_.size() && shots.hits.size() == hits_.size() &&
+                  shots.at.size() == at_.size());
     for (std::size_t i = 0; i < inputs_.size(); ++i)
       file_.write(inputs_[i], first, shots.inputs[i].size(), shots.inputs[i].data());
     for (std::size_t i = 0; i < quantities_.size(); ++i)
@@ -160,11 +161,25 @@ class StudyColumns {
       const std::vector<std::uint8_t> hits(shots.hits[i].begin(), shots.hits[i].end());
       file_.write(hits_[i], first, hits.size(), hits.data());
     }
+    for (std::size_t i = 0; i < at_.size(); ++i) at_[i].write(first, shots.at[i]);
   }
 
  private:
+  /// Columns of where shots ended, or were at a place whose group is `below` that of the file.
+  StudyColumns(ColumnsFile& file, const Study& study, const std::string& below) : file_(file) {
+    const std::string quantities = below + "quantities", hits = below + "hits";
+    file.add_group(quantities.c_str());
+    for (const StudyQuantity quantity : study.quantities)
+      quantities_.push_back(file.add(quantities, std::string(name(quantity)), std::string(report::unit_of(quantity)),
+                                     H5T_IEEE_F64LE, H5T_NATIVE_DOUBLE));
+    if (!study.targets.empty()) file.add_group(hits.c_str());
+    for (const StudyTarget& target : study.targets)
+      hits_.push_back(file.add(hits, target.name, "1: hit", H5T_STD_U8LE, H5T_NATIVE_UINT8));
+  }
+
   ColumnsFile& file_;
   std::vector<Column> inputs_, quantities_, hits_;
+  std::vector<StudyColumns> at_;  // of each place
 };
 
 /// Shards are flown on all threads, and written in their order by this one.

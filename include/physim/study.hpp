@@ -100,6 +100,15 @@ struct StudyWidth {
   bool operator==(const StudyWidth&) const = default;
 };
 
+/// A place on the way at which a study is told, too: where a shot first meets an event. Range lines stand where planes
+/// of impact do: all shots are seen on that of the shot without uncertainty.
+struct StudyPlace {
+  EventSpec event{};                        ///< `terminal` is not read [-]
+  std::vector<StudyQuantity> quantities{};  ///< none of an impact; where the first two are lengths, its plane; empty:
+                                            ///< right, up, time and speed on a range line, else right, along, y, time
+                                            ///< and speed [-]
+};
+
 /// A projectile, a launch and a place of which some numbers are uncertain, and what is asked of their flights.
 struct Study {
   ProjectileDef projectile{};  ///< [-]
@@ -130,6 +139,9 @@ struct Study {
   std::shared_ptr<const Scene> scene{};
   /// Hit probability over each input: so many parts of its distribution, equally likely, 2 to 100; none: not asked [-]
   std::optional<std::uint32_t> over_inputs{};
+  /// Places on the way that the same flights are told at, with all figures that their ends have; with until.events 24
+  /// at most. `targets` and `aim` are those of a place whose first two quantities are the study's [-]
+  std::vector<StudyPlace> at{};
 };
 
 /// A number that may be uncertain.
@@ -141,8 +153,9 @@ struct StudyPath {
 /// All of them.
 [[nodiscard]] std::vector<StudyPath> study_paths();
 
-/// A model of one's own in the place of flights: a column of each input comes in, one of each quantity goes out. NaN in
-/// the first: the shot is not counted as one that arrived. It depends on its columns alone, shot by shot, and is called
+/// A model of one's own in the place of flights: a column of each input comes in, one of each quantity goes out, behind
+/// them one of each quantity of each of Study::at, whose events are not looked at. NaN: the shot is not counted as one
+/// that arrived there. It depends on its columns alone, shot by shot, and is called
 /// from several threads at once.
 using StudyFunction =
     std::function<void(std::span<const std::span<const double>> inputs, std::span<const std::span<double>> quantities)>;
@@ -159,6 +172,9 @@ class StudyPlan {
   [[nodiscard]] std::uint64_t shards() const;
   /// What should be known before it is flown: how often the impossible is drawn ...
   [[nodiscard]] const std::vector<std::string>& notes() const;
+  /// A plan for each of Study::at, of a study that ends there: with its quantities, targets and aim. Flown by itself it
+  /// gives the bits that StudyResult::at has; shots fly on to the end of this one.
+  [[nodiscard]] std::vector<StudyPlan> places() const;
   [[nodiscard]] const StudyPlanRecord& record() const { return *record_; }
 
  private:
@@ -232,6 +248,7 @@ struct StudyShots {
   std::vector<std::vector<double>> inputs{};      ///< in the order of Study::inputs [unit of each]
   std::vector<std::vector<double>> quantities{};  ///< NaN where a shot did not arrive [unit of each]
   std::vector<std::vector<bool>> hits{};          ///< of each target [-]
+  std::vector<StudyShots> at{};                   ///< the same at each of Study::at, without inputs [-]
 };
 /// Flies a shard again and keeps its shots, to be drawn or looked at one by one: shots shard * shard_shots and on.
 [[nodiscard]] StudyShots fly_shots_of(const StudyPlan& plan, std::uint64_t shard);

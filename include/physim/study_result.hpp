@@ -35,6 +35,15 @@ enum class StudyQuantity {
 
 PHYSIM_UNORDERED(StudyQuantity)
 
+/// A bar of a histogram.
+struct HistogramBar {
+  double low = 0;           ///< numbers from here on ... [unit of the quantity]
+  double high = 0;          ///< ... up to here [unit of the quantity]
+  std::uint64_t count = 0;  ///< [-]
+
+  bool operator==(const HistogramBar&) const = default;
+};
+
 /// Numbers counted in cells: as many bytes for a thousand as for 10^12, and joined without rounding. A cell around x is
 /// (1 + |x - centre| / scale) / 256 of the scale wide, or less: so far can a quantile be off.
 struct CountedCells {
@@ -53,6 +62,10 @@ struct CountedCells {
   [[nodiscard]] double error_at(double x) const;
   /// Low edge of cell `first` + i, also for i = counts.size() [unit].
   [[nodiscard]] double edge(std::size_t i) const;
+  /// A histogram of `bars` bars, three at least: one at each end for the 0.1 % that lie beyond, those between about
+  /// equally wide. Their ends are edges of cells, so counts are exact, and widths are to a cell. Fewer bars where cells
+  /// are wider than they would be; none where nothing was counted.
+  [[nodiscard]] std::vector<HistogramBar> histogram(std::size_t bars) const;
 
   bool operator==(const CountedCells&) const = default;
 };
@@ -209,6 +222,7 @@ struct StudyResult {
   std::vector<StudyStage> stages{};           ///< from the first shard on, each a tenth more than the one before [-]
   bool width_reached = false;                 ///< Study::until_width ended it [-]
   bool time_was_up = false;                   ///< StudyOptions::time_is_up ended it [-]
+  std::vector<StudyResult> at{};              ///< all of this at each of Study::at [-]
 };
 
 /// What one input does to the result, by its slope.

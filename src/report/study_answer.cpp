@@ -8,6 +8,8 @@
 #include "math/angles.hpp"
 #include "report/json.hpp"
 #include "report/number.hpp"
+#include "report/study_figures.hpp"
+#include "report/study_histograms.hpp"
 #include "report/table.hpp"
 
 namespace physim::report {
@@ -15,96 +17,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-struct Figure {
-  std::string name;
-  double value, error;
-};
-
-constexpr double kNoError = std::numeric_limits<double>::quiet_NaN();
-
 std::string percent(double part) { return significant(100 * part, 3); }
-
-/// The names of a group of inputs.
-std::string names_of_inputs(const Study& study, const std::vector<std::size_t>& inputs) {
-  std::string text;
-  for (const std::size_t input : inputs) {
-    PHYSIM_ASSERT(input < study.inputs.size());
-    text += (text.empty() ? "" : ", ") + study.inputs[input].path;
-  }
-  return text;
-}
-
-// ---------------------------------------------------------------------------------------------------------- figures
-void add_radius(const char* from, const std::optional<RadiusResult>& radius, std::vector<Figure>& list) {
-  if (!radius) return;
-  const std::string head = std::string("radius.") + from;
-  list.push_back({head + ".mean [m]", radius->mean.value, radius->mean.error});
-  list.push_back({head + ".r50 [m]", radius->r50, kNoError});
-  list.push_back({head + ".r90 [m]", radius->r90, kNoError});
-  list.push_back({head + ".r95 [m]", radius->r95, kNoError});
-}
-
-/// Every figure under a name of its own.
-std::vector<Figure> figures_of(const FlownStudy& flown) {
-  const StudyResult& r = flown.result;
-  const Study& study = flown.plan.study();
-  std::vector<Figure> list = {{"shots", static_cast<double>(r.shots), kNoError},
-                              {"refused", static_cast<double>(r.refused), kNoError},
-                              {"not_arrived", static_cast<double>(r.not_arrived), kNoError}};
-  for (const QuantityResult& q : r.quantities) {
-    const std::string head(name(q.quantity)), unit = " [" + std::string(unit_of(q.quantity)) + "]";
-    list.push_back({head + ".mean" + unit, q.mean.value, q.mean.error});
-    list.push_back({head + ".deviation" + unit, q.deviation, kNoError});
-    list.push_back({head + ".least" + unit, q.least, kNoError});
-    for (const double p : {0.01, 0.05, 0.25, 0.5, 0.75, 0.95, 0.99})
-      list.push_back({head + ".quantile_" + as_typed(p) + unit, q.cells.quantile(p), kNoError});
-    list.push_back({head + ".most" + unit, q.most, kNoError});
-  }
-  add_radius("aim", r.from_aim, list);
-  add_radius("centre", r.from_centre, list);
-  add_radius("space", r.in_space, list);
-  if (r.ellipse) {
-    list.push_back({"ellipse.long_axis [m]", r.ellipse->long_axis, kNoError});
-    list.push_back({"ellipse.short_axis [m]", r.ellipse->short_axis, kNoError});
-    list.push_back({"ellipse.angle [rad]", r.ellipse->angle, kNoError});
-  }
-  for (const SpreadResult& s : r.spreads)
-    list.push_back({"extreme_spread." + std::to_string(s.size) + " [m]", s.mean.value, s.mean.error});
-  for (const HitResult& hit : r.hits) {
-    list.push_back({"hit." + hit.name, hit.probability.value, hit.probability.error});
-    list.push_back({"hit." + hit.name + ".low", hit.low, kNoError});
-    list.push_back({"hit." + hit.name + ".high", hit.high, kNoError});
-  }
-  for (const IndexResult& index : r.indices)
-    for (std::size_t q = 0; q < index.first.size(); ++q) {
-      const std::string of = std::string(name(r.quantities[q].quantity)) + "." + names_of_inputs(study, index.inputs);
-      list.push_back({"index.first." + of, index.first[q].value, index.first[q].error});
-      list.push_back({"index.total." + of, index.total[q].value, index.total[q].error});
-    }
-  return list;
-}
-
-/// Hits over each input: its number and path, then the number of the part. An end that is none is left out.
-void add_over_inputs(const FlownStudy& flown, std::vector<Figure>& list) {
-  for (const HitsOverInput& over : flown.result.over_inputs) {
-    const StudyInput& input = flown.plan.study().inputs[over.input];
-    const std::string unit = unit_of(input).empty() ? "" : " [" + unit_of(input) + "]";
-    for (std::size_t i = 0; i < over.parts.size(); ++i) {
-      const InputPart& part = over.parts[i];
-      const std::string head = "over." + std::to_string(over.input + 1) + "." + input.path + (input.added ? "+=" : "") +
-                               "." + std::to_string(i + 1);
-      if (std::isfinite(part.low)) list.push_back({head + ".from" + unit, part.low, kNoError});
-      list.push_back({head + ".middle" + unit, part.middle, kNoError});
-      if (std::isfinite(part.high)) list.push_back({head + ".to" + unit, part.high, kNoError});
-      list.push_back({head + ".shots", static_cast<double>(part.shots), kNoError});
-      for (const HitResult& hit : part.hits) {
-        list.push_back({head + ".hit." + hit.name, hit.probability.value, hit.probability.error});
-        list.push_back({head + ".hit." + hit.name + ".low", hit.low, kNoError});
-        list.push_back({head + ".hit." + hit.name + ".high", hit.high, kNoError});
-      }
-    }
-  }
-}
 
 // -------------------------------------------------------------------------------------------------------------- text
 std::string counts_text(const FlownStudy& flown) {
@@ -272,11 +185,36 @@ std::string worst_text(const FlownStudy& flown) {
   return text + "\n";
 }
 
+/// All figures of an end, or of a place.
+std::string figures_text(const FlownStudy& flown) {
+  return quantities_text(flown) + plane_text(flown.result) + hits_text(flown.result) + over_inputs_text(flown) +
+         inputs_text(flown) + indices_text(flown) + histograms_text(flown) + worst_text(flown);
+}
+
+std::string place_heading(const FlownStudy& flown, std::size_t i) {
+  const std::uint64_t missed = flown.at[i].result.not_arrived;
+  std::string text = "\n  at " + name_of_place(flown, i);
+  if (missed > 0) text += ": " + std::to_string(missed) + " did not come there";
+  return text + "\n\n";
+}
+
 Json zone_json(const StudyResult& r) {
   if (!r.zone) return nullptr;
   Json corners = Json::array();
   for (const PlanePoint& corner : r.zone->corners) corners.push_back({corner.right, corner.up});
   return {{"corners [m]", std::move(corners)}, {"holds", r.zone->holds}, {"confidence", r.zone->confidence}};
+}
+
+Json json_of(const FlownStudy& flown);
+
+Json places_json(const FlownStudy& flown) {
+  Json places = Json::array();
+  for (std::size_t i = 0; i < flown.at.size(); ++i) {
+    Json place = {{"place", name_of_place(flown, i)}};
+    place.update(json_of(flown.at[i]));
+    places.push_back(std::move(place));
+  }
+  return places;
 }
 
 Json json_of(const FlownStudy& flown) {
@@ -313,6 +251,8 @@ Json json_of(const FlownStudy& flown) {
           {"zone", zone_json(flown.result)},
           {"inputs", std::move(inputs)},
           {"over_inputs", over_inputs_json(flown)},
+          {"histograms", histograms_json(flown)},
+          {"at", places_json(flown)},
           {"worst", std::move(worst)},
           {"notes", flown.plan.notes()}};
 }
@@ -354,11 +294,47 @@ std::string with_unit(StudyQuantity quantity) {
   return std::string(name(quantity)) + " [" + std::string(unit_of(quantity)) + "]";
 }
 
+FlownStudy told_study(const StudyPlan& plan, StudyResult result, std::size_t histogram_bars) {
+  FlownStudy flown{plan, std::move(result)};
+  flown.histogram_bars = histogram_bars;
+  if (auto linear = propagate_linearly(plan)) flown.linear = *std::move(linear);
+  const std::vector<StudyPlan> places = plan.places();
+  PHYSIM_ASSERT(places.size() == flown.result.at.size());
+  for (std::size_t i = 0; i < places.size(); ++i)
+    flown.at.push_back(told_study(places[i], flown.result.at[i], histogram_bars));
+  return flown;
+}
+
+std::string name_of_place(const FlownStudy& flown, std::size_t i) {
+  PHYSIM_ASSERT(i < flown.plan.study().at.size());
+  return place_text(flown.plan.study().at[i].event);
+}
+
 Answer study_answer(const AskedShot& asked, const FlownStudy& flown, const Style& style) {
-  const std::string text = counts_text(flown) + quantities_text(flown) + plane_text(flown.result) +
-                           hits_text(flown.result) + over_inputs_text(flown) + inputs_text(flown) +
-                           indices_text(flown) + worst_text(flown);
+  std::string text = counts_text(flown) + figures_text(flown);
+  if (const std::vector<StudyAtRange> ranges = ranges_of(flown); ranges.size() > 1)
+    text += "\n  over range, by the same flights\n" + over_range_text(ranges);
+  for (std::size_t i = 0; i < flown.at.size(); ++i) text += place_heading(flown, i) + figures_text(flown.at[i]);
   return about_shot(asked, style, text, json_of(flown));
+}
+
+std::vector<StudyAtRange> ranges_of(const FlownStudy& flown) {
+  std::vector<StudyAtRange> list;
+  const auto add = [&](const FlownStudy& there) {
+    const Study& study = there.plan.study();
+    const bool is_plane = study.quantities.size() >= 2 && study.quantities[0] == StudyQuantity::right &&
+                          study.quantities[1] == StudyQuantity::up;
+    if (!study.until.range || !is_plane) return;
+    list.push_back({*study.until.range, there.result});
+    std::vector<HitResult>& hits = list.back().result.hits;  // without things, which stand where they stand
+    for (std::size_t i = study.targets.size(); i-- > 0;)
+      if (std::holds_alternative<ThingTarget>(study.targets[i].shape))
+        hits.erase(hits.begin() + static_cast<std::ptrdiff_t>(i));
+  };
+  for (const FlownStudy& there : flown.at) add(there);
+  add(flown);
+  std::ranges::stable_sort(list, {}, &StudyAtRange::range);
+  return list;
 }
 
 std::string over_range_text(std::span<const StudyAtRange> list) {
@@ -390,18 +366,6 @@ Records records_of(std::span<const StudyAtRange> list) {
     }
   };
   return records;
-}
-
-Records records_of(const FlownStudy& flown) {
-  std::vector<Figure> list = figures_of(flown);
-  add_over_inputs(flown, list);
-  const auto figures = std::make_shared<const std::vector<Figure>>(std::move(list));
-  return {{"figure", "value", "error"}, [figures](const std::function<void(Row)>& take) {
-            for (const Figure& figure : *figures) {
-              const Cell cells[] = {std::string_view(figure.name), figure.value, figure.error};
-              take(cells);
-            }
-          }};
 }
 
 }  // namespace physim::report

@@ -3,6 +3,7 @@
 
 #include <optional>
 #include <span>
+#include <vector>
 
 #include "physim/study.hpp"
 #include "report/answer.hpp"
@@ -14,8 +15,14 @@ namespace physim::report {
 struct FlownStudy {
   StudyPlan plan;
   StudyResult result;
-  std::optional<LinearResult> linear;  // where it could be computed
+  std::optional<LinearResult> linear{};  // where it could be computed
+  std::size_t histogram_bars = 0;        // 0: no histograms are told
+  std::vector<FlownStudy> at{};          // as it is at each of Study::at
 };
+/// What was flown with its slopes, and so at each place.
+[[nodiscard]] FlownStudy told_study(const StudyPlan& plan, StudyResult result, std::size_t histogram_bars);
+/// "800 m", "height 100 m falling": what the i-th place is called.
+[[nodiscard]] std::string name_of_place(const FlownStudy& flown, std::size_t i);
 
 /// The unit of an input's number; empty where the study is of a function.
 [[nodiscard]] std::string unit_of(const StudyInput& input);
@@ -32,6 +39,9 @@ struct StudyAtRange {
   double range;
   StudyResult result;
 };
+/// The ranges among the places of a study, and its end where it has a range, in their order: those with a plane across
+/// the line of sight.
+[[nodiscard]] std::vector<StudyAtRange> ranges_of(const FlownStudy& flown);
 /// A line for each range: how far shots scatter, and how likely each target is hit.
 [[nodiscard]] std::string over_range_text(std::span<const StudyAtRange> list);
 /// ... as records, which read the list.

@@ -3,28 +3,13 @@
 #include "base/event_table.hpp"
 #include "scenario/expectation.hpp"
 #include "scenario/settings_parts.hpp"
+#include "scenario/units.hpp"
 
 namespace physim {
 namespace {
 
 ValueRef event_kind_slot(const Scope& scope) {
   return choice(names_of<EventKind>().first(watchable_kinds()), scope.event->kind);
-}
-
-Quantity quantity_of_event(const Scope& scope) {
-  switch (row_of(scope.event->kind).watch) {
-    case Watch::height:
-    case Watch::range: return Quantity::length;
-    case Watch::speed: return Quantity::speed;
-    case Watch::time: return Quantity::time;
-    case Watch::none:
-    case Watch::climb_rate:
-    case Watch::mach:
-    case Watch::ignition:
-    case Watch::burnout:
-    case Watch::rail: break;
-  }
-  return Quantity::number;
 }
 
 ValueRef figure_slot(const Scope& scope) {
@@ -133,7 +118,8 @@ constexpr Entry kRunSettings[] = {
     PHYSIM_SCENARIO(until.range, "the flight ends at this range along the line of sight", Quantity::length, above(0)),
     PHYSIM_SCENARIO(until.events, "further events to look for", at_most(24)),
     setting("until.events.kind", event_kind_slot, "what is watched", kRequired),
-    PHYSIM_ROW("until.events", event, value, "that is crossed", QuantityBy{quantity_of_event, "of the kind"}),
+    PHYSIM_ROW("until.events", event, value, "that is crossed",
+               QuantityBy{[](const Scope& scope) { return quantity_of_value(scope.event->kind); }, "of the kind"}),
     PHYSIM_ROW("until.events", event, direction, "which crossings count"),
     PHYSIM_ROW("until.events", event, terminal, "the event ends the flight"),
     PHYSIM_ROW("output", scenario, ranges,

@@ -20,6 +20,10 @@ constexpr Entry kStudySettings[] = {
         "a "
         "thing or the ground",
         at_most(14)),
+    PHYSIM_SCENARIO(study.at,
+                    "places on the way that the same flights are told at, too: \"800 m\", \"apex\", \"height 100 m "
+                    "falling\", with other quantities \"apex: y, time\"",
+                    at_most(24)),
     PHYSIM_SCENARIO(study.aim, "where shots should end on the plane of impact, \"0 m, 1 m\"; empty: its origin"),
     PHYSIM_SCENARIO(study.sampling, "how draws are spread"),
     PHYSIM_SCENARIO(study.shots, "at least; the last shard is flown to its end", kCount),
@@ -30,6 +34,7 @@ constexpr Entry kStudySettings[] = {
     PHYSIM_SCENARIO(study.seed, "of the draws; equal seeds draw equally", between(0, 9007199254740992)),
     PHYSIM_SCENARIO(study.rounds, "shots of an occasion", between(1, 65536)),
     PHYSIM_SCENARIO(study.over_inputs, "parts of each input over which hits are told; 0: none", between(0, 100)),
+    PHYSIM_SCENARIO(study.histograms, "bars of a histogram of each quantity, 3 or more; 0: none", between(0, 1000)),
     PHYSIM_SCENARIO(study.indices, "Sobol indices, for which every shot is flown again for each input"),
 };
 

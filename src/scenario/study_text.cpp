@@ -392,6 +392,11 @@ Result<Study> study_of(const Scenario& scenario, const ScenarioShot& shot) {
                    suggestion(texts.quantities[i], names_of<StudyQuantity>(), "they are")};
     study.quantities.push_back(*quantity);
   }
+  for (std::size_t i = 0; i < texts.at.size(); ++i) {
+    auto place = parse_study_place(texts.at[i]);
+    if (!place) return placed(place.error(), "study.at[" + std::to_string(i) + ']');
+    study.at.push_back(*std::move(place));
+  }
   if (!texts.aim.empty()) {
     NumberReader read(Quantity::length);
     const auto aim = point_of(texts.aim, read);

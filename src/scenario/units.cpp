@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "base/assert.hpp"
+#include "base/event_table.hpp"
 #include "base/ieee_mode.hpp"
 #include "math/angles.hpp"
 #include "scenario/suggest.hpp"
@@ -145,6 +146,22 @@ Error wrong_unit(std::string_view text, std::string_view unit, const QuantityInf
 }  // namespace
 
 const QuantityInfo& info(Quantity quantity) { return kQuantities[static_cast<std::size_t>(quantity)]; }
+
+Quantity quantity_of_value(EventKind kind) {
+  switch (row_of(kind).watch) {
+    case Watch::height:
+    case Watch::range: return Quantity::length;
+    case Watch::speed: return Quantity::speed;
+    case Watch::time: return Quantity::time;
+    case Watch::none:
+    case Watch::climb_rate:
+    case Watch::mach:
+    case Watch::ignition:
+    case Watch::burnout:
+    case Watch::rail: break;
+  }
+  return Quantity::number;
+}
 
 std::string expected(Quantity quantity) {
   return "expected " + std::string(info(quantity).with_article) + " such as " + in_quotes(info(quantity).example);

@@ -34,6 +34,9 @@ struct QuantityInfo {
 /// The SI unit, "" for plain numbers.
 [[nodiscard]] inline std::string_view si_unit(Quantity quantity) { return info(quantity).units.front().name; }
 
+/// What the value of an event measures.
+[[nodiscard]] Quantity quantity_of_value(EventKind kind);
+
 /// `expected a mass such as "168 gr"`
 [[nodiscard]] std::string expected(Quantity quantity);
 

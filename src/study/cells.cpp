@@ -109,6 +109,38 @@ double CountedCells::part_below(double x) const {
   return all == 0 || x != x ? std::numeric_limits<double>::quiet_NaN() : below / static_cast<double>(all);
 }
 
+std::vector<HistogramBar> CountedCells::histogram(std::size_t bars) const {
+  const IeeeMode mode;
+  const auto is_counted = [](std::uint64_t n) { return n > 0; };
+  const auto some = std::ranges::find_if(counts, is_counted);
+  if (some == counts.end()) return {};
+  const auto begin = static_cast<std::size_t>(some - counts.begin());
+  std::size_t end = counts.size();
+  while (!is_counted(counts[end - 1])) --end;
+  const auto nearest_edge = [&](double x) {
+    std::size_t low = begin, high = end;  // the edge is one of these or lies between
+    while (high - low > 1) {
+      const std::size_t middle = low + (high - low) / 2;
+      (edge(middle) <= x ? low : high) = middle;
+    }
+    return x - edge(low) < edge(high) - x ? low : high;
+  };
+  const double from = quantile(0.001), to = quantile(0.999);
+  const std::size_t inner = std::max<std::size_t>(bars, 3) - 2;
+  std::vector<std::size_t> ends = {begin};
+  for (std::size_t i = 0; i <= inner; ++i)
+    ends.push_back(nearest_edge(from + (to - from) * (static_cast<double>(i) / static_cast<double>(inner))));
+  ends.push_back(end);
+  std::vector<HistogramBar> histogram;
+  for (std::size_t i = 1; i < ends.size(); ++i) {
+    if (ends[i] <= ends[i - 1]) continue;
+    HistogramBar bar{.low = edge(ends[i - 1]), .high = edge(ends[i])};
+    for (std::size_t cell = ends[i - 1]; cell < ends[i]; ++cell) bar.count += counts[cell];
+    histogram.push_back(bar);
+  }
+  return histogram;
+}
+
 double CountedCells::error_at(double x) const {
   const IeeeMode mode;
   return (scale + std::abs(x - centre)) / 256;

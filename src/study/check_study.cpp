@@ -7,6 +7,7 @@
 #include "study/correlation.hpp"
 #include "study/impacts.hpp"
 #include "study/paths.hpp"
+#include "study/places.hpp"
 #include "study/sobol.hpp"
 #include "study/targets.hpp"
 
@@ -159,6 +160,7 @@ Status check(const Study& study, bool of_flights) {
   check_plane(c, study);
   if (c.status_so_far()) c.also(check_things(study, of_flights));
   check_quantities(c, study, of_flights);
+  if (c.status_so_far()) c.also(check_places(study, of_flights));
   if (of_flights)
     c.require(!study.launch.velocity, "launch.velocity", "has no numbers of its own in a study",
               "give a speed, an elevation and an azimuth");

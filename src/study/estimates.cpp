@@ -51,10 +51,23 @@ Interval interval_of_equal_replicates(const StudyPlanRecord& plan, const HitCoun
   return wilson_interval(count.hits / each, count.shots / each);
 }
 
-RadiusResult radius_result(const StudyPlanRecord& plan, const DistanceSums& sums) {
+/// The mean of distances or spreads, with the error that independent ones have; else by those of the replicates.
+template <class Moments>
+Estimate mean_distance(const StudyPlanRecord& plan, const ShardSums& all, const SampleMoments& m,
+                       const Moments& of_replicate) {
+  if (m.count == 0) return {kNotKnown, kNotKnown};
+  if (plan.is_plain()) return {m.mean[0], m.standard_error(0)};
+  std::vector<double> means;
+  for (const ReplicateDistances& replicate : all.distances)
+    if (const SampleMoments* part = of_replicate(replicate); part && part->count > 0) means.push_back(part->mean[0]);
+  return {m.mean[0], error_of(means)};
+}
+
+RadiusResult radius_result(const StudyPlanRecord& plan, const ShardSums& all, const DistanceSums& sums,
+                           SampleMoments ReplicateDistances::*of_replicate) {
   RadiusResult r;
-  const bool some = sums.moments.count > 0;
-  r.mean = {some ? sums.moments.mean[0] : kNotKnown, plan.is_plain() ? sums.moments.standard_error(0) : kNotKnown};
+  r.mean = mean_distance(plan, all, sums.moments,
+                         [&](const ReplicateDistances& replicate) { return &(replicate.*of_replicate); });
   r.r50 = sums.cells.quantile(0.5);
   r.r90 = sums.cells.quantile(0.9);
   r.r95 = sums.cells.quantile(0.95);
@@ -88,15 +101,17 @@ StudyStage stage_result(const StudyPlanRecord& plan, const StageSums& sums) {
 
 void put_plane(const StudyPlanRecord& plan, const ShardSums& sums, StudyResult& result) {
   const Study& study = plan.study;
-  result.from_aim = radius_result(plan, sums.from_aim);
-  result.from_centre = radius_result(plan, sums.from_centre);
+  result.from_aim = radius_result(plan, sums, sums.from_aim, &ReplicateDistances::from_aim);
+  result.from_centre = radius_result(plan, sums, sums.from_centre, &ReplicateDistances::from_centre);
   if (sums.moments.count > 0) result.ellipse = ellipse_of(sums.moments);
   for (std::size_t i = 0; i < sums.spreads.size(); ++i) {
     const SampleMoments& m = sums.spreads[i].moments;
     if (m.count == 0) continue;
-    const double error = study.rounds == 1 ? m.standard_error(0) : kNotKnown;
+    const Estimate mean = mean_distance(plan, sums, m, [&](const ReplicateDistances& replicate) {
+      return i < replicate.spreads.size() ? &replicate.spreads[i] : nullptr;
+    });
     result.spreads.push_back(
-        {study.group_sizes[i], m.count, {m.mean[0], error}, std::sqrt(m.covariance(0, 0)), sums.spreads[i].cells});
+        {study.group_sizes[i], m.count, mean, std::sqrt(m.covariance(0, 0)), sums.spreads[i].cells});
   }
   if (plan.is_plain()) result.zone = zone_of(sums.reach, sums.moments.count);
   for (std::size_t i = 0; i < study.targets.size(); ++i) result.hits.push_back(hits_on(plan, sums, i));
@@ -188,12 +203,14 @@ StudyResult figures_of(const StudyPlanRecord& plan, const ShardSums& sums) {
   for (std::size_t i = 0; i < n * n; ++i)
     result.covariance.push_back(some ? sums.moments.covariance(i / n, i % n) : kNotKnown);
   if (plan.has_plane()) put_plane(plan, sums, result);
-  if (!plan.in_space.empty()) result.in_space = radius_result(plan, sums.in_space);
+  if (!plan.in_space.empty()) result.in_space = radius_result(plan, sums, sums.in_space, &ReplicateDistances::in_space);
   for (const StageSums& stage : sums.stages) result.stages.push_back(stage_result(plan, stage));
   for (const SumOfShot& shot : sums.worst)
     result.worst.push_back({shot.shot, shot.distance, drawn_by(plan, shot.shot)});
   result.over_inputs = hits_over_inputs(plan, sums);
   if (study.indices && some) result.indices = indices_of(plan, sums, result.quantities);
+  PHYSIM_ASSERT(sums.places.size() == plan.places.size());
+  for (std::size_t i = 0; i < plan.places.size(); ++i) result.at.push_back(figures_of(plan.places[i], sums.places[i]));
   return result;
 }
 

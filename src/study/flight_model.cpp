@@ -26,6 +26,7 @@
 #include "study/impacts.hpp"
 #include "study/model.hpp"
 #include "study/paths.hpp"
+#include "study/places.hpp"
 #include "study/shard_job.hpp"
 #include "study/targets.hpp"
 
@@ -44,17 +45,17 @@ struct UncertainNumber {
 };
 
 /// How a block of shots ended.
-struct BlockEnds {
+struct BlockEnds : SeenColumns {
   std::span<const Outcome> outcome;
-  std::span<double> time, x, y, z, vx, vy, vz;
 };
 
 class FlightModel : public ShotModel {
  public:
   explicit FlightModel(const Study& study)
-      : study_(study), plain_{study.projectile, study.launch}, sight_(sight_frame(study.launch)) {
+      : study_(study), plain_{study.projectile, study.launch}, sight_(sight_frame(study.launch)), places_(study.at) {
     study_.inputs.clear();
     study_.until.scene = study_.scene.get();
+    places_.watch(study_.until);
     if (study_.scene) things_ = things_of(study_), as_columns_ = false;
     for (std::size_t i = 0; i < study.inputs.size(); ++i) take(study.inputs[i], i);
   }
@@ -69,8 +70,16 @@ class FlightModel : public ShotModel {
   [[nodiscard]] Weather weather_of(const std::vector<std::span<const double>>& columns) const;
   [[nodiscard]] std::span<const double> column_of(const UncertainNumber& number, InputColumns inputs,
                                                   std::span<double> room) const;
-  [[nodiscard]] ModelTold fly_columns_of(const std::vector<std::span<const double>>& columns, std::size_t count,
-                                         std::span<double> speeds, ModelScratch& scratch, const BlockEnds& ends) const;
+  [[nodiscard]] ModelTold fly(const std::vector<std::span<const double>>& columns, InputColumns inputs,
+                              std::span<double> speeds, ModelScratch& scratch, const BlockEnds& ends) const;
+  [[nodiscard]] LaunchColumns launches_of(const std::vector<std::span<const double>>& columns,
+                                          std::span<double> speeds) const;
+  [[nodiscard]] ModelTold fly_columns_of(const std::vector<std::span<const double>>& columns,
+                                         const LaunchColumns& launches, ModelScratch& scratch,
+                                         const BlockEnds& ends) const;
+  [[nodiscard]] ModelTold fly_launches_of(const std::vector<std::span<const double>>& columns,
+                                          const LaunchColumns& launches, ModelScratch& scratch,
+                                          const BlockEnds& ends) const;
   [[nodiscard]] ModelTold fly_shots_of(const std::vector<std::span<const double>>& columns, std::size_t count,
                                        InputColumns inputs, ModelScratch& scratch, const BlockEnds& ends) const;
   [[nodiscard]] Environment environment_of(std::size_t shot, const std::vector<std::span<const double>>& columns,
@@ -80,16 +89,20 @@ class FlightModel : public ShotModel {
   void fly_among_things(const std::vector<std::span<const double>>& columns, const Weather& weather,
                         std::span<const Shot> shots, InputColumns inputs, ModelScratch& scratch) const;
   void mark_things(const Flight& flight, std::size_t shot, std::size_t shots, ModelScratch& scratch) const;
-  void move_to_plane(const BlockEnds& ends) const;
+  [[nodiscard]] ModelTold take_batch(std::size_t count, ModelScratch& scratch, const BlockEnds& ends) const;
+  void move_to_plane(const SeenColumns& seen, double range, const Vec3d& acceleration) const;
   void put_ground_impacts(const BlockEnds& ends, ModelScratch& scratch) const;
-  void put(StudyQuantity quantity, const BlockEnds& ends, const ModelScratch& scratch, std::span<double> into) const;
+  void put(StudyQuantity quantity, const SeenColumns& seen, const ModelScratch& scratch, std::span<double> into) const;
+  void put_places(const ModelScratch& scratch, QuantityColumns quantities) const;
 
   Study study_;
   Shot plain_;
   SightFrame sight_;
   std::vector<UncertainNumber> numbers_;
   ThingsOfTargets things_;
-  Vec3d acceleration_{};  // of the shot without uncertainty, where it ends [m/s^2]
+  Places places_;
+  Vec3d acceleration_{};                       // of the shot without uncertainty, where it ends [m/s^2]
+  std::vector<Vec3d> acceleration_at_places_;  // ... and there; where it does not come there, of its end [m/s^2]
   Fidelity granted_{};
   std::optional<Impacts> impacts_;  // where they are asked for
   bool as_columns_ = true;
@@ -130,10 +143,12 @@ Status FlightModel::check_gravity() const {
 
 /// An automatic step is chosen once for all shards, with the margin that batches have.
 Status FlightModel::prepare() {
-  const Flight flight =
-      fly(plain_.projectile, plain_.launch, study_.environment, study_.fidelity, study_.tolerance, study_.until);
+  const Flight flight = physim::fly(plain_.projectile, plain_.launch, study_.environment, study_.fidelity,
+                                    study_.tolerance, study_.until);
   if (flight.error()) return *flight.error();
   acceleration_ = flight.accelerations(flight.duration()).total;
+  for (std::size_t i = 0; i < places_.size(); ++i)
+    acceleration_at_places_.push_back(flight.accelerations(places_.time_of(flight, i)).total);
   granted_ = flight.fidelity_in_use().fidelity;
   if (Status status = check_gravity(); !status) return status;
   if (std::ranges::any_of(study_.quantities, is_of_impact)) impacts_.emplace(study_, granted_);
@@ -194,8 +209,8 @@ Weather FlightModel::weather_of(const std::vector<std::span<const double>>& colu
   return weather;
 }
 
-ModelTold FlightModel::fly_columns_of(const std::vector<std::span<const double>>& columns, std::size_t count,
-                                      std::span<double> speeds, ModelScratch& scratch, const BlockEnds& ends) const {
+LaunchColumns FlightModel::launches_of(const std::vector<std::span<const double>>& columns,
+                                       std::span<double> speeds) const {
   LaunchColumns launches{.common = plain_.launch};
   for (std::size_t i = 0; i < numbers_.size(); ++i)
     if (const auto column = numbers_[i].row->launches) launches.*column = columns[i];
@@ -203,7 +218,13 @@ ModelTold FlightModel::fly_columns_of(const std::vector<std::span<const double>>
     std::fill(speeds.begin(), speeds.end(), plain_.launch.speed);
     launches.speed = speeds;
   }
-  const EndColumns into{.outcome = std::span(scratch.outcomes).first(count),
+  return launches;
+}
+
+ModelTold FlightModel::fly_columns_of(const std::vector<std::span<const double>>& columns,
+                                      const LaunchColumns& launches, ModelScratch& scratch,
+                                      const BlockEnds& ends) const {
+  const EndColumns into{.outcome = std::span(scratch.outcomes).first(ends.time.size()),
                         .time = ends.time,
                         .x = ends.x,
                         .y = ends.y,
@@ -216,6 +237,19 @@ ModelTold FlightModel::fly_columns_of(const std::vector<std::span<const double>>
   return {result.refused, result.error, {}};
 }
 
+/// What is watched on the way are events, which columns do not have.
+ModelTold FlightModel::fly_launches_of(const std::vector<std::span<const double>>& columns,
+                                       const LaunchColumns& launches, ModelScratch& scratch,
+                                       const BlockEnds& ends) const {
+  const std::size_t count = ends.time.size();
+  PHYSIM_ASSERT(!launches.has_drag() && launches.size() == count);
+  scratch.launches.resize(count);
+  for (std::size_t i = 0; i < count; ++i) scratch.launches[i] = launches.at(i);
+  fly_batch(plain_.projectile, scratch.launches, study_.environment, study_.fidelity, study_.tolerance, study_.until,
+            scratch.batch, nullptr, weather_of(columns));
+  return take_batch(count, scratch, ends);
+}
+
 ModelTold FlightModel::fly_shots_of(const std::vector<std::span<const double>>& columns, std::size_t count,
                                     InputColumns inputs, ModelScratch& scratch, const BlockEnds& ends) const {
   if (scratch.shots.size() < count) scratch.shots.resize(count, plain_);
@@ -226,14 +260,32 @@ ModelTold FlightModel::fly_shots_of(const std::vector<std::span<const double>>& 
     for (std::size_t shot = 0; shot < count && row.scale; ++shot)
       row.scale(scratch.shots[shot], plain_, columns[i][shot]);
   }
-  BatchResult& batch = scratch.batch;
   const auto shots = std::span(scratch.shots).first(count);
   if (study_.scene)
     fly_among_things(columns, weather, shots, inputs, scratch);
   else if (moves_profile_ || has_own_place_)
     fly_in_own_places(columns, weather, shots, scratch);
   else
-    fly_batch(shots, study_.environment, study_.fidelity, study_.tolerance, study_.until, batch, nullptr, weather);
+    fly_batch(shots, study_.environment, study_.fidelity, study_.tolerance, study_.until, scratch.batch, nullptr,
+              weather);
+  return take_batch(count, scratch, ends);
+}
+
+/// Flies a block the quickest way that it can go.
+ModelTold FlightModel::fly(const std::vector<std::span<const double>>& columns, InputColumns inputs,
+                           std::span<double> speeds, ModelScratch& scratch, const BlockEnds& ends) const {
+  if (as_columns_) {
+    const LaunchColumns launches = launches_of(columns, speeds);
+    if (places_.empty()) return fly_columns_of(columns, launches, scratch, ends);
+    if (!launches.has_drag()) return fly_launches_of(columns, launches, scratch, ends);
+  }
+  return fly_shots_of(columns, ends.time.size(), inputs, scratch, ends);
+}
+
+ModelTold FlightModel::take_batch(std::size_t count, ModelScratch& scratch, const BlockEnds& ends) const {
+  const BatchResult& batch = scratch.batch;
+  PHYSIM_ASSERT(batch.shots.size() == count);
+  for (const ShotEvent& event : batch.events) places_.take(event.event, event.shot, scratch.places);
   ModelTold told{0, batch.error, {}};
   for (std::size_t i = 0; i < count; ++i) {
     const ShotResult& shot = batch.shots[i];
@@ -274,6 +326,7 @@ void FlightModel::fly_in_own_places(const std::vector<std::span<const double>>& 
     fly_batch(shots.subspan(i, 1), own, study_.fidelity, study_.tolerance, study_.until, one);
     PHYSIM_ASSERT(one.shots.size() == 1);
     all.shots.push_back(one.shots[0]);
+    for (const ShotEvent& event : one.events) places_.take(event.event, i, scratch.places);
     if (one.error && !all.error) all.error = one.error;
   }
   scratch.batch = std::move(all);
@@ -289,14 +342,15 @@ void FlightModel::fly_among_things(const std::vector<std::span<const double>>& c
     Hash chance(study_.until.contact.seed);
     for (const auto& column : inputs) chance.add(column[i]);
     until.contact.seed = chance.value();
-    const Flight flight = fly(shots[i].projectile, shots[i].launch, environment_of(i, columns, weather),
-                              study_.fidelity, study_.tolerance, until);
+    const Flight flight = physim::fly(shots[i].projectile, shots[i].launch, environment_of(i, columns, weather),
+                                      study_.fidelity, study_.tolerance, until);
     ShotResult& shot = all.shots[i];
     shot.outcome = flight.outcome();
     if (flight.error() && !all.error) all.error = flight.error();
     if (flight.error()) continue;
     const Sample end = flight.end();
     shot.time = end.time, shot.position = end.position, shot.velocity = end.velocity;
+    for (const Event& event : flight.events()) places_.take(event, i, scratch.places);
     mark_things(flight, i, shots.size(), scratch);
     if (impacts_) scratch.impacts[i] = impacts_->first_of(flight);
   }
@@ -312,12 +366,11 @@ void FlightModel::mark_things(const Flight& flight, std::size_t shot, std::size_
   }
 }
 
-void FlightModel::move_to_plane(const BlockEnds& ends) const {
+void FlightModel::move_to_plane(const SeenColumns& seen, double range, const Vec3d& acceleration) const {
   constexpr double kLastPart = 0.25;  // parts of the time of flight
-  PHYSIM_ASSERT(study_.until.range.has_value());
-  shard_kernel().to_plane({sight_.forward, sight_.muzzle, *study_.until.range, acceleration_, kLastPart,
-                           ends.time.data(), ends.x.data(), ends.y.data(), ends.z.data(), ends.vx.data(),
-                           ends.vy.data(), ends.vz.data(), ends.x.size()});
+  shard_kernel().to_plane({sight_.forward, sight_.muzzle, range, acceleration, kLastPart, seen.time.data(),
+                           seen.x.data(), seen.y.data(), seen.z.data(), seen.vx.data(), seen.vy.data(), seen.vz.data(),
+                           seen.x.size()});
 }
 
 /// Impacts of shots that fly without a scene.
@@ -332,7 +385,7 @@ void FlightModel::put_ground_impacts(const BlockEnds& ends, ModelScratch& scratc
   }
 }
 
-void FlightModel::put(StudyQuantity quantity, const BlockEnds& e, const ModelScratch& scratch,
+void FlightModel::put(StudyQuantity quantity, const SeenColumns& e, const ModelScratch& scratch,
                       std::span<double> into) const {
   const auto copy = [&](std::span<const double> from) { std::copy(from.begin(), from.end(), into.begin()); };
   const auto seen = [&](const Vec3d& axis, const Vec3d& start) {
@@ -360,17 +413,31 @@ void FlightModel::put(StudyQuantity quantity, const BlockEnds& e, const ModelScr
   PHYSIM_UNREACHABLE();
 }
 
-ModelTold FlightModel::evaluate(InputColumns inputs, QuantityColumns quantities, ModelScratch& scratch) const {
-  PHYSIM_ASSERT(quantities.size() == study_.quantities.size());
+/// Columns of one place after the other; NaN of shots that do not come there.
+void FlightModel::put_places(const ModelScratch& scratch, QuantityColumns quantities) const {
+  PHYSIM_ASSERT(scratch.places.size() == places_.size());
+  std::size_t column = 0;
+  for (std::size_t i = 0; i < places_.size(); ++i) {
+    const SeenColumns& seen = scratch.places[i];
+    const StudyPlace& place = study_.at[i];
+    if (place.event.kind == EventKind::range) move_to_plane(seen, place.event.value, acceleration_at_places_[i]);
+    for (const StudyQuantity quantity : place.quantities) put(quantity, seen, scratch, quantities[column++]);
+  }
+  PHYSIM_ASSERT(column == quantities.size());
+}
+
+ModelTold FlightModel::evaluate(InputColumns inputs, QuantityColumns all, ModelScratch& scratch) const {
+  const QuantityColumns quantities = all.first(study_.quantities.size());
   const std::size_t count = quantities[0].size();
   scratch.numbers.resize(count * (10 + numbers_.size()));
   scratch.outcomes.resize(std::max(scratch.outcomes.size(), count));
   scratch.thing_hits.assign(things_.size() * count, 0);
+  scratch.places = places_.columns(count, scratch.place_numbers);
   if (impacts_) scratch.impacts.assign(count, kNoImpact);
   std::size_t taken = 0;
   const auto room = [&] { return std::span(scratch.numbers).subspan(count * taken++, count); };
-  const BlockEnds ends{
-      std::span(scratch.outcomes).first(count), room(), room(), room(), room(), room(), room(), room()};
+  const BlockEnds ends{{room(), room(), room(), room(), room(), room(), room()},
+                       std::span(scratch.outcomes).first(count)};
   const std::span<double> speeds = room();
   std::vector<std::span<const double>> columns;
   for (const UncertainNumber& number : numbers_) columns.push_back(column_of(number, inputs, room()));
@@ -379,10 +446,9 @@ ModelTold FlightModel::evaluate(InputColumns inputs, QuantityColumns quantities,
     blow_by_compass(columns, x, z);
     columns.insert(columns.end(), {x, z});
   }
-  ModelTold told = as_columns_ ? fly_columns_of(columns, count, speeds, scratch, ends)
-                               : fly_shots_of(columns, count, inputs, scratch, ends);
+  ModelTold told = fly(columns, inputs, speeds, scratch, ends);
   if (impacts_ && !study_.scene) put_ground_impacts(ends, scratch);
-  if (study_.until.range) move_to_plane(ends);
+  if (study_.until.range) move_to_plane(ends, *study_.until.range, acceleration_);
   for (std::size_t q = 0; q < quantities.size(); ++q) put(study_.quantities[q], ends, scratch, quantities[q]);
   for (std::size_t i = 0; i < count; ++i) {
     const Outcome outcome = ends.outcome[i];
@@ -392,6 +458,7 @@ ModelTold FlightModel::evaluate(InputColumns inputs, QuantityColumns quantities,
     if (arrived) continue;
     for (const auto& column : quantities) column[i] = kNowhere;
   }
+  put_places(scratch, all.subspan(quantities.size()));
   return told;
 }
 

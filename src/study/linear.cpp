@@ -23,7 +23,7 @@ struct SlopeBlock {
 
   explicit SlopeBlock(const StudyPlanRecord& plan) {
     const std::size_t n = plan.study.inputs.size();
-    quantities.assign(plan.study.quantities.size(), std::vector<double>(2 * n + 1));
+    quantities.assign(plan.columns(), std::vector<double>(2 * n + 1));
     for (std::size_t i = 0; i < n; ++i) {
       const Distribution& d = plan.study.inputs[i].distribution;
       deviations.push_back(std::sqrt(variance_of(d)));
@@ -90,6 +90,7 @@ Result<LinearResult> propagate_linearly(const StudyPlan& plan) {
   const StudyPlanRecord& record = plan.record();
   SlopeBlock block(record);
   block.evaluate(*record.model);
+  block.quantities.resize(record.study.quantities.size());  // those of places have plans of their own
   const std::size_t quantities = block.quantities.size();
   LinearResult result;
   for (const auto& column : block.quantities) {

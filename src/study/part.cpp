@@ -84,12 +84,71 @@ bool fits(const std::vector<PartSums>& sums, const std::vector<PartSums>& first)
   return sound;
 }
 
-/// What parts have of hits over inputs, of each node; nothing where they are not asked for.
-using OverInputs = std::vector<std::vector<PartSums>>;
-bool fits(const OverInputs& over_inputs, std::size_t nodes) {
-  return over_inputs.empty() || (over_inputs.size() == nodes && std::ranges::all_of(over_inputs, [&](const auto& of) {
-                                   return fits(of, over_inputs[0]);
-                                 }));
+bool fits(const std::vector<ReplicateDistances>& sums, std::size_t spreads) {
+  return std::ranges::all_of(sums, [&](const ReplicateDistances& of) {
+    return fits(of.from_aim, 1) && fits(of.from_centre, 1) && fits(of.in_space, 1) &&
+           (of.spreads.empty() || of.spreads.size() == spreads) &&
+           std::ranges::all_of(of.spreads, [](const SampleMoments& moments) { return fits(moments, 1); });
+  });
+}
+
+/// What sums have besides the common ones.
+struct MoreSums {
+  std::vector<PartSums> over_inputs;
+  std::vector<ReplicateDistances> distances;
+
+  [[nodiscard]] bool empty() const { return over_inputs.empty() && distances.empty(); }
+};
+struct SavedPlace {
+  CommonSums sums;
+  MoreSums more;
+};
+/// ... of a node, as they are saved.
+struct SavedMore {
+  MoreSums own;
+  std::vector<SavedPlace> places;
+
+  [[nodiscard]] bool empty() const { return own.empty() && places.empty(); }
+};
+
+bool fits(const MoreSums& sums, const MoreSums& first, const CommonSums& common) {
+  const bool over_inputs =
+      first.over_inputs.empty() ? sums.over_inputs.empty() : fits(sums.over_inputs, first.over_inputs);
+  const std::size_t replicates = first.distances.empty() ? 0 : kReplicates;
+  return over_inputs && sums.distances.size() == replicates && fits(sums.distances, common.spreads.size());
+}
+bool fits(const SavedMore& more, const SavedMore& first, const CommonSums& common) {
+  bool sound = fits(more.own, first.own, common) && more.places.size() == first.places.size();
+  for (std::size_t i = 0; sound && i < first.places.size(); ++i)
+    sound = fits(more.places[i].sums, first.places[i].sums) &&
+            fits(more.places[i].more, first.places[i].more, first.places[i].sums);
+  return sound;
+}
+
+SavedMore more_of(const ShardSums& sums) {
+  SavedMore more{{sums.over_inputs, sums.distances}, {}};
+  for (const ShardSums& place : sums.places) more.places.push_back({place, {place.over_inputs, place.distances}});
+  return more;
+}
+
+ShardSums sums_of(const CommonSums& common, const MoreSums& more) {
+  return {common, more.over_inputs, more.distances, {}};
+}
+ShardSums sums_of(const CommonSums& common, const SavedMore& more) {
+  ShardSums sums = sums_of(common, more.own);
+  for (const SavedPlace& place : more.places) sums.places.push_back(sums_of(place.sums, place.more));
+  return sums;
+}
+
+/// Reads what a format has behind all else: of each node; nothing where there is none.
+std::vector<SavedMore> read_more(Reader& reader, std::uint32_t format) {
+  std::vector<SavedMore> more;
+  if (format == kStudyFormatMore) reader(more);
+  if (format != kStudyFormatOverInputs) return more;
+  std::vector<std::vector<PartSums>> over_inputs;
+  reader(over_inputs);
+  for (std::vector<PartSums>& of : over_inputs) more.push_back({{std::move(of), {}}, {}});
+  return more;
 }
 
 }  // namespace
@@ -199,17 +258,17 @@ Result<StudyPart> merge(const StudyPart& a, const StudyPart& b) {
 
 std::vector<std::byte> save_part(const StudyPart& part) {
   SavedPart saved{kWhat, kStudyFormat, part.record().hash, {}};
-  OverInputs over_inputs;
+  std::vector<SavedMore> more;
   for (const auto& [first, node] : part.record().nodes) {
     saved.nodes.push_back({first, node.count, *node.sums});
-    if (!node.sums->over_inputs.empty()) over_inputs.push_back(node.sums->over_inputs);
+    if (SavedMore of = more_of(*node.sums); !of.empty()) more.push_back(std::move(of));
   }
-  PHYSIM_ASSERT(over_inputs.empty() || over_inputs.size() == saved.nodes.size());
-  if (!over_inputs.empty()) saved.format = kStudyFormatOverInputs;
+  PHYSIM_ASSERT(more.empty() || more.size() == saved.nodes.size());
+  if (!more.empty()) saved.format = kStudyFormatMore;
   std::vector<std::byte> bytes;
   Writer writer(bytes);
   writer.write(saved);
-  if (!over_inputs.empty()) writer.write(over_inputs);
+  if (!more.empty()) writer.write(more);
   const std::uint64_t sum = hash_of(bytes);
   writer.write(sum);
   PHYSIM_ASSERT(writer.good());
@@ -222,13 +281,12 @@ Result<StudyPart> load_part(std::span<const std::byte> bytes) {
   Reader reader(bytes);
   reader(saved.what, saved.format);
   if (!reader.good() || saved.what != kWhat) return not_a_part("they begin otherwise");
-  if (saved.format != kStudyFormat && saved.format != kStudyFormatOverInputs)
-    return Error{"the part has format " + std::to_string(saved.format) + ", this version " +
-                     std::to_string(kStudyFormatOverInputs),
-                 "part", "join it with the version that flew it"};
-  OverInputs over_inputs;
+  if (saved.format < kStudyFormat || saved.format > kStudyFormatMore)
+    return Error{
+        "the part has format " + std::to_string(saved.format) + ", this version " + std::to_string(kStudyFormatMore),
+        "part", "join it with the version that flew it"};
   reader(saved.hash, saved.nodes);
-  if (saved.format == kStudyFormatOverInputs) reader(over_inputs);
+  std::vector<SavedMore> more = read_more(reader, saved.format);
   reader(sum);
   if (!reader.complete()) return not_a_part("they end too early, or too late");
   const auto content = bytes.first(bytes.size() - sizeof(sum));
@@ -236,16 +294,16 @@ Result<StudyPart> load_part(std::span<const std::byte> bytes) {
   auto part = std::make_shared<StudyPartRecord>();
   part->hash = saved.hash;
   std::uint64_t end = 0;
-  if (!fits(over_inputs, saved.nodes.size())) return not_a_part("its shards do not fit together");
+  if (!more.empty() && more.size() != saved.nodes.size()) return not_a_part("its shards do not fit together");
+  more.resize(saved.nodes.size());
   for (std::size_t i = 0; i < saved.nodes.size(); ++i) {
     const SavedNode& node = saved.nodes[i];
     if (!std::has_single_bit(node.count) || node.first % node.count != 0 || node.first < end ||
-        node.count > ~std::uint64_t{0} - node.first || !fits(node.sums, saved.nodes[0].sums))
+        node.count > ~std::uint64_t{0} - node.first || !fits(node.sums, saved.nodes[0].sums) ||
+        !fits(more[i], more[0], saved.nodes[0].sums))
       return not_a_part("its shards do not fit together");
     end = node.first + node.count;
-    ShardSums sums{node.sums, {}};
-    if (!over_inputs.empty()) sums.over_inputs = over_inputs[i];
-    part->add(node.first, {node.count, std::make_shared<const ShardSums>(std::move(sums))});
+    part->add(node.first, {node.count, std::make_shared<const ShardSums>(sums_of(node.sums, more[i]))});
   }
   return StudyPart(std::move(part));
 }

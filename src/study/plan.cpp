@@ -14,6 +14,7 @@
 #include "study/moments.hpp"
 #include "study/over_inputs.hpp"
 #include "study/paths.hpp"
+#include "study/places.hpp"
 
 namespace physim {
 namespace {
@@ -34,18 +35,24 @@ void add_member(Hasher& hasher, const std::shared_ptr<const Scene>& scene) {
 void add_member(Hasher& hasher, const std::optional<std::uint32_t>& over_inputs) {
   if (over_inputs) hasher.add(*over_inputs);
 }
+void add_member(Hasher& hasher, const std::vector<StudyPlace>& at) {
+  if (!at.empty()) hasher.add(at);
+}
 template <class T>
 void add_member(Hasher& hasher, const T& member) {
   hasher.add(member);
 }
 
 /// What belongs to the results of shards: not how many there are. What is not asked for is left out where hashes were
-/// without it before: parts that were flown then are gone on with.
-std::uint64_t hash_of_study(Study study) {
+/// without it before: parts that were flown then are gone on with. Those that need replicates have distances in them
+/// since kStudyFormatMore.
+std::uint64_t hash_of_study(const StudyPlanRecord& plan) {
+  Study study = plan.study;
   study.shots = 0;
   study.until_width.reset();
   Hasher hasher;
   hasher.add(kStudyFormat);
+  if (!plan.is_plain()) hasher.add(kStudyFormatMore);
   with_members(study, [&](const auto&... members) { (add_member(hasher, members), ...); });
   return hasher.value();
 }
@@ -87,6 +94,20 @@ void put_grids(StudyPlanRecord& plan, const SampleMoments& m) {
   }
 }
 
+/// From columns of shots at their ends, or at a place: how many arrived.
+std::size_t put_seen(StudyPlanRecord& plan, std::span<const std::span<double>> columns) {
+  std::vector<std::span<const double>> seen;
+  std::size_t arrived = 0;
+  for (std::size_t i = 0; i < kPilotShots; ++i) {
+    if (!std::ranges::all_of(columns, [i](const auto& column) { return is_finite(column[i]); })) continue;
+    for (const auto& column : columns) column[arrived] = column[i];
+    ++arrived;
+  }
+  for (const auto& column : columns) seen.push_back(column.first(arrived));
+  if (arrived >= 2) put_grids(plan, moments_of(seen));
+  return arrived;
+}
+
 /// What may help where shots do not arrive.
 const char* hint_to_arrive(const Study& study) {
   if (std::ranges::any_of(study.quantities, is_of_impact))
@@ -96,7 +117,7 @@ const char* hint_to_arrive(const Study& study) {
 }
 
 Status fly_pilot(StudyPlanRecord& plan) {
-  const std::size_t inputs = plan.study.inputs.size(), quantities = plan.study.quantities.size();
+  const std::size_t inputs = plan.study.inputs.size(), quantities = plan.columns();
   std::vector<double> numbers((inputs + quantities) * kPilotShots);
   std::vector<std::span<double>> in, out;
   for (std::size_t i = 0; i < inputs + quantities; ++i)
@@ -111,19 +132,35 @@ Status fly_pilot(StudyPlanRecord& plan) {
   if (told.refused > 0 && told.error && plan.notes.empty())
     plan.notes.push_back("about " + rounded_text(100.0 * static_cast<double>(told.refused) / kPilotShots) +
                          " % of the shots are refused, as the first: " + told.error->text());
-  std::size_t arrived = 0;
-  for (std::size_t i = 0; i < kPilotShots; ++i) {
-    if (!std::ranges::all_of(out, [i](const auto& column) { return is_finite(column[i]); })) continue;
-    for (const auto& column : out) column[arrived] = column[i];
-    ++arrived;
+  const auto told_of = [](std::size_t arrived) {
+    return "of " + std::to_string(kPilotShots) + " shots " + std::to_string(arrived) + " arrived";
+  };
+  std::size_t first = plan.study.quantities.size();
+  if (const std::size_t arrived = put_seen(plan, std::span(out).first(first)); arrived < 2)
+    return Error{told_of(arrived), "until", hint_to_arrive(plan.study)};
+  for (std::size_t i = 0; i < plan.places.size(); ++i) {
+    const std::size_t count = plan.places[i].study.quantities.size();
+    if (const std::size_t arrived = put_seen(plan.places[i], std::span(out).subspan(first, count)); arrived < 2)
+      return Error{told_of(arrived) + " there", "at[" + std::to_string(i) + ']',
+                   "name a place that shots come to before they end"};
+    first += count;
   }
-  if (arrived < 2)
-    return Error{"of " + std::to_string(kPilotShots) + " shots " + std::to_string(arrived) + " arrived", "until",
-                 hint_to_arrive(plan.study)};
-  std::vector<std::span<const double>> columns;
-  for (const auto& column : out) columns.push_back(column.first(arrived));
-  put_grids(plan, moments_of(columns));
   return {};
+}
+
+/// A study that ends at a place.
+StudyPlanRecord place_of(const StudyPlanRecord& whole, std::size_t i) {
+  StudyPlanRecord place;
+  place.study = study_at(whole.study, i);
+  place.takes_plane = has_plane_axes(place.study.quantities);
+  place.hash = hash_of(whole.hash, std::uint64_t{i});
+  place.quantiles = whole.quantiles, place.groups = whole.groups;
+  if (place.study.over_inputs) place.edges = whole.edges;
+  place.shards = whole.shards;
+  std::size_t first = whole.study.quantities.size();
+  for (std::size_t before = 0; before < i; ++before) first += whole.study.at[before].quantities.size();
+  place.model = part_of_model(whole.model, first, whole.columns());
+  return place;
 }
 
 Result<StudyPlan> finish(StudyPlanRecord&& plan) {
@@ -133,15 +170,29 @@ Result<StudyPlan> finish(StudyPlanRecord&& plan) {
   for (const StudyInput& input : plan.study.inputs) plan.quantiles.emplace_back(input.distribution);
   put_edges(plan);
   note_the_impossible(plan);
-  plan.hash = hash_of_study(plan.study);
+  plan.hash = hash_of_study(plan);
   plan.shards = shards_of(plan, plan.study.shots);
+  for (std::size_t i = 0; i < plan.study.at.size(); ++i) plan.places.push_back(place_of(plan, i));
   if (const Status status = fly_pilot(plan); !status) return status.error();
   return StudyPlan(std::make_shared<const StudyPlanRecord>(std::move(plan)));
 }
 
 }  // namespace
 
+std::size_t StudyPlanRecord::columns() const {
+  std::size_t count = study.quantities.size();
+  for (const StudyPlace& place : study.at) count += place.quantities.size();
+  return count;
+}
+
 std::uint64_t StudyPlanRecord::shards_at_once() const { return is_plain() && !study.indices ? 1 : kReplicates; }
+
+std::vector<StudyPlan> StudyPlan::places() const {
+  std::vector<StudyPlan> plans;
+  for (const StudyPlanRecord& place : record_->places)
+    plans.emplace_back(std::shared_ptr<const StudyPlanRecord>(record_, &place));
+  return plans;
+}
 
 const Study& StudyPlan::study() const { return record_->study; }
 std::uint64_t StudyPlan::shards() const { return record_->shards; }
@@ -153,6 +204,7 @@ Result<StudyPlan> plan_study(const Study& study) {
   StudyPlanRecord plan;
   plan.study = study;
   fill_quantities(plan.study);
+  fill_places(plan.study);
   Launch& launch = plan.study.launch;
   if (launch.sight.zero_range > 0) {
     const auto elevation =

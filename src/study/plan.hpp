@@ -37,8 +37,12 @@ struct StudyPlanRecord {
   std::vector<std::string> notes;
   std::uint64_t shards = 0;
   std::shared_ptr<SpareMemory> spare = std::make_shared<SpareMemory>();
+  std::vector<StudyPlanRecord> places;  // of each of Study::at: of a study that ends there
+  bool takes_plane = true;              // false: its first two quantities are those of a place, and no lengths
 
-  [[nodiscard]] bool has_plane() const { return study.quantities.size() >= 2; }
+  /// Columns that its model fills: of its quantities, then of those of each place.
+  [[nodiscard]] std::size_t columns() const;
+  [[nodiscard]] bool has_plane() const { return takes_plane && study.quantities.size() >= 2; }
   /// Random shots that know nothing of each other.
   [[nodiscard]] bool is_plain() const { return study.sampling == Sampling::random && study.rounds == 1; }
   /// A study ends at a multiple of so many shards: at one of them, or where each replicate has as many.

@@ -156,13 +156,14 @@ std::vector<double> fly_shot_of(const StudyPlan& plan, std::uint64_t shot) {
   const IeeeMode mode;
   const StudyPlanRecord& record = plan.record();
   const std::vector<double> drawn = drawn_by(record, shot);
-  std::vector<double> quantities(record.study.quantities.size());
+  std::vector<double> quantities(record.columns());
   std::vector<std::span<const double>> in;
   std::vector<std::span<double>> out;
   for (const double& x : drawn) in.emplace_back(&x, 1);
   for (double& x : quantities) out.emplace_back(&x, 1);
   ModelScratch scratch;
   record.model->evaluate(in, out, scratch);
+  quantities.resize(record.study.quantities.size());  // those of places have plans of their own
   return quantities;
 }
 

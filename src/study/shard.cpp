@@ -30,14 +30,34 @@ void ShotBlock::set_size(std::size_t columns_wanted, std::size_t rows) {
   for (std::size_t i = 0; i < columns_wanted; ++i) columns.push_back(std::span(numbers).subspan(i * rows, rows));
 }
 
-ModelTold ShardFlyer::evaluate(const ShotBlock& inputs, ShotBlock& quantities) {
-  quantities.set_size(plan_.study.quantities.size(), inputs.columns[0].size());
-  return plan_.model->evaluate(read_only(inputs.columns), quantities.columns, m_.scratch);
+ModelTold ShardFlyer::evaluate(const ShotBlock& inputs, ShotBlock ShardMemory::*into) {
+  const std::size_t shots = inputs.columns[0].size();
+  ShotBlock& own = m_.*into;
+  own.set_size(plan_.study.quantities.size(), shots);
+  if (places_.empty()) return plan_.model->evaluate(read_only(inputs.columns), own.columns, m_.scratch);
+  std::vector<std::span<double>> columns = own.columns;
+  for (const auto& place : places_) {
+    ShotBlock& there = place->m_.*into;
+    there.set_size(place->plan_.study.quantities.size(), shots);
+    columns.insert(columns.end(), there.columns.begin(), there.columns.end());
+  }
+  return plan_.model->evaluate(read_only(inputs.columns), columns, m_.scratch);
 }
 
 ShardSums ShardFlyer::fly(std::uint64_t shard) {
   const Study& study = plan_.study;
-  const Sampler sampler{study.sampling, study.seed};
+  m_.inputs.set_size(study.inputs.size(), study.shard_shots);
+  draw(plan_, {study.sampling, study.seed}, shard, 0, m_.inputs.columns);
+  const ModelTold told = evaluate(m_.inputs, &ShardMemory::quantities);
+  ShardSums sums = add_up(shard, told, m_.inputs.columns);
+  for (const auto& place : places_) sums.places.push_back(place->add_up(shard, told, m_.inputs.columns));
+  if (study.indices) add_indices(shard, sums);
+  return sums;
+}
+
+/// What shots came to that were flown into its block.
+ShardSums ShardFlyer::add_up(std::uint64_t shard, const ModelTold& told, Columns inputs) {
+  const Study& study = plan_.study;
   ShardSums sums;
   sums.shots = study.shard_shots;
   sums.replicates.resize(kReplicates);
@@ -45,9 +65,6 @@ ShardSums ShardFlyer::fly(std::uint64_t shard) {
   sums.from_aim.cells = sums.from_centre.cells = empty_cells(0, plan_.radius_scale);
   sums.in_space.cells = empty_cells(0, plan_.space_scale);
 
-  m_.inputs.set_size(study.inputs.size(), study.shard_shots);
-  draw(plan_, sampler, shard, 0, m_.inputs.columns);
-  const ModelTold told = evaluate(m_.inputs, m_.quantities);
   sums.refused = told.refused;
   if (told.error && told.first)
     sums.refusal =
@@ -59,10 +76,15 @@ ShardSums ShardFlyer::fly(std::uint64_t shard) {
   Replicate& own = sums.replicates[shard % kReplicates];
   if (study.over_inputs) {
     sums.over_inputs.resize(kReplicates);
-    sums.over_inputs[shard % kReplicates] = part_sums_of(plan_, m_.inputs.columns, m_.hits);
+    sums.over_inputs[shard % kReplicates] = part_sums_of(plan_, inputs, m_.hits);
   }
   own.shots = sums.shots, own.moments = sums.moments, own.hits = sums.hits;
-  if (study.indices) add_indices(shard, own.indices);
+  if (!plan_.is_plain()) {
+    sums.distances.resize(kReplicates);
+    ReplicateDistances& distances = sums.distances[shard % kReplicates];
+    distances = {sums.from_aim.moments, sums.from_centre.moments, sums.in_space.moments, {}};
+    for (const DistanceSums& spread : sums.spreads) distances.spreads.push_back(spread.moments);
+  }
   return sums;
 }
 
@@ -180,20 +202,27 @@ void ShardFlyer::add_spreads(ShardSums& sums) {
   }
 }
 
-void ShardFlyer::add_indices(std::uint64_t shard, IndexSums& sums) {
+void ShardFlyer::add_indices_of(std::size_t group, ShardSums& sums, std::size_t replicate) const {
+  add_index_sums(plan_, group, m_.quantities.columns, m_.other_quantities.columns, m_.mixed_quantities.columns,
+                 sums.replicates[replicate].indices);
+}
+
+void ShardFlyer::add_indices(std::uint64_t shard, ShardSums& sums) {
   const Study& study = plan_.study;
   const std::size_t inputs = study.inputs.size();
   m_.other_inputs.set_size(inputs, study.shard_shots);
   draw(plan_, {study.sampling, study.seed}, shard, static_cast<unsigned>(inputs), m_.other_inputs.columns);
-  evaluate(m_.other_inputs, m_.other_quantities);
+  evaluate(m_.other_inputs, &ShardMemory::other_quantities);
   for (std::size_t group = 0; group < plan_.groups.size(); ++group) {
     m_.mixed_inputs.set_size(inputs, study.shard_shots);
     for (std::size_t i = 0; i < inputs; ++i)
       std::ranges::copy(m_.inputs.columns[i], m_.mixed_inputs.columns[i].begin());
     for (const std::size_t i : plan_.groups[group].inputs)
       std::ranges::copy(m_.other_inputs.columns[i], m_.mixed_inputs.columns[i].begin());
-    evaluate(m_.mixed_inputs, m_.mixed_quantities);
-    add_index_sums(plan_, group, m_.quantities.columns, m_.other_quantities.columns, m_.mixed_quantities.columns, sums);
+    evaluate(m_.mixed_inputs, &ShardMemory::mixed_quantities);
+    add_indices_of(group, sums, shard % kReplicates);
+    for (std::size_t i = 0; i < places_.size(); ++i)
+      places_[i]->add_indices_of(group, sums.places[i], shard % kReplicates);
   }
 }
 
@@ -201,12 +230,19 @@ StudyShots ShardFlyer::shots_of(std::uint64_t shard) {
   const Study& study = plan_.study;
   m_.inputs.set_size(study.inputs.size(), study.shard_shots);
   draw(plan_, {study.sampling, study.seed}, shard, 0, m_.inputs.columns);
-  evaluate(m_.inputs, m_.quantities);
+  evaluate(m_.inputs, &ShardMemory::quantities);
+  StudyShots shots = shots_told();
+  for (const auto& column : m_.inputs.columns) shots.inputs.emplace_back(column.begin(), column.end());
+  for (const auto& place : places_) shots.at.push_back(place->shots_told());
+  return shots;
+}
+
+/// Shots that were flown into its block, without what they drew.
+StudyShots ShardFlyer::shots_told() {
   mark_hits();
   StudyShots shots;
-  for (const auto& column : m_.inputs.columns) shots.inputs.emplace_back(column.begin(), column.end());
   for (const auto& column : m_.quantities.columns) shots.quantities.emplace_back(column.begin(), column.end());
-  const auto all = static_cast<std::ptrdiff_t>(study.shard_shots);
+  const auto all = static_cast<std::ptrdiff_t>(plan_.study.shard_shots);
   for (auto hit = m_.hits.begin(); hit != m_.hits.end(); hit += all) shots.hits.emplace_back(hit, hit + all);
   return shots;
 }

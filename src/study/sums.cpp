@@ -29,6 +29,15 @@ void join_replicate(Replicate& all, const Replicate& more) {
   add_each(all.indices.total, more.indices.total);
 }
 
+void join_distances(ReplicateDistances& all, const ReplicateDistances& more) {
+  join(all.from_aim, more.from_aim);
+  join(all.from_centre, more.from_centre);
+  join(all.in_space, more.in_space);
+  if (all.spreads.empty()) all.spreads.resize(more.spreads.size());
+  PHYSIM_ASSERT(more.spreads.empty() || all.spreads.size() == more.spreads.size());
+  for (std::size_t i = 0; i < more.spreads.size(); ++i) join(all.spreads[i], more.spreads[i]);
+}
+
 void join_ends(ShardSums& all, const ShardSums& later) {
   if (later.least.empty()) return;
   if (all.least.empty()) {
@@ -112,6 +121,9 @@ void join(ShardSums& all, const ShardSums& later) {
     add_each(all.over_inputs[i].shots, later.over_inputs[i].shots);
     add_each(all.over_inputs[i].hits, later.over_inputs[i].hits);
   }
+  PHYSIM_ASSERT(all.distances.size() == later.distances.size() && all.places.size() == later.places.size());
+  for (std::size_t i = 0; i < all.distances.size(); ++i) join_distances(all.distances[i], later.distances[i]);
+  for (std::size_t i = 0; i < all.places.size(); ++i) join(all.places[i], later.places[i]);
 }
 
 }  // namespace physim

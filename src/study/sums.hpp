@@ -76,8 +76,16 @@ struct CommonSums {
   std::vector<StageSums> stages;      // the last of them is of all shots
 };
 
+/// Distances of a replicate, and spreads: what errors of their means are told from.
+struct ReplicateDistances {
+  SampleMoments from_aim, from_centre, in_space;
+  std::vector<SampleMoments> spreads;  // of each group size
+};
+
 struct ShardSums : CommonSums {
-  std::vector<PartSums> over_inputs;  // of each replicate; empty: not asked for
+  std::vector<PartSums> over_inputs;          // of each replicate; empty: not asked for
+  std::vector<ReplicateDistances> distances;  // of each replicate; empty: shots know nothing of each other
+  std::vector<ShardSums> places;              // of each of Study::at
 };
 
 /// Takes in the shards that follow.

@@ -221,6 +221,92 @@ TEST(StudyCli, indices_of_what_does_not_vary_are_none) {
   EXPECT_FALSE(has(ran.out, "nan")) << ran.out;
 }
 
+/// The ball has its apex a quarter as high as it flies far, v^2 / 40 of 22.5 m, with a deviation of 2 % of that.
+TEST(StudyCli, tells_of_places_on_the_way) {
+  const Folder folder;
+  const std::string file = folder.write("throw.toml", throw_study(30000)), csv = folder / "a.csv",
+                    kept = folder / "kept";
+  const std::vector<std::string> at = {"--at", "apex: y, time", "--at", "45 m", "--at", "90 m", "--at", "10 m rising"};
+  const auto study = [&](std::vector<std::string> more) {
+    more.insert(more.begin(), {"study", file});
+    more.insert(more.end(), at.begin(), at.end());
+    return more;
+  };
+  const Ran ran = physim(study({"--json", "-", "--csv", csv, "--resume", kept}));
+  ASSERT_EQ(ran.code, 0) << ran.err;
+  const auto json = nlohmann::json::parse(ran.out);
+  ASSERT_EQ(json["at"].size(), 4U);
+  EXPECT_EQ(json["at"][0]["place"], "apex");
+  EXPECT_EQ(json["at"][1]["place"], "45 m");
+  EXPECT_EQ(json["at"][3]["place"], "10 m rising");
+  EXPECT_EQ(json["at"][0]["quantities"], nlohmann::json({"y [m]", "time [s]"}));
+  const auto figure = [](const auto& of, const std::string& name) {
+    for (const auto& each : of["figures"])
+      if (each["name"] == name) return each["value"].template get<double>();
+    ADD_FAILURE() << name << " is missing";
+    return 0.0;
+  };
+  EXPECT_NEAR(figure(json["at"][0], "y.mean [m]"), 22.5 * 1.0001, 0.02);
+  EXPECT_NEAR(figure(json["at"][0], "y.deviation [m]"), 0.45, 0.01);
+  EXPECT_NEAR(figure(json["at"][1], "up.mean [m]"), 22.5, 0.02) << "45 m away it is at its apex";
+  EXPECT_NEAR(figure(json["at"][2], "not_arrived"), 16384, 400) << "half of them land before 90 m";
+  const std::string rows = read(csv);
+  for (const char* head : {"\nat.apex.y.mean [m], ", "\nat.45 m.up.quantile_0.5 [m], ", "\nat.10 m rising.shots, "})
+    EXPECT_TRUE(has(rows, head)) << head;
+  const Ran text = physim(study({"--threads", "1"}));
+  for (const char* head :
+       {"\n  at apex\n", "\n  at 90 m: ", "did not come there", "\n  over range, by the same flights\n"})
+    EXPECT_TRUE(has(text.out, head)) << head << " in\n" << text.out;
+
+  const std::string again = folder / "b.csv";
+  ASSERT_EQ(physim(study({"--merge", kept, "--csv", again})).code, 0);
+  EXPECT_EQ(read(again), rows);
+  std::vector<std::string> join = study({"--csv", again});
+  for (const char* part : {"2/2", "1/2"}) {
+    const std::string into = folder / std::string(1, part[0]);
+    ASSERT_EQ(physim(study({"--shards", part, "--resume", into})).code, 0);
+    join.insert(join.end(), {"--merge", into});
+  }
+  ASSERT_EQ(physim(join).code, 0);
+  EXPECT_EQ(read(again), rows);
+  EXPECT_TRUE(has(physim({"study", file, "--merge", kept}).err, "another study"));
+
+  const auto shot = nlohmann::json::parse(physim(study({"--fly", "77", "--json", "-"})).out);
+  const double v = 30 + shot["inputs"][0]["drawn"].get<double>();
+  EXPECT_NEAR(shot["at"][0]["quantities"][0]["value"].get<double>(), v * v / 40, 1e-8);
+}
+
+TEST(StudyCli, histograms) {
+  const Folder folder;
+  const std::string file = folder.write("throw.toml", throw_study(40000, ", \"shot.azimuth = +- 1 deg\""));
+  const Ran ran =
+      physim({"study", file, "--histograms", "20", "--json", "-", "--csv", folder / "a.csv", "--at", "10 m"});
+  ASSERT_EQ(ran.code, 0) << ran.err;
+  const auto json = nlohmann::json::parse(ran.out);
+  ASSERT_EQ(json["histograms"].size(), 4U + 2U + 3U) << "quantities, distances, extreme spreads";
+  const auto& along = json["histograms"][1];
+  EXPECT_EQ(along["name"], "along");
+  EXPECT_EQ(along["unit"], "m");
+  ASSERT_EQ(along["count"].size(), 20U);
+  std::uint64_t all = 0;
+  for (const auto& count : along["count"]) all += count.get<std::uint64_t>();
+  EXPECT_EQ(all, 40960U);
+  EXPECT_EQ(json["at"][0]["histograms"].size(), 9U);
+  const std::string csv = read(folder / "a.csv");
+  const auto row = [&](const std::string& name) {
+    const std::size_t at = csv.find("\n" + name + ", ");
+    return at == std::string::npos ? NAN : std::stod(csv.substr(csv.find(", ", at) + 2));
+  };
+  EXPECT_EQ(row("histogram.along.7.from [m]"), along["low"][6].get<double>());
+  EXPECT_EQ(row("histogram.along.7.to [m]"), along["high"][6].get<double>());
+  EXPECT_EQ(row("histogram.along.7.count"), along["count"][6].get<double>());
+  EXPECT_GT(row("histogram.extreme_spread.5.10.count"), 0);
+  EXPECT_GT(row("at.10 m.histogram.time.10.count"), 0);
+  const Ran text = physim({"study", file, "--set", "study.histograms=12"});
+  EXPECT_TRUE(has(text.out, "along from [m]") && has(text.out, " ####")) << text.out;
+  EXPECT_FALSE(has(physim({"study", file}).out, "along from"));
+}
+
 TEST(StudyCli, bad_input_says_what_is_wrong) {
   const Folder folder;
   const std::string file = folder.write("throw.toml", throw_study(30000));
@@ -246,6 +332,12 @@ TEST(StudyCli, bad_input_says_what_is_wrong) {
   EXPECT_TRUE(has(refusal({"--over-inputs", "1000"}), "2 to 100"));
   EXPECT_TRUE(has(refusal({"--over-inputs", "4", "--set", "study.targets=[]"}), "no target"));
   EXPECT_TRUE(has(refusal({"--over-inputs", "4", "--ranges", "20 m"}), "leave --ranges out"));
+  EXPECT_TRUE(has(refusal({"--histograms", "2"}), "3 to 1000"));
+  EXPECT_TRUE(has(refusal({"--histograms", "9", "--ranges", "20 m"}), "leave --ranges out"));
+  EXPECT_TRUE(has(refusal({"--at", "apxe"}), "study.at[0]"));
+  EXPECT_TRUE(has(refusal({"--at", "apex: hight"}), "no quantity of a place"));
+  EXPECT_TRUE(has(refusal({"--at", "1 km"}), "0 arrived there"));
+  EXPECT_TRUE(has(refusal({"--at", "10 m", "--ranges", "20 m"}), "study.at and --at"));
   EXPECT_TRUE(has(refusal({"--set", "study.until_time=0 s"}), "study.until_time"));
   EXPECT_TRUE(has(refusal({"--until-time", "1 s", "--shards", "1/2", "--resume", folder / "x"}), "--shards"));
   EXPECT_TRUE(has(refusal({"--resume", folder / "no/folder"}), "folder"));

@@ -1,6 +1,8 @@
 // `physim study --hdf5`: each shot, as the library itself gives it again.
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 #include "cli/program.hpp"
 #include "cli/throw_study.hpp"
 #include "physim/scenario.hpp"
@@ -43,6 +45,21 @@ TEST(StudyColumns, are_the_shots) {
     EXPECT_EQ(hits[shot], std::abs(along[shot] - 90) < 1.8 ? 1 : 0);
   }
   EXPECT_EQ(folder.names().size(), 2U) << "nothing else is left behind";
+}
+
+TEST(StudyColumns, of_places_are_in_groups_of_theirs) {
+  const Folder folder;
+  const std::string text = throw_study(5000), out = folder / "shots.h5";
+  const Ran ran = physim({"study", folder.write("throw.toml", text), "--at", "apex: y", "--at", "45 m", "--hdf5", out});
+  ASSERT_EQ(ran.code, 0) << ran.err;
+  const auto speeds = column(out, "/inputs/shot.speed"), apex = column(out, "/at/apex/quantities/y");
+  const auto up = column(out, "/at/45 m/quantities/up");
+  ASSERT_EQ(apex.size(), 2 * 4096U);
+  for (const std::size_t shot : {0U, 4095U, 8191U}) {
+    const double v = 30 + speeds[shot], t = 45 / (v * std::sqrt(0.5));
+    EXPECT_NEAR(apex[shot], v * v / 40, 1e-8);
+    EXPECT_NEAR(up[shot], v * std::sqrt(0.5) * t - 5 * t * t, 1e-8);
+  }
 }
 
 /// A disk that is full: told, and what was there before stays.

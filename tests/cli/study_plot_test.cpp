@@ -55,6 +55,22 @@ TEST(StudyPlot, shows_hits_over_inputs) {
     EXPECT_TRUE(has(read(picture), text)) << text;
 }
 
+TEST(StudyPlot, shows_places_and_histograms) {
+  if (!gnuplot_is_there()) GTEST_SKIP() << "gnuplot is not there";
+  const Folder folder;
+  const std::string file = folder.write("throw.toml", kThrow);
+  const Ran ran = physim({"study", file, "--plot", folder / "a.svg", "--at", "apex", "--at", "20 m", "--at", "40 m"});
+  ASSERT_EQ(ran.code, 0) << ran.err;
+  EXPECT_TRUE(has(read(folder / "a.svg"), "along [m]"));
+  EXPECT_TRUE(has(read(folder / "a-at-1.svg"), "A throw: ball, at apex"));
+  EXPECT_TRUE(has(read(folder / "a-at-3.svg"), "A throw: ball, at 40 m"));
+  EXPECT_TRUE(has(read(folder / "a-ranges.svg"), "range [m]"));
+  const Ran bars = physim({"study", file, "--plot", folder / "b.svg", "--histograms", "30"});
+  ASSERT_EQ(bars.code, 0) << bars.err;
+  for (const char* text : {"A throw: ball", "along [m]", "speed [m/s]", "radius.centre [m]", "bars of one width"})
+    EXPECT_TRUE(has(read(folder / "b.svg"), text)) << text;
+}
+
 TEST(StudyPlot, a_missing_gnuplot_is_named_with_its_package) {
   const Folder folder;
   const std::string file = folder.write("throw.toml", kThrow);

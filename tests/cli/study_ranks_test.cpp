@@ -73,6 +73,24 @@ TEST(StudyRanks, have_the_bits_of_threads) {
   }
 }
 
+TEST(StudyRanks, have_the_bits_of_threads_at_places_too) {
+  const Folder folder;
+  const std::string file = folder.write("rifle.toml", kRifle), kept = folder / "kept", part = folder / "part";
+  const std::vector<std::string> study = {
+      "study", file, "--at", "100 m", "--at", "200 m: up, time", "--set", "study.sampling=latin_hypercube",
+      "--csv", "-"};
+  const auto into = [&](const std::string& to) {
+    std::vector<std::string> words = study;
+    words.insert(words.end(), {"--resume", to});
+    return words;
+  };
+  const Ran threads = physim(into(kept)), ranks = job(3, into(part));
+  ASSERT_EQ(ranks.code, 0) << ranks.err;
+  EXPECT_TRUE(has(threads.out, "at.200 m.up.mean [m]")) << threads.out;
+  EXPECT_EQ(ranks.out, threads.out);
+  EXPECT_EQ(read(part), read(kept));
+}
+
 TEST(StudyRanks, stop_at_a_width_where_threads_do) {
   const Folder folder;
   const std::string file = folder.write("rifle.toml", kRifle);

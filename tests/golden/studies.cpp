@@ -28,6 +28,7 @@ Study rifle(Sampling sampling) {
   study.correlated = {{.inputs = {0, 3}, .matrix = {1, 0.3, 0.3, 1}}};
   study.targets = {{"plate", RectangleTarget{.width = 0.5, .height = 0.5}}, {"circle", CircleTarget{.radius = 0.3}}};
   study.indices = sampling == Sampling::random;
+  if (sampling == Sampling::latin_hypercube) study.at = {{.event = {.kind = EventKind::range, .value = 250}}};
   study.shard_shots = 256;
   study.shots = 2048;
   return study;
@@ -46,6 +47,7 @@ std::uint64_t fly(unsigned threads) {
     if (!result) return 0;
     for (const QuantityResult& q : result->quantities) hash.add(q.mean.value, q.mean.error), hash.add(q.deviation);
     for (const HitResult& hit : result->hits) hash.add(hit.low, hit.high);
+    hash.add(result->from_aim->mean.value, result->from_aim->mean.error);
   }
   return hash.value();
 }

@@ -277,5 +277,42 @@ TEST(StudyColumn, is_read_from_the_folder_of_the_scenario) {
   std::filesystem::remove_all(folder);
 }
 
+TEST(StudyText, places) {
+  using Q = StudyQuantity;
+  const auto event = [](const char* text) {
+    const auto place = parse_study_place(text);
+    EXPECT_TRUE(place) << place.error().text();
+    return place ? place->event : EventSpec{};
+  };
+  EXPECT_EQ(event("800 m").kind, EventKind::range);
+  EXPECT_EQ(event("0.5 km").value, 500);
+  EXPECT_EQ(event("range 800 m").value, 800);
+  EXPECT_EQ(event("800").value, 800);
+  EXPECT_EQ(event("apex").direction, Crossing::falling);
+  EXPECT_EQ(event("height 100 ft falling").value, 30.48);
+  EXPECT_EQ(event("height 100 ft falling").direction, Crossing::falling);
+  EXPECT_EQ(event("time 2 s").direction, Crossing::any);
+  EXPECT_EQ(event("mach 1").value, 1);
+  EXPECT_EQ(event("ground").value, 0);
+  const auto with = parse_study_place("apex : y, time");
+  ASSERT_TRUE(with) << with.error().text();
+  EXPECT_EQ(with->quantities, (std::vector<Q>{Q::y, Q::time}));
+  for (const char* text : {"800 m", "apex", "height 100 m falling", "time 2 s rising", "speed 340 m/s", "mach 1.2",
+                           "ground", "ground 5 m", "burnout", "rail_exit"})
+    EXPECT_EQ(place_text(event(text)), text);
+  const auto refused = [](const char* text) {
+    const auto place = parse_study_place(text);
+    return place ? std::string("none") : place.error().text();
+  };
+  EXPECT_NE(refused("apxe").find("did you mean \"apex\""), std::string::npos) << refused("apxe");
+  EXPECT_NE(refused("landed").find("no place"), std::string::npos);
+  EXPECT_NE(refused("800 kg").find("length"), std::string::npos);
+  EXPECT_NE(refused("height").find("length"), std::string::npos);
+  EXPECT_NE(refused("apex 3 m").find("leave it out"), std::string::npos);
+  EXPECT_NE(refused("apex: hight").find("no quantity of a place"), std::string::npos);
+  EXPECT_NE(refused("").find("is no place"), std::string::npos);
+  EXPECT_NE(refused(": y").find("is no place"), std::string::npos);
+}
+
 }  // namespace
 }  // namespace physim

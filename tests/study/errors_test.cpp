@@ -34,6 +34,60 @@ TEST(StudyErrors, are_right_over_200_repeats) {
   }
 }
 
+/// Mean radii too, whose truth is sqrt(pi / 2) deviations: of evenly spread draws, and of shots that have an occasion
+/// in common, whose extreme spreads of three are those of rounds alone, 2.4088 of their deviations.
+TEST(StudyErrors, of_mean_radii_are_right_over_200_repeats) {
+  const std::pair<Sampling, std::uint32_t> ways[] = {
+      {Sampling::random, 1}, {Sampling::latin_hypercube, 1}, {Sampling::sobol, 1}, {Sampling::random, 16}};
+  for (const auto& [sampling, rounds] : ways) {
+    Study study = scatter();
+    study.sampling = sampling;
+    study.rounds = rounds;
+    study.shard_shots = 64;
+    study.shots = 64 * 64;
+    study.group_sizes = {3};
+    double deviation = 1;
+    if (rounds > 1) {
+      deviation = std::sqrt(2.0);
+      for (const char* path : {"right of occasion", "up of occasion"})
+        study.inputs.push_back(
+            {.path = path, .distribution = NormalDistribution{0, 1}, .drawn_for = DrawnFor::occasion});
+    }
+    const StudyFunction impact = [](auto in, auto out) {
+      scattered(in, out);
+      for (std::size_t i = 0; i < out[0].size() && in.size() > 2; ++i) out[0][i] += in[2][i], out[1][i] += in[3][i];
+    };
+    const double truth = deviation * std::sqrt(0.5 * std::acos(-1.0));
+    double squares = 0, spreads = 0;
+    for (study.seed = 1; study.seed <= 200; ++study.seed) {
+      const StudyResult run = result_of(study, impact);
+      ASSERT_TRUE(run.from_aim->mean.error > 0) << name(sampling);
+      squares += std::pow((run.from_aim->mean.value - truth) / run.from_aim->mean.error, 2);
+      if (sampling == Sampling::random)
+        spreads += std::pow((run.spreads[0].mean.value - 2.4088) / run.spreads[0].mean.error, 2);
+    }
+    const bool by_shots = sampling == Sampling::random && rounds == 1;
+    const double expected = by_shots ? 200 : 200 * 15.0 / 13;
+    EXPECT_NEAR(squares, expected, 4 * 26) << name(sampling) << ' ' << rounds;
+    if (sampling == Sampling::random) {
+      EXPECT_NEAR(spreads, expected, 4 * 26) << rounds;
+    }
+  }
+}
+
+/// Even draws know a mean radius better than chance does, and say so.
+TEST(StudyErrors, of_mean_radii_shrink_with_even_draws) {
+  const auto error = [](Sampling sampling) {
+    Study study = scatter();
+    study.sampling = sampling;
+    study.shots = 64 * 4096;
+    return result_of(study, scattered).from_centre->mean.error;
+  };
+  const double random = error(Sampling::random);
+  EXPECT_LT(error(Sampling::latin_hypercube), 0.8 * random);
+  EXPECT_LT(error(Sampling::sobol), 0.1 * random);
+}
+
 /// Replicates without a hit say nothing of how rare hits are: three in as many shots may be expected, and no width is
 /// known. Neither is a hit certain where all hit.
 TEST(StudyErrors, hits_that_were_not_seen_are_not_impossible) {
