@@ -131,7 +131,8 @@ TEST(StudyPlaces, gravity_is_drawn_where_it_is_no_field_of_the_earth) {
     own.gravity.acceleration = drawn[0];
     return own;
   });
-  study.fidelity = Fidelity::simulation();
+  study.fidelity.earth = EarthModel::sphere;
+  study.fidelity.gravity = GravityModel::inverse_square;
   const auto plan = plan_study(study);
   ASSERT_FALSE(plan);
   EXPECT_NE(plan.error().text().find("no field of the Earth"), std::string::npos) << plan.error().text();
