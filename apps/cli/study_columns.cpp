@@ -144,7 +144,9 @@ class StudyColumns {
     const std::vector<StudyPlan> places = plan.places();
     if (!places.empty()) file.add_group("at");
     for (std::size_t i = 0; i < places.size(); ++i) {
-      const std::string group = "at/" + place_text(plan.study().at[i].event);
+      std::string place = place_text(plan.study().at[i].event);
+      std::ranges::replace(place, '/', '_');  // which HDF5 takes for a path
+      const std::string group = "at/" + place;
       file.add_group(group.c_str());
       at_.push_back(StudyColumns(file, places[i].study(), group + "/"));
     }

@@ -48,7 +48,7 @@ struct ScenarioStudy {
 /// A place on the way from a text: "800 m" (of range), "apex", "height 100 m falling", "time 2 s", "speed 340 m/s",
 /// "mach 1", "ground", "burnout", "ignition", "rail_exit"; behind a colon what is told there: "apex: y, time".
 [[nodiscard]] Result<StudyPlace> parse_study_place(std::string_view text);
-/// ... of its event, and back.
+/// The text of a place's event, which parse_study_place() reads.
 [[nodiscard]] std::string place_text(const EventSpec& event);
 /// The study of a shot of a scenario, at the shot's own fidelity. Without a [world] its shots meet the scenario's
 /// things as fly_shot() does; things that have names are targets, too, unless their names are more than 32.

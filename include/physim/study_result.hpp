@@ -37,8 +37,8 @@ PHYSIM_UNORDERED(StudyQuantity)
 
 /// A bar of a histogram.
 struct HistogramBar {
-  double low = 0;           ///< numbers from here on ... [unit of the quantity]
-  double high = 0;          ///< ... up to here [unit of the quantity]
+  double low = 0;           ///< the least number counted here [unit of the quantity]
+  double high = 0;          ///< numbers counted here lie below it [unit of the quantity]
   std::uint64_t count = 0;  ///< [-]
 
   bool operator==(const HistogramBar&) const = default;

@@ -220,7 +220,7 @@ template <class R>
   return (in <= out) & (enters <= R(s.reach));
 }
 
-/// That part, where a triangle is in the way.
+/// The part of a segment that is clear, where a triangle is in the way.
 [[nodiscard]] inline std::optional<double> clear_part(const Segment& s, const Triangle& t) {
   double part = 0;
   if (!may_touch(s, t.a, t.b, t.c, part)) return std::nullopt;

@@ -76,7 +76,7 @@ void ShapeOutlets::at_each(NewbornPack& pack,
                            PackChance<Draw, EmitStream::particle, NewbornPack::kLanes>& chance) const {
   if (!surface_ && shape_.from.randomise == 0) return by_kernel(pack, chance);
   using R = PartChance::R;
-  for (std::size_t first = 0; first < NewbornPack::kLanes; first += std::size_t{kLanes<R>}) {
+  for (std::size_t first = 0; first < pack.count; first += std::size_t{kLanes<R>}) {
     const auto load = [first](const auto& column) {
       R numbers;
       for (int lane = 0; lane < kLanes<R>; ++lane)

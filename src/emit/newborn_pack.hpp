@@ -11,7 +11,7 @@
 namespace physim {
 
 /// Births, which come in, and newborns, in the frame of their emitter, which come out; none of them rounds of a gun.
-/// Lanes that nobody needs hold a birth, too.
+/// Lanes that nobody needs hold a birth, too, but what they start with is not told.
 struct NewbornPack {
   static constexpr std::size_t kLanes = kColumn;
   using Column = std::array<double, kLanes>;

@@ -36,7 +36,8 @@ class PackChance {
   PackChance(std::uint64_t seed, const std::array<std::uint64_t, N>& number, const ParticleKernel* kernel = nullptr,
              std::size_t count = N)
       : seed_(seed), number_(number), kernel_(kernel), count_(count) {
-    PHYSIM_ASSERT((kernel != nullptr) == kByKernel);
+    PHYSIM_ASSERT((kernel != nullptr) == kByKernel && count <= N);
+    if (count < N) words_ = {};  // columns are read whole
   }
 
   [[nodiscard]] std::uint64_t seed() const { return seed_; }
@@ -75,7 +76,7 @@ class PackChance {
   // Numbers that are drawn together most often share a block, or lie in the next one.
   static constexpr std::uint32_t kKept = 2, kNone = ~0u;
   std::array<std::uint32_t, kKept> drawn_{kNone, kNone};  // the blocks whose words are there
-  std::array<WordColumns<N>, kKept> words_;               // none is read before it is drawn
+  std::array<WordColumns<N>, kKept> words_;
   std::array<double, N> u_;
 };
 

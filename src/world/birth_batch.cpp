@@ -133,8 +133,9 @@ std::size_t BirthBatches::take_places(std::span<BirthLine> lines, std::span<cons
   std::size_t count = 0;
   std::uint32_t index = 0;
   try {
-    for (const std::uint8_t at : order) ++lines[at].count;
-    for (BirthLine& line : lines) w_.state.events.reserve(std::exchange(line.count, 0), line.plan->float32);
+    const auto in_float = static_cast<std::size_t>(
+        std::ranges::count_if(order, [&](std::uint8_t at) { return lines[at].plan->float32; }));
+    w_.state.events.reserve(in_float, order.size() - in_float);
     for (; count < order.size(); ++count) {
       BirthLine& line = lines[order[count]];
       index = 0;

@@ -30,7 +30,7 @@ class BirthBatches {
   [[nodiscard]] std::size_t plain(const BirthPlan& plan, const BirthColumns& births) const;
   /// The next ones of lines are born, in that order of lines: no more of each than plain() says. How many those were.
   std::size_t bear(std::span<BirthLine> lines, std::span<const std::uint8_t> order);
-  /// Likewise, of one emitter, at most so many. `like` has what they inherit.
+  /// The next ones of one emitter are born, at most so many. `like` has what they inherit.
   std::size_t bear(const BirthPlan& plan, BirthColumns& births, std::size_t most, const Particle& like);
 
  private:

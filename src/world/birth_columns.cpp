@@ -74,8 +74,8 @@ Starts placed_by_one(const Pose& pose, double inherited, const NewbornPack& pack
 }
 Starts placed(const BirthColumns& b, const NewbornPack& pack, std::size_t first) {
   if (b.one_pose) return placed_by_one(b.pose[0], b.inherited, pack);
-  Starts starts;
-  for (std::size_t i = 0; i < NewbornPack::kLanes; i += kWide) {
+  Starts starts{};
+  for (std::size_t i = 0; i < pack.count; i += kWide) {
     const auto load = [i](const std::array<NewbornPack::Column, 3>& of) {
       return Vec3<Wide>{Wide::load(of[0].data() + i), Wide::load(of[1].data() + i), Wide::load(of[2].data() + i)};
     };

@@ -39,7 +39,7 @@ class EmitterAhead : protected EmitterMoments {
   /// The moments of several emitters by themselves that come before all else, from that one on, where their births go
   /// side by side. Nothing where there is no other, or the first is born alone.
   bool fire_in_turns(const Firing& first, const BirthPlan& plan);
-  /// Those of a moment, from that one on.
+  /// Births of a moment, from that one on.
   void look_at_moment(const BirthPlan& plan, const Firing& firing, const Pose& pose, std::uint32_t from);
   /// How many more one lets out by its maximum, at least.
   [[nodiscard]] std::size_t room(const BirthPlan& plan) const;

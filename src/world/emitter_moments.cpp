@@ -160,7 +160,7 @@ BirthColumns& EmitterMoments::look_ahead(const Firing& first, std::size_t most) 
   return births;
 }
 
-/// Those of a steady rate, which are known at once.
+/// Births of a steady rate, which are known at once.
 void EmitterMoments::take_steady(Emitter& e, std::size_t room, BirthColumns& births) const {
   const Timeline timeline(*e.emission);
   const std::span own(births.own_time.data(), room), phase(births.phase.data(), room);

@@ -178,7 +178,7 @@ class Emitters {
     prefetch_span(slot);
     if (slot < emitter_of_.size()) prefetch_at(&particles_[slot]);
   }
-  /// Likewise, where its number, its emitter and the end of its life are all that is read.
+  /// Asks for what of a particle is its number, its emitter and the end of its life.
   void prefetch_span(std::uint32_t slot) const {
     if (slot >= emitter_of_.size()) return;
     prefetch_at(&emitter_of_[slot]);
@@ -195,7 +195,7 @@ class Emitters {
   }
   /// One was born. What it will come to by `seen` somebody has looked at already [s].
   void join(ProjectileId id, const Particle& particle, double birth, double seen);
-  /// Likewise, so many of one emitter no age of whose particles is waited for: one(i) says which, all else is as `like`
+  /// So many were born of one emitter no age of whose particles is waited for: one(i) says which, all else is as `like`
   /// has it.
   template <class F>
   void join_each(const Particle& like, std::size_t count, double seen, const F& one) {

@@ -313,7 +313,7 @@ Status World::reserve(KindId kind, std::size_t count) {
     slot.flags = w.registry.kind(index).flags;
     const std::uint16_t cohort = w.placement.cohort_for(slot);
     if (cohort == kNoCohort) return {};
-    w.state.events.reserve(count, w.state.rows[cohort].layout().float32);
+    w.state.rows[cohort].layout().float32 ? w.state.events.reserve(count, 0) : w.state.events.reserve(0, count);
     w.state.rows[cohort].reserve(w.state.rows[cohort].size() + count);
   } catch (const std::exception&) {  // no memory, or more than a list can ever have
     return Error{"no memory for so many projectiles", "world.reserve", "reserve fewer"};

@@ -40,7 +40,7 @@ bool WorldImpl::may_keep_event() {
 }
 
 std::size_t WorldImpl::room_for_events() const {
-  if (is_inside) return std::numeric_limits<std::size_t>::max();
+  if (is_inside) return EventList::kMost - std::min(EventList::kMost, state.events.size());
   const std::size_t of_calls = std::max(kMostEventsOfCalls, 2 * std::size_t{state.slots.alive()});
   const std::size_t most = state.events_of_step + of_calls;
   return most - std::min(most, state.events.size());

@@ -308,7 +308,7 @@ void WorldImpl::finish_step() {
       keys.push_back(ChangeKey::of(c, scratch.changes.size()));
       scratch.changes.push_back(&c);
     }
-    for (const Event& event : chunk.events) state.events.add(event);
+    for (const Event& event : chunk.events) keep_event(event);
   };
   for (std::size_t i = 0; i < scratch.chunk_count; ++i) collect(scratch.chunks[i]);
   collect(forced_scratch.chunk);

@@ -50,10 +50,12 @@ TEST(StudyColumns, are_the_shots) {
 TEST(StudyColumns, of_places_are_in_groups_of_theirs) {
   const Folder folder;
   const std::string text = throw_study(5000), out = folder / "shots.h5";
-  const Ran ran = physim({"study", folder.write("throw.toml", text), "--at", "apex: y", "--at", "45 m", "--hdf5", out});
+  const Ran ran = physim({"study", folder.write("throw.toml", text), "--at", "apex: y", "--at", "45 m", "--at",
+                          "speed 25 m/s", "--hdf5", out});
   ASSERT_EQ(ran.code, 0) << ran.err;
   const auto speeds = column(out, "/inputs/shot.speed"), apex = column(out, "/at/apex/quantities/y");
   const auto up = column(out, "/at/45 m/quantities/up");
+  EXPECT_EQ(column(out, "/at/speed 25 m_s/quantities/up").size(), apex.size());
   ASSERT_EQ(apex.size(), 2 * 4096U);
   for (const std::size_t shot : {0U, 4095U, 8191U}) {
     const double v = 30 + speeds[shot], t = 45 / (v * std::sqrt(0.5));

@@ -7,6 +7,7 @@
 
 #include "physim/air.hpp"
 #include "physim/drag_curve.hpp"
+#include "solve/take_step.hpp"
 #include "support.hpp"
 
 namespace physim {
@@ -112,6 +113,12 @@ Flight transonic(Integrator integrator, double tolerance, Interpolation interpol
 }
 
 double miss(const Flight& a, const Flight& b) { return length(a.end().position - b.end().position); }
+
+TEST(ErrorSquared, is_a_number_whatever_is_tolerated) {
+  EXPECT_EQ(squared_ratio(Vec3<float>{}, Vec3<float>{}, 0.0f, 1e-20f), 0);
+  EXPECT_EQ(squared_ratio(Vec3d{}, Vec3d{}, 0.0, 1e-160), 0);
+  EXPECT_DOUBLE_EQ(squared_ratio(Vec3d{0.3, 0, 0}, Vec3d{0, 4, 3}, 0.1, 0.5), 0.09 / 0.5);
+}
 
 TEST(AdaptiveFlight, error_follows_the_tolerance) {
   for (const Integrator integrator : kAdaptive) {

@@ -90,10 +90,35 @@ TEST(EventList, many_at_once_are_as_one_by_one) {
     const PlainEvent event{EventKind::spawned, Reason::none, {static_cast<std::uint32_t>(i + 1), 7}, 3, 0.5 * x};
     return ToldInFloat{event, {x, 0.1f, -x}, {1, 2, x}};
   };
-  list.reserve(100, true);
+  list.reserve(100, 0);
   list.add_each(100, told);
   for (std::size_t i = 0; i < 100; ++i) other.add(told(i).event, told(i).x, told(i).v);
   EXPECT_TRUE(std::ranges::equal(list.all(given), other.all(given), is_same));
+}
+
+TEST(EventList, room_for_numbers_in_double_is_room_for_those_that_float32_holds) {
+  EventList list;
+  list.reserve(0, 64);
+  const std::size_t bytes = list.bytes();
+  for (std::uint32_t i = 0; i < 64; ++i) list.add({.id = {1 + i, 1}}, Vec3d{0, 0, 0}, Vec3d{800, 0, 0});
+  EXPECT_EQ(list.bytes(), bytes);
+  list.clear();
+  for (std::uint32_t i = 0; i < 64; ++i) list.add({.id = {1 + i, 1}}, Vec3d{0.1, 0, 0}, Vec3d{800, 0, 0});
+  EXPECT_EQ(list.bytes(), bytes);
+}
+
+TEST(EventList, copies_have_shown_nothing) {
+  EventList list;
+  GivenEvents given;
+  for (std::uint32_t i = 0; i < 64; ++i) list.add({.id = {1 + i, 1}}, Vec3f{1, 2, 3}, Vec3f{4, 5, 6});
+  const std::size_t unread = EventList(list).bytes();
+  EXPECT_EQ(list.all(given).size(), 64U);
+  EXPECT_EQ(EventList(list).bytes(), unread);
+  EventList other;
+  other = list;
+  EXPECT_TRUE(std::ranges::equal(list.all(given), other.all(given), is_same));
+  EventList().leave(given);
+  EXPECT_TRUE(std::ranges::none_of(given, &std::vector<Event>::empty));
 }
 
 TEST(EventList, keeps_plain_ones_in_few_bytes) {
