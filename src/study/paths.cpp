@@ -212,7 +212,7 @@ std::optional<std::size_t> point_named(std::string_view path, const PathRow& row
   return point;
 }
 
-StudyPath told(std::string_view path, const PathRow& row) {
+StudyPath path_of(std::string_view path, const PathRow& row) {
   return {std::string(path), std::string(row.unit), std::string(row.about)};
 }
 
@@ -260,13 +260,13 @@ FoundPath find_path(std::string_view path) {
 
 std::vector<StudyPath> study_paths() {
   std::vector<StudyPath> list;
-  for (const PathRow& row : kPathRows) list.push_back(told(row.path, row));
+  for (const PathRow& row : kPathRows) list.push_back(path_of(row.path, row));
   return list;
 }
 
 std::optional<StudyPath> study_path(std::string_view path) {
   const FoundPath found = find_path(path);
-  return found ? std::optional(told(path, *found.row)) : std::nullopt;
+  return found ? std::optional(path_of(path, *found.row)) : std::nullopt;
 }
 
 }  // namespace physim
