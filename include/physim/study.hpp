@@ -8,6 +8,7 @@
 #include <optional>
 #include <span>
 #include <string>
+#include <string_view>
 #include <variant>
 #include <vector>
 
@@ -146,12 +147,14 @@ struct Study {
 
 /// A number that may be uncertain.
 struct StudyPath {
-  std::string path{};   ///< as in scenarios [-]
+  std::string path{};   ///< as in scenarios; "N" of a point of a list: its number, from 1 [-]
   std::string unit{};   ///< [-]
   std::string about{};  ///< [-]
 };
 /// All of them.
 [[nodiscard]] std::vector<StudyPath> study_paths();
+/// The one that a path names, such as "shot.drag.curve.3"; nothing where it is none.
+[[nodiscard]] std::optional<StudyPath> study_path(std::string_view path);
 
 /// A model of one's own in the place of flights: a column of each input comes in, one of each quantity goes out, behind
 /// them one of each quantity of each of Study::at, whose events are not looked at. NaN: the shot is not counted as one

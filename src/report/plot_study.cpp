@@ -248,8 +248,7 @@ class StudyPicture {
   [[nodiscard]] std::string input_label(std::size_t input, double deviation) const {
     const StudyInput& in = study_.inputs[input];
     std::string unit;
-    for (const StudyPath& path : study_paths())
-      if (path.path == in.path && path.unit != "-") unit = path.unit;
+    if (const auto path = study_path(in.path); path && path->unit != "-") unit = path->unit;
     double shown = deviation;
     if (unit == "rad" && deviation < 0.5 * kDegree) {
       unit = "mrad", shown = 1000 * deviation;

@@ -280,9 +280,8 @@ std::string_view unit_of(StudyQuantity quantity) {
 }
 
 std::string unit_of(const StudyInput& input) {
-  static const std::vector<StudyPath> kPaths = study_paths();
-  const auto known = std::ranges::find(kPaths, input.path, &StudyPath::path);
-  return known == kPaths.end() ? "" : known->unit;
+  const auto known = study_path(input.path);
+  return known ? known->unit : "";
 }
 
 std::string with_unit(const StudyInput& input) {

@@ -117,6 +117,15 @@ Value* value_at(Value& table, std::string_view path) {
   return here;
 }
 
+/// The number of a point of a list: what stands last in [0.5, 0.23], or below `tail` in a table. A coefficient that is
+/// one number stands for its only point.
+Value* number_of_point(Value& point, std::string_view tail) {
+  if (!tail.empty()) return point.get<Table>() ? value_at(point, tail) : nullptr;
+  Array* numbers = point.get<Array>();
+  if (numbers == nullptr) return &point;
+  return numbers->empty() ? nullptr : &numbers->back();
+}
+
 struct Spot {
   std::string path;   // "shot.speed"
   std::string named;  // as study.inputs has it: "shot.NAME.speed"
@@ -146,6 +155,43 @@ Result<std::string> take(const Spot& spot, Value& value, const std::string& fold
   return spot.named + " = " + text;
 }
 
+/// What distributions there are, path by path.
+class Taker {
+ public:
+  explicit Taker(std::string folder) : folder_(std::move(folder)) {}
+
+  [[nodiscard]] const Array& taken() const { return taken_; }
+  /// The number of a path below a table, or each point of a list where the path has an "N"; `head` stands before it.
+  Status look(Value& table, std::string_view below, const Spot& head) {
+    if (table.get<Table>() == nullptr) return {};
+    const std::size_t at = below.find(".N");
+    if (at == below.npos) return take_from(value_at(table, below), head, std::string(below));
+    Value* list = value_at(table, below.substr(0, at));
+    if (list == nullptr) return {};
+    const std::string_view tail = below.substr(at + 2);
+    Array* points = list->get<Array>();
+    for (std::size_t i = 0; i < (points ? points->size() : 1); ++i) {
+      Value* number = number_of_point(points ? (*points)[i] : *list, tail.substr(tail.empty() ? 0 : 1));
+      if (number == nullptr || !looks_uncertain(*number)) continue;
+      const std::string path = std::string(below.substr(0, at + 1)) + std::to_string(i + 1) + std::string(tail);
+      if (Status status = take_from(number, head, path); !status) return status;
+    }
+    return {};
+  }
+
+ private:
+  Status take_from(Value* value, const Spot& head, const std::string& below) {
+    if (value == nullptr || !looks_uncertain(*value)) return {};
+    const auto text = take({head.path + below, head.named + below}, *value, folder_);
+    if (!text) return text.error();
+    taken_.push_back(Value{*text, value->place, {}, {}});
+    return {};
+  }
+
+  std::string folder_;
+  Array taken_;
+};
+
 Value& made_member(Value& table, const char* key, Value otherwise) {
   if (Value* found = table.find(key)) return *found;
   table.get<Table>()->push_back({key, otherwise.place, std::move(otherwise)});
@@ -167,31 +213,22 @@ void put_first(Value& document, const Array& taken) {
 
 Status take_distributions(Value& document, const std::string& file) {
   static const std::vector<StudyPath> kPaths = study_paths();
-  const std::string folder = std::filesystem::path(file).parent_path().string();
+  Taker taker(std::filesystem::path(file).parent_path().string());
   Value* shots = document.find("shot");
   Array* list = shots ? shots->get<Array>() : nullptr;
-  Array taken;
-  const auto look = [&](Value& table, std::string_view below, const Spot& spot) -> Status {
-    Value* value = table.get<Table>() ? value_at(table, below) : nullptr;
-    if (value == nullptr || !looks_uncertain(*value)) return {};
-    const auto text = take(spot, *value, folder);
-    if (!text) return text.error();
-    taken.push_back(Value{*text, value->place, {}, {}});
-    return {};
-  };
   for (const StudyPath& known : kPaths) {
     if (!known.path.starts_with(kOfShots)) {
-      if (Status status = look(document, known.path, {known.path, known.path}); !status) return status;
+      if (Status status = taker.look(document, known.path, {}); !status) return status;
       continue;
     }
     const std::string below = known.path.substr(kOfShots.size());
     for (std::size_t i = 0; list != nullptr && i < list->size(); ++i) {
       const std::string name = list->size() > 1 ? shot_name((*list)[i], i) + "." : "";
-      if (Status status = look((*list)[i], below, {known.path, std::string(kOfShots) + name + below}); !status)
-        return status;
+      const Spot shot{std::string(kOfShots), std::string(kOfShots) + name};
+      if (Status status = taker.look((*list)[i], below, shot); !status) return status;
     }
   }
-  if (!taken.empty()) put_first(document, taken);
+  if (!taker.taken().empty()) put_first(document, taker.taken());
   return {};
 }
 

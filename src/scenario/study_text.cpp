@@ -54,10 +54,23 @@ std::vector<std::string_view> parts_of(std::string_view text, char separator) {
   return parts;
 }
 
+/// The path of a point without its number, which no setting has.
+std::string setting_of_point(std::string_view path) {
+  std::string setting;
+  for (const std::string_view part : parts_of(path, '.'))
+    if (part.empty() || part.find_first_not_of("0123456789") != part.npos)
+      setting += (setting.empty() ? "" : ".") + std::string(part);
+  return setting;
+}
+
 /// What the number of a path measures: that of its setting, of which it may be a component.
 Quantity quantity_of_path(std::string_view path) {
   if (path == "environment.wind.speed") return Quantity::speed;
   if (path == "environment.wind.from") return Quantity::angle;
+  if (path.starts_with("shot.motor.thrust.")) return Quantity::force;
+  if (path.starts_with("shot.motor.propellant.")) return Quantity::mass;
+  const std::string without_number = setting_of_point(path);
+  path = without_number;
   const SchemaNode* node = find_node(path);
   if (!node && path.size() > 2 && path[path.size() - 2] == '.') node = find_node(path.substr(0, path.size() - 2));
   return node && node->entry ? node->entry->quantity : Quantity::number;
@@ -66,9 +79,9 @@ Quantity quantity_of_path(std::string_view path) {
 /// An error for what is no number of a shot that may be uncertain.
 Status check_path(std::string_view path) {
   static const std::vector<StudyPath> kPaths = study_paths();
+  if (study_path(path)) return {};
   std::vector<std::string_view> names;
   for (const StudyPath& known : kPaths) names.push_back(known.path);
-  if (std::ranges::count(names, path) > 0) return {};
   return Error{"no number of a shot that may be uncertain is called " + in_quotes(path), "",
                suggestion(path, names, "they are")};
 }

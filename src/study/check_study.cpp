@@ -48,17 +48,36 @@ Status check_compass(const Study& study, const PathRow& row, const std::string& 
   return {};
 }
 
+/// A point of a list must be there.
+Status check_point(const Study& study, const FoundPath& path, const std::string& place) {
+  if (!path.row->is_of_list()) return {};
+  Shot shot{study.projectile, study.launch};
+  Environment environment = study.environment;
+  if (path.point_of(shot, environment)) return {};
+  const std::string_view row = path.row->path;
+  const std::string list(row.substr(0, row.find(".N")));
+  if (const std::size_t points = path.points(shot, environment))
+    return Error{list + " has no point " + std::to_string(path.point), place,
+                 points == 1 ? "it has one, with the number 1" : "its points are 1 to " + std::to_string(points)};
+  if (list == "shot.drag.curve" && study.projectile.drag.table != DragTable::custom)
+    return Error{"the projectile has no drag curve of its own, and so no points of it", place,
+                 "draw shot.drag.form_factor, or give a curve and the table 'custom'"};
+  return Error{list + " has no points", place, "give the list of which a point is uncertain"};
+}
+
 Status check_path(const Study& study, std::size_t i) {
   const StudyInput& input = study.inputs[i];
   const std::string place = numbered("inputs", i) + ".path";
-  const PathRow* row = find_path(input.path);
-  if (!row) return Error{"no number of a shot is called \"" + input.path + "\"", place, list_of_paths()};
+  const FoundPath path = find_path(input.path);
+  if (!path) return Error{"no number of a shot is called \"" + input.path + "\"", place, list_of_paths()};
   const Wind& wind = study.environment.wind;
   const bool is_wind = input.path.starts_with("environment.wind");
-  if (is_wind && (wind.field || (!wind.profile.empty() && !input.added)))
+  const bool moves_all = !path.row->is_of_list() && !wind.profile.empty();
+  if (is_wind && (wind.field || (moves_all && !input.added)))
     return Error{"an uncertain wind is the same everywhere, and the environment has a profile", place,
                  "leave the profile out, or let what is drawn be `added` to it"};
-  if (const Status status = check_compass(study, *row, place); !status) return status;
+  if (const Status status = check_compass(study, *path.row, place); !status) return status;
+  if (const Status status = check_point(study, path, place); !status) return status;
   const AirModel asked = study.fidelity.air, there = study.environment.atmosphere.model;  // the simpler one is flown
   const bool has_own_density = asked == AirModel::isa && there == AirModel::isa;
   if (input.path == "environment.atmosphere.density" && has_own_density)

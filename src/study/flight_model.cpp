@@ -38,10 +38,12 @@ constexpr double kNowhere = std::numeric_limits<double>::quiet_NaN();
 
 /// A number of the shot or its weather, and the inputs that are drawn for it.
 struct UncertainNumber {
-  const PathRow* row;
+  FoundPath path;
   double there;           // without uncertainty
   bool replaced = false;  // by the first of the inputs; the others are added
   std::vector<std::size_t> inputs{};
+
+  [[nodiscard]] const PathRow& row() const { return *path.row; }
 };
 
 /// How a block of shots ended.
@@ -108,22 +110,24 @@ class FlightModel : public ShotModel {
   bool as_columns_ = true;
   bool moves_profile_ = false;  // an uncertain wind is added to a profile
   bool has_own_place_ = false;  // numbers of the place are uncertain, which all shots of a batch have in common
+  bool has_factor_ = false;     // of several numbers of a shot
   bool by_compass_ = false;     // the wind; two more columns have its components
 };
 
 void FlightModel::take(const StudyInput& input, std::size_t index) {
-  const PathRow* row = find_path(input.path);
-  PHYSIM_ASSERT(row != nullptr);
+  const FoundPath path = find_path(input.path);
+  PHYSIM_ASSERT(path);
+  const PathRow* row = path.row;
   if (input.path.starts_with(kWindPath) && study_.environment.wind.profile.size() > 0) moves_profile_ = true;
   if (row->compass != CompassWind::none)
     by_compass_ = true;
   else if ((!row->launches && !row->weather) || moves_profile_)
     as_columns_ = false;
-  if (row->place) has_own_place_ = true;
-  auto at = std::ranges::find(numbers_, row, &UncertainNumber::row);
+  if (row->is_of_place()) has_own_place_ = true;
+  if (row->scale) has_factor_ = true;
+  auto at = std::ranges::find(numbers_, path, &UncertainNumber::path);
   if (at == numbers_.end()) {
-    const double there = row->there ? row->there(study_.environment) : row->number ? row->number(plain_) : 1;
-    numbers_.push_back({row, there});
+    numbers_.push_back({path, path.there(plain_, study_.environment)});
     at = numbers_.end() - 1;
   }
   at->inputs.insert(input.added ? at->inputs.end() : at->inputs.begin(), index);
@@ -134,7 +138,7 @@ void FlightModel::take(const StudyInput& input, std::size_t index) {
 /// would stand on another rung than a shot with the mean.
 Status FlightModel::check_gravity() const {
   const bool drawn = std::ranges::any_of(
-      numbers_, [](const UncertainNumber& n) { return n.row->path == "environment.gravity.acceleration"; });
+      numbers_, [](const UncertainNumber& n) { return n.row().path == "environment.gravity.acceleration"; });
   const bool of_the_earth = row(granted_.gravity).field != GravityField::uniform && is_round(granted_.earth);
   if (!drawn || !of_the_earth) return {};
   return Error{"an acceleration of each shot's own has no field of the Earth", "inputs",
@@ -179,9 +183,9 @@ void FlightModel::blow_by_compass(const std::vector<std::span<const double>>& co
   const Vec3d& there = study_.environment.wind.velocity;
   std::span<const double> speed, from, azimuth;
   for (std::size_t i = 0; i < numbers_.size(); ++i) {
-    if (numbers_[i].row->compass == CompassWind::speed) speed = columns[i];
-    if (numbers_[i].row->compass == CompassWind::from) from = columns[i];
-    if (numbers_[i].row->path == "environment.earth.azimuth") azimuth = columns[i];
+    if (numbers_[i].row().compass == CompassWind::speed) speed = columns[i];
+    if (numbers_[i].row().compass == CompassWind::from) from = columns[i];
+    if (numbers_[i].row().path == "environment.earth.azimuth") azimuth = columns[i];
   }
   const double plain_speed = std::sqrt(there.x * there.x + there.z * there.z);
   const Vec3d plain_way = plain_speed > 0 ? there * (1 / plain_speed) : Vec3d{};
@@ -201,7 +205,7 @@ Weather FlightModel::weather_of(const std::vector<std::span<const double>>& colu
   PHYSIM_ASSERT(columns.size() == numbers_.size() + (by_compass_ ? 2 : 0));
   Weather weather;
   for (std::size_t i = 0; i < numbers_.size(); ++i) {
-    const PathRow& row = *numbers_[i].row;
+    const PathRow& row = numbers_[i].row();
     const bool moves_profile = moves_profile_ && row.path.starts_with(kWindPath);
     if (row.weather && !moves_profile) weather.*row.weather = columns[i];
   }
@@ -213,7 +217,7 @@ LaunchColumns FlightModel::launches_of(const std::vector<std::span<const double>
                                        std::span<double> speeds) const {
   LaunchColumns launches{.common = plain_.launch};
   for (std::size_t i = 0; i < numbers_.size(); ++i)
-    if (const auto column = numbers_[i].row->launches) launches.*column = columns[i];
+    if (const auto column = numbers_[i].row().launches) launches.*column = columns[i];
   if (launches.speed.empty()) {
     std::fill(speeds.begin(), speeds.end(), plain_.launch.speed);
     launches.speed = speeds;
@@ -254,13 +258,13 @@ ModelTold FlightModel::fly_shots_of(const std::vector<std::span<const double>>& 
                                     InputColumns inputs, ModelScratch& scratch, const BlockEnds& ends) const {
   if (scratch.shots.size() < count) scratch.shots.resize(count, plain_);
   const Weather weather = weather_of(columns);
-  for (std::size_t i = 0; i < numbers_.size(); ++i) {
-    const PathRow& row = *numbers_[i].row;
-    for (std::size_t shot = 0; shot < count && row.number; ++shot) row.number(scratch.shots[shot]) = columns[i][shot];
-    for (std::size_t shot = 0; shot < count && row.scale; ++shot)
-      row.scale(scratch.shots[shot], plain_, columns[i][shot]);
-  }
   const auto shots = std::span(scratch.shots).first(count);
+  if (has_factor_) std::ranges::fill(shots, plain_);  // whose points it multiplies, those that are drawn, too
+  for (std::size_t i = 0; i < numbers_.size(); ++i)
+    for (std::size_t shot = 0; shot < count; ++shot) numbers_[i].path.put(shots[shot], columns[i][shot]);
+  for (std::size_t i = 0; i < numbers_.size(); ++i)
+    for (std::size_t shot = 0; shot < count && numbers_[i].row().scale; ++shot)
+      numbers_[i].row().scale(shots[shot], columns[i][shot]);
   if (study_.scene)
     fly_among_things(columns, weather, shots, inputs, scratch);
   else if (moves_profile_ || has_own_place_)
@@ -303,12 +307,11 @@ Environment FlightModel::environment_of(std::size_t shot, const std::vector<std:
                                         const Weather& weather) const {
   const Vec3d& there = study_.environment.wind.velocity;
   Environment own = weather.empty() ? study_.environment : weather.at(shot, study_.environment);
-  for (std::size_t k = 0; k < numbers_.size(); ++k)
-    if (numbers_[k].row->place) numbers_[k].row->place(own) = columns[k][shot];
+  for (std::size_t k = 0; k < numbers_.size(); ++k) numbers_[k].path.put(own, columns[k][shot]);
   if (!moves_profile_) return own;
   Vec3d moved{};
   for (std::size_t k = 0; k < numbers_.size(); ++k) {
-    const auto column = numbers_[k].row->weather;
+    const auto column = numbers_[k].row().weather;
     if (column == &Weather::wind_x) moved.x = columns[k][shot] - there.x;
     if (column == &Weather::wind_y) moved.y = columns[k][shot] - there.y;
     if (column == &Weather::wind_z) moved.z = columns[k][shot] - there.z;

@@ -1,7 +1,10 @@
 #include "study/paths.hpp"
 
 #include <algorithm>
+#include <charconv>
 #include <cmath>
+#include <optional>
+#include <vector>
 
 #include "base/assert.hpp"
 #include "math/elementary.hpp"
@@ -39,18 +42,43 @@ constexpr PathRow place_row(std::string_view path, std::string_view unit, std::s
   return {.path = path, .unit = unit, .about = about, .there = there, .above_zero = above_zero, .place = place};
 }
 
+constexpr PathRow point_row(std::string_view path, std::string_view unit, std::string_view about,
+                            double* (*point)(Shot&, std::size_t), bool above_zero = false) {
+  return {.path = path, .unit = unit, .about = about, .above_zero = above_zero, .point = point};
+}
+constexpr PathRow wind_row(std::string_view path, std::string_view about, double* (*point)(Environment&, std::size_t)) {
+  return {.path = path, .unit = "m/s", .about = about, .place_point = point};
+}
+
+template <class Point>
+double* point_at(std::vector<Point>& list, std::size_t i, double Point::*number) {
+  return i < list.size() ? &(list[i].*number) : nullptr;
+}
+/// A curve that flies: that of another table is not read.
+double* drag_point(Shot& shot, std::size_t i) {
+  DragDef& drag = shot.projectile.drag;
+  return drag.table == DragTable::custom ? point_at(drag.curve, i, &DragPoint::coefficient) : nullptr;
+}
+double* wind_point(Environment& e, std::size_t i, double Vec3d::*axis) {
+  return i < e.wind.profile.size() ? &(e.wind.profile[i].velocity.*axis) : nullptr;
+}
+
 double wind_along_ground(const Environment& e) {
   const Vec3d& v = e.wind.velocity;
   return std::sqrt(v.x * v.x + v.z * v.z);
 }
 double wind_comes_from(const Environment& e) { return e.earth.azimuth + atan2(-e.wind.velocity.z, -e.wind.velocity.x); }
 
-void scale_thrust(Shot& shot, const Shot& plain, double factor) {
-  shot.projectile.motor.thrust = plain.projectile.motor.thrust;
+void scale_thrust(Shot& shot, double factor) {
   for (ThrustPoint& point : shot.projectile.motor.thrust) point.force *= factor;
 }
 
 #define PHYSIM_NUMBER(field) [](Shot& s) -> double& { return s.field; }
+#define PHYSIM_POINT(list, number) \
+  [](Shot& s, std::size_t i) -> double* { return point_at(s.projectile.list, i, &number); }
+#define PHYSIM_AERO(list, about) \
+  point_row("shot.aero." #list ".N", "-", about, PHYSIM_POINT(aero.list, AeroPoint::value))
+#define PHYSIM_WIND(axis) [](Environment& e, std::size_t i) -> double* { return wind_point(e, i, &Vec3d::axis); }
 #define PHYSIM_THERE(number) [](const Environment& e) -> double { return number; }
 #define PHYSIM_PLACE(field) [](Environment& e) -> double& { return e.field; }, PHYSIM_THERE(e.field)
 
@@ -114,8 +142,11 @@ constexpr PathRow kPathRows[] = {
     shot_row("shot.inertia.moments.x", "kg m^2", "of a rigid body", PHYSIM_NUMBER(projectile.inertia.moments.x)),
     shot_row("shot.inertia.moments.y", "kg m^2", "of a rigid body", PHYSIM_NUMBER(projectile.inertia.moments.y)),
     shot_row("shot.inertia.moments.z", "kg m^2", "of a rigid body", PHYSIM_NUMBER(projectile.inertia.moments.z)),
-    {"shot.motor.thrust", "-", "times the thrust of the motor's table", nullptr, nullptr, nullptr, nullptr,
-     scale_thrust, kAboveZero},
+    {.path = "shot.motor.thrust",
+     .unit = "-",
+     .about = "times the thrust of the motor's table",
+     .scale = scale_thrust,
+     .above_zero = kAboveZero},
     shot_row("shot.motor.propellant_mass", "kg", "burned in all", PHYSIM_NUMBER(projectile.motor.propellant_mass)),
     shot_row("shot.motor.ignition_delay", "s", "from launch to ignition",
              PHYSIM_NUMBER(projectile.motor.ignition_delay)),
@@ -132,27 +163,110 @@ constexpr PathRow kPathRows[] = {
     shot_row("shot.attitude.rates.x", "rad/s", "of a rigid body, rolling", PHYSIM_NUMBER(launch.attitude.rates.x)),
     shot_row("shot.attitude.rates.y", "rad/s", "of a rigid body, yawing", PHYSIM_NUMBER(launch.attitude.rates.y)),
     shot_row("shot.attitude.rates.z", "rad/s", "of a rigid body, pitching", PHYSIM_NUMBER(launch.attitude.rates.z)),
+    point_row("shot.drag.curve.N", "-", "drag coefficient of a point of its own curve", drag_point),
+    point_row("shot.drag.bands.N.ballistic_coefficient", "kg/m^2", "of a band of speed",
+              PHYSIM_POINT(drag.bands, BallisticBand::ballistic_coefficient), kAboveZero),
+    point_row("shot.motor.thrust.N", "N", "of a point of the motor's table",
+              PHYSIM_POINT(motor.thrust, ThrustPoint::force)),
+    point_row("shot.motor.propellant.N", "kg", "left at a point of the motor's table",
+              PHYSIM_POINT(motor.propellant, PropellantPoint::mass)),
+    point_row("shot.motor.drag_curve.N", "-", "drag coefficient of a point while it burns",
+              PHYSIM_POINT(motor.drag_curve, DragPoint::coefficient)),
+    point_row("shot.magnus.table.N.drag", "-", "drag coefficient of a point of the table",
+              PHYSIM_POINT(magnus.table, MagnusPoint::drag)),
+    point_row("shot.magnus.table.N.lift", "-", "lift coefficient of a point of the table",
+              PHYSIM_POINT(magnus.table, MagnusPoint::lift)),
+    PHYSIM_AERO(drag_yaw, "CDd2 of a point"),
+    PHYSIM_AERO(lift, "CLa0 of a point"),
+    PHYSIM_AERO(lift_cubic, "CLa2 of a point"),
+    PHYSIM_AERO(pitching, "CMa0 of a point"),
+    PHYSIM_AERO(pitching_cubic, "CMa2 of a point"),
+    PHYSIM_AERO(pitch_damping, "CMq + CMadot of a point"),
+    PHYSIM_AERO(yaw_damping, "Cnr of a point"),
+    PHYSIM_AERO(roll_damping, "Clp of a point"),
+    PHYSIM_AERO(magnus_force, "CNpa of a point"),
+    PHYSIM_AERO(magnus_moment, "CMpa of a point"),
+    wind_row("environment.wind.profile.N.velocity.x", "of the air at a point, downrange", PHYSIM_WIND(x)),
+    wind_row("environment.wind.profile.N.velocity.y", "of the air at a point, upwards", PHYSIM_WIND(y)),
+    wind_row("environment.wind.profile.N.velocity.z", "of the air at a point, to the right", PHYSIM_WIND(z)),
 };
 
 #undef PHYSIM_NUMBER
+#undef PHYSIM_POINT
+#undef PHYSIM_AERO
+#undef PHYSIM_WIND
 #undef PHYSIM_THERE
 #undef PHYSIM_PLACE
 
+/// Which point a path names by a row with ".N" in it; nothing where it is none of the row.
+std::optional<std::size_t> point_named(std::string_view path, const PathRow& row) {
+  const std::size_t at = row.path.find(".N");
+  PHYSIM_ASSERT(at != row.path.npos);
+  const std::string_view head = row.path.substr(0, at + 1), tail = row.path.substr(at + 2);
+  if (!path.starts_with(head) || !path.ends_with(tail) || path.size() <= head.size() + tail.size()) return std::nullopt;
+  const std::string_view digits = path.substr(head.size(), path.size() - head.size() - tail.size());
+  if (digits.size() > 1 && digits[0] == '0') return std::nullopt;  // one name for each
+  std::size_t point = 0;
+  const auto read = std::from_chars(digits.data(), digits.data() + digits.size(), point);
+  if (read.ec != std::errc{} || read.ptr != digits.data() + digits.size()) return std::nullopt;
+  return point;
+}
+
+StudyPath path_of(std::string_view path, const PathRow& row) {
+  return {std::string(path), std::string(row.unit), std::string(row.about)};
+}
+
 }  // namespace
+
+double* FoundPath::point_of(Shot& shot, Environment& place) const {
+  PHYSIM_ASSERT(row != nullptr && row->is_of_list());
+  if (point == 0) return nullptr;
+  return row->point ? row->point(shot, point - 1) : row->place_point(place, point - 1);
+}
+
+std::size_t FoundPath::points(Shot& shot, Environment& place) const {
+  std::size_t count = 0;
+  while (FoundPath{row, count + 1}.point_of(shot, place)) ++count;
+  return count;
+}
+
+double FoundPath::there(Shot shot, Environment place) const {
+  PHYSIM_ASSERT(row != nullptr && (!row->is_of_list() || point_of(shot, place)));
+  if (row->is_of_list()) return *point_of(shot, place);
+  return row->there ? row->there(place) : row->number ? row->number(shot) : 1;
+}
+
+void FoundPath::put(Shot& shot, double number) const {
+  if (row->number) row->number(shot) = number;
+  if (row->point) *row->point(shot, point - 1) = number;
+}
+
+void FoundPath::put(Environment& place, double number) const {
+  if (row->place) row->place(place) = number;
+  if (row->place_point) *row->place_point(place, point - 1) = number;
+}
 
 std::span<const PathRow> all_paths() { return kPathRows; }
 
-const PathRow* find_path(std::string_view path) {
-  const auto* at = std::ranges::find(kPathRows, path, &PathRow::path);
-  PHYSIM_ASSERT(at == std::end(kPathRows) || at->number || at->there || at->scale);
-  return at == std::end(kPathRows) ? nullptr : at;
+FoundPath find_path(std::string_view path) {
+  for (const PathRow& row : kPathRows) {
+    PHYSIM_ASSERT(row.number || row.there || row.scale || row.is_of_list());
+    if (!row.is_of_list() && row.path == path) return {&row, 0};
+    if (!row.is_of_list()) continue;
+    if (const auto point = point_named(path, row)) return {&row, *point};
+  }
+  return {};
 }
 
 std::vector<StudyPath> study_paths() {
   std::vector<StudyPath> list;
-  for (const PathRow& row : kPathRows)
-    list.push_back({std::string(row.path), std::string(row.unit), std::string(row.about)});
+  for (const PathRow& row : kPathRows) list.push_back(path_of(row.path, row));
   return list;
+}
+
+std::optional<StudyPath> study_path(std::string_view path) {
+  const FoundPath found = find_path(path);
+  return found ? std::optional(path_of(path, *found.row)) : std::nullopt;
 }
 
 }  // namespace physim

@@ -60,8 +60,8 @@ std::uint64_t hash_of_study(const StudyPlanRecord& plan) {
 /// Inputs that reach into what cannot be.
 void note_the_impossible(StudyPlanRecord& plan) {
   for (const StudyInput& input : plan.study.inputs) {
-    const PathRow* row = find_path(input.path);
-    if (!row || !row->above_zero || input.added) continue;  // what is added is told by the pilot shots
+    const FoundPath path = find_path(input.path);
+    if (!path || !path.row->above_zero || input.added) continue;  // what is added is told by the pilot shots
     const double part = probability_up_to(input.distribution, 0);
     if (part * static_cast<double>(plan.study.shots) < 0.01) continue;
     plan.notes.push_back(input.path + ": " + rounded_text(100 * part) +

@@ -1,0 +1,98 @@
+// Points of lists that are uncertain, as scenarios write them.
+#include "physim/scenario.hpp"
+#include "support.hpp"
+
+namespace physim {
+namespace {
+
+constexpr const char* kShot = "physim = 1\n[[shot]]\nname = \"a\"\nspeed = 300\nmass = 1\n";
+
+Result<Study> study_in(const std::string& text) {
+  const auto scenario = parse_scenario(text, "test.toml");
+  if (!scenario) return scenario.error();
+  return study_of(*scenario, scenario->shots[0]);
+}
+
+TEST(StudyPointsText, inputs_have_the_unit_of_their_points) {
+  const auto input = [](const char* text) {
+    const auto read = parse_study_input(text);
+    EXPECT_TRUE(read) << read.error().text();
+    return read ? *read : StudyInput{};
+  };
+  EXPECT_EQ(input("shot.drag.curve.3 = 0.23 +- 0.01"),
+            (StudyInput{"shot.drag.curve.3", NormalDistribution{0.23, 0.01}}));
+  EXPECT_EQ(input("shot.motor.thrust.4 = 1 kN +- 20 N").distribution, Distribution(NormalDistribution{1000, 20}));
+  EXPECT_EQ(input("shot.motor.propellant.2 = 1 g .. 2 g").distribution, Distribution(UniformDistribution{1e-3, 2e-3}));
+  EXPECT_EQ(input("environment.wind.profile.2.velocity.x = 36 km/h +- 3.6 km/h").distribution,
+            Distribution(NormalDistribution{10, 1}));
+  EXPECT_EQ(input("shot.drag.bands.1.ballistic_coefficient = 300 kg/m^2 +- 5 kg/m^2").distribution,
+            Distribution(NormalDistribution{300, 5}));
+  EXPECT_EQ(input("shot.motor.thrust = +- 0.03").distribution, Distribution(NormalDistribution{0, 0.03}))
+      << "the factor has no unit";
+  const auto refused = [](const char* text) {
+    const auto read = parse_study_input(text);
+    return read ? std::string("none") : read.error().text();
+  };
+  EXPECT_NE(refused("shot.drag.curv.3 = 0.23 +- 0.01").find("did you mean \"shot.drag.curve.N\""), std::string::npos)
+      << refused("shot.drag.curv.3 = 0.23 +- 0.01");
+  EXPECT_NE(refused("shot.motor.thrust.4 = 1 kg +- 2 kg").find("kg"), std::string::npos);
+}
+
+TEST(StudyPointsText, points_are_distributions_and_their_means_are_flown) {
+  const std::string text =
+      std::string(kShot) +
+      "drag = { table = \"custom\", curve = [[0.5, \"0.23 +- 0.01\"], [1, 0.4], [2, { low = 0.2, high "
+      "= 0.4 }]] }\nmotor = { thrust = [[0, 0], [\"1 s\", \"40 N +- 2 N per occasion\"], [2, 0]] }\n"
+      "aero = { lift = \"2 +- 0.1\", magnus_moment = [[1, 0, 0.3], [1, 4, \"0.1 .. 0.3\"]] }\n"
+      "[environment.wind]\nprofile = [{ at = 0, velocity = [0, 0, 1] }, { at = \"100 m\", velocity = "
+      "[0, 0, \"4 m/s +- 1 m/s\"] }]\n[study]\nrounds = 16\ninputs = [\"shot.speed = +- 1 m/s\"]\n";
+  const auto scenario = parse_scenario(text, "test.toml");
+  ASSERT_TRUE(scenario) << scenario.error().text();
+  const ProjectileDef& p = scenario->shots[0].projectile;
+  EXPECT_EQ(p.drag.curve, (std::vector<DragPoint>{{0.5, 0.23}, {1, 0.4}, {2, 0.5 * (0.2 + 0.4)}}));
+  EXPECT_EQ(p.motor.thrust[1], (ThrustPoint{1, 40}));
+  EXPECT_EQ(p.aero.lift[0].value, 2);
+  EXPECT_EQ(scenario->environment.wind.profile[1].velocity, (Vec3d{0, 0, 4}));
+  const auto study = study_of(*scenario, scenario->shots[0]);
+  ASSERT_TRUE(study) << study.error().text();
+  const std::vector<StudyInput> expected = {
+      {"shot.drag.curve.1", NormalDistribution{0.23, 0.01}},
+      {"shot.drag.curve.3", UniformDistribution{0.2, 0.4}},
+      {"shot.motor.thrust.2", NormalDistribution{40, 2}, DrawnFor::occasion},
+      {"shot.aero.lift.1", NormalDistribution{2, 0.1}},
+      {"shot.aero.magnus_moment.2", UniformDistribution{0.1, 0.3}},
+      {"environment.wind.profile.2.velocity.z", NormalDistribution{4, 1}},
+      {.path = "shot.speed", .distribution = NormalDistribution{0, 1}, .added = true}};
+  EXPECT_EQ(study->inputs, expected);
+  const auto again = study_in(scenario_text(*scenario));
+  ASSERT_TRUE(again) << again.error().text();
+  EXPECT_EQ(again->inputs, expected);
+}
+
+TEST(StudyPointsText, points_of_lists_of_tables_and_of_one_of_several_shots) {
+  const std::string bands =
+      "drag = { table = \"g7\", bands = [{ above = 200, ballistic_coefficient = { mean = 300, deviation = 5 } }, { "
+      "ballistic_coefficient = 310 }] }\n";
+  const auto study = study_in(std::string(kShot) + bands + "[[shot]]\nname = \"b\"\nspeed = 300\nmass = 1\n");
+  ASSERT_TRUE(study) << study.error().text();
+  EXPECT_EQ(study->inputs,
+            (std::vector<StudyInput>{{"shot.drag.bands.1.ballistic_coefficient", NormalDistribution{300, 5}}}));
+  const std::string override = "shot.drag={ table = \"custom\", curve = [[0, \"0.2 +- 0.01\"]] }";
+  const auto set = parse_scenario(kShot, "test.toml", {&override, 1});
+  ASSERT_TRUE(set) << set.error().text();
+  EXPECT_EQ(set->study.inputs, (std::vector<std::string>{"shot.drag.curve.1 = 0.2 +- 0.01"}));
+}
+
+TEST(StudyPointsText, what_is_wrong_is_told_where_it_stands) {
+  const auto study =
+      study_in(std::string(kShot) + "drag.table = \"custom\"\ndrag.curve = [[0.5, \"0.23 +- -0.01\"]]\n");
+  ASSERT_FALSE(study);
+  EXPECT_NE(study.error().text().find("test.toml:7:21: error: shot.drag.curve.1: "), std::string::npos)
+      << study.error().text();
+  const auto mach = study_in(std::string(kShot) + "drag.table = \"custom\"\ndrag.curve = [[\"0.5 +- 0.1\", 0.2]]\n");
+  ASSERT_FALSE(mach) << "places of points are known";
+  EXPECT_NE(mach.error().text().find("test.toml:7:"), std::string::npos) << mach.error().text();
+}
+
+}  // namespace
+}  // namespace physim
