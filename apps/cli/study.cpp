@@ -82,11 +82,7 @@ Status add_options(const StudyCommand& command, Scenario& scenario) {
     if (*command.over_inputs > 100) return Error{"must be from 2 to 100 parts", "--over-inputs", ""};
     scenario.study.over_inputs = static_cast<std::int64_t>(*command.over_inputs);
   }
-  if (command.histograms) {
-    if (*command.histograms < 3 || *command.histograms > 1000)
-      return Error{"must be from 3 to 1000 bars", "--histograms", ""};
-    scenario.study.histograms = static_cast<std::int64_t>(*command.histograms);
-  }
+  if (command.histograms) scenario.study.histograms = static_cast<std::int64_t>(*command.histograms);
   return add_time(command, scenario.study);
 }
 
@@ -257,6 +253,9 @@ Result<int> run_over_ranges(const StudyCommand& command, const AskedShot& asked,
   if (!study.at.empty())
     return Error{"ranges are flown to one after the other, and places are told of the same flights", "--ranges",
                  "leave it out, or study.at and --at"};
+  if (asked.scenario.study.histograms > 0)
+    return Error{"histograms are told of one study", "--ranges",
+                 "leave --ranges out (--at tells of ranges, too), or study.histograms and --histograms"};
   std::vector<StudyAtRange> list;
   StudyCommand alone;
   alone.log_seconds = command.log_seconds;
@@ -286,8 +285,6 @@ Status check_command(const StudyCommand& command) {
     return Error{"a study over ranges writes CSV alone", "--json", "give --csv"};
   if (!command.ranges.empty() && command.over_inputs)
     return Error{"hits are told over range or over inputs", "--over-inputs", "leave --ranges out"};
-  if (!command.ranges.empty() && command.histograms)
-    return Error{"histograms are told of one study", "--histograms", "leave --ranges out; --at tells of ranges, too"};
   if (!command.ranges.empty() && !command.kml.empty())
     return Error{"a map is of shots that come down on the ground", "--kml", "leave --ranges out"};
   if (!command.shards.empty() && !(command.plot.empty() && command.kml.empty()))
@@ -309,20 +306,29 @@ Picture picture_of(const std::string& title, const FlownStudy& flown) {
   return flown.histogram_bars > 0 ? histograms_picture(title, flown) : study_picture(title, flown);
 }
 
+/// "out/308-ranges.png" beside "out/308.png".
+std::string beside(const std::string& file, const std::string& what) {
+  const std::filesystem::path path(file);
+  std::filesystem::path other = path;
+  return other.replace_filename(path.stem().string() + "-" + what + path.extension().string()).string();
+}
+
+/// One picture; where it shows hits over inputs, histograms that are asked for stand in "out/308-histograms.png".
+Status draw_one(const std::string& file, const std::string& title, const FlownStudy& flown) {
+  const Status status = draw(file, picture_of(title, flown));
+  const bool has_both = !flown.result.over_inputs.empty() && flown.histogram_bars > 0;
+  return status && has_both ? draw(beside(file, "histograms"), histograms_picture(title, flown)) : status;
+}
+
 /// One picture, and further ones beside it of a study that is told at places, too: "out/308-at-1.png" of the first of
 /// them, "out/308-ranges.png" over range.
 Status draw_all(const std::string& file, const std::string& title, const FlownStudy& flown) {
-  const std::filesystem::path path(file);
-  const auto beside = [&](const std::string& what) {
-    std::filesystem::path other = path;
-    return other.replace_filename(path.stem().string() + "-" + what + path.extension().string()).string();
-  };
-  Status status = draw(file, picture_of(title, flown));
+  Status status = draw_one(file, title, flown);
   for (std::size_t i = 0; i < flown.at.size() && status; ++i)
     status =
-        draw(beside("at-" + std::to_string(i + 1)), picture_of(title + ", at " + name_of_place(flown, i), flown.at[i]));
+        draw_one(beside(file, "at-" + std::to_string(i + 1)), title + ", at " + name_of_place(flown, i), flown.at[i]);
   const std::vector<StudyAtRange> ranges = ranges_of(flown);
-  return status && ranges.size() > 1 ? draw(beside("ranges"), ranges_picture(title, ranges)) : status;
+  return status && ranges.size() > 1 ? draw(beside(file, "ranges"), ranges_picture(title, ranges)) : status;
 }
 
 Status write_files(const StudyCommand& command, const AskedShot& asked, const FlownStudy& flown, TaskRunner& threads) {

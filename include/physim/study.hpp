@@ -104,10 +104,12 @@ struct StudyWidth {
 /// A place on the way at which a study is told, too: where a shot first meets an event. Range lines stand where planes
 /// of impact do: all shots are seen on that of the shot without uncertainty.
 struct StudyPlace {
-  EventSpec event{};                        ///< `terminal` is not read [-]
+  EventSpec event{};                        ///< `terminal` is not read; an apex without a direction is a highest
+                                            ///< point (falling) [-]
   std::vector<StudyQuantity> quantities{};  ///< none of an impact; where the first two are lengths, its plane; empty:
                                             ///< right, up, time and speed on a range line, else right, along, y, time
-                                            ///< and speed [-]
+                                            ///< and speed without the one that is crossed; never empty where a study
+                                            ///< is of a function [-]
 };
 
 /// A projectile, a launch and a place of which some numbers are uncertain, and what is asked of their flights.

@@ -62,9 +62,13 @@ struct CountedCells {
   [[nodiscard]] double error_at(double x) const;
   /// Low edge of cell `first` + i, also for i = counts.size() [unit].
   [[nodiscard]] double edge(std::size_t i) const;
-  /// A histogram of `bars` bars, three at least: one at each end for the 0.1 % that lie beyond, those between about
-  /// equally wide. Their ends are edges of cells, so counts are exact, and widths are to a cell. Fewer bars where cells
-  /// are wider than they would be; none where nothing was counted.
+  /// The most bars of a histogram [-].
+  static constexpr std::size_t kMostBars = 100'000;
+  /// A histogram of `bars` bars, three to kMostBars (fewer count as three, more as so many): one at each end for about
+  /// 0.1 % that lie beyond, 0.2 % at most, those between about equally wide. No bar at an end whose outermost cell has
+  /// more than that, as where few values are drawn: then all bars are about equally wide there. Ends of bars are edges
+  /// of cells, so counts are exact, and widths are to a cell. Fewer bars where cells are wider than they would be; none
+  /// where nothing was counted.
   [[nodiscard]] std::vector<HistogramBar> histogram(std::size_t bars) const;
 
   bool operator==(const CountedCells&) const = default;

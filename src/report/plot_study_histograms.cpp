@@ -33,10 +33,15 @@ class HistogramsPicture {
   }
 
  private:
-  /// What is drawn: all but the bars of what lies beyond.
+  /// What is drawn: all but bars at the ends of what lies beyond, 0.2 % at most; where few values are drawn there are
+  /// none.
   [[nodiscard]] static std::span<const HistogramBar> inner_bars(const NamedHistogram& histogram) {
-    const std::span<const HistogramBar> bars(histogram.bars);
-    return bars.size() < 3 ? bars : bars.subspan(1, bars.size() - 2);
+    std::span<const HistogramBar> bars(histogram.bars);
+    const std::uint64_t all = count_of(histogram);
+    const auto is_beyond = [&](const HistogramBar& bar) { return bar.count <= all / 500; };
+    if (bars.size() > 1 && is_beyond(bars.front())) bars = bars.subspan(1);
+    if (bars.size() > 1 && is_beyond(bars.back())) bars = bars.first(bars.size() - 1);
+    return bars;
   }
   [[nodiscard]] static std::uint64_t count_of(const NamedHistogram& histogram) {
     std::uint64_t all = 0;
@@ -53,18 +58,19 @@ class HistogramsPicture {
     for (const HistogramBar& bar : bars) {
       const double own = bar.high - bar.low;
       const double part = 100 * static_cast<double>(bar.count) / all * (own > 0 ? width / own : 1);
-      rows += significant(0.5 * (bar.low + bar.high), 9) + " " + significant(part, 9) + " " + significant(bar.low, 9) +
-              " " + significant(bar.high, 9) + "\n";
+      rows += shortest(0.5 * (bar.low + bar.high)) + " " + significant(part, 9) + " " + shortest(bar.low) + " " +
+              shortest(bar.high) + "\n";
     }
     return rows;
   }
 
   [[nodiscard]] std::string header() const {
     return title_at(0.022, 0.965, title_, kHistogramsWidth) +
-           text_at(0.022, 0.928,
-                   std::to_string(flown_.result.shots) +
-                       " shots: parts of them [%] in bars of one width; 0.1 % lie beyond each end",
-                   13, kQuiet);
+           text_at(
+               0.022, 0.928,
+               std::to_string(flown_.result.shots) +
+                   " shots: parts of those that arrived [%] in bars of one width, without up to 0.2 % beyond each end",
+               13, kQuiet);
   }
 
   [[nodiscard]] std::string panel(std::size_t i) const {

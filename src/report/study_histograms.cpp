@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <span>
 
 #include "base/assert.hpp"
 #include "report/number.hpp"
@@ -16,6 +17,17 @@ constexpr double kMostMarks = 50;  // of the highest bar
 double density(const HistogramBar& bar) {
   PHYSIM_ASSERT(bar.high >= bar.low);
   return bar.high > bar.low ? static_cast<double>(bar.count) / (bar.high - bar.low) : 0;
+}
+
+/// So many digits that ends of bars differ, however narrow bars are beside their numbers.
+int digits_of_ends(std::span<const HistogramBar> bars) {
+  constexpr int kLeast = 5, kMost = 17;
+  double digits = kLeast;
+  for (const HistogramBar& bar : bars) {
+    const double number = std::max(std::abs(bar.low), std::abs(bar.high)), width = bar.high - bar.low;
+    if (width > 0) digits = std::max(digits, std::ceil(std::log10(number / width)) + 2);
+  }
+  return static_cast<int>(std::min<double>(digits, kMost));
 }
 
 }  // namespace
@@ -40,12 +52,13 @@ std::string histograms_text(const FlownStudy& flown) {
   const std::vector<NamedHistogram> list = histograms_of(flown);
   for (std::size_t i = 0; i < std::min(list.size(), flown.result.quantities.size()); ++i) {
     Table table({list[i].name + " from [" + list[i].unit + "]", "to", "shots [%]", ""}, "rrrl");
+    const int digits = digits_of_ends(list[i].bars);
     double all = 0, most = 0;
     for (const HistogramBar& bar : list[i].bars)
       all += static_cast<double>(bar.count), most = std::max(most, density(bar));
     for (const HistogramBar& bar : list[i].bars) {
       const double marks = most > 0 ? kMostMarks * density(bar) / most : kMostMarks;
-      table.add_row({significant(bar.low, 5), significant(bar.high, 5),
+      table.add_row({significant(bar.low, digits), significant(bar.high, digits),
                      significant(100 * static_cast<double>(bar.count) / all, 3),
                      std::string(static_cast<std::size_t>(std::lround(marks)), '#')});
     }

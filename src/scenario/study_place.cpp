@@ -28,9 +28,12 @@ Result<EventSpec> event_of(std::string_view text) {
   if (text.empty()) return Error{"is no place", "", kPlaceHint};
   for (const Crossing direction : {Crossing::rising, Crossing::falling}) {
     const std::string_view word = name(direction);
-    if (!text.ends_with(word) || text.size() == word.size()) continue;
+    if (!text.ends_with(word)) continue;
+    const std::string_view before = text.substr(0, text.size() - word.size()), place = trimmed(before);
+    if (place.empty() || place.size() == before.size()) continue;  // "3 mfalling"
     event.direction = direction;
-    text = trimmed(text.substr(0, text.size() - word.size()));
+    text = place;
+    break;
   }
   if (!is_number_begin(text.front())) {
     const std::string_view word = take_word(text);
@@ -77,7 +80,8 @@ std::string place_text(const EventSpec& event) {
   const bool has_value = row_of(event.kind).waits_for_value && !is_plain_ground;
   std::string text = event.kind == EventKind::range ? "" : std::string(name(event.kind));
   if (has_value) text += (text.empty() ? "" : " ") + quantity_text(event.value, quantity_of_value(event.kind));
-  const bool says_way = event.direction != Crossing::any && event.kind != EventKind::apex;
+  const bool is_highest = event.kind == EventKind::apex && event.direction == Crossing::falling;
+  const bool says_way = event.direction != Crossing::any && !is_highest;
   return text + (says_way ? " " + std::string(name(event.direction)) : "");
 }
 

@@ -393,6 +393,8 @@ Result<Study> study_of(const Scenario& scenario, const ScenarioShot& shot) {
               .shots = static_cast<std::uint64_t>(texts.shots),
               .indices = texts.indices};
   std::erase_if(study.until.events, [](const EventSpec& event) { return !event.terminal; });
+  if (texts.histograms != 0 && (texts.histograms < 3 || texts.histograms > 1000))
+    return Error{"must be from 3 to 1000 bars", "study.histograms", "0 for none"};
   if (texts.over_inputs > 0) study.over_inputs = static_cast<std::uint32_t>(texts.over_inputs);
   if (Status status = add_inputs(scenario, shot, study); !status) return status.error();
   if (Status status = add_texts(texts, study); !status) return status.error();

@@ -126,14 +126,16 @@ std::vector<HistogramBar> CountedCells::histogram(std::size_t bars) const {
     return x - edge(low) < edge(high) - x ? low : high;
   };
   const double from = quantile(0.001), to = quantile(0.999);
-  const std::size_t inner = std::max<std::size_t>(bars, 3) - 2;
+  const std::size_t inner = std::clamp<std::size_t>(bars, 3, kMostBars) - 2;
   std::vector<std::size_t> ends = {begin};
+  const auto end_at = [&](std::size_t edge) {
+    if (edge > ends.back()) ends.push_back(edge);
+  };
   for (std::size_t i = 0; i <= inner; ++i)
-    ends.push_back(nearest_edge(from + (to - from) * (static_cast<double>(i) / static_cast<double>(inner))));
-  ends.push_back(end);
+    end_at(nearest_edge(from + (to - from) * (static_cast<double>(i) / static_cast<double>(inner))));
+  end_at(end);
   std::vector<HistogramBar> histogram;
   for (std::size_t i = 1; i < ends.size(); ++i) {
-    if (ends[i] <= ends[i - 1]) continue;
     HistogramBar bar{.low = edge(ends[i - 1]), .high = edge(ends[i])};
     for (std::size_t cell = ends[i - 1]; cell < ends[i]; ++cell) bar.count += counts[cell];
     histogram.push_back(bar);

@@ -104,7 +104,7 @@ class FlightModel : public ShotModel {
   ThingsOfTargets things_;
   Places places_;
   Vec3d acceleration_{};                       // of the shot without uncertainty, where it ends [m/s^2]
-  std::vector<Vec3d> acceleration_at_places_;  // ... and there; where it does not come there, of its end [m/s^2]
+  std::vector<Vec3d> acceleration_at_places_;  // of that shot at each place, or its end if it never comes there [m/s^2]
   Fidelity granted_{};
   std::optional<Impacts> impacts_;  // where they are asked for
   bool as_columns_ = true;

@@ -103,7 +103,7 @@ struct SavedPlace {
   CommonSums sums;
   MoreSums more;
 };
-/// ... of a node, as they are saved.
+/// What a node has besides the common sums, as it is saved.
 struct SavedMore {
   MoreSums own;
   std::vector<SavedPlace> places;

@@ -21,8 +21,14 @@ bool is_at(const Event& event, const EventSpec& place) {
          std::abs(event.value - place.value) <= 1e-9 * std::max(std::abs(place.value), 1.0);
 }
 
+/// The apex is the highest point, unless a low one is asked for.
+Crossing direction_of(const EventSpec& event) {
+  return event.kind == EventKind::apex && event.direction == Crossing::any ? Crossing::falling : event.direction;
+}
+
 bool is_one_place(const EventSpec& a, const EventSpec& b) {
-  return a.kind == b.kind && a.direction == b.direction && (a.value == b.value || !row_of(a.kind).waits_for_value);
+  return a.kind == b.kind && direction_of(a) == direction_of(b) &&
+         (a.value == b.value || !row_of(a.kind).waits_for_value);
 }
 
 bool is_finite_value(double x) { return x - x == 0; }
@@ -100,11 +106,17 @@ void Places::take(const Event& event, std::size_t shot, std::span<const SeenColu
 void fill_places(Study& study) {
   using Q = StudyQuantity;
   for (StudyPlace& place : study.at) {
+    place.event.direction = direction_of(place.event);
     if (!place.quantities.empty()) continue;
-    if (place.event.kind == EventKind::range)
+    const EventKind kind = place.event.kind;
+    if (kind == EventKind::range) {
       place.quantities = {Q::right, Q::up, Q::time, Q::speed};
-    else
-      place.quantities = {Q::right, Q::along, Q::y, Q::time, Q::speed};
+      continue;
+    }
+    place.quantities = {Q::right, Q::along};  // a place itself tells the value that is crossed there
+    if (kind != EventKind::height) place.quantities.push_back(Q::y);
+    if (kind != EventKind::time) place.quantities.push_back(Q::time);
+    if (kind != EventKind::speed) place.quantities.push_back(Q::speed);
   }
 }
 

@@ -333,7 +333,9 @@ TEST(StudyCli, bad_input_says_what_is_wrong) {
   EXPECT_TRUE(has(refusal({"--over-inputs", "4", "--set", "study.targets=[]"}), "no target"));
   EXPECT_TRUE(has(refusal({"--over-inputs", "4", "--ranges", "20 m"}), "leave --ranges out"));
   EXPECT_TRUE(has(refusal({"--histograms", "2"}), "3 to 1000"));
+  EXPECT_TRUE(has(refusal({"--set", "study.histograms=2"}), "3 to 1000"));
   EXPECT_TRUE(has(refusal({"--histograms", "9", "--ranges", "20 m"}), "leave --ranges out"));
+  EXPECT_TRUE(has(refusal({"--set", "study.histograms=9", "--ranges", "20 m"}), "leave --ranges out"));
   EXPECT_TRUE(has(refusal({"--at", "apxe"}), "study.at[0]"));
   EXPECT_TRUE(has(refusal({"--at", "apex: hight"}), "no quantity of a place"));
   EXPECT_TRUE(has(refusal({"--at", "1 km"}), "0 arrived there"));

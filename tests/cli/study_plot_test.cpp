@@ -69,6 +69,10 @@ TEST(StudyPlot, shows_places_and_histograms) {
   ASSERT_EQ(bars.code, 0) << bars.err;
   for (const char* text : {"A throw: ball", "along [m]", "speed [m/s]", "radius.centre [m]", "bars of one width"})
     EXPECT_TRUE(has(read(folder / "b.svg"), text)) << text;
+  const Ran both = physim({"study", file, "--plot", folder / "c.svg", "--histograms", "30", "--over-inputs", "4"});
+  ASSERT_EQ(both.code, 0) << both.err;
+  EXPECT_TRUE(has(read(folder / "c.svg"), "equally likely parts"));
+  EXPECT_TRUE(has(read(folder / "c-histograms.svg"), "bars of one width"));
 }
 
 TEST(StudyPlot, a_missing_gnuplot_is_named_with_its_package) {

@@ -299,8 +299,8 @@ TEST(StudyText, places) {
   const auto with = parse_study_place("apex : y, time");
   ASSERT_TRUE(with) << with.error().text();
   EXPECT_EQ(with->quantities, (std::vector<Q>{Q::y, Q::time}));
-  for (const char* text : {"800 m", "apex", "height 100 m falling", "time 2 s rising", "speed 340 m/s", "mach 1.2",
-                           "ground", "ground 5 m", "burnout", "rail_exit"})
+  for (const char* text : {"800 m", "apex", "apex rising", "height 100 m falling", "time 2 s rising", "speed 340 m/s",
+                           "mach 1.2", "ground", "ground 5 m", "burnout", "rail_exit"})
     EXPECT_EQ(place_text(event(text)), text);
   const auto refused = [](const char* text) {
     const auto place = parse_study_place(text);
@@ -311,6 +311,9 @@ TEST(StudyText, places) {
   EXPECT_NE(refused("800 kg").find("length"), std::string::npos);
   EXPECT_NE(refused("height").find("length"), std::string::npos);
   EXPECT_NE(refused("apex 3 m").find("leave it out"), std::string::npos);
+  EXPECT_NE(refused("apexrising").find("no place"), std::string::npos);
+  for (const char* text : {"height 3 mfalling", "height 3 m falling rising", "falling"})
+    EXPECT_NE(refused(text), "none") << text;
   EXPECT_NE(refused("apex: hight").find("no quantity of a place"), std::string::npos);
   EXPECT_NE(refused("").find("is no place"), std::string::npos);
   EXPECT_NE(refused(": y").find("is no place"), std::string::npos);

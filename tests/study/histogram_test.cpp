@@ -50,6 +50,18 @@ TEST(StudyHistograms, count_each_shot_once) {
   }
 }
 
+/// Bars at the ends have what lies beyond; where an outermost cell has more there is none.
+TEST(StudyHistograms, have_two_thousandths_at_most_at_each_end) {
+  CountedCells cells{.counts = {19, 4990, 4991}};
+  EXPECT_EQ(cells.histogram(3).front().count, 19U);
+  cells.counts = {21, 4990, 4989};
+  EXPECT_EQ(cells.histogram(3).size(), 1U);
+  cells.counts = {4990, 4991, 19};
+  EXPECT_EQ(cells.histogram(3).back().count, 19U);
+  cells.counts = {8, 8, 4992, 4992};
+  EXPECT_EQ(cells.histogram(3).front().count, 8U);
+}
+
 TEST(StudyHistograms, of_few_values_have_their_bars) {
   Study study = scatter();
   study.inputs[0].distribution = DiscreteDistribution{{1, 2, 4}, {1, 2, 1}};
@@ -66,6 +78,9 @@ TEST(StudyHistograms, of_few_values_have_their_bars) {
   EXPECT_EQ(one[0].count, 40'960U);
   EXPECT_TRUE(one[0].low <= 7 && 7 <= one[0].high);
   EXPECT_TRUE(CountedCells{}.histogram(10).empty());
+  const CountedCells& cells = run.quantities[1].cells;
+  EXPECT_EQ(cells.histogram(SIZE_MAX), cells.histogram(CountedCells::kMostBars)) << "no more than cells";
+  EXPECT_LE(cells.histogram(SIZE_MAX).size(), cells.counts.size());
   EXPECT_EQ(run.quantities[1].cells.histogram(0), run.quantities[1].cells.histogram(3)) << "fewer are none";
 }
 

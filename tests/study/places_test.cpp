@@ -78,6 +78,19 @@ TEST(StudyPlaces, lie_on_parabolas) {
   expect_parabolas(plan_of_places(study), kG);
 }
 
+TEST(StudyPlaces, have_what_nobody_names) {
+  Study study = thrown();
+  study.at = {place(EventKind::apex, 0, Crossing::any, {Q::y}), place(EventKind::height, 6), place(EventKind::time, 1),
+              place(EventKind::speed, 28), place(EventKind::range, 20)};
+  const Study filled = plan_of_places(study).study();
+  EXPECT_EQ(filled.at[0].event.direction, Crossing::falling) << "the highest point, not a low one";
+  EXPECT_EQ(filled.at[1].event.direction, Crossing::any);
+  EXPECT_EQ(filled.at[1].quantities, (std::vector{Q::right, Q::along, Q::time, Q::speed}));
+  EXPECT_EQ(filled.at[2].quantities, (std::vector{Q::right, Q::along, Q::y, Q::speed}));
+  EXPECT_EQ(filled.at[3].quantities, (std::vector{Q::right, Q::along, Q::y, Q::time}));
+  EXPECT_EQ(filled.at[4].quantities, (std::vector{Q::right, Q::up, Q::time, Q::speed}));
+}
+
 /// A million normal speeds: the height of the apex has mean h = (m^2 + s^2) sin^2 e / 2 g over the muzzle, and a shot
 /// passes above a mark at a range where it is fast enough.
 TEST(StudyPlaces, have_figures_that_are_known) {
@@ -307,6 +320,7 @@ TEST(StudyPlaces, bad_input) {
   EXPECT_TRUE(says(refusal([](Study& s) { s.at[2].event.value = NAN; }), "at[2].event.value", "no number"));
   EXPECT_TRUE(says(refusal([](Study& s) { s.at[2].event.kind = EventKind::landed; }), "at[2].event.kind", "watches"));
   EXPECT_TRUE(says(refusal([](Study& s) { s.at.push_back(s.at[1]); }), "at[5]", "at[1] again"));
+  EXPECT_TRUE(says(refusal([](Study& s) { s.at.push_back(place(EventKind::apex)); }), "at[5]", "at[0] again"));
   EXPECT_TRUE(says(refusal([](Study& s) {
                      s.at[0].quantities = {Q::y, Q::obliquity};
                    }),
