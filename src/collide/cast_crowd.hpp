@@ -2,7 +2,8 @@
 // meshes that they come to, node by node in no order (box_job.hpp). Whatever else they meet is asked one by one.
 //
 // A crowd is some 75 kB, half of which are pairs that wait. It lies on the stack, of which threads have 8 MB on Linux
-// and half a megabyte on macOS, and is set to nothing: so whoever asks needs no memory, and may do so from any number of threads.
+// and half a megabyte on macOS, and is set to nothing: so whoever asks needs no memory, and may do so from any number
+// of threads.
 //
 // A Question has
 //   kWhich                       which things it asks about

@@ -11,8 +11,8 @@ namespace physim {
 
 /// i A / (2 m): from the ballistic coefficient, or from mass, diameter and form factor [m^2/kg].
 [[nodiscard]] double half_area_per_mass(const ProjectileDef& projectile);
-/// half_area_per_mass() of shots of one projectile that have ballistic coefficients > 0 of their own, or form factors; none: all have
-/// the projectile's.
+/// half_area_per_mass() of shots of one projectile that have ballistic coefficients > 0 of their own, or form factors;
+/// where there are none all have the projectile's.
 void put_half_areas(const ProjectileDef& projectile, std::span<const double> ballistic_coefficients,
                     std::span<const double> form_factors, std::span<double> into);
 
