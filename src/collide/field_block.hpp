@@ -18,6 +18,16 @@
 
 namespace physim::collide {
 
+inline constexpr std::uint32_t kBlockSide = 4;  // in cells
+inline constexpr double kManyCells = 1e6;       // floats do not tell cells apart where a way is so long or wide
+
+/// A plane that no point of the surface in a block is above: there is one for each block whose first column and row are
+/// multiples of its side.
+struct FieldPlane {
+  float over;                 // how high it is at the first corner, above the middle height [m]
+  float per_column, per_row;  // how much it rises from one to the next [m]
+};
+
 /// Heights over a grid, in float.
 struct FieldGrid {
   const float* heights;                 // less the middle one, row by row; 4 rows and 4 numbers more can be read
@@ -25,10 +35,9 @@ struct FieldGrid {
   double per_spacing_x, per_spacing_z;  // [1/m]
   double low, high, middle;             // of the heights [m]
   double extent;                        // the largest coordinate [m]
+  const FieldPlane* planes;             // of its blocks, row by row
+  std::uint32_t planes_a_row;
 };
-
-inline constexpr std::uint32_t kBlockSide = 4;  // in cells
-inline constexpr double kManyCells = 1e6;       // floats do not tell cells apart where a way is so long or wide
 
 /// Where a segment may meet a field: some cells of a block, bit 4 row + column from its first one on.
 struct FieldCells {

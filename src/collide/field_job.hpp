@@ -30,16 +30,21 @@ struct FieldJob {
   std::size_t found;             // so many of them, in order
 };
 
-/// A way over many cells, which is looked at by blocks of them: rows of blocks across the axis that it goes along most,
-/// one after the other.
+inline constexpr std::size_t kStripsAtOnce = 8;
+
+/// A way over many cells, which is looked at by blocks of them: strips of blocks across the axis that it goes along
+/// most, one after the other. Blocks begin at multiples of their side.
 struct FieldWalk {
-  double numbers[kBlockWayNumbers];  // of its BlockWay, as seen from the first one of the cells that it may meet
+  double numbers[kBlockWayNumbers];  // of its BlockWay, as seen from the first cell of the first block
   float rounded[kBlockWayNumbers];
-  std::uint32_t first[2], count[2];  // those cells, along x and z
+  std::uint32_t first[2], count[2];  // cells from there to the last one that it may meet, along x and z
   int axis;                          // along which it goes most: 0 or 1
-  std::uint32_t strips, begun;       // of so many rows of blocks these are looked at, or at hand
-  std::uint32_t next, end;           // cells across it of that which is at hand
-  double reach;                      // farther along it nothing is wanted any more
+  std::uint32_t strips, begun;       // so many of them were looked at,
+  std::uint32_t across;              // and so many blocks across those after them
+  std::uint32_t some[2];  // bits of strips at hand that may meet something in a block, or in the one beside it
+  double at[kStripsAtOnce], blocks[kStripsAtOnce], in[kStripsAtOnce];  // which ones; these blocks; where it comes there
+  double within;  // the reach when strips at hand were first looked at: blocks across them are counted by that
+  double reach;   // farther along it nothing is wanted any more
 };
 
 /// Where the points of a field are.

@@ -1,5 +1,5 @@
 // Compiled once per instruction set, in a namespace of its name.
-#include "collide/field_job.hpp"
+#include "collide/field_walk.hpp"
 #include "collide/triangle.hpp"
 
 PHYSIM_ISA_BEGIN
@@ -69,44 +69,6 @@ PHYSIM_INLINE void put_looks(const collide::FieldJob& job, const Columns& column
                         (way.size(over_x.first, over_z.first) > Numbers(collide::kManyCells)));
 }
 
-/// Where a number of a BlockWay is that counts along an axis, and the one along the other axis that belongs to it.
-enum Along : int { kFrom = 0, kWay = 3, kPer = 6, kBeyond = 8 };
-PHYSIM_INLINE double number_of(const collide::FieldWalk& walk, Along which, int axis) {
-  return walk.numbers[which + axis * (which < kPer ? 2 : 1)];
-}
-
-/// Begins with the next row of blocks, if the walk comes there.
-PHYSIM_INLINE void begin_strip(collide::FieldWalk& walk) {
-  const int axis = walk.axis;
-  const double from = number_of(walk, kFrom, axis), per = number_of(walk, kPer, axis);
-  const double beyond = number_of(walk, kBeyond, axis);
-  const bool backwards = per < 0;
-  const std::uint32_t strip = backwards ? walk.strips - 1 - walk.begun : walk.begun;
-  ++walk.begun;
-  const double low = double(strip * collide::kBlockSide) - beyond;
-  const double high = double(min(walk.count[axis], (strip + 1) * collide::kBlockSide)) + beyond;
-  const double in = max(((backwards ? high : low) - from) * per, 0.0);
-  const double out = min(((backwards ? low : high) - from) * per, walk.reach);
-  if (in > walk.reach) walk.begun = walk.strips;  // the others are farther
-  if (!(in <= out)) return;
-  const int across = 1 - axis;
-  const double start = number_of(walk, kFrom, across), along = number_of(walk, kWay, across);
-  const CellRange<double> cells =
-      cells_between(start + along * in, start + along * out, number_of(walk, kBeyond, across), walk.count[across] + 1);
-  walk.next = static_cast<std::uint32_t>(cells.first);
-  walk.end = static_cast<std::uint32_t>(cells.last) + 1;
-}
-
-/// The block that is at hand, whose cells are told from the first one of the walk on.
-PHYSIM_INLINE collide::FieldCells block_at_hand(const collide::FieldWalk& walk) {
-  const std::uint32_t strip = walk.numbers[kPer + walk.axis] < 0 ? walk.strips - walk.begun : walk.begun - 1;
-  std::uint32_t first[2], count[2];
-  first[walk.axis] = strip * collide::kBlockSide, first[1 - walk.axis] = walk.next;
-  count[walk.axis] = min(walk.count[walk.axis] - first[walk.axis], collide::kBlockSide);
-  count[1 - walk.axis] = min(walk.end - walk.next, collide::kBlockSide);
-  return {first[0], first[1], block_of(count[0], count[1])};
-}
-
 using Four = Pack<double, 4>;
 
 /// A corner of each half of two cells, as HeightField::triangle() has them: by its coordinates in the one cell and in
@@ -144,12 +106,12 @@ struct TwoCells {
 
 collide::FieldCells next_cells(const collide::FieldGrid& grid, collide::FieldWalk& walk) {
   for (;;) {
-    while (walk.next == walk.end) {
-      if (walk.begun == walk.strips) return {0, 0, 0};
-      begin_strip(walk);
+    while ((walk.some[0] | walk.some[1]) == 0) {
+      if (walk.begun >= walk.strips) return {0, 0, 0};
+      look_at_strips(grid, walk);
     }
-    collide::FieldCells block = block_at_hand(walk);
-    walk.next = min(walk.next + collide::kBlockSide, walk.end);
+    collide::FieldCells block = next_block(walk);
+    if (block.some == 0) continue;
     const auto columns = static_cast<float>(block.column), rows = static_cast<float>(block.row);
     block.column += walk.first[0];
     block.row += walk.first[1];

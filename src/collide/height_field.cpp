@@ -40,14 +40,42 @@ Result<HeightField> HeightField::make(const HeightFieldShape& shape) {
   for (const double height : shape.heights) field.rounded_.push_back(static_cast<float>(height - field.middle_));
   field.rounded_.resize(points + more);
   PHYSIM_ASSERT(field.heights_.size() == points && least <= field.middle_ && field.middle_ <= most);
+  field.build_planes();
   field.build_levels();
   return field;
 }
 
 std::size_t HeightField::bytes() const {
-  std::size_t sum = heights_.capacity() * sizeof(double) + rounded_.capacity() * sizeof(float);
+  std::size_t sum = heights_.capacity() * sizeof(double) + rounded_.capacity() * sizeof(float) +
+                    planes_.capacity() * sizeof(FieldPlane);
   for (const Level& level : levels_) sum += level.blocks.capacity() * sizeof(Heights);
   return sum;
+}
+
+/// Each as steep as the heights along the sides of its block are in the mean, and no higher than they need it to be.
+void HeightField::build_planes() {
+  planes_a_row_ = (columns_ - 2) / kBlockSide + 1;
+  planes_.reserve(planes_a_row_ * (std::size_t{rows_ - 2} / kBlockSide + 1));
+  for (std::uint32_t row = 0; row + 1 < rows_; row += kBlockSide)
+    for (std::uint32_t column = 0; column + 1 < columns_; column += kBlockSide)
+      planes_.push_back(plane_over(column, row));
+}
+
+FieldPlane HeightField::plane_over(std::uint32_t column, std::uint32_t row) const {
+  const std::uint32_t columns = std::min(kBlockSide, columns_ - 1 - column),
+                      rows = std::min(kBlockSide, rows_ - 1 - row);
+  double along_x = 0, along_z = 0;
+  for (std::uint32_t j = 0; j <= rows; ++j) along_x += height(column + columns, row + j) - height(column, row + j);
+  for (std::uint32_t i = 0; i <= columns; ++i) along_z += height(column + i, row + rows) - height(column + i, row);
+  FieldPlane plane{0, static_cast<float>(along_x / (columns * (rows + 1))),
+                   static_cast<float>(along_z / (rows * (columns + 1)))};
+  double over = -kInfinity;
+  for (std::uint32_t j = 0; j <= rows; ++j)
+    for (std::uint32_t i = 0; i <= columns; ++i)
+      over = std::max(over, height(column + i, row + j) - middle_ - i * static_cast<double>(plane.per_column) -
+                                j * static_cast<double>(plane.per_row));
+  plane.over = float_above(over);
+  return plane;
 }
 
 void HeightField::build_levels() {
@@ -109,7 +137,11 @@ bool HeightField::begin_walk(const Segment& s, double& in, double& out, FieldWal
   if (!(in <= out)) return false;
   const auto way = way_over(over, s.at(in), s.along * (out - in), wide);
   if (passes(over, way)) return false;
-  const CellRange<double> columns = columns_of(way), rows = rows_of(way);
+  const auto from_block = [](CellRange<double> cells) {
+    cells.first -= static_cast<double>(static_cast<std::uint32_t>(cells.first) % kBlockSide);
+    return cells;
+  };
+  const CellRange<double> columns = from_block(columns_of(way)), rows = from_block(rows_of(way));
   const BlockWay<double> block = way_in_block(over, way, columns.first, rows.first);
   each_number(block, [&](int i, double number) {
     walk.numbers[i] = number;
@@ -119,8 +151,8 @@ bool HeightField::begin_walk(const Segment& s, double& in, double& out, FieldWal
   walk.first[1] = static_cast<std::uint32_t>(rows.first), walk.count[1] = count_of(rows);
   walk.axis = std::abs(block.along_x) >= std::abs(block.along_z) ? 0 : 1;
   walk.strips = (walk.count[walk.axis] + kBlockSide - 1) / kBlockSide;
-  walk.begun = walk.next = walk.end = 0;
-  walk.reach = 1;
+  walk.begun = walk.across = walk.some[0] = walk.some[1] = 0;
+  walk.within = walk.reach = 1;
   return true;
 }
 

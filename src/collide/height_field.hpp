@@ -65,8 +65,8 @@ class HeightField {
   /// What it is compared with segments by.
   [[nodiscard]] FieldGrid grid() const {
     PHYSIM_ASSERT(rounded_.size() == heights_.size() + kBlockSide * (std::size_t{columns_} + 1));
-    return {rounded_.data(), columns_,       rows_,   per_spacing_x_, per_spacing_z_,
-            bounds_.low.y,   bounds_.high.y, middle_, extent_};
+    return {rounded_.data(), columns_, rows_,   per_spacing_x_, per_spacing_z_, bounds_.low.y,
+            bounds_.high.y,  middle_,  extent_, planes_.data(), planes_a_row_};
   }
   /// Where a segment may meet it.
   [[nodiscard]] FieldCells cells_along(const Segment& s) const {
@@ -161,6 +161,8 @@ class HeightField {
   }
 
   [[nodiscard]] std::size_t bytes() const;
+  void build_planes();
+  [[nodiscard]] FieldPlane plane_over(std::uint32_t column, std::uint32_t row) const;
   void build_levels();
   [[nodiscard]] Bounds box(std::size_t level, std::uint32_t column, std::uint32_t row) const;
   void clear_of(const Vec3d& p, std::size_t level, std::uint32_t column, std::uint32_t row, double& within) const;
@@ -174,7 +176,9 @@ class HeightField {
   double spacing_x_ = 1, spacing_z_ = 1, per_spacing_x_ = 1, per_spacing_z_ = 1;
   std::vector<double> heights_;
   std::vector<float> rounded_;  // heights less the middle one, and so many more as the last block is read with
-  std::vector<Level> levels_;   // the last one has one block
+  std::vector<FieldPlane> planes_;
+  std::uint32_t planes_a_row_ = 0;
+  std::vector<Level> levels_;  // the last one has one block
   Bounds bounds_;
   double extent_ = 0;  // the largest coordinate [m]
   double middle_ = 0;  // between the least and the largest height [m]

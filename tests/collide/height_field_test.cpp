@@ -111,45 +111,124 @@ TEST(HeightField, no_triangle_that_is_met_is_left_out_and_none_comes_twice) {
   EXPECT_GT(met, 10000);
 }
 
+/// How many ways were clear, and how many not.
+struct ClearWays {
+  int clear = 0, touched = 0;
+};
+
+/// Holds what is said of ways to what each triangle says by itself, and to where they meet something.
+void check_clear_parts(const HeightFieldShape& shape, std::vector<collide::ClearQuery> queries, ClearWays& ways) {
+  const collide::HeightField field = std::move(collide::HeightField::make(shape).value());
+  Scene scene;
+  ASSERT_TRUE(scene.add({.shape = scene.add_shape(shape).value(), .layers = 2}));
+  for (const std::string& kernel : kernels()) {
+    ASSERT_TRUE(use_kernel(kernel));
+    std::vector<collide::ClearQuery> asked = queries;
+    SceneParts(scene).clear_parts(asked);
+    for (std::size_t k = 0; k < asked.size(); ++k) {
+      const SceneSegment& s = asked[k].segment;
+      const collide::Segment whole{s.from, s.to - s.from, s.radius, 1};
+      double least = 1;  // what any of its triangles allows
+      for (std::uint32_t number = 0; number < field.info().triangles && asked[k].layers != 1; ++number) {
+        const std::uint32_t cell = number / 2, columns = field.columns() - 1;
+        const auto part = collide::clear_part(whole, field.triangle(cell % columns, cell / columns, number % 2));
+        least = std::min(least, part.value_or(1));
+      }
+      ASSERT_GE(asked[k].part, std::max(0.0, least - 1e-9)) << kernel << ", cast " << k;
+      const SceneHit hit = scene.first_hit(s, {.layers = asked[k].layers});
+      ASSERT_LE(asked[k].part, hit ? hit.part : 1) << kernel << ", cast " << k;
+      if (queries[k].part == 0) queries[k].part = asked[k].part;
+      ASSERT_EQ(asked[k].part, queries[k].part) << kernel << ", cast " << k;
+      (asked[k].part == 1 ? ways.clear : ways.touched) += 1;
+    }
+  }
+  ASSERT_TRUE(use_kernel(""));
+}
+
 TEST(HeightField, a_way_is_clear_up_to_what_it_may_touch_whatever_the_kernel) {
   Random r(8);
-  int clear = 0, touched = 0;
+  ClearWays ways;
   for (int i = 0; i < 15; ++i) {
     const HeightFieldShape shape = rough_field(r, i % 2 == 0 ? 60 : 8);
-    const collide::HeightField field = std::move(collide::HeightField::make(shape).value());
-    Scene scene;
-    ASSERT_TRUE(scene.add({.shape = scene.add_shape(shape).value(), .layers = 2}));
     std::vector<collide::ClearQuery> queries;
     for (int k = 0; k < 60; ++k) {
       queries.push_back({across(r, shape, 4), r.one_in(9) ? 1u : 3u});
       queries.back().segment.radius = r.one_in(3) ? 0 : r.in(0, r.one_in(8) ? 9 : 0.5);
       if (r.one_in(2)) queries.back().segment.from.y = r.in(3, 5);
     }
-    for (const std::string& kernel : kernels()) {
-      ASSERT_TRUE(use_kernel(kernel));
-      std::vector<collide::ClearQuery> asked = queries;
-      SceneParts(scene).clear_parts(asked);
-      for (std::size_t k = 0; k < asked.size(); ++k) {
-        const SceneSegment& s = asked[k].segment;
-        const collide::Segment whole{s.from, s.to - s.from, s.radius, 1};
-        double least = 1;  // what any of its triangles allows
-        for (std::uint32_t number = 0; number < field.info().triangles && asked[k].layers != 1; ++number) {
-          const std::uint32_t cell = number / 2, columns = field.columns() - 1;
-          const auto part = collide::clear_part(whole, field.triangle(cell % columns, cell / columns, number % 2));
-          least = std::min(least, part.value_or(1));
-        }
-        ASSERT_GE(asked[k].part, std::max(0.0, least - 1e-9)) << kernel << ' ' << i << ", cast " << k;
-        const SceneHit hit = scene.first_hit(s, {.layers = asked[k].layers});
-        ASSERT_LE(asked[k].part, hit ? hit.part : 1) << kernel << ' ' << i << ", cast " << k;
-        if (queries[k].part == 0) queries[k].part = asked[k].part;
-        ASSERT_EQ(asked[k].part, queries[k].part) << kernel << ' ' << i << ", cast " << k;
-        (asked[k].part == 1 ? clear : touched) += 1;
-      }
-    }
-    ASSERT_TRUE(use_kernel(""));
+    SCOPED_TRACE(i);
+    ASSERT_NO_FATAL_FAILURE(check_clear_parts(shape, queries, ways));
   }
-  EXPECT_GT(clear, 100);
-  EXPECT_GT(touched, 100);
+  EXPECT_GT(ways.clear, 100);
+  EXPECT_GT(ways.touched, 100);
+}
+
+/// Hills, rough by so much, and higher than all of them by so much.
+struct Hills {
+  HeightFieldShape shape;
+  double rough, above;
+
+  Hills(Random& r, std::uint32_t columns, std::uint32_t rows)
+      : shape{.columns = columns, .rows = rows, .spacing_x = r.in(0.2, 5), .spacing_z = r.in(0.2, 5), .heights = {}},
+        rough(r.one_in(2) ? 0 : 0.2),
+        above(r.one_in(3) ? 1e4 : 0) {
+    for (std::uint32_t row = 0; row < rows; ++row)
+      for (std::uint32_t column = 0; column < columns; ++column)
+        shape.heights.push_back(height(column, row) + r.in(-rough, rough));
+  }
+  [[nodiscard]] double height(double column, double row) const {
+    return above + 9 * std::sin(0.17 * column) * std::cos(0.13 * row) + 0.2 * column;
+  }
+  /// A way over many cells that begins and ends near the ground, or above or below it.
+  [[nodiscard]] SceneSegment low_way(Random& r) const {
+    const auto place = [&] {
+      const double column = r.in(-1, shape.columns), row = r.in(-1, shape.rows);
+      const double over = r.one_in(5) ? -r.in(0, 9) : r.one_in(2) ? r.in(0, 2) : r.in(2, 20);
+      return Vec3d{column * shape.spacing_x, height(column, row) + over, row * shape.spacing_z};
+    };
+    SceneSegment s{place(), place()};
+    if (r.one_in(4)) s.to.x = s.from.x;
+    if (r.one_in(4)) s.to.z = s.from.z;
+    s.radius = r.one_in(4) ? 0 : r.in(0, r.one_in(6) ? 12 : 0.5);
+    return s;
+  }
+};
+
+TEST(HeightField, a_way_low_over_hills_is_clear_up_to_what_it_may_touch) {
+  Random r(31);
+  ClearWays ways;
+  for (int i = 0; i < 24; ++i) {
+    const auto side = [&] { return 2 + static_cast<std::uint32_t>(r.below(r.one_in(3) ? 7 : 70)); };
+    const Hills hills(r, side(), side());
+    std::vector<collide::ClearQuery> queries;
+    for (int k = 0; k < 60; ++k) queries.push_back({hills.low_way(r), 3});
+    SCOPED_TRACE(i);
+    ASSERT_NO_FATAL_FAILURE(check_clear_parts(hills.shape, queries, ways));
+  }
+  EXPECT_GT(ways.clear, 200);
+  EXPECT_GT(ways.touched, 200);
+}
+
+TEST(HeightField, ways_low_over_hills_meet_them_where_they_meet_a_mesh_of_their_triangles) {
+  Random r(32);
+  int some = 0;
+  for (int i = 0; i < 12; ++i) {
+    const Hills hills(r, 90, 3 + static_cast<std::uint32_t>(r.below(80)));
+    Scene scene, meshes;
+    ASSERT_TRUE(scene.add({.shape = scene.add_shape(hills.shape).value()}));
+    ASSERT_TRUE(meshes.add({.shape = meshes.add_shape(mesh_of(hills.shape)).value()}));
+    for (int k = 0; k < 300; ++k) {
+      const SceneSegment s = hills.low_way(r);
+      const SceneHit hit = scene.first_hit(s), expected = meshes.first_hit(s);
+      ASSERT_EQ(bool(hit), bool(expected)) << i << ", cast " << k;
+      ASSERT_EQ(scene.any_hit(s), bool(expected)) << i << ", cast " << k;
+      if (!hit) continue;
+      ++some;
+      ASSERT_EQ(hit.part, expected.part) << i << ", cast " << k;
+      ASSERT_EQ(hit.primitive, expected.primitive) << i << ", cast " << k;
+    }
+  }
+  EXPECT_GT(some, 1000);
 }
 
 /// Near a field that stands somewhere; a few make no sense.
