@@ -84,12 +84,16 @@ TEST(StudyPointsText, points_of_lists_of_tables_and_of_one_of_several_shots) {
 }
 
 TEST(StudyPointsText, what_is_wrong_is_told_where_it_stands) {
-  const auto study =
-      study_in(std::string(kShot) + "drag.table = \"custom\"\ndrag.curve = [[0.5, \"0.23 +- -0.01\"]]\n");
+  const auto with = [](std::string_view curve) {
+    std::string text = kShot;
+    text.append("drag.table = \"custom\"\ndrag.curve = ").append(curve).append("\n");
+    return study_in(text);
+  };
+  const auto study = with("[[0.5, \"0.23 +- -0.01\"]]");
   ASSERT_FALSE(study);
   EXPECT_NE(study.error().text().find("test.toml:7:21: error: shot.drag.curve.1: "), std::string::npos)
       << study.error().text();
-  const auto mach = study_in(std::string(kShot) + "drag.table = \"custom\"\ndrag.curve = [[\"0.5 +- 0.1\", 0.2]]\n");
+  const auto mach = with("[[\"0.5 +- 0.1\", 0.2]]");
   ASSERT_FALSE(mach) << "places of points are known";
   EXPECT_NE(mach.error().text().find("test.toml:7:"), std::string::npos) << mach.error().text();
 }
