@@ -115,7 +115,7 @@ Contender single_flights(std::string name, const Fidelity& fidelity) {
       work.steps += flight.cost().steps;
       work.tries += flight.cost().steps + flight.cost().rejected;
       work.evaluations += flight.cost().evaluations;
-      into[i] = flight.events().back().position;  // the crossing that ended it
+      into[i] = flight.end().position;
     }
     return work;
   };

@@ -30,5 +30,5 @@ int main() {
   std::printf("at 5 m on its way down it is %.1f m away, +- %.1f m\n", falling.quantities[1].mean.value,
               falling.quantities[1].deviation);
   const double there = falling.quantities[1].mean.value, end = result->quantities[1].mean.value;
-  return there < end && falling.quantities[2].deviation < 1e-6 ? 0 : 1;
+  return there < end ? 0 : 1;
 }

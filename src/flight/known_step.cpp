@@ -3,8 +3,6 @@
 #include <limits>
 #include <utility>
 
-#include "base/kernel_choice.hpp"
-#include "base/kernel_copies.hpp"
 #include "flight/plain_rung.hpp"
 #include "solve/judge.hpp"
 
@@ -286,7 +284,7 @@ PHYSIM_INLINE T& one_more(std::vector<T>& list) {
 }
 
 template <class Method, class Rung>
-PHYSIM_INLINE bool go_on(KnownFlight& f) {
+bool go_on_known(KnownFlight& f) {
   March<double>& march = f.march;
   const Lanes<double>& l = march.lanes;
   const Course<double>& course = march.course();
@@ -298,11 +296,7 @@ PHYSIM_INLINE bool go_on(KnownFlight& f) {
     Conditions<double> k = Rung::known(c);
     k.fidelity.integrator = integrator_of<Method>();
     const auto take = [&](const Conditions<double>& all, Flyer<double>& flyer, double relative, double absolute)
-                          PHYSIM_INLINE_LAMBDA {
-                            take_known<Method, Rung>(all, flyer, relative, absolute, cells);
-                            march.assume_launched();
-                          };
-    march.assume_launched();
+                          PHYSIM_INLINE_LAMBDA { take_known<Method, Rung>(all, flyer, relative, absolute, cells); };
     const bool accepted = march.try_step_by(k, true, take);
     if (march.is_stuck()) return accepted;
     if (!accepted) continue;
@@ -313,28 +307,6 @@ PHYSIM_INLINE bool go_on(KnownFlight& f) {
     cells.accept(l.step.h);
     march.accept(k, true);
   }
-}
-
-template <class Method, class Rung>
-bool go_on_known(KnownFlight& f) {
-  return go_on<Method, Rung>(f);
-}
-
-#if PHYSIM_HAVE_AVX2 || PHYSIM_HAVE_AVX512
-/// For processors that have AVX: its operations leave what they read, so that fewer numbers are copied and kept in
-/// memory.
-template <class Method, class Rung>
-[[gnu::target("avx")]] bool go_on_by_avx(KnownFlight& f) {
-  return go_on<Method, Rung>(f);
-}
-#endif
-
-template <class Method, class Rung>
-auto go_on_in_use() {
-#if PHYSIM_HAVE_AVX2 || PHYSIM_HAVE_AVX512
-  if (kernel_in_use().starts_with("avx")) return go_on_by_avx<Method, Rung>;
-#endif
-  return go_on_known<Method, Rung>;
 }
 
 template <class Method>
@@ -357,7 +329,7 @@ constexpr auto interpolation_of() {
 template <class Method, class First, class... Rest>
 KnownStep step_of_rungs(const Conditions<double>& c) {
   if (First::matches(c))
-    return {take_known_step<Method, First>, go_on_in_use<Method, First>(), interpolation_of<Method>()};
+    return {take_known_step<Method, First>, go_on_known<Method, First>, interpolation_of<Method>()};
   if constexpr (sizeof...(Rest) > 0)
     return step_of_rungs<Method, Rest...>(c);
   else

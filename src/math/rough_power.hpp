@@ -1,5 +1,5 @@
 // Powers of two and their logarithms to two or three digits, for where more would be wasted: a step's length by its
-// error. A third of the work of exp() and log(), or two operations.
+// error. A third of the work of exp() and log().
 #pragma once
 
 #include "math/elementary.hpp"
@@ -14,18 +14,6 @@ PHYSIM_INLINE R log2_roughly(const R& x) {
   const R f = e.m - constant<R>(1);
   return e.k + f * (constant<R>(1.5) - constant<R>(0.70710678118654752) * f);
 }
-
-/// The bits of a positive x as a number that goes with log2(x): on for each factor of two, straight between whole
-/// powers, it goes by `octave`, and it is `one` where x is 1. (n - one) / octave is log2(x) within 0.09.
-template <class R>
-struct LogByBits {
-  static constexpr int kLeftOut = kIsDouble<R> ? 12 : 8;  // of the bits, so that all others fit into a mantissa
-  static constexpr double octave = kIsDouble<R> ? 0x1p40 : 0x1p15;
-  static constexpr double zero = kIsDouble<R> ? 0x1p52 : 0x1p23;  // where x is zero
-  static constexpr double one = zero + (kIsDouble<R> ? 1023 : 127) * octave;
-
-  PHYSIM_INLINE static R of(const R& x) { return from_bits<R>((to_bits(x) >> kLeftOut) | to_bits(constant<R>(zero))); }
-};
 
 /// 2^x for |x| < 120 within one percent, by Taylor's series up to the square of what is left of a whole exponent.
 template <class R>

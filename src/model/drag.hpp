@@ -34,11 +34,12 @@ PHYSIM_NOINLINE R searched_cd(const Conditions<S>& c, const Body<R>& b, const R&
   return cd;
 }
 
-/// Mach number of a speed through the air in cells of the lane's curve. The speed comes last in this chain and in that
-/// of drag_equation(): its root takes long, and what can be done meanwhile is done.
+/// Place of a speed through the air on the lane's curve, in cells from its start, on both sides beyond its ends. The
+/// speed comes last in this chain and in that of drag_equation(): its root takes long, and what can be done meanwhile
+/// is done.
 template <class R>
-PHYSIM_INLINE R mach_in_cells(const Body<R>& b, const R& per_sound_speed, const R& speed) {
-  return speed * (per_sound_speed * b.curve_cells);
+PHYSIM_INLINE R endless_position(const Body<R>& b, const R& per_sound_speed, const R& speed) {
+  return speed * (per_sound_speed * b.curve_cells) - b.curve_first;
 }
 /// A place on the curve: one beyond an end is that end.
 template <class R>
@@ -46,10 +47,9 @@ PHYSIM_INLINE R on_curve(const Body<R>& b, const R& place) {
   using S = ScalarOf<R>;
   return clamp(place, R(S(0)), b.curve_last + S(1));
 }
-/// In cells from the start of the curve.
 template <class R>
 PHYSIM_INLINE R curve_position(const Body<R>& b, const R& per_sound_speed, const R& speed) {
-  return on_curve(b, mach_in_cells(b, per_sound_speed, speed) - b.curve_first);
+  return on_curve(b, endless_position(b, per_sound_speed, speed));
 }
 
 /// The cell that a place on a curve lies in. Rounding u - 1/2 is one operation less than the floor of u; on a border
@@ -60,19 +60,15 @@ PHYSIM_INLINE R curve_cell(const Body<R>& b, const R& place) {
 }
 
 /// Cd at a place that may lie beyond the curve, by the cell that is guessed, which is right afterwards. Where the guess
-/// holds the place lies on the curve: who waits for Cd does not wait for a look at both ends. `cells` is the place
-/// counted from Mach 0, where most curves begin: nobody waits for their first point then.
-PHYSIM_INLINE double guessed_cd(const Body<double>& b, const double* rows, double cells, GuessedCell<double>& guess) {
-  guess.place = cells - b.curve_first;
-  if (round_to_int(guess.place - 0.5) != guess.cell || guess.place < 0) [[unlikely]] {
-    guess.place = on_curve(b, guess.place);
-    guess.cell = curve_cell(b, guess.place);
+/// holds the place lies on the curve: who waits for Cd does not wait for a look at both ends.
+PHYSIM_INLINE double guessed_cd(const Body<double>& b, const double* rows, double place, GuessedCell<double>& guess) {
+  if (round_to_int(place - 0.5) != guess.cell || place < 0) [[unlikely]] {
+    place = on_curve(b, place);
+    guess.cell = curve_cell(b, place);
     guess.row = row_at(rows, b.curve_row + guess.cell);
-    return row_cubic(guess.row, guess.place - guess.cell);
   }
-  if (b.curve_first == 0) [[likely]]
-    return row_cubic(guess.row, cells - guess.cell);
-  return row_cubic(guess.row, guess.place - guess.cell);
+  guess.place = place;
+  return row_cubic(guess.row, place - guess.cell);
 }
 /// Guesses the cell of the next look-up by a place near it.
 PHYSIM_INLINE void guess_cell(const Body<double>& b, const double* rows, double near, GuessedCell<double>& guess) {
@@ -86,7 +82,7 @@ template <class R, class S>
 PHYSIM_INLINE R curve_cd(const Conditions<S>& c, const Body<R>& b, const R& per_sound_speed, const R& speed) {
   PHYSIM_ASSERT(c.curve_rows != nullptr);
   if constexpr (std::is_same_v<R, double>) {
-    if (c.guess != nullptr) return guessed_cd(b, c.curve_rows, mach_in_cells(b, per_sound_speed, speed), *c.guess);
+    if (c.guess != nullptr) return guessed_cd(b, c.curve_rows, endless_position(b, per_sound_speed, speed), *c.guess);
   }
   const R inside = curve_position(b, per_sound_speed, speed);
   const R cell = curve_cell(b, inside);

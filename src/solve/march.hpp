@@ -60,7 +60,7 @@ class March {
         c.fidelity, [&](const auto& rotor) { l.step.turn->start = rotor.launch; }, l);
     set_slope(c, l, 0);
     if (is_classic(c.fidelity)) l.step.slope[0].v = {zero, zero, zero};
-    l.control = StepControl<R>::of(first_length());
+    l.control = {zero, first_length()};
     note_regime();
     l.count = l.parts = l.tries = l.cut = zero;
     framed_ = false;
@@ -76,7 +76,7 @@ class March {
     PHYSIM_ASSERT(course_->plan.step == S(0));  // a frame is one step of its own length
     PHYSIM_ASSERT(!any(frame < zero) && !any(limit < l.step.t));
     begin_frame();
-    l.control = StepControl<R>::of(frame);
+    l.control = {zero, frame};
     note_regime();
     l.count = l.parts = l.tries = l.cut = zero;
     limit_ = limit;
@@ -92,7 +92,7 @@ class March {
     PHYSIM_ASSERT(steps_itself(c.fidelity) && course_->plan.step == S(0));
     if (has_stops(c)) pass_stops(c, l.step.t, zero == zero, l.step.start, l.body);
     begin_frame();
-    l.control = StepControl<R>::of(first_length());
+    l.control = {zero, first_length()};
     note_regime();
     l.cut = zero;
     framed_ = false;
@@ -146,12 +146,6 @@ class March {
       left_ = select(accepted, limit_ - l.step.t, left_);
     else if (c.fidelity.motion == Motion::closed_form)
       l.control.h = min(l.control.h * S(2), longest_closed_form_step(c, l.body));
-  }
-
-  /// Tells the compiler that this goes from a launch, not by frames; said right before it is asked, or it forgets it.
-  PHYSIM_INLINE void assume_launched() const {
-    PHYSIM_ASSERT(!framed_);
-    if (framed_) __builtin_unreachable();
   }
 
   /// Lanes that are through their frame.
@@ -255,7 +249,7 @@ class March {
       accepted = asked & (l.step.error <= R(S(1)));
       const R proposed = l.control.h;
       l.control.h =
-          next_step(c.fidelity.integrator, l.step.h, l.step.error, accepted, R(course_->plan.max_step), l.control);
+          min(next_step(c.fidelity.integrator, l.step.h, l.step.error, accepted, l.control), R(course_->plan.max_step));
       // A step that had to end at a stop or a frame says nothing against the longer one that it would have been.
       if (framed_ || has_stops(c))
         l.control.h = select(accepted & (l.step.h < proposed), max(l.control.h, proposed), l.control.h);

@@ -1,7 +1,6 @@
 // Takes one step with any integrator, chosen at run time: one switch per step, uniform over all lanes.
 #pragma once
 
-#include <limits>
 #include <type_traits>
 
 #include "base/assert.hpp"
@@ -55,11 +54,9 @@ PHYSIM_INLINE void take_semi_implicit_step(const Conditions<S>& c, Flyer<R>& l) 
   if (turns(c.fidelity)) semi_implicit_turn(c, *l.rotor, l.step);
 }
 
-/// The error is known last: nobody waits for the division, whose result is a number whatever is tolerated.
 template <class R, class S>
 PHYSIM_INLINE R squared_ratio(const Vec3<R>& error, const Vec3<R>& value, S relative, S absolute) {
-  const R tolerated = absolute * absolute + relative * relative * length_squared(value);
-  return length_squared(error) * (S(1) / max(tolerated, R(std::numeric_limits<S>::min())));
+  return length_squared(error) / (absolute * absolute + relative * relative * length_squared(value));
 }
 
 /// The squares of two errors over tolerance. The lengths of vectors are compared, not their components, so that turning

@@ -55,7 +55,7 @@ TEST(StudyColumns, of_places_are_in_groups_of_theirs) {
   ASSERT_EQ(ran.code, 0) << ran.err;
   const auto speeds = column(out, "/inputs/shot.speed"), apex = column(out, "/at/apex/quantities/y");
   const auto up = column(out, "/at/45 m/quantities/up");
-  EXPECT_EQ(column(out, "/at/speed 25 m_s/quantities/up").size(), apex.size());
+  EXPECT_EQ(column(out, "/at/speed 25 m_s/quantities/along").size(), apex.size());
   ASSERT_EQ(apex.size(), 2 * 4096U);
   for (const std::size_t shot : {0U, 4095U, 8191U}) {
     const double v = 30 + speeds[shot], t = 45 / (v * std::sqrt(0.5));

@@ -7,7 +7,6 @@
 
 #include "physim/air.hpp"
 #include "physim/drag_curve.hpp"
-#include "solve/take_step.hpp"
 #include "support.hpp"
 
 namespace physim {
@@ -15,44 +14,28 @@ namespace {
 
 using namespace test;
 
-double next(double error_squared, bool accepted, double log_previous = kLogAim,
-            Integrator integrator = Integrator::tsit5, double limit = kInfinity) {
+double next(double error_squared, bool accepted, double log_previous = 0, Integrator integrator = Integrator::tsit5) {
   StepControl<double> control{log_previous, 1};
-  return next_step(integrator, 1.0, error_squared, accepted, limit, control);
+  return next_step(integrator, 1.0, error_squared, accepted, control);
 }
 
-const double kAim = std::exp2(kLogAim / 2);  // the error aimed at, over tolerance
-
-TEST(StepControl, keeps_a_step_whose_error_is_what_it_aims_at) {
-  for (const Integrator integrator : kAdaptive) EXPECT_NEAR(next(kAim * kAim, true, kLogAim, integrator), 1, 0.005);
-  EXPECT_NEAR(next(1, false), 0.9, 1e-15);  // a step that was hardly rejected becomes somewhat shorter
+TEST(StepControl, keeps_a_step_whose_error_is_as_allowed_but_for_safety) {
+  EXPECT_NEAR(next(1, true), 0.9, 1e-15);
+  EXPECT_NEAR(next(1, false), 0.9, 1e-15);
 }
 
-TEST(StepControl, shortens_rejected_steps_by_the_fitting_root_of_the_error) {
-  for (const double e : {1.3, 2.0, 5.0, 16.0, 77.0}) {  // powers are rough
-    EXPECT_NEAR(next(e * e, false) / (0.9 * std::pow(e, -0.2)), 1, 0.015) << e;
-    EXPECT_NEAR(next(e * e, false, 0, Integrator::dop853) / (0.9 * std::pow(e, -0.125)), 1, 0.015) << e;
-    EXPECT_NEAR(next(e * e, false, 0, Integrator::rk43) / (0.9 * std::pow(e, -0.25)), 1, 0.015) << e;
+TEST(StepControl, changes_with_the_fitting_root_of_the_error) {
+  // h e^(-1/5) after a rejection; h e^(-0.7/5) and the memory e_previous^(0.4/5) after acceptance; powers are rough.
+  const auto expect_within_a_percent = [](double factor, double exact) { EXPECT_NEAR(factor / exact, 1, 0.01); };
+  for (const double e : {1.3, 2.0, 5.0, 16.0, 77.0}) {
+    expect_within_a_percent(next(e * e, false), 0.9 * std::pow(e, -0.2));
+    expect_within_a_percent(next(e * e, false, 0, Integrator::dop853), 0.9 * std::pow(e, -0.125));
+    expect_within_a_percent(next(e * e, false, 0, Integrator::rk43), 0.9 * std::pow(e, -0.25));
   }
-}
-
-TEST(StepControl, follows_the_logarithms_of_the_last_two_errors) {
-  // 1 - 0.7/q ln(e / aim) + 0.4/q ln(e_previous / aim); logarithms are rough.
-  for (const Integrator integrator : kAdaptive) {
-    const double q = order_of(integrator);
-    for (const double e : {0.9, 0.25, 0.01, 1e-4})
-      for (const double previous : {1.0, 0.5, 0.02}) {
-        const double exact = 1 - 0.7 / q * std::log(e / kAim) + 0.4 / q * std::log(previous / kAim);
-        EXPECT_NEAR(next(e * e, true, 2 * std::log2(previous), integrator), exact, 0.7 / q * 0.035) << e;
-      }
+  for (const double e : {0.9, 0.25, 0.01, 1e-4}) {
+    expect_within_a_percent(next(e * e, true), 0.9 * std::pow(e, -0.14));
+    expect_within_a_percent(next(e * e, true, 2 * std::log2(0.5)), 0.9 * std::pow(e, -0.14) * std::pow(0.5, 0.08));
   }
-}
-
-TEST(StepControl, a_larger_error_never_makes_a_longer_step) {
-  for (const Integrator integrator : kAdaptive)
-    for (const bool accepted : {true, false})
-      for (double e = accepted ? 1e-20 : 1; e < (accepted ? 1 : 1e20); e *= 1.01)
-        EXPECT_LE(next(e * 1.01, accepted, kLogAim, integrator), next(e, accepted, kLogAim, integrator) + 1e-12) << e;
 }
 
 TEST(StepControl, is_limited_and_survives_bad_numbers) {
@@ -61,45 +44,14 @@ TEST(StepControl, is_limited_and_survives_bad_numbers) {
   EXPECT_NEAR(next(1e300, false), 0.1, 1e-15);
   EXPECT_NEAR(next(kNan, false), 0.1, 1e-15);
   EXPECT_NEAR(next(kInfinity, false), 0.1, 1e-15);
-  EXPECT_EQ(next(1e-9, true, kLogAim, Integrator::tsit5, 1.25), 1.25);
-  EXPECT_EQ(next(1e300, false, kLogAim, Integrator::tsit5, 0.01), 0.01);
 }
 
 TEST(StepControl, remembers_accepted_steps_only) {
   StepControl<double> control{-3, 1};
-  next_step(Integrator::tsit5, 1.0, 4.0, false, kInfinity, control);
+  next_step(Integrator::tsit5, 1.0, 4.0, false, control);
   EXPECT_EQ(control.log_previous, -3);
-  next_step(Integrator::tsit5, 1.0, 0.5, true, kInfinity, control);
+  next_step(Integrator::tsit5, 1.0, 0.5, true, control);
   EXPECT_EQ(control.log_previous, -1);  // log2(0.5)
-  next_step(Integrator::tsit5, 1.0, 0.0, true, kInfinity, control);
-  EXPECT_EQ(control.log_previous, -20);  // and forgets how much better one was
-}
-
-template <class S>
-class StepControlOf : public testing::Test {};
-using Precisions = testing::Types<float, double>;
-TYPED_TEST_SUITE(StepControlOf, Precisions);
-
-TYPED_TEST(StepControlOf, packs_give_the_bits_of_numbers) {
-  using S = TypeParam;
-  using P = Pack<S, 16>;
-  for (const Integrator integrator : kAdaptive)
-    for (double from = 1e-16; from < 1e18; from *= 1.9) {
-      P error, h;
-      StepControl<P> controls{P(S(0)), P(S(0))};
-      for (int i = 0; i < 16; ++i) {
-        error.set(i, i == 7 ? static_cast<S>(kNan) : static_cast<S>(from * (1 + 0.31 * i)));
-        h.set(i, S(1e-3) * S(1 + i));
-        controls.log_previous.set(i, S(-0.7) * S(i));
-      }
-      const StepControl<P> before = controls;
-      const P next = next_step(integrator, h, error, error <= P(S(1)), P(S(2e-2)), controls);
-      for (int i = 0; i < 16; ++i) {
-        StepControl<S> control{before.log_previous[i], S(0)};
-        EXPECT_EQ(next[i], next_step(integrator, h[i], error[i], error[i] <= S(1), S(2e-2), control));
-        EXPECT_EQ(controls.log_previous[i], control.log_previous);
-      }
-    }
 }
 
 /// A bullet through the speed of sound in the standard atmosphere.
@@ -113,12 +65,6 @@ Flight transonic(Integrator integrator, double tolerance, Interpolation interpol
 }
 
 double miss(const Flight& a, const Flight& b) { return length(a.end().position - b.end().position); }
-
-TEST(ErrorSquared, is_a_number_whatever_is_tolerated) {
-  EXPECT_EQ(squared_ratio(Vec3<float>{}, Vec3<float>{}, 0.0f, 1e-20f), 0);
-  EXPECT_EQ(squared_ratio(Vec3d{}, Vec3d{}, 0.0, 1e-160), 0);
-  EXPECT_DOUBLE_EQ(squared_ratio(Vec3d{0.3, 0, 0}, Vec3d{0, 4, 3}, 0.1, 0.5), 0.09 / 0.5);
-}
 
 TEST(AdaptiveFlight, error_follows_the_tolerance) {
   for (const Integrator integrator : kAdaptive) {
