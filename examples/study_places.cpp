@@ -1,5 +1,5 @@
-// A ball is kicked, not always the same: how high does it fly, and where does it come down through 5 m? Both of the
-// same flights, which go on to the ground.
+// A ball is kicked, not always the same: how high does it fly, and where does it come down through 5 m? The same
+// flights, which go on to the ground, tell of them all.
 #include <cmath>
 #include <cstdio>
 #include <physim/physim.hpp>

@@ -2,10 +2,9 @@
 //
 // What it models: a way that flies clear of the ground is above a plane over each block that it passes, mostly, which
 //   takes little to find out for all of them at once; only the cells of other blocks are looked at.
-// Symbols: per_column, per_row how steep the plane of a block is; above, how far the way is above it at its start;
-// rate,
-//   how much that changes over all of the way; in, out the part of the way over the block, or beside it by as much as
-//   something may be met.
+// Symbols: per_column, per_row: how steep the plane of a block is [m a cell]; above: how far the way is above it at its
+//   start [m]; rate: how much that changes over all of the way [m]; in, out: the part of the way over the block, or
+//   beside it by as much as something may be met [-].
 // Equations: within the block above + rate t is least at in or out. What a sphere at that distance touches is as far
 //   beside its middle as it is wide at most, where the plane is higher by as much as it is steep.
 #pragma once

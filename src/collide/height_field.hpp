@@ -6,7 +6,6 @@
 
 #include "base/prefetch.hpp"
 #include "collide/field_job.hpp"
-#include "collide/quad_boxes.hpp"
 #include "collide/triangle.hpp"
 #include "physim/scene.hpp"
 

@@ -13,7 +13,6 @@
 
 #include <array>
 #include <optional>
-#include <utility>
 
 #include "collide/box.hpp"
 #include "collide/convex.hpp"

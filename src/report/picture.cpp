@@ -45,6 +45,18 @@ std::string panel_at(double left, double right, double bottom, double top) {
          "\nset bmargin at screen " + shortest(bottom) + "\nset tmargin at screen " + shortest(top) + "\n";
 }
 
+std::string PanelGrid::panel(std::size_t i) const {
+  PHYSIM_ASSERT(i < panels && width > 0 && height > 0);
+  const std::size_t columns = panels == 4 ? 2 : std::min<std::size_t>(panels, 3);
+  const std::size_t rows = (panels + columns - 1) / columns;
+  const auto across = static_cast<double>(columns), down = static_cast<double>(rows);
+  const double wide = (area.right - area.left - gap_across * (across - 1)) / across;
+  const double high = (area.top - area.bottom - gap_down * (down - 1)) / down;
+  const double left = area.left + static_cast<double>(i % columns) * (wide + gap_across);
+  const double top = area.top - static_cast<double>(i / columns) * (high + gap_down);
+  return panel_at(left / width, (left + wide) / width, (top - high) / height, top / height);
+}
+
 std::string line_at(double x, double y, double to_x, double to_y, const std::string& style) {
   return "set arrow from screen " + shortest(x) + "," + shortest(y) + " to screen " + shortest(to_x) + "," +
          shortest(to_y) + " nohead" + style + "\n";

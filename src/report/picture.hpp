@@ -8,6 +8,7 @@
 #include <string_view>
 #include <variant>
 
+#include "report/plot_labels.hpp"
 #include "report/text.hpp"
 
 namespace physim::report {
@@ -42,6 +43,16 @@ inline constexpr std::string_view kGridInk = "#E4E4E4";  // grid lines
 [[nodiscard]] std::string title_at(double x, double y, const std::string& title, int picture_width);
 /// The place of the next panel on the whole picture.
 [[nodiscard]] std::string panel_at(double left, double right, double bottom, double top);
+/// Where panels of one size stand on a picture, up to three in a row, the first one at its top left [px].
+struct PanelGrid {
+  std::size_t panels = 1;
+  PixelBox area;
+  double gap_across = 0, gap_down = 0;
+  int width = 0, height = 0;  // of the picture
+
+  /// panel_at() of one of them.
+  [[nodiscard]] std::string panel(std::size_t i) const;
+};
 /// A line on the whole picture.
 [[nodiscard]] std::string line_at(double x, double y, double to_x, double to_y, const std::string& style);
 /// " lw 2.5 dt 1 lc rgb ...": the line of a curve; those of the second round of the palette are dashed.

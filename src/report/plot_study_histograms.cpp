@@ -20,7 +20,6 @@ class HistogramsPicture {
       : title_(title), flown_(flown), shown_(histograms_of(flown)) {
     std::erase_if(shown_, [](const NamedHistogram& histogram) { return histogram.bars.empty(); });
     if (shown_.size() > kMostHistograms) shown_.resize(kMostHistograms);
-    columns_ = shown_.size() <= 3 ? std::max<std::size_t>(shown_.size(), 1) : shown_.size() == 4 ? 2 : 3;
   }
 
   [[nodiscard]] std::string script() const {
@@ -74,25 +73,18 @@ class HistogramsPicture {
   }
 
   [[nodiscard]] std::string panel(std::size_t i) const {
-    const std::size_t rows = (shown_.size() + columns_ - 1) / columns_;
-    const auto across = static_cast<double>(columns_), down = static_cast<double>(rows);
-    const double width = (kHistogramArea.right - kHistogramArea.left - kGapAcross * (across - 1)) / across;
-    const double height = (kHistogramArea.top - kHistogramArea.bottom - kGapDown * (down - 1)) / down;
-    const double left = kHistogramArea.left + static_cast<double>(i % columns_) * (width + kGapAcross);
-    const double top = kHistogramArea.top - static_cast<double>(i / columns_) * (height + kGapDown);
+    const PanelGrid grid{shown_.size(), kHistogramArea, kGapAcross, kGapDown, kHistogramsWidth, kHistogramsHeight};
     const std::span<const HistogramBar> bars = inner_bars(shown_[i]);
     const std::string block = "$bars" + std::to_string(i);
-    return panel_at(left / kHistogramsWidth, (left + width) / kHistogramsWidth, (top - height) / kHistogramsHeight,
-                    top / kHistogramsHeight) +
-           range_of("x", padded({bars.front().low, bars.back().high})) + "set yrange [0:*]\nset xlabel " +
-           literal(shown_[i].name + " [" + shown_[i].unit + "]") + " offset 0,0.4\n" + (i == 0 ? header() : "") +
-           "plot " + block + " using 1:($2/2):3:4:(0):2 with boxxyerror lc rgb " + literal(kPalette[0]) + " notitle\n";
+    return grid.panel(i) + range_of("x", padded({bars.front().low, bars.back().high})) +
+           "set yrange [0:*]\nset xlabel " + literal(shown_[i].name + " [" + shown_[i].unit + "]") + " offset 0,0.4\n" +
+           (i == 0 ? header() : "") + "plot " + block + " using 1:($2/2):3:4:(0):2 with boxxyerror lc rgb " +
+           literal(kPalette[0]) + " notitle\n";
   }
 
   std::string title_;
   const FlownStudy& flown_;
   std::vector<NamedHistogram> shown_;
-  std::size_t columns_ = 1;
 };
 
 }  // namespace

@@ -35,7 +35,6 @@ class OverInputsPicture {
     left_out_ = shown_.size() - std::min(shown_.size(), kMostPanels);
     shown_.resize(shown_.size() - left_out_);
     PHYSIM_ASSERT(!shown_.empty());
-    columns_ = shown_.size() <= 3 ? shown_.size() : shown_.size() == 4 ? 2 : 3;
   }
 
   [[nodiscard]] std::string script() const {
@@ -81,19 +80,12 @@ class OverInputsPicture {
   }
 
   [[nodiscard]] std::string panel(std::size_t i) const {
-    const std::size_t rows = (shown_.size() + columns_ - 1) / columns_;
-    const auto across = static_cast<double>(columns_), down = static_cast<double>(rows);
-    const double width = (kPanels.right - kPanels.left - kAcross * (across - 1)) / across;
-    const double height = (kPanels.top - kPanels.bottom - kBetween * (down - 1)) / down;
-    const double left = kPanels.left + static_cast<double>(i % columns_) * (width + kAcross);
-    const double top = kPanels.top - static_cast<double>(i / columns_) * (height + kBetween);
+    const PanelGrid grid{shown_.size(), kPanels, kAcross, kBetween, kInputsWidth, kInputsHeight};
     const StudyInput& input = flown_.plan.study().inputs[shown_[i]->input];
     Extent x;
     for (const InputPart& part : shown_[i]->parts) x.add(part.middle);
     if (x.span() == 0) x = {x.low - 1, x.high + 1};
-    return panel_at(left / kInputsWidth, (left + width) / kInputsWidth, (top - height) / kInputsHeight,
-                    top / kInputsHeight) +
-           range_of("x", padded(x)) + range_of("y", {0, 104}) + "set ytics 20\nset xlabel " +
+    return grid.panel(i) + range_of("x", padded(x)) + range_of("y", {0, 104}) + "set ytics 20\nset xlabel " +
            literal(with_unit(input)) + " offset 0,0.4\n" + (i == 0 ? header() : "") + curves(i) + "\n";
   }
 
@@ -113,7 +105,7 @@ class OverInputsPicture {
   std::string title_;
   const FlownStudy& flown_;
   std::vector<const HitsOverInput*> shown_;  // those that change hits most first
-  std::size_t left_out_ = 0, columns_ = 1;
+  std::size_t left_out_ = 0;
 };
 
 }  // namespace

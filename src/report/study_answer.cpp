@@ -300,7 +300,8 @@ FlownStudy told_study(const StudyPlan& plan, StudyResult result, std::size_t his
   const std::vector<StudyPlan> places = plan.places();
   PHYSIM_ASSERT(places.size() == flown.result.at.size());
   for (std::size_t i = 0; i < places.size(); ++i)
-    flown.at.push_back(told_study(places[i], flown.result.at[i], histogram_bars));
+    flown.at.push_back(told_study(places[i], std::move(flown.result.at[i]), histogram_bars));
+  flown.result.at.clear();  // they stand in `at` now
   return flown;
 }
 

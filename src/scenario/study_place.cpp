@@ -43,7 +43,6 @@ Result<EventSpec> event_of(std::string_view text) {
       return Error{"no place on the way is called " + in_quotes(word), "", suggestion(word, kinds, "they are")};
     event.kind = static_cast<EventKind>(known - kinds.begin());
   }
-  if (event.kind == EventKind::apex && event.direction == Crossing::any) event.direction = Crossing::falling;
   const bool has_value = row_of(event.kind).waits_for_value;
   if (!has_value && text.empty()) return event;
   if (!has_value) return Error{in_quotes(text) + " says nothing of " + in_quotes(name(event.kind)), "", "leave it out"};

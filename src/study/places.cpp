@@ -31,8 +31,6 @@ bool is_one_place(const EventSpec& a, const EventSpec& b) {
          (a.value == b.value || !row_of(a.kind).waits_for_value);
 }
 
-bool is_finite_value(double x) { return x - x == 0; }
-
 Status check_event(const EventSpec& event, const std::string& place) {
   Checker c;
   c.require(is_watchable(event.kind), place + ".event.kind", "is nothing that a flight watches",
@@ -40,7 +38,7 @@ Status check_event(const EventSpec& event, const std::string& place) {
   c.named(event.direction, Crossing::falling, place + ".event.direction");
   if (!c.status_so_far()) return c.status();
   const bool is_way = event.kind == EventKind::range || event.kind == EventKind::time;
-  c.require(is_finite_value(event.value), place + ".event.value", "is no number");
+  c.require(std::isfinite(event.value), place + ".event.value", "is no number");
   c.require(!is_way || event.value > 0, place + ".event.value", "must be above 0: shots begin there");
   return c.status();
 }
@@ -96,7 +94,7 @@ std::vector<SeenColumns> Places::columns(std::size_t shots, std::vector<double>&
 void Places::take(const Event& event, std::size_t shot, std::span<const SeenColumns> seen) const {
   for (std::size_t i = 0; i < seen.size(); ++i) {
     const SeenColumns& at = seen[i];
-    if (!is_at(event, at_[i].event) || is_finite_value(at.time[shot])) continue;
+    if (!is_at(event, at_[i].event) || std::isfinite(at.time[shot])) continue;
     at.time[shot] = event.time;
     at.x[shot] = event.position.x, at.y[shot] = event.position.y, at.z[shot] = event.position.z;
     at.vx[shot] = event.velocity.x, at.vy[shot] = event.velocity.y, at.vz[shot] = event.velocity.z;

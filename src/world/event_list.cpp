@@ -32,12 +32,12 @@ void sort_by_runs(std::vector<EventKey>& keys, std::vector<EventKey>& spare) {
 
 void EventList::put_in_order(std::vector<EventKey>& spare, GivenEvents& given) {
   if (std::ranges::is_sorted(keys_)) return;
-  if (!shown_.empty()) given.push_back(std::exchange(shown_, {}));
+  leave(given);
   sort_by_runs(keys_, spare);
 }
 
 Event EventList::whole_of(const PlainEvent& e, const Vec3d& position, const Vec3d& velocity) {
-  Event event;
+  Event event = kBlankEvent;
   event.kind = e.kind, event.reason = e.reason, event.id = e.id, event.value = e.value, event.time = e.time;
   event.position = position, event.velocity = velocity;
   return event;
@@ -58,7 +58,7 @@ std::span<const Event> EventList::all(GivenEvents& given) const {
     StepList<Event> larger;
     larger.reserve(std::max(keys_.size(), 2 * shown_.capacity()));
     larger.assign(shown_.begin(), shown_.end());
-    given.push_back(std::move(shown_));
+    leave(given);
     shown_.swap(larger);
   }
   for (std::size_t i = shown_.size(); i < keys_.size(); ++i) shown_.push_back(event_of(keys_[i]));

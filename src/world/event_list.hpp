@@ -57,7 +57,6 @@ class EventList {
  public:
   static constexpr std::size_t kMost = std::size_t{1} << 31;  ///< events; places are counted in 32 bits
 
-  [[nodiscard]] std::size_t size() const { return keys_.size(); }
   EventList() = default;
   /// Copies have what was told, and have shown nothing yet.
   EventList(const EventList& other) : keys_(other.keys_), brief_(other.brief_), whole_(other.whole_) {}
@@ -71,6 +70,7 @@ class EventList {
   EventList& operator=(EventList&&) = default;
   ~EventList() = default;
 
+  [[nodiscard]] std::size_t size() const { return keys_.size(); }
   /// Room for so many more plain ones of numbers in float, and so many in double, which float32 may hold, too; may end
   /// for lack of memory.
   void reserve(std::size_t in_float, std::size_t in_double) {
@@ -90,11 +90,11 @@ class EventList {
   template <class S>
   void add(const PlainEvent& e, const Vec3<S>& x, const Vec3<S>& v) {
     if (!fits_float32(x) || !fits_float32(v)) return add(whole_of(e, vec_cast<double>(x), vec_cast<double>(v)));
-    make_room(keys_, 1), make_room(brief_, 1);  // in place, as whole ones
+    make_room(keys_, 1), make_room(brief_, 1);
     const auto numbers = [](const Vec3<S>& of) {
       return std::array{static_cast<float>(of.x), static_cast<float>(of.y), static_cast<float>(of.z)};
     };
-    if (brief_.size() == brief_.capacity()) __builtin_unreachable();
+    if (brief_.size() == brief_.capacity()) __builtin_unreachable();  // it is written in place, as a whole one is
     brief_.push_back({e.id.generation, e.value, numbers(x), numbers(v), e.kind, e.reason});
     add_key(e.kind, e.id.index, e.time, 2 * brief_.size() - 2);
   }
@@ -121,7 +121,7 @@ class EventList {
   [[nodiscard]] std::span<const Event> all(GivenEvents& given) const;
   void clear() { keys_.clear(), brief_.clear(), whole_.clear(), shown_.clear(); }
   /// Others take its place: what it gave out stays.
-  void leave(GivenEvents& given) {
+  void leave(GivenEvents& given) const {
     if (!shown_.empty()) given.push_back(std::exchange(shown_, {}));
   }
   [[nodiscard]] std::size_t bytes() const;

@@ -30,12 +30,6 @@ Study throw_down() {
   return study;
 }
 
-StudyPlan plan_of(const Study& study) {
-  const auto plan = plan_study(study);
-  EXPECT_TRUE(plan) << plan.error().text();
-  return *plan;
-}
-
 /// Speed and obliquity of a parabola that ends h below its start.
 void expect_parabola(const std::vector<double>& impact, double speed, double elevation, double h, double mass) {
   const double across = speed * std::cos(elevation), up = speed * std::sin(elevation),

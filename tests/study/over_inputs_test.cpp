@@ -100,27 +100,13 @@ TEST(StudyOverInputs, of_lists_are_their_values) {
   EXPECT_NEAR(static_cast<double>(over.parts[1].shots), 40'000 / 3.0, 4 * std::sqrt(40'000 / 3.0));
 }
 
-std::vector<std::byte> bytes_of(const StudyPlan& plan, TaskRunner* runner) {
-  return save_part(*run_shards(plan, 0, plan.shards(), runner));
-}
-
 TEST(StudyOverInputs, have_the_same_bits_however_they_are_flown) {
   Study study = circle(Sampling::latin_hypercube);
   study.shard_shots = 256;
   study.shots = 48 * 256;
   const StudyPlan plan = plan_study(study, scattered).value();
-  const std::vector<std::byte> bytes = bytes_of(plan, nullptr);
-  for (const unsigned threads : {2u, 7u}) {
-    const auto pool = make_thread_pool(threads);
-    EXPECT_EQ(bytes_of(plan, pool.get()), bytes) << threads;
-  }
   StudyPart all;
-  for (const auto& [first, count] : {std::pair<std::uint64_t, std::uint64_t>{20, 28}, {0, 7}, {7, 13}}) {
-    const auto loaded = load_part(save_part(*run_shards(plan, first, count)));
-    ASSERT_TRUE(loaded) << loaded.error().text();
-    all = merge(all, *loaded).value();
-  }
-  EXPECT_EQ(save_part(all), bytes);
+  expect_one_set_of_bits(plan, all);
   EXPECT_EQ(result_of(plan, all, 48)->over_inputs, run_study(plan)->over_inputs);
 }
 

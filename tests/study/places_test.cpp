@@ -35,12 +35,6 @@ Study thrown() {
   return study;
 }
 
-StudyPlan plan_of_places(const Study& study) {
-  const auto plan = plan_study(study);
-  EXPECT_TRUE(plan) << plan.error().text();
-  return *plan;
-}
-
 void expect_parabolas(const StudyPlan& plan, double g) {
   const StudyShots shots = fly_shots_of(plan, 1);
   ASSERT_EQ(shots.at.size(), 5U);
@@ -64,25 +58,25 @@ void expect_parabolas(const StudyPlan& plan, double g) {
 
 /// In each way that shots of a study are flown: as launches, each by itself, each at a place of its own, among things.
 TEST(StudyPlaces, lie_on_parabolas) {
-  expect_parabolas(plan_of_places(thrown()), kG);
+  expect_parabolas(plan_of(thrown()), kG);
   Study study = thrown();
   study.inputs.push_back(input("shot.mass", UniformDistribution{0.5, 2}));
-  expect_parabolas(plan_of_places(study), kG);
+  expect_parabolas(plan_of(study), kG);
   study.inputs.back() = input("environment.gravity.acceleration", DiscreteDistribution{{5}});
-  expect_parabolas(plan_of_places(study), 5);
+  expect_parabolas(plan_of(study), 5);
   study = thrown();
   Scene scene;
   ASSERT_TRUE(scene.add({.shape = scene.add_shape(BoxShape{{1, 1, 1}}).value(), .transform = {{0, 0, 500}}}));
   study.scene = std::make_shared<const Scene>(std::move(scene));
   study.quantities = {Q::right, Q::along};
-  expect_parabolas(plan_of_places(study), kG);
+  expect_parabolas(plan_of(study), kG);
 }
 
 TEST(StudyPlaces, have_what_nobody_names) {
   Study study = thrown();
   study.at = {place(EventKind::apex, 0, Crossing::any, {Q::y}), place(EventKind::height, 6), place(EventKind::time, 1),
               place(EventKind::speed, 28), place(EventKind::range, 20)};
-  const Study filled = plan_of_places(study).study();
+  const Study filled = plan_of(study).study();
   EXPECT_EQ(filled.at[0].event.direction, Crossing::falling) << "the highest point, not a low one";
   EXPECT_EQ(filled.at[1].event.direction, Crossing::any);
   EXPECT_EQ(filled.at[1].quantities, (std::vector{Q::right, Q::along, Q::time, Q::speed}));
@@ -103,7 +97,7 @@ TEST(StudyPlaces, have_figures_that_are_known) {
   study.fidelity.motion = Motion::closed_form;
   study.shots = 200'000;
   study.shard_shots = 4096;
-  const auto run = run_study(plan_of_places(study));
+  const auto run = run_study(plan_of(study));
   ASSERT_TRUE(run) << run.error().text();
   ASSERT_EQ(run->at.size(), 2U);
   const double factor = std::sin(e) * std::sin(e) / (2 * kG), n = static_cast<double>(run->shots);
@@ -138,16 +132,16 @@ TEST(StudyPlaces, are_where_studies_would_end) {
   for (const bool own_drag : {false, true}) {
     if (own_drag) study.inputs.push_back(input("shot.drag.ballistic_coefficient", UniformDistribution{150, 160}));
     study.at.clear();
-    const StudyResult alone = *run_study(plan_of_places(study));
+    const StudyResult alone = *run_study(plan_of(study));
     study.at = {place(EventKind::range, 100), place(EventKind::range, 250)};
-    const StudyResult both = *run_study(plan_of_places(study));
+    const StudyResult both = *run_study(plan_of(study));
     EXPECT_EQ(both.quantities, alone.quantities) << "places change nothing of the end";
     EXPECT_EQ(both.hits, alone.hits);
     for (std::size_t i = 0; i < 2; ++i) {
       Study ends = study;
       ends.at.clear();
       ends.until.range = study.at[i].event.value;
-      const StudyResult there = *run_study(plan_of_places(ends));
+      const StudyResult there = *run_study(plan_of(ends));
       for (std::size_t q = 0; q < 4; ++q) {
         EXPECT_NEAR(both.at[i].quantities[q].mean.value, there.quantities[q].mean.value, 1e-8) << i << ' ' << q;
         EXPECT_NEAR(both.at[i].quantities[q].most, there.quantities[q].most, 1e-8) << i << ' ' << q;
@@ -175,7 +169,7 @@ TEST(StudyPlaces, are_not_come_to_by_shots_that_ended) {
   study.at = {place(EventKind::range, 40), place(EventKind::range, 80)};
   study.shard_shots = 256;
   study.shots = 512;
-  const auto run = run_study(plan_of_places(study));
+  const auto run = run_study(plan_of(study));
   ASSERT_TRUE(run) << run.error().text();
   EXPECT_EQ(run->at[0].not_arrived, 0U);
   EXPECT_EQ(run->at[1].not_arrived, run->hits[0].hits) << "those that the wall stopped";
@@ -229,25 +223,11 @@ TEST(StudyPlaces, of_functions_are_further_columns) {
   EXPECT_TRUE(run.at[1].hits.empty()) << "no plane";
 }
 
-std::vector<std::byte> bytes_at(const StudyPlan& plan, TaskRunner* runner) {
-  return save_part(*run_shards(plan, 0, plan.shards(), runner));
-}
-
 TEST(StudyPlaces, have_the_same_bits_however_they_are_flown) {
   for (const Sampling sampling : {Sampling::random, Sampling::latin_hypercube, Sampling::sobol}) {
     const StudyPlan plan = plan_study(on_the_way_study(sampling), on_the_way).value();
-    const std::vector<std::byte> bytes = bytes_at(plan, nullptr);
-    for (const unsigned threads : {2u, 7u}) {
-      const auto pool = make_thread_pool(threads);
-      EXPECT_EQ(bytes_at(plan, pool.get()), bytes) << threads;
-    }
     StudyPart all;
-    for (const auto& [first, count] : {std::pair<std::uint64_t, std::uint64_t>{20, 28}, {0, 7}, {7, 13}}) {
-      const auto loaded = load_part(save_part(*run_shards(plan, first, count)));
-      ASSERT_TRUE(loaded) << loaded.error().text();
-      all = merge(all, *loaded).value();
-    }
-    EXPECT_EQ(save_part(all), bytes);
+    expect_one_set_of_bits(plan, all);
     const StudyResult run = *run_study(plan), joined = *result_of(plan, all, plan.shards());
     for (std::size_t i = 0; i < 2; ++i) {
       EXPECT_EQ(joined.at[i].quantities, run.at[i].quantities);
@@ -268,8 +248,8 @@ TEST(StudyPlaces, have_one_set_of_bits_on_each_kernel) {
   std::vector<std::byte> bytes;
   for (const std::string& kernel : kernels()) {
     ASSERT_TRUE(use_kernel(kernel));
-    const StudyPlan plan = plan_of_places(thrown());
-    const std::vector<std::byte> here = bytes_at(plan, nullptr);
+    const StudyPlan plan = plan_of(thrown());
+    const std::vector<std::byte> here = saved_shards(plan);
     if (bytes.empty()) bytes = here;
     EXPECT_EQ(here, bytes) << kernel;
     EXPECT_EQ(run_study(plan.places()[2])->quantities, run_study(plan)->at[2].quantities) << kernel;
@@ -297,7 +277,7 @@ TEST(StudyPlaces, damaged_parts_are_refused) {
 }
 
 TEST(StudyPlaces, are_propagated_by_slopes) {
-  const StudyPlan plan = plan_of_places(thrown());
+  const StudyPlan plan = plan_of(thrown());
   const auto linear = propagate_linearly(plan.places()[0]);
   ASSERT_TRUE(linear) << linear.error().text();
   const double up = 30 * std::sin(0.5), across = 30 * std::cos(0.5);

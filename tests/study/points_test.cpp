@@ -21,12 +21,6 @@ Study shot_at(double range) {
   return study;
 }
 
-StudyPlan plan_of(const Study& study) {
-  const auto plan = plan_study(study);
-  EXPECT_TRUE(plan) << plan.error().text();
-  return *plan;
-}
-
 /// Studies that draw the same numbers, and fly them along two ways through the program.
 void expect_same_shots(const Study& a, const Study& b) {
   const StudyShots one = fly_shots_of(plan_of(a), 0), other = fly_shots_of(plan_of(b), 0);

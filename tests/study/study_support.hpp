@@ -1,6 +1,8 @@
 // Studies of functions, whose figures are known in closed form.
 #pragma once
 
+#include <cstddef>
+#include <utility>
 #include <vector>
 
 #include "physim/study.hpp"
@@ -48,6 +50,35 @@ inline StudyResult result_of(const Study& study, const StudyFunction& function, 
   const auto result = run_study(*plan, runner);
   if (!result) ADD_FAILURE() << result.error().text();
   return result ? *result : StudyResult{};
+}
+
+inline StudyPlan plan_of(const Study& study) {
+  const auto plan = plan_study(study);
+  EXPECT_TRUE(plan) << plan.error().text();
+  return *plan;
+}
+
+/// All of a study's bits, as they are saved.
+inline std::vector<std::byte> saved_shards(const StudyPlan& plan, TaskRunner* runner = nullptr) {
+  return save_part(*run_shards(plan, 0, plan.shards(), runner));
+}
+
+/// One set of bits from one, two and seven threads, and from parts that were saved, loaded and joined in another order;
+/// `all` becomes what was joined. For studies of 48 shards.
+inline void expect_one_set_of_bits(const StudyPlan& plan, StudyPart& all) {
+  ASSERT_EQ(plan.shards(), 48U);
+  const std::vector<std::byte> bytes = saved_shards(plan);
+  for (const unsigned threads : {2u, 7u}) {
+    const auto pool = make_thread_pool(threads);
+    EXPECT_EQ(saved_shards(plan, pool.get()), bytes) << threads;
+  }
+  all = {};
+  for (const auto& [first, count] : {std::pair<std::uint64_t, std::uint64_t>{20, 28}, {0, 7}, {7, 13}}) {
+    const auto loaded = load_part(save_part(*run_shards(plan, first, count)));
+    ASSERT_TRUE(loaded) << loaded.error().text();
+    all = merge(all, *loaded).value();
+  }
+  EXPECT_EQ(save_part(all), bytes);
 }
 
 /// What a study is refused with that is changed so; empty where it is not.

@@ -30,12 +30,6 @@ Study rifle() {
   return study;
 }
 
-StudyPlan plan_of(const Study& study) {
-  const auto plan = plan_study(study);
-  EXPECT_TRUE(plan) << plan.error().text();
-  return *plan;
-}
-
 /// All of a study's bits.
 std::vector<std::byte> bytes_of(const StudyPlan& plan, TaskRunner* runner) {
   StudyPart last;

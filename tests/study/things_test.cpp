@@ -38,12 +38,6 @@ Study straight() {
   return study;
 }
 
-StudyPlan plan_of(const Study& study) {
-  const auto plan = plan_study(study);
-  EXPECT_TRUE(plan) << plan.error().text();
-  return *plan;
-}
-
 /// The plate is seen under known angles; who misses it hits the wall.
 TEST(StudyThings, are_hit_as_angles_say) {
   const auto result = run_study(plan_of(straight()));
