@@ -360,7 +360,7 @@ class LaneSet {
   /// False where no shot is left.
   bool begin(const BatchJob<S>& job, Flights<R, S>& all) {
     job_ = &job;
-    march = March<R>(*job.course);
+    march.set_course(*job.course);
     all.shots.put_common(march.lanes.body);
     return launch(all);
   }

@@ -356,11 +356,20 @@ PHYSIM_INLINE Pack<T, N> cast(const Pack<From, N>& x) {
   if constexpr (std::is_same_v<T, From>) {
     return x;
   } else {
-    From from[N];
-    T to[N];
-    x.store(from);
-    for (int lane = 0; lane < N; ++lane) to[lane] = static_cast<T>(from[lane]);
-    return Pack<T, N>::load(to);
+    constexpr int kFrom = Pack<From, N>::kPerRegister, kTo = Pack<T, N>::kPerRegister;
+    static_assert(kTo == kFrom || kTo == 2 * kFrom || kFrom == 2 * kTo, "halves of a register at most");
+    Pack<T, N> c;
+    if constexpr (kTo == kFrom) {
+      PHYSIM_EACH_REGISTER((Pack<T, N>::kRegisters), c.r[i] = register_cast<T, kTo>(x.r[i]));
+    } else if constexpr (kTo > kFrom) {
+      PHYSIM_EACH_REGISTER((Pack<T, N>::kRegisters),
+                           c.r[i] = joined_registers<kFrom>(register_cast<T, kFrom>(x.r[2 * i]),
+                                                            register_cast<T, kFrom>(x.r[2 * i + 1])));
+    } else {
+      PHYSIM_EACH_REGISTER((Pack<From, N>::kRegisters), c.r[2 * i] = register_cast<T, kTo>(half_of<kTo, 0>(x.r[i]));
+                           c.r[2 * i + 1] = register_cast<T, kTo>(half_of<kTo, 1>(x.r[i])));
+    }
+    return c;
   }
 }
 

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <type_traits>
+#include <utility>
 
 #if defined(__SSE2__)
 #include <immintrin.h>
@@ -78,6 +79,40 @@ PHYSIM_INLINE Register register_max(const Register& a, const Register& b) {
   if constexpr (sizeof a == 16 && std::is_same_v<T, float>) return (Register)_mm_max_ps((__m128)a, (__m128)b);
 #endif
   return a > b ? a : b;
+}
+
+/// A register of kCount numbers.
+template <class T, int kCount>
+struct RegisterFor {
+  typedef T Type __attribute__((vector_size(kCount * sizeof(T))));
+};
+/// As many numbers of another type, each rounded or widened. (g++ 12 widens a register half by half.)
+template <class T, int kCount, class Register>
+PHYSIM_INLINE typename RegisterFor<T, kCount>::Type register_cast(const Register& a) {
+  using To = typename RegisterFor<T, kCount>::Type;
+#if defined(__AVX512F__)
+  if constexpr (sizeof(To) == 64 && sizeof a == 32 && std::is_same_v<T, double>)
+    return (To)_mm512_maskz_cvtps_pd(0xff, (__m256)a);
+#endif
+#if defined(__AVX__)
+  if constexpr (sizeof(To) == 32 && sizeof a == 16 && std::is_same_v<T, double>) return (To)_mm256_cvtps_pd((__m128)a);
+#endif
+  return __builtin_convertvector(a, To);
+}
+/// As many of the numbers of two registers as there are indices, from kFirst on.
+template <int kFirst, class Register, int... kIndex>
+PHYSIM_INLINE auto numbers_from(const Register& a, const Register& b, std::integer_sequence<int, kIndex...>) {
+  return __builtin_shufflevector(a, b, (kFirst + kIndex)...);
+}
+/// The first or the second kCount numbers of twice as many.
+template <int kCount, int kHalf, class Register>
+PHYSIM_INLINE auto half_of(const Register& a) {
+  return numbers_from<kHalf * kCount>(a, a, std::make_integer_sequence<int, kCount>{});
+}
+/// Two registers of kCount numbers as one.
+template <int kCount, class Register>
+PHYSIM_INLINE auto joined_registers(const Register& a, const Register& b) {
+  return numbers_from<0>(a, b, std::make_integer_sequence<int, 2 * kCount>{});
 }
 
 PHYSIM_ISA_END

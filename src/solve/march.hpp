@@ -41,12 +41,14 @@ class March {
 
  public:
   PHYSIM_INLINE March() { lanes.body = {}; }
-  PHYSIM_INLINE explicit March(const Course<S>& course) : March() { course_ = &course; }
+  PHYSIM_INLINE explicit March(const Course<S>& course) : March() { set_course(course); }
   PHYSIM_INLINE March(const Course<S>& course, const Body<R>& body) : course_(&course) { lanes.body = body; }
 
   Lanes<R> lanes;  // but for its body nothing is set before a launch or a restart
 
   [[nodiscard]] PHYSIM_INLINE const Course<S>& course() const { return *course_; }
+  /// Tells lanes their course where they lie: a march is too large to be made anew and copied.
+  PHYSIM_INLINE void set_course(const Course<S>& course) { course_ = &course; }
 
   /// Launches lanes whose body, and rotor where it is read, is set.
   PHYSIM_INLINE void launch() {

@@ -138,6 +138,23 @@ TYPED_TEST(PackTest, TellsLanesByBits) {
   }
 }
 
+TYPED_TEST(PackTest, BecomesLanesOfAnotherType) {
+  using T = ScalarOf<TypeParam>;
+  using Other = std::conditional_t<sizeof(T) == 8, float, double>;
+  for (const TypeParam& a : this->packs()) {
+    const TypeParam third = a / T(3);  // not every number of it is a float
+    const Cast<Other, TypeParam> there = cast<Other>(third);
+    const TypeParam back = cast<T>(there);
+    const auto mask = cast_mask<Other, TypeParam>(third < T(0));
+    for (int lane = 0; lane < kLanes<TypeParam>; ++lane) {
+      const Other expected = static_cast<Other>(third[lane]);
+      ASSERT_TRUE(std::isnan(expected) ? std::isnan(there[lane]) : to_bits(there[lane]) == to_bits(expected)) << lane;
+      ASSERT_TRUE(this->same(back[lane], static_cast<T>(expected))) << lane;
+      ASSERT_EQ(mask[lane], third[lane] < T(0)) << lane;
+    }
+  }
+}
+
 TYPED_TEST(PackTest, MakesMasksOfBits) {
   EXPECT_EQ(kAllLanes<TypeParam>, lane_bits(TypeParam(0) == TypeParam(0)));
   std::mt19937 random(5);
