@@ -71,7 +71,7 @@ PHYSIM_INLINE StripsAtHand strips_at_hand(const collide::FieldWalk& walk) {
   constexpr double kLane[] = {0, 1, 2, 3, 4, 5, 6, 7};
   static_assert(std::size(kLane) == collide::kStripsAtOnce && collide::kBlockSide == 4);
   const int axis = walk.axis;
-  const Strips last(walk.strips - 1.0), side(double(collide::kBlockSide));
+  const Strips last(walk.strips - 1.0), side{double(collide::kBlockSide)};
   const Strips nth = Strips(double(walk.begun)) + Strips::load(kLane), here = min(nth, last);
   const Strips strip = number_of(walk, kPer, axis) < 0 ? last - here : here;
   const Strips first = strip * side, end = min(first + side, Strips(double(walk.count[axis])));
