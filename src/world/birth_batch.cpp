@@ -228,10 +228,10 @@ void BirthBatches::tell(std::span<BirthLine> lines, std::span<const std::uint8_t
     return Vec3{of[0][lane], of[1][lane], of[2][lane]};
   };
   if (in_float)
-    return w_.state.events.add_each(order.size(), [&](std::size_t i) {
+    return w_.state.events.add_each<float>(order.size(), [&](std::size_t i) {
       BirthLine& line = lines[order[i]];
       const auto& flights = std::get<0>(line.births->flights);
-      const ToldInFloat told{join_pool(line), vector(line, flights.x), vector(line, flights.v)};
+      const Told<float> told{join_pool(line), vector(line, flights.x), vector(line, flights.v)};
       ++line.count;
       return told;
     });

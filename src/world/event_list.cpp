@@ -36,20 +36,25 @@ void EventList::put_in_order(std::vector<EventKey>& spare, GivenEvents& given) {
   sort_by_runs(keys_, spare);
 }
 
-Event EventList::whole_of(const PlainEvent& e, const Vec3d& position, const Vec3d& velocity) {
-  Event event = kBlankEvent;
-  event.kind = e.kind, event.reason = e.reason, event.id = e.id, event.value = e.value, event.time = e.time;
-  event.position = position, event.velocity = velocity;
-  return event;
+template <class S>
+void EventList::fill(Event& event, const EventKey& key, const Plain<S>& from) {
+  const auto vector = [](const std::array<S, 3>& of) { return Vec3d{double(of[0]), double(of[1]), double(of[2])}; };
+  event.kind = from.kind, event.reason = from.reason;
+  event.id = {key.slot, from.generation};
+  event.value = from.value, event.time = key.time;
+  event.position = vector(from.position), event.velocity = vector(from.velocity);
 }
 
-Event EventList::event_of(const EventKey& key) const {
-  const std::size_t at = key.place / 2;
-  if (key.place % 2 != 0) return whole_[at];
-  const Brief& b = brief_[at];
-  const auto vector = [](const std::array<float, 3>& of) { return Vec3d{double(of[0]), double(of[1]), double(of[2])}; };
-  return whole_of({b.kind, b.reason, {key.slot, b.generation}, b.value, key.time}, vector(b.position),
-                  vector(b.velocity));
+/// Shows one more, for which there is room.
+void EventList::add_shown(const EventKey& key) const {
+  const std::size_t at = key.place / 4;
+  const auto form = static_cast<Form>(key.place % 4);
+  if (form == Form::whole) return shown_.push_back(whole_[at]);
+  Event& event = add_event(shown_);
+  if (form == Form::in_float)
+    fill(event, key, in_float_[at]);
+  else
+    fill(event, key, in_double_[at]);
 }
 
 std::span<const Event> EventList::all(GivenEvents& given) const {
@@ -61,13 +66,13 @@ std::span<const Event> EventList::all(GivenEvents& given) const {
     leave(given);
     shown_.swap(larger);
   }
-  for (std::size_t i = shown_.size(); i < keys_.size(); ++i) shown_.push_back(event_of(keys_[i]));
+  for (std::size_t i = shown_.size(); i < keys_.size(); ++i) add_shown(keys_[i]);
   return shown_;
 }
 
 std::size_t EventList::bytes() const {
-  return keys_.capacity() * sizeof(EventKey) + brief_.capacity() * sizeof(Brief) +
-         (whole_.capacity() + shown_.capacity()) * sizeof(Event);
+  return keys_.capacity() * sizeof(EventKey) + in_float_.capacity() * sizeof(Plain<float>) +
+         in_double_.capacity() * sizeof(Plain<double>) + (whole_.capacity() + shown_.capacity()) * sizeof(Event);
 }
 
 }  // namespace physim

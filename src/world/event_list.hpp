@@ -1,8 +1,8 @@
 // Events of a world: what was told since the step before, in which order, and the list of it that somebody reads.
 //
 // A step with many births and deaths tells an event of each, and mostly nobody reads it. So an event that says who,
-// when, where and how fast, in numbers that float32 holds, is kept in few bytes, all others whole. What is put in order
-// are keys alone; the list is made when it is asked for.
+// when, where and how fast is kept in few bytes, in fewer where float32 holds its numbers, all others whole. What is
+// put in order are keys alone; the list is made when it is asked for.
 #pragma once
 
 #include <algorithm>
@@ -44,10 +44,11 @@ struct PlainEvent {
   double time = 0;  // [s]
 };
 
-/// Such an event in numbers of float32.
-struct ToldInFloat {
+/// Such an event with its numbers, in float or double.
+template <class S>
+struct Told {
   PlainEvent event;
-  Vec3<float> x, v;  // [m], [m/s]
+  Vec3<S> x, v;  // [m], [m/s]
 };
 
 /// Lists that were given out and grew out of their memory, or are no more.
@@ -55,14 +56,15 @@ using GivenEvents = std::vector<std::vector<Event>>;
 
 class EventList {
  public:
-  static constexpr std::size_t kMost = std::size_t{1} << 31;  ///< events; places are counted in 32 bits
+  static constexpr std::size_t kMost = std::size_t{1} << 30;  ///< events; places are counted in 30 bits
 
   EventList() = default;
   /// Copies have what was told, and have shown nothing yet.
-  EventList(const EventList& other) : keys_(other.keys_), brief_(other.brief_), whole_(other.whole_) {}
+  EventList(const EventList& other)
+      : keys_(other.keys_), in_float_(other.in_float_), in_double_(other.in_double_), whole_(other.whole_) {}
   EventList& operator=(const EventList& other) {
     if (this == &other) return *this;
-    keys_ = other.keys_, brief_ = other.brief_, whole_ = other.whole_;
+    keys_ = other.keys_, in_float_ = other.in_float_, in_double_ = other.in_double_, whole_ = other.whole_;
     shown_.clear();
     return *this;
   }
@@ -75,43 +77,36 @@ class EventList {
   /// for lack of memory.
   void reserve(std::size_t in_float, std::size_t in_double) {
     make_room(keys_, in_float + in_double);
-    make_room(brief_, in_float + in_double);
-    make_room(whole_, in_double);
+    make_room(in_float_, in_float + in_double);
+    make_room(in_double_, in_double);
   }
   void add(const Event& event) {
-    make_room(keys_, 1), make_room(whole_, 1);
-    // Told that there is room, compilers write the event in place. A copy, for which clang calls memcpy(), would read
-    // in wide pieces what was just written in narrow ones, and wait until it is in the cache.
-    if (whole_.size() == whole_.capacity()) __builtin_unreachable();
-    whole_.push_back(event);
-    add_key(event.kind, event.id.index, event.time, 2 * whole_.size() - 1);
+    add_to(whole_, event);
+    add_key(event.kind, event.id.index, event.time, place_of(whole_.size() - 1, Form::whole));
   }
   /// A plain one, with a place [m] and a velocity [m/s] in float or double.
   template <class S>
   void add(const PlainEvent& e, const Vec3<S>& x, const Vec3<S>& v) {
-    if (!fits_float32(x) || !fits_float32(v)) return add(whole_of(e, vec_cast<double>(x), vec_cast<double>(v)));
-    make_room(keys_, 1), make_room(brief_, 1);
-    const auto numbers = [](const Vec3<S>& of) {
-      return std::array{static_cast<float>(of.x), static_cast<float>(of.y), static_cast<float>(of.z)};
-    };
-    if (brief_.size() == brief_.capacity()) __builtin_unreachable();  // it is written in place, as a whole one is
-    brief_.push_back({e.id.generation, e.value, numbers(x), numbers(v), e.kind, e.reason});
-    add_key(e.kind, e.id.index, e.time, 2 * brief_.size() - 2);
+    if (sizeof(S) > sizeof(float) && fits_float32(x) && fits_float32(v))
+      return add(e, vec_cast<float>(x), vec_cast<float>(v));
+    add_to(plain<S>(), plain_of(e, x, v));
+    add_key(e.kind, e.id.index, e.time, place_of(plain<S>().size() - 1, kForm<S>));
   }
 
-  /// So many plain ones in numbers of float32, for which there is room: told(i) says which.
-  template <class F>
+  /// So many plain ones: told(i) gives each, as a Told<S>. They are kept in numbers of that type.
+  template <class S, class F>
   void add_each(std::size_t count, const F& told) {
-    const std::size_t first = keys_.size(), first_brief = brief_.size();
-    keys_.resize(first + count), brief_.resize(first_brief + count);
+    make_room(keys_, count), make_room(plain<S>(), count);
+    const std::size_t first = keys_.size(), first_plain = plain<S>().size();
+    keys_.resize(first + count), plain<S>().resize(first_plain + count);
     EventKey* const keys = keys_.data() + first;
-    Brief* const briefs = brief_.data() + first_brief;
+    Plain<S>* const plains = plain<S>().data() + first_plain;
     for (std::size_t i = 0; i < count; ++i) {
-      const ToldInFloat t = told(i);
+      const Told<S>& t = told(i);
       const PlainEvent& e = t.event;
       keys[i] = {e.time, e.id.index, row_of(e.kind).order, static_cast<std::uint32_t>(first + i),
-                 static_cast<std::uint32_t>(2 * (first_brief + i))};
-      briefs[i] = {e.id.generation, e.value, {t.x.x, t.x.y, t.x.z}, {t.v.x, t.v.y, t.v.z}, e.kind, e.reason};
+                 place_of(first_plain + i, kForm<S>)};
+      plains[i] = plain_of(e, t.x, t.v);
     }
   }
 
@@ -119,7 +114,7 @@ class EventList {
   void put_in_order(std::vector<EventKey>& spare, GivenEvents& given);
   /// All of them. What was given stays where it is until these and `given` are cleared.
   [[nodiscard]] std::span<const Event> all(GivenEvents& given) const;
-  void clear() { keys_.clear(), brief_.clear(), whole_.clear(), shown_.clear(); }
+  void clear() { keys_.clear(), in_float_.clear(), in_double_.clear(), whole_.clear(), shown_.clear(); }
   /// Others take its place: what it gave out stays.
   void leave(GivenEvents& given) const {
     if (!shown_.empty()) given.push_back(std::exchange(shown_, {}));
@@ -127,34 +122,62 @@ class EventList {
   [[nodiscard]] std::size_t bytes() const;
 
  private:
-  struct Brief {
+  /// What is kept of a plain one beside its key.
+  template <class S>
+  struct Plain {
     std::uint32_t generation, value;
-    std::array<float, 3> position, velocity;
+    std::array<S, 3> position, velocity;
     EventKind kind;
     Reason reason;
   };
+  template <class S>
+  [[nodiscard]] static Plain<S> plain_of(const PlainEvent& e, const Vec3<S>& x, const Vec3<S>& v) {
+    return {e.id.generation, e.value, {x.x, x.y, x.z}, {v.x, v.y, v.z}, e.kind, e.reason};
+  }
+  template <class S>
+  [[nodiscard]] StepList<Plain<S>>& plain() {
+    if constexpr (sizeof(S) == sizeof(float))
+      return in_float_;
+    else
+      return in_double_;
+  }
+  /// In which list an event is kept, and where.
+  enum class Form : std::uint32_t { in_float, in_double, whole };
+  template <class S>
+  static constexpr Form kForm = sizeof(S) == sizeof(float) ? Form::in_float : Form::in_double;
+  [[nodiscard]] static std::uint32_t place_of(std::size_t at, Form form) {
+    return static_cast<std::uint32_t>(4 * at) | static_cast<std::uint32_t>(form);
+  }
 
   template <class T>
   static void make_room(std::vector<T>& list, std::size_t more) {
     if (list.capacity() - list.size() < more)
       list.reserve(std::max({list.size() + more, 2 * list.capacity(), std::size_t{16}}));
   }
+  template <class T>
+  static void add_to(std::vector<T>& list, const T& event) {
+    make_room(list, 1);
+    // Told that there is room, compilers write the event in place. A copy, for which clang calls memcpy(), would read
+    // in wide pieces what was just written in narrow ones, and wait until it is in the cache.
+    if (list.size() == list.capacity()) __builtin_unreachable();
+    list.push_back(event);
+  }
+  void add_key(EventKind kind, std::uint32_t slot, double time, std::uint32_t place) {
+    add_to(keys_, {time, slot, row_of(kind).order, static_cast<std::uint32_t>(keys_.size()), place});
+  }
   template <class S>
   [[nodiscard]] static bool fits_float32(const Vec3<S>& v) {
-    const auto fits = [](S x) { return sizeof(S) == sizeof(float) || static_cast<S>(static_cast<float>(x)) == x; };
+    const auto fits = [](S x) { return static_cast<S>(static_cast<float>(x)) == x; };
     return fits(v.x) && fits(v.y) && fits(v.z);
   }
-  [[nodiscard]] static Event whole_of(const PlainEvent& e, const Vec3d& position, const Vec3d& velocity);
-  [[nodiscard]] Event event_of(const EventKey& key) const;
-  void add_key(EventKind kind, std::uint32_t slot, double time, std::size_t place) {
-    if (keys_.size() == keys_.capacity()) __builtin_unreachable();
-    keys_.push_back(
-        {time, slot, row_of(kind).order, static_cast<std::uint32_t>(keys_.size()), static_cast<std::uint32_t>(place)});
-  }
+  template <class S>
+  static void fill(Event& event, const EventKey& key, const Plain<S>& from);
+  void add_shown(const EventKey& key) const;
 
   StepList<EventKey> keys_;
-  StepList<Brief> brief_;          // at places 0, 2, 4 ...
-  StepList<Event> whole_;          // at places 1, 3, 5 ...
+  StepList<Plain<float>> in_float_;
+  StepList<Plain<double>> in_double_;
+  StepList<Event> whole_;
   mutable StepList<Event> shown_;  // the first of them, as somebody reads them
 };
 

@@ -291,8 +291,12 @@ class Rows : RowMemory {
     for (std::size_t i = 0; i < N; ++i) columns[i][row] = static_cast<S>(numbers(from)[i]);
   }
   template <class S>
+  [[nodiscard]] static Vec3<S> numbers_at(S* const (&column)[3], std::uint32_t row) {
+    return {column[0][row], column[1][row], column[2][row]};
+  }
+  template <class S>
   [[nodiscard]] static Vec3d at(S* const (&column)[3], std::uint32_t row) {
-    return {double(column[0][row]), double(column[1][row]), double(column[2][row])};
+    return vec_cast<double>(numbers_at(column, row));
   }
   template <class S>
   static void put(S* const (&column)[3], std::uint32_t row, const Vec3d& v) {

@@ -68,8 +68,7 @@ class StruckRows {
 
   void add(std::uint32_t row) {
     PHYSIM_ASSERT(is_in_place(*context_.registry, *context_.state, chunk_.cohort, row));
-    slot_[job_.count] = rows_.slot(row);
-    context_.state->slots.prefetch(slot_[job_.count]);
+    prefetch_at(rows_.slots() + row);
     row_[job_.count++] = row;
     if (job_.count == kRows) settle();
   }
@@ -77,6 +76,7 @@ class StruckRows {
     if (job_.count < kFewest) {
       job_.plain = 0;
     } else {
+      find_slots();
       gather();
       strike_rows_with(kernel_, job_);
     }
@@ -94,6 +94,12 @@ class StruckRows {
   static constexpr std::size_t kMostFields = 24;
   static constexpr unsigned kFewest = 3;  // of fewer each is settled by itself
 
+  void find_slots() {
+    for (unsigned i = 0; i < job_.count; ++i) {
+      slot_[i] = rows_.slot(row_[i]);
+      context_.state->slots.prefetch(slot_[i]);
+    }
+  }
   void gather(const S* from, S* to) const {
     for (unsigned i = 0; i < job_.count; ++i) to[i] = from[row_[i]];
     std::fill(to + job_.count, to + kRows, to[0]);  // what packs read behind the last one are numbers, too
@@ -128,12 +134,14 @@ class StruckRows {
     PHYSIM_ASSERT(i < job_.count && job_.passed[i] >= 0 && job_.passed[i] <= job_.dt);
     const auto vector = [i](const auto& of) { return Vec3d{of[0][i], of[1][i], of[2][i]}; };
     const EventKind kind = job_.bounces ? EventKind::bounced : EventKind::landed;
-    Event& event = add_event(chunk_.events);
-    event.kind = kind;
-    event.id = {slot_[i], context_.state->slots[slot_[i]].generation};
-    event.time = context_.time + job_.passed[i];
-    event.position = vector(job_.at);
-    event.velocity = vector(job_.go);
+    const Told<double> strike{
+        {kind, Reason::none, context_.state->slots.id_of(slot_[i]), 0, context_.time + job_.passed[i]},
+        vector(job_.at),
+        vector(job_.go)};
+    if (is_watched_)
+      tell(strike);
+    else
+      chunk_.strikes.push_back(strike);
     if (!job_.bounces) {
       Change& change = chunk_.changes.emplace_back();
       change.slot = slot_[i];
@@ -147,11 +155,19 @@ class StruckRows {
     }
   }
 
+  /// For emitters, which look at events one after the other.
+  void tell(const Told<double>& strike) {
+    Event& event = add_event(chunk_.events);
+    event.kind = strike.event.kind, event.id = strike.event.id, event.time = strike.event.time;
+    event.position = strike.x, event.velocity = strike.v;
+  }
+
   const SettleContext& context_;
   const WorldKernel& kernel_;
   Chunk& chunk_;
   const WorldCohort& cohort_;
   const Rows& rows_;
+  const bool is_watched_ = !context_.state->emitters.empty();
   const RowColumns<S>& columns_;
   StrikeJob<S> job_;
   unsigned fields_ = 0;  // that differ from row to row

@@ -29,7 +29,7 @@ void WorldImpl::tell(EventKind kind, std::uint32_t slot, Reason reason, std::opt
   const PlainEvent event{kind, reason, {slot, who.generation}, value, moment ? *moment : state.clock.time()};
   rows.bring_up(who.row);
   rows.read_fixed([&, row = who.row](const auto& c) {
-    state.events.add(event, Rows::at(c.position, row), Rows::at(c.velocity, row));
+    state.events.add(event, Rows::numbers_at(c.position, row), Rows::numbers_at(c.velocity, row));
   });
 }
 
@@ -37,6 +37,12 @@ bool WorldImpl::may_keep_event() {
   if (room_for_events() > 0) return true;
   ++state.counters.dropped_events;
   return false;
+}
+
+void WorldImpl::keep_events(std::span<const Told<double>> told) {
+  const std::size_t kept = std::min(told.size(), room_for_events());
+  state.counters.dropped_events += told.size() - kept;
+  state.events.add_each<double>(kept, [&](std::size_t i) -> const Told<double>& { return told[i]; });
 }
 
 std::size_t WorldImpl::room_for_events() const {

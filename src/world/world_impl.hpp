@@ -108,6 +108,7 @@ struct WorldImpl : Gate {
   void keep_event(const PlainEvent& event, const BodyState& at) {
     if (may_keep_event()) state.events.add(event, at.position, at.velocity);
   }
+  void keep_events(std::span<const Told<double>> told);
   /// Whether there is room for one more; counts it where there is none.
   bool may_keep_event();
   /// How many more are kept now.

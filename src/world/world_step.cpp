@@ -266,7 +266,7 @@ void WorldImpl::step_free(double dt) {
       chunk.cohort = c;
       chunk.first = first;
       chunk.last = last;
-      chunk.events.clear();
+      chunk.events.clear(), chunk.strikes.clear();
       chunk.changes.clear();
       chunk.traces.clear();
     }
@@ -290,9 +290,9 @@ void WorldImpl::step_free(double dt) {
 namespace {
 
 /// Whether an event has a time of the step that is over.
-[[maybe_unused]] bool happened_in_step(const Clock& clock, const Event& e) {
+[[maybe_unused]] bool is_of_step(const Clock& clock, double time) {
   const double slack = 1e-3 * clock.dt + 1e-6 * clock.time();  // clocks of float32 rows
-  return e.time >= clock.time() - clock.dt - slack && e.time <= clock.time() + slack;
+  return time >= clock.time() - clock.dt - slack && time <= clock.time() + slack;
 }
 
 }  // namespace
@@ -302,12 +302,14 @@ void WorldImpl::finish_step() {
   StepList<std::uint64_t>& keys = scratch.change_order;
   keys.clear(), scratch.change_spare.clear(), scratch.changes.clear();
   const auto collect = [&](const Chunk& chunk) {
+    PHYSIM_ASSERT(std::ranges::all_of(chunk.events, [&](const Event& e) { return is_of_step(state.clock, e.time); }));
     PHYSIM_ASSERT(
-        std::ranges::all_of(chunk.events, [this](const Event& e) { return happened_in_step(state.clock, e); }));
+        std::ranges::all_of(chunk.strikes, [&](const auto& t) { return is_of_step(state.clock, t.event.time); }));
     for (const Change& c : chunk.changes) {
       keys.push_back(ChangeKey::of(c, scratch.changes.size()));
       scratch.changes.push_back(&c);
     }
+    keep_events(chunk.strikes);
     for (const Event& event : chunk.events) keep_event(event);
   };
   for (std::size_t i = 0; i < scratch.chunk_count; ++i) collect(scratch.chunks[i]);

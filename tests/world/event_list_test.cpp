@@ -88,10 +88,10 @@ TEST(EventList, many_at_once_are_as_one_by_one) {
   const auto told = [](std::size_t i) {
     const float x = static_cast<float>(i);
     const PlainEvent event{EventKind::spawned, Reason::none, {static_cast<std::uint32_t>(i + 1), 7}, 3, 0.5 * x};
-    return ToldInFloat{event, {x, 0.1f, -x}, {1, 2, x}};
+    return Told<float>{event, {x, 0.1f, -x}, {1, 2, x}};
   };
   list.reserve(100, 0);
-  list.add_each(100, told);
+  list.add_each<float>(100, told);
   for (std::size_t i = 0; i < 100; ++i) other.add(told(i).event, told(i).x, told(i).v);
   EXPECT_TRUE(std::ranges::equal(list.all(given), other.all(given), is_same));
 }
