@@ -1,9 +1,11 @@
-// What particles of emitters cost, for profilers: births and deaths of one emitter, or sixteen emitters of sixteen
-// rungs in one world and in sixteen.
+// What particles of emitters cost, for profilers: births and deaths of one emitter, a frame of a million sparks, or
+// sixteen emitters of sixteen rungs in one world and in sixteen.
 //
 //   g++ -std=c++20 -O2 -g -Iinclude -Isrc -Ibench bench/alone/emitters.cpp bench/world_bench.cpp bench/report.cpp \
 //     bench/timing.cpp build/bench/libphysim.a -lpthread -o emitters
 //   ./emitters births 40     rounds of 100 000 births in a step, and of their deaths in the next one
+//   ./emitters frame 40      steps of a million sparks without and with drag over life, and reading them
+//   ./emitters step 40       one of these alone, or: drag, places, looks
 //   ./emitters together 60   steps of sixteen emitters in one world
 //   ./emitters apart 60      steps of sixteen worlds of one
 //
@@ -12,6 +14,7 @@
 #include <cstdio>
 #include <cstdlib>
 #include <cstring>
+#include <string>
 #include <vector>
 
 #include "timing.hpp"
@@ -70,6 +73,44 @@ void births(int rounds, const Fidelity& fidelity) {
   print("death", died, kBirths), print("despawn", despawns, kBirths);
 }
 
+/// One of what a frame of a million sparks asks for, or all of it where `what` is "frame".
+void frame(int rounds, const std::string& what) {
+  constexpr double kFlow = 1.0 / 60;
+  constexpr std::size_t kSparks = 1000000;
+  World world = empty_world(), driven = empty_world();
+  EmitterDef def = spray(*world.add_kind(world_bullet(Fidelity::game())), kSparks / 2.0, 2);
+  def.start.lifetime = {1.5, 2.5};
+  def.start.size = {0.5, 1.5};
+  def.life.size = {1, {}, {{0, 1}, {1, 0}}};
+  def.life.colour.gradient = {{0, 0xfff0a0ff}, {1, 0xff280000}};
+  const EmitterId emitter = *world.add_emitter(def);
+  def.kind = *driven.add_kind(world_bullet(Fidelity::game()));
+  def.flight.drag = {1, {}, {{0, 1}, {1, 0}}};
+  static_cast<void>(*driven.add_emitter(def));
+  for (int i = 0; i < 165; ++i) {
+    if (what != "drag") world.step(kFlow);
+    if (what == "drag" || what == "frame") driven.step(kFlow);
+  }
+  std::vector<Vec3d> position(kSparks + kSparks / 16), size = position;
+  std::vector<std::uint32_t> colour(position.size());
+  std::vector<double> plain, drag, places, looks, ratios;
+  const auto time = [&](const char* part, std::vector<double>& taken, const auto& call) {
+    if (what == "frame" || what == part) taken.push_back(seconds(Clock::cpu, call));
+  };
+  for (int round = 0; round < rounds; ++round) {
+    time("step", plain, [&] { world.step(kFlow); });
+    time("drag", drag, [&] { driven.step(kFlow); });
+    time("places", places, [&] { world.particles(emitter, {.position = position}); });
+    time("looks", looks, [&] { world.particles(emitter, {.position = position, .size = size, .colour = colour}); });
+    if (what == "frame") ratios.push_back((drag.back() + looks.back()) / (plain.back() + places.back()));
+  }
+  if (!plain.empty()) print("step", plain, kSparks);
+  if (!drag.empty()) print("drag", drag, kSparks);
+  if (!places.empty()) print("places", places, kSparks);
+  if (!looks.empty()) print("looks", looks, kSparks);
+  if (!ratios.empty()) std::printf("with looks and drag over life, beside places: median %.3f\n", median(ratios));
+}
+
 void sixteen(int rounds, bool together) {
   constexpr double kPerSecond = 120000, kLife = 0.25;
   std::vector<World> worlds;
@@ -96,6 +137,9 @@ int main(int count, char** given) {
   const int rounds = count > 2 ? std::atoi(given[2]) : 20;
   if (std::strcmp(what, "births") == 0) births(rounds, Fidelity::game());
   if (std::strcmp(what, "arcade") == 0) births(rounds, Fidelity::arcade());
+  if (std::strcmp(what, "frame") == 0 || std::strcmp(what, "step") == 0 || std::strcmp(what, "drag") == 0 ||
+      std::strcmp(what, "places") == 0 || std::strcmp(what, "looks") == 0)
+    frame(rounds, what);
   if (std::strcmp(what, "together") == 0) sixteen(rounds, true);
   if (std::strcmp(what, "apart") == 0) sixteen(rounds, false);
 }

@@ -8,6 +8,7 @@
 #include "solve/stages.hpp"
 #include "world/drive.hpp"
 #include "world/kernels.hpp"
+#include "world/struck_rows.hpp"
 
 namespace physim {
 namespace {
@@ -321,13 +322,13 @@ class ForcedStep {
   template <class S>
   void settle(const ForcedRun& r) {
     s_.chunk.cohort = r.cohort;
-    for (std::uint32_t row = 0; row < r.count; ++row) {
-      if (!is_marked(r, row)) continue;
+    s_.chunk.first = 0, s_.chunk.last = r.count;
+    each_marked(s_.chunk, s_.attention.data() + r.words, [&](std::uint32_t row) {
       const TakenStep<S> taken = taken_by<S>(r, row);
       SettleContext context = context_;
       context.taken = &taken;
       settle_row(context, s_.chunk, row);
-    }
+    });
   }
 
   template <class S>

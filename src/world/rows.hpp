@@ -176,6 +176,7 @@ class Rows : RowMemory {
   void prefetch(std::uint32_t row) const {
     const std::byte* number = column(0) + row * number_size();
     for (unsigned k = numbers_; k > 0; --k, number += stride_) prefetch_at(number);
+    prefetch_at(&slots()[row]);
   }
 
   [[nodiscard]] std::uint32_t slot(std::uint32_t row) const {

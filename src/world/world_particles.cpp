@@ -12,8 +12,8 @@
 namespace physim {
 namespace {
 
-/// What somebody asks for of the particles of one emitter, read pack by pack and column by column. Rows lie in another
-/// order than slots: while one pack is worked on, what lies in the rows of the next one is fetched.
+/// What somebody asks for of the particles of one emitter, read pack by pack and column by column. While one pack is
+/// worked on, slots and columns of the next ones are fetched; rows, which lie in another order, the processor fetches.
 class ParticleReader {
  public:
   ParticleReader(const WorldState& state, std::uint32_t emitter, const ParticleColumns& into)
@@ -124,29 +124,10 @@ class ParticleReader {
     if (column.size() < first + kPack) return;
     for (std::size_t i = 0; i < kPack * column.stride(); i += 64) prefetch_to_write(&column[first], i);
   }
-  /// What is read in rows of the next pack.
-  void fetch_rows(std::size_t first, std::size_t last) const {
-    if (!looks_) return;  // reading them is all there is to do
-    each_run(*next_, std::min(first, next_->count), std::min(last, next_->count),
-             [&](const Rows& rows, auto from, auto to) {
-               rows.read_fixed([&](const auto& c) {
-                 const auto fetch = [&](const auto& column) {
-                   for (std::size_t i = from; i < to; ++i)
-                     for (const auto* axis : column) prefetch_at(axis + next_->row[i]);
-                 };
-                 if (!into_.position.empty()) fetch(c.position);
-                 if (!into_.previous.empty()) fetch(c.previous);
-                 if (!into_.velocity.empty() || speeds_) fetch(c.velocity);
-               });
-             });
-  }
-
   void put() {
     PHYSIM_ASSERT(now_->count > 0 && now_->count <= kPack);
-    fetch_rows(0, kPack / 3);
     each_run(*now_, 0, now_->count, [this](const Rows& rows, auto first, auto last) { put_rows(rows, first, last); });
     fetch_column(into_.position), fetch_column(into_.size), fetch_column(into_.colour);
-    fetch_rows(kPack / 3, 2 * kPack / 3);
     for (std::size_t i = 0; i < now_->count && births_; ++i) look_.birth[i] = state_.slots.birth(now_->slot[i]);
     each_in(into_.id, [this](std::size_t i) { return state_.slots.id_of(now_->slot[i]); });
     each_in(into_.age, [this](std::size_t i) { return std::max(look_.time - look_.birth[i], 0.0); });
@@ -177,7 +158,6 @@ class ParticleReader {
     }
     for (std::size_t i = 0; i < kPack && phases_; ++i) look_.phase[i] = particle(std::min(i, now_->count - 1)).phase;
     show_.put(look_, wanted_);
-    fetch_rows(2 * kPack / 3, kPack);
     for (std::size_t i = 0; i < now_->count && emitter_.bequeaths; ++i) {
       const Particle& inherits = particle(i);
       for (auto& side : look_.size) side[i] = side[i] * inherits.size;
