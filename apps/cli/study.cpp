@@ -256,6 +256,9 @@ Result<int> run_over_ranges(const StudyCommand& command, const AskedShot& asked,
   if (asked.scenario.study.histograms > 0)
     return Error{"histograms are told of one study", "--ranges",
                  "leave --ranges out (--at tells of ranges, too), or study.histograms and --histograms"};
+  if (asked.scenario.study.over_inputs > 0)
+    return Error{"hits are told over range or over inputs", "--ranges",
+                 "leave --ranges out, or study.over_inputs and --over-inputs"};
   std::vector<StudyAtRange> list;
   StudyCommand alone;
   alone.log_seconds = command.log_seconds;
@@ -283,8 +286,6 @@ Status check_command(const StudyCommand& command) {
     return Error{"a study over ranges is not flown in parts", "--ranges", "give --range, and fly one after the other"};
   if (!command.ranges.empty() && !command.question.json.empty())
     return Error{"a study over ranges writes CSV alone", "--json", "give --csv"};
-  if (!command.ranges.empty() && command.over_inputs)
-    return Error{"hits are told over range or over inputs", "--over-inputs", "leave --ranges out"};
   if (!command.ranges.empty() && !command.kml.empty())
     return Error{"a map is of shots that come down on the ground", "--kml", "leave --ranges out"};
   if (!command.shards.empty() && !(command.plot.empty() && command.kml.empty()))

@@ -117,13 +117,16 @@ Value* value_at(Value& table, std::string_view path) {
   return here;
 }
 
-/// The number of a point of a list: what stands last in [0.5, 0.23], or below `tail` in a table. A coefficient that is
-/// one number stands for its only point.
+/// The number of a point of a list: what stands last in [0.5, 0.23], first where `tail` names its place, or below
+/// `tail` in a table. A coefficient that is one number stands for its only point. The angle in the middle of some
+/// points is in square degrees, which no distribution is written in.
 Value* number_of_point(Value& point, std::string_view tail) {
-  if (!tail.empty()) return point.get<Table>() ? value_at(point, tail) : nullptr;
+  if (!tail.empty() && point.get<Table>() != nullptr) return value_at(point, tail);
   Array* numbers = point.get<Array>();
-  if (numbers == nullptr) return &point;
-  return numbers->empty() ? nullptr : &numbers->back();
+  if (numbers == nullptr) return tail.empty() ? &point : nullptr;
+  if (numbers->empty()) return nullptr;
+  if (tail.empty()) return &numbers->back();
+  return tail == "mach" || tail == "time" ? &numbers->front() : nullptr;
 }
 
 struct Spot {

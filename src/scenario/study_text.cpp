@@ -63,17 +63,21 @@ std::string setting_of_point(std::string_view path) {
   return setting;
 }
 
-/// What the number of a path measures: that of its setting, of which it may be a component.
-Quantity quantity_of_path(std::string_view path) {
+/// What the number of a path measures: that of its setting, of which it may be a component. `shot`: who has it; null:
+/// not known, and spins of a table are rates.
+Quantity quantity_of_path(std::string_view path, const ScenarioShot* shot) {
   if (path == "environment.wind.speed") return Quantity::speed;
   if (path == "environment.wind.from") return Quantity::angle;
+  if (path.ends_with(".time")) return Quantity::time;
   if (path.starts_with("shot.motor.thrust.")) return Quantity::force;
   if (path.starts_with("shot.motor.propellant.")) return Quantity::mass;
   const std::string without_number = setting_of_point(path);
   path = without_number;
   const SchemaNode* node = find_node(path);
   if (!node && path.size() > 2 && path[path.size() - 2] == '.') node = find_node(path.substr(0, path.size() - 2));
-  return node && node->entry ? node->entry->quantity : Quantity::number;
+  if (!node || !node->entry) return Quantity::number;
+  ScenarioShot own = shot ? *shot : ScenarioShot{};
+  return node->entry->quantity_in({.shot = &own});
 }
 
 /// An error for what is no number of a shot that may be uncertain.
@@ -267,7 +271,7 @@ Status add_inputs(const Scenario& scenario, const ScenarioShot& shot, Study& stu
   for (std::size_t i = 0; i < scenario.study.inputs.size(); ++i) {
     const auto text = text_for(scenario.study.inputs[i], scenario, shot);
     if (!text) continue;
-    auto input = parse_study_input_in(folder, *text);
+    auto input = parse_study_input_in(folder, *text, &shot);
     if (!input) return placed(input.error(), "study.inputs[" + std::to_string(i) + ']');
     study.inputs.push_back(*std::move(input));
   }
@@ -324,7 +328,7 @@ Status add_scene(const Scenario& scenario, const ScenarioShot& shot, Study& stud
 
 }  // namespace
 
-Result<StudyInput> parse_study_input_in(const std::string& folder, std::string_view text) {
+Result<StudyInput> parse_study_input_in(const std::string& folder, std::string_view text, const ScenarioShot* shot) {
   const auto halves = split(text, "=");
   if (!halves) return Error{"\"" + std::string(text) + "\" names no number and its distribution", "", kInputHint};
   if (Status status = check_path(halves->left); !status) return status.error();
@@ -332,7 +336,7 @@ Result<StudyInput> parse_study_input_in(const std::string& folder, std::string_v
   std::string_view rest = halves->right;
   if (take_back(rest, "per occasion")) input.drawn_for = DrawnFor::occasion;
   input.added = take_front(rest, "added ") || rest.starts_with("+-");
-  DistributionReader reader(quantity_of_path(input.path), input.added, folder);
+  DistributionReader reader(quantity_of_path(input.path, shot), input.added, folder);
   const auto distribution = reader.read(rest);
   if (reader.error()) return *reader.error();
   if (!distribution) return Error{"\"" + std::string(rest) + "\" is no distribution", "", kInputHint};

@@ -46,8 +46,9 @@ constexpr PathRow point_row(std::string_view path, std::string_view unit, std::s
                             double* (*point)(Shot&, std::size_t), bool above_zero = false) {
   return {.path = path, .unit = unit, .about = about, .above_zero = above_zero, .point = point};
 }
-constexpr PathRow wind_row(std::string_view path, std::string_view about, double* (*point)(Environment&, std::size_t)) {
-  return {.path = path, .unit = "m/s", .about = about, .place_point = point};
+constexpr PathRow wind_row(std::string_view path, std::string_view unit, std::string_view about,
+                           double* (*point)(Environment&, std::size_t)) {
+  return {.path = path, .unit = unit, .about = about, .place_point = point};
 }
 
 template <class Point>
@@ -55,13 +56,15 @@ double* point_at(std::vector<Point>& list, std::size_t i, double Point::*number)
   return i < list.size() ? &(list[i].*number) : nullptr;
 }
 /// A curve that flies: that of another table is not read.
+template <double DragPoint::*number>
 double* drag_point(Shot& shot, std::size_t i) {
   DragDef& drag = shot.projectile.drag;
-  return drag.table == DragTable::custom ? point_at(drag.curve, i, &DragPoint::coefficient) : nullptr;
+  return drag.table == DragTable::custom ? point_at(drag.curve, i, number) : nullptr;
 }
 double* wind_point(Environment& e, std::size_t i, double Vec3d::*axis) {
   return i < e.wind.profile.size() ? &(e.wind.profile[i].velocity.*axis) : nullptr;
 }
+double* height_of_wind(Environment& e, std::size_t i) { return point_at(e.wind.profile, i, &WindPoint::at); }
 
 double wind_along_ground(const Environment& e) {
   const Vec3d& v = e.wind.velocity;
@@ -76,8 +79,12 @@ void scale_thrust(Shot& shot, double factor) {
 #define PHYSIM_NUMBER(field) [](Shot& s) -> double& { return s.field; }
 #define PHYSIM_POINT(list, number) \
   [](Shot& s, std::size_t i) -> double* { return point_at(s.projectile.list, i, &number); }
-#define PHYSIM_AERO(list, about) \
-  point_row("shot.aero." #list ".N", "-", about, PHYSIM_POINT(aero.list, AeroPoint::value))
+#define PHYSIM_AERO(list, about)                                                             \
+  point_row("shot.aero." #list ".N", "-", about, PHYSIM_POINT(aero.list, AeroPoint::value)), \
+      point_row("shot.aero." #list ".N.mach", "-", "Mach number of a point", PHYSIM_POINT(aero.list, AeroPoint::mach))
+#define PHYSIM_AERO_ANGLE(list)                                                                    \
+  point_row("shot.aero." #list ".N.angle_squared", "rad^2", "square of a point's angle of attack", \
+            PHYSIM_POINT(aero.list, AeroPoint::angle_squared))
 #define PHYSIM_WIND(axis) [](Environment& e, std::size_t i) -> double* { return wind_point(e, i, &Vec3d::axis); }
 #define PHYSIM_THERE(number) [](const Environment& e) -> double { return number; }
 #define PHYSIM_PLACE(field) [](Environment& e) -> double& { return e.field; }, PHYSIM_THERE(e.field)
@@ -163,19 +170,33 @@ constexpr PathRow kPathRows[] = {
     shot_row("shot.attitude.rates.x", "rad/s", "of a rigid body, rolling", PHYSIM_NUMBER(launch.attitude.rates.x)),
     shot_row("shot.attitude.rates.y", "rad/s", "of a rigid body, yawing", PHYSIM_NUMBER(launch.attitude.rates.y)),
     shot_row("shot.attitude.rates.z", "rad/s", "of a rigid body, pitching", PHYSIM_NUMBER(launch.attitude.rates.z)),
-    point_row("shot.drag.curve.N", "-", "drag coefficient of a point of its own curve", drag_point),
+    point_row("shot.drag.curve.N", "-", "drag coefficient of a point of its own curve",
+              drag_point<&DragPoint::coefficient>),
+    point_row("shot.drag.curve.N.mach", "-", "Mach number of a point of its own curve", drag_point<&DragPoint::mach>),
     point_row("shot.drag.bands.N.ballistic_coefficient", "kg/m^2", "of a band of speed",
               PHYSIM_POINT(drag.bands, BallisticBand::ballistic_coefficient), kAboveZero),
+    point_row("shot.drag.bands.N.above", "m/s", "air speed from which a band holds",
+              PHYSIM_POINT(drag.bands, BallisticBand::above)),
     point_row("shot.motor.thrust.N", "N", "of a point of the motor's table",
               PHYSIM_POINT(motor.thrust, ThrustPoint::force)),
+    point_row("shot.motor.thrust.N.time", "s", "of a point of the motor's table, since ignition",
+              PHYSIM_POINT(motor.thrust, ThrustPoint::time)),
     point_row("shot.motor.propellant.N", "kg", "left at a point of the motor's table",
               PHYSIM_POINT(motor.propellant, PropellantPoint::mass)),
+    point_row("shot.motor.propellant.N.time", "s", "of what is left there, since ignition",
+              PHYSIM_POINT(motor.propellant, PropellantPoint::time)),
     point_row("shot.motor.drag_curve.N", "-", "drag coefficient of a point while it burns",
               PHYSIM_POINT(motor.drag_curve, DragPoint::coefficient)),
+    point_row("shot.motor.drag_curve.N.mach", "-", "Mach number of a point while it burns",
+              PHYSIM_POINT(motor.drag_curve, DragPoint::mach)),
     point_row("shot.magnus.table.N.drag", "-", "drag coefficient of a point of the table",
               PHYSIM_POINT(magnus.table, MagnusPoint::drag)),
     point_row("shot.magnus.table.N.lift", "-", "lift coefficient of a point of the table",
               PHYSIM_POINT(magnus.table, MagnusPoint::lift)),
+    point_row("shot.magnus.table.N.speed", "m/s", "at which a point of the table stands",
+              PHYSIM_POINT(magnus.table, MagnusPoint::speed)),
+    point_row("shot.magnus.table.N.spin", "rad/s", "at which a point of the table stands, or a spin parameter",
+              PHYSIM_POINT(magnus.table, MagnusPoint::spin)),
     PHYSIM_AERO(drag_yaw, "CDd2 of a point"),
     PHYSIM_AERO(lift, "CLa0 of a point"),
     PHYSIM_AERO(lift_cubic, "CLa2 of a point"),
@@ -185,15 +206,19 @@ constexpr PathRow kPathRows[] = {
     PHYSIM_AERO(yaw_damping, "Cnr of a point"),
     PHYSIM_AERO(roll_damping, "Clp of a point"),
     PHYSIM_AERO(magnus_force, "CNpa of a point"),
+    PHYSIM_AERO_ANGLE(magnus_force),
     PHYSIM_AERO(magnus_moment, "CMpa of a point"),
-    wind_row("environment.wind.profile.N.velocity.x", "of the air at a point, downrange", PHYSIM_WIND(x)),
-    wind_row("environment.wind.profile.N.velocity.y", "of the air at a point, upwards", PHYSIM_WIND(y)),
-    wind_row("environment.wind.profile.N.velocity.z", "of the air at a point, to the right", PHYSIM_WIND(z)),
+    PHYSIM_AERO_ANGLE(magnus_moment),
+    wind_row("environment.wind.profile.N.velocity.x", "m/s", "of the air at a point, downrange", PHYSIM_WIND(x)),
+    wind_row("environment.wind.profile.N.velocity.y", "m/s", "of the air at a point, upwards", PHYSIM_WIND(y)),
+    wind_row("environment.wind.profile.N.velocity.z", "m/s", "of the air at a point, to the right", PHYSIM_WIND(z)),
+    wind_row("environment.wind.profile.N.at", "m", "height or distance at which a point stands", height_of_wind),
 };
 
 #undef PHYSIM_NUMBER
 #undef PHYSIM_POINT
 #undef PHYSIM_AERO
+#undef PHYSIM_AERO_ANGLE
 #undef PHYSIM_WIND
 #undef PHYSIM_THERE
 #undef PHYSIM_PLACE

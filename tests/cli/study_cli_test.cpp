@@ -332,6 +332,7 @@ TEST(StudyCli, bad_input_says_what_is_wrong) {
   EXPECT_TRUE(has(refusal({"--over-inputs", "1000"}), "2 to 100"));
   EXPECT_TRUE(has(refusal({"--over-inputs", "4", "--set", "study.targets=[]"}), "no target"));
   EXPECT_TRUE(has(refusal({"--over-inputs", "4", "--ranges", "20 m"}), "leave --ranges out"));
+  EXPECT_TRUE(has(refusal({"--set", "study.over_inputs=4", "--ranges", "20 m"}), "leave --ranges out"));
   EXPECT_TRUE(has(refusal({"--histograms", "2"}), "3 to 1000"));
   EXPECT_TRUE(has(refusal({"--set", "study.histograms=2"}), "3 to 1000"));
   EXPECT_TRUE(has(refusal({"--histograms", "9", "--ranges", "20 m"}), "leave --ranges out"));

@@ -38,6 +38,27 @@ TEST(StudyPointsText, inputs_have_the_unit_of_their_points) {
   EXPECT_NE(refused("shot.motor.thrust.4 = 1 kg +- 2 kg").find("kg"), std::string::npos);
 }
 
+TEST(StudyPointsText, places_of_points_have_units_of_their_own) {
+  const auto drawn = [](const char* text) {
+    const auto read = parse_study_input(text);
+    EXPECT_TRUE(read) << read.error().text();
+    return read ? read->distribution : Distribution{};
+  };
+  const Distribution half_second = NormalDistribution{0.5, 0.02};
+  EXPECT_EQ(drawn("shot.motor.thrust.4.time = 500 ms +- 20 ms"), half_second);
+  EXPECT_EQ(drawn("shot.motor.propellant.2.time = 0.5 s +- 0.02 s"), half_second);
+  EXPECT_EQ(drawn("shot.drag.curve.3.mach = 0.5 +- 0.02"), half_second);
+  EXPECT_EQ(drawn("shot.aero.lift_cubic.1.mach = 0.5 +- 0.02"), half_second);
+  EXPECT_EQ(drawn("shot.aero.magnus_moment.1.angle_squared = 0.5 +- 0.02"), half_second);
+  EXPECT_EQ(drawn("shot.drag.bands.1.above = 36 km/h +- 3.6 km/h"), Distribution(NormalDistribution{10, 1}));
+  EXPECT_EQ(drawn("environment.wind.profile.2.at = 1 km +- 20 m"), Distribution(NormalDistribution{1000, 20}));
+  EXPECT_EQ(drawn("shot.magnus.table.2.spin = 0 rad/s .. 10 rad/s"), Distribution(UniformDistribution{0, 10}));
+  for (const char* wrong : {"shot.motor.thrust.4.time = 1 N +- 1 N", "shot.drag.curve.3.mach = 5 m/s +- 1 m/s",
+                            "shot.aero.lift.1.angle_squared = 1 +- 0.1", "shot.motor.thrust.time = 1 s +- 1 s",
+                            "environment.wind.profile.2.at = 1 m/s +- 1 m/s"})
+    EXPECT_FALSE(parse_study_input(wrong)) << wrong;
+}
+
 TEST(StudyPointsText, points_are_distributions_and_their_means_are_flown) {
   const std::string text =
       std::string(kShot) +
@@ -69,6 +90,52 @@ TEST(StudyPointsText, points_are_distributions_and_their_means_are_flown) {
   EXPECT_EQ(again->inputs, expected);
 }
 
+TEST(StudyPointsText, places_of_points_are_distributions_too) {
+  const std::string text =
+      std::string(kShot) +
+      "drag = { table = \"custom\", curve = [[0.5, 0.2], [\"0.9 +- 0.01\", \"0.40 +- 0.02\"], [2, 0.3]] }\n"
+      "motor = { thrust = [[0, 0], [{ mean = \"1 s\", deviation = \"50 ms\" }, 40], [2, 0]], propellant_mass = 0.1, "
+      "propellant = [[0, 0.1], [\"0.9 s .. 1.1 s\", 0.05], [2, 0]] }\n"
+      "aero = { magnus_moment = [[\"1 +- 0.1\", 0, 0.3], [\"2 +- 0.1\", 4, 0.2]] }\n"
+      "magnus = { measure = \"parameter\", table = [{ speed = \"30 m/s +- 1 m/s\", spin = \"0.1 .. 0.2\", "
+      "drag = 0.3, lift = 0.2 }] }\n"
+      "[environment.wind]\nprofile = [{ at = 0, velocity = [0, 0, 1] }, { at = \"100 m +- 10 m\", velocity = "
+      "[0, 0, 4] }]\n";
+  const auto scenario = parse_scenario(text, "test.toml");
+  ASSERT_TRUE(scenario) << scenario.error().text();
+  const ProjectileDef& p = scenario->shots[0].projectile;
+  EXPECT_EQ(p.drag.curve[1], (DragPoint{0.9, 0.4})) << "means are flown";
+  EXPECT_EQ(p.motor.thrust[1], (ThrustPoint{1, 40}));
+  EXPECT_EQ(scenario->environment.wind.profile[1].at, 100);
+  const auto study = study_of(*scenario, scenario->shots[0]);
+  ASSERT_TRUE(study) << study.error().text();
+  const std::vector<StudyInput> expected = {{"shot.drag.curve.2", NormalDistribution{0.4, 0.02}},
+                                            {"shot.drag.curve.2.mach", NormalDistribution{0.9, 0.01}},
+                                            {"shot.motor.thrust.2.time", NormalDistribution{1, 0.05}},
+                                            {"shot.motor.propellant.2.time", UniformDistribution{0.9, 1.1}},
+                                            {"shot.magnus.table.1.speed", NormalDistribution{30, 1}},
+                                            {"shot.magnus.table.1.spin", UniformDistribution{0.1, 0.2}},
+                                            {"shot.aero.magnus_moment.1.mach", NormalDistribution{1, 0.1}},
+                                            {"shot.aero.magnus_moment.2.mach", NormalDistribution{2, 0.1}},
+                                            {"environment.wind.profile.2.at", NormalDistribution{100, 10}}};
+  EXPECT_EQ(study->inputs, expected);
+  const auto again = study_in(scenario_text(*scenario));
+  ASSERT_TRUE(again) << again.error().text();
+  EXPECT_EQ(again->inputs, expected);
+}
+
+TEST(StudyPointsText, a_parameter_has_no_unit) {
+  const auto drawn = [](const char* measure, const char* spin) {
+    return study_in(std::string(kShot) + "magnus = { measure = \"" + measure + "\", table = [{ speed = 30, spin = \"" +
+                    spin + "\", drag = 0.3, lift = 0.2 }] }\n");
+  };
+  EXPECT_TRUE(drawn("rate", "5 rpm +- 1 rpm"));
+  EXPECT_TRUE(drawn("parameter", "0.2 +- 0.1"));
+  const auto wrong = drawn("parameter", "5 rpm +- 1 rpm");
+  ASSERT_FALSE(wrong);
+  EXPECT_NE(wrong.error().text().find("rpm"), std::string::npos) << wrong.error().text();
+}
+
 TEST(StudyPointsText, points_of_lists_of_tables_and_of_one_of_several_shots) {
   const std::string bands =
       "drag = { table = \"g7\", bands = [{ above = 200, ballistic_coefficient = { mean = 300, deviation = 5 } }, { "
@@ -93,9 +160,17 @@ TEST(StudyPointsText, what_is_wrong_is_told_where_it_stands) {
   ASSERT_FALSE(study);
   EXPECT_NE(study.error().text().find("test.toml:7:21: error: shot.drag.curve.1: "), std::string::npos)
       << study.error().text();
-  const auto mach = with("[[\"0.5 +- 0.1\", 0.2]]");
-  ASSERT_FALSE(mach) << "places of points are known";
-  EXPECT_NE(mach.error().text().find("test.toml:7:"), std::string::npos) << mach.error().text();
+  const auto mach = with("[[\"0.5 +- 0.1 s\", 0.2]]");
+  ASSERT_FALSE(mach);
+  EXPECT_NE(mach.error().text().find("test.toml:7:16: error: shot.drag.curve.1.mach: "), std::string::npos)
+      << mach.error().text();
+  const auto means = with("[[0.5, 0.2], [\"0.4 +- 0.01\", 0.3]]");
+  ASSERT_FALSE(means) << "means are out of order";
+  EXPECT_NE(means.error().text().find("test.toml:7:28: "), std::string::npos) << means.error().text();
+  const std::string angle = "aero.magnus_moment = [[1, \"4 +- 1\", 0.3]]\n";
+  const auto squared = study_in(kShot + angle);
+  ASSERT_FALSE(squared) << "square degrees";
+  EXPECT_NE(squared.error().text().find("test.toml:6:27: "), std::string::npos) << squared.error().text();
 }
 
 }  // namespace

@@ -97,6 +97,117 @@ TEST(StudyPoints, a_point_of_thrust_is_its_part_of_the_impulse) {
   EXPECT_NEAR(slopes->rows[1].slope[0], 20, 1e-5);
 }
 
+/// The impulse of a plateau that falls off, (0, F), (t, F), (T, 0), is F (t + T) / 2.
+TEST(StudyPoints, a_time_of_thrust_is_its_part_of_the_impulse) {
+  Study study;
+  study.projectile.mass = 2;
+  study.projectile.motor.thrust = {{0, 40}, {1, 40}, {2, 0}};
+  study.launch = {.speed = 100, .elevation = 90 * kDegree};
+  study.environment.gravity.model = GravityModel::constant;
+  study.fidelity = vacuum();
+  study.until = {.time = 3};
+  study.quantities = {StudyQuantity::vy};
+  study.shard_shots = study.shots = 64;
+  study.inputs = {input("shot.motor.thrust.2.time", NormalDistribution{1, 0.1}),
+                  input("shot.motor.thrust.3.time", UniformDistribution{1.9, 2.1})};
+  const StudyPlan plan = plan_of(study);
+  for (std::uint64_t shot = 0; shot < 64; ++shot) {
+    const std::vector<double> drawn = draws_of(plan, shot);
+    const double impulse = 40 * (drawn[0] + drawn[1]) / 2;
+    const double expected = 100 - 3 * study.environment.gravity.acceleration + impulse / 2;
+    EXPECT_NEAR(fly_shot_of(plan, shot)[0], expected, 1e-6) << shot;
+  }
+  const auto slopes = propagate_linearly(plan);
+  ASSERT_TRUE(slopes) << slopes.error().text();
+  EXPECT_NEAR(slopes->rows[0].slope[0], 10, 1e-5);
+  study.inputs = {input("shot.motor.thrust.1.time", NormalDistribution{0, 0.1})};
+  EXPECT_FALSE(plan_study(study)) << "a table starts at ignition: none of the shots is right";
+}
+
+/// A straight line from (0, a) to (M, b) is that from (0, a) to (3, a + 3 (b - a) / M).
+TEST(StudyPoints, a_mach_number_turns_the_line_that_ends_there) {
+  Study study = shot_at(300);
+  study.projectile.drag.table = DragTable::custom;
+  study.projectile.drag.curve = {{0, 0.1}, {3, 0.4}};
+  study.fidelity.interpolation = Interpolation::linear;
+  study.inputs = {input("shot.drag.curve.2.mach", UniformDistribution{2.6, 3.4})};
+  const StudyPlan plan = plan_of(study);
+  for (std::uint64_t shot = 0; shot < 16; ++shot) {
+    Study known = study;
+    known.projectile.drag.curve[1] = {3, 0.1 + 0.9 / draws_of(plan, shot)[0]};
+    known.inputs = {input("shot.speed", DiscreteDistribution{{600}})};
+    const auto turned = fly_shot_of(plan, shot), expected = fly_shot_of(plan_of(known), 0);
+    for (std::size_t q = 0; q < 4; ++q) EXPECT_NEAR(turned[q], expected[q], 3e-5) << shot << ' ' << q;
+  }
+}
+
+TEST(StudyPoints, a_border_between_bands_decides_nothing_where_they_are_alike) {
+  Study study = shot_at(300);
+  study.projectile.drag.table = DragTable::g7;
+  study.projectile.drag.bands = {{500, 150}, {0, 150}};
+  study.inputs = {input("shot.drag.bands.1.above", UniformDistribution{450, 550})};
+  study.quantities = {StudyQuantity::speed};
+  const StudyShots alike = fly_shots_of(plan_of(study), 0);
+  for (const double speed : alike.quantities[0]) EXPECT_NEAR(speed, alike.quantities[0][0], 2e-3);
+  study.projectile.drag.bands[1].ballistic_coefficient = 100;
+  const StudyPlan plan = plan_of(study);
+  const StudyShots apart = fly_shots_of(plan, 0);
+  for (std::size_t i = 1; i < 64; ++i) {
+    const bool earlier = apart.inputs[0][i] > apart.inputs[0][0];
+    EXPECT_EQ(apart.quantities[0][i] < apart.quantities[0][0], earlier) << "longer in the band of more drag";
+  }
+}
+
+/// In a wind that is 0 below a height and w above it, a shot straight up in linear drag: the drift follows from the
+/// height at which the wind begins, by w (t - (1 - exp(-k t)) / k) over the time t that it spends above.
+TEST(StudyPoints, a_height_of_wind_is_where_the_wind_begins) {
+  Study study = shot_at(300);
+  study.until = {.time = 4};
+  study.projectile.mass = 1;
+  study.projectile.drag.k1 = 0.5;
+  study.launch = {.speed = 100, .elevation = 90 * kDegree};
+  study.fidelity = Fidelity::simulation();
+  study.fidelity.drag = DragModel::linear_quadratic, study.fidelity.earth = EarthModel::flat;
+  study.environment.wind.profile = {{0, {}}, {100, {}}, {100.001, {0, 0, 10}}};
+  study.environment.wind.interpolation = WindInterpolation::step;
+  study.quantities = {StudyQuantity::z};
+  study.inputs = {input("environment.wind.profile.2.at", UniformDistribution{50, 90}),
+                  input("environment.wind.profile.3.at", UniformDistribution{100, 110})};
+  const StudyPlan plan = plan_of(study);
+  const double k = 0.5, g = study.environment.gravity.acceleration;
+  const auto height = [&](double t) { return ((100 + g / k) * (1 - std::exp(-k * t)) - g * t) / k; };
+  for (std::uint64_t shot = 0; shot < 8; ++shot) {
+    const double begins = draws_of(plan, shot)[1];
+    double low = 0, high = 3;
+    for (int i = 0; i < 60; ++i) (height((low + high) / 2) < begins ? low : high) = (low + high) / 2;
+    const double above = 4 - low;
+    ASSERT_GT(height(4), 110) << "it is still above";
+    EXPECT_NEAR(fly_shot_of(plan, shot)[0], 10 * (above - (1 - std::exp(-k * above)) / k), 1e-3) << shot;
+  }
+}
+
+TEST(StudyPoints, places_out_of_order_are_refused_shot_by_shot) {
+  Study study = shot_at(300);
+  study.environment.wind.profile = {{0, {0, 0, 1}}, {10, {0, 0, 2}}};
+  study.inputs = {input("environment.wind.profile.2.at", UniformDistribution{-5, 20})};
+  const auto expect_refused = [&](auto is_wrong) {
+    const StudyPlan plan = plan_of(study);
+    const auto run = run_study(plan);
+    ASSERT_TRUE(run) << run.error().text();
+    std::uint64_t wrong = 0;
+    for (std::uint64_t shot = 0; shot < 64; ++shot) wrong += is_wrong(draws_of(plan, shot)[0]) ? 1 : 0;
+    EXPECT_GT(wrong, 0U);
+    EXPECT_EQ(run->refused, wrong);
+    EXPECT_EQ(plan.notes().size(), 1U) << "told before it is flown";
+    for (const auto& note : plan.notes()) EXPECT_NE(note.find("must rise"), note.npos) << note;
+  };
+  expect_refused([](double at) { return at <= 0; });
+  study.projectile.drag.table = DragTable::custom;
+  study.projectile.drag.curve = {{0, 0.2}, {1, 0.3}, {2, 0.2}};
+  study.inputs = {input("shot.drag.curve.2.mach", UniformDistribution{0.5, 2.5})};
+  expect_refused([](double mach) { return mach >= 2; });
+}
+
 TEST(StudyPoints, what_breaks_a_curve_is_refused_shot_by_shot) {
   Study study = shot_at(300);
   study.projectile.drag.table = DragTable::custom;
@@ -163,6 +274,7 @@ TEST(StudyPoints, rows_have_numbers_of_their_own) {
     if (at == known.path.npos) continue;
     const FoundPath second = find_path(known.path.substr(0, at) + ".2" + known.path.substr(at + 2));
     ASSERT_TRUE(second) << known.path;
+    EXPECT_EQ(second.row->path, known.path);
     EXPECT_EQ(second.points(shot, place), 2U) << known.path;
     numbers.insert(second.point_of(shot, place));
     ++rows;
@@ -174,6 +286,10 @@ TEST(StudyPoints, rows_have_numbers_of_their_own) {
   EXPECT_EQ(find_path("shot.motor.propellant.2").point_of(shot, place), &motor.propellant[1].mass);
   EXPECT_EQ(find_path("environment.wind.profile.2.velocity.y").point_of(shot, place),
             &place.wind.profile[1].velocity.y);
+  EXPECT_EQ(find_path("shot.drag.curve.2.mach").point_of(shot, place), &drag.curve[1].mach);
+  EXPECT_EQ(find_path("environment.wind.profile.1.at").point_of(shot, place), &place.wind.profile[0].at);
+  EXPECT_EQ(find_path("shot.aero.magnus_force.2.angle_squared").point_of(shot, place),
+            &aero.magnus_force[1].angle_squared);
   const auto told = study_path("shot.motor.thrust.7");
   ASSERT_TRUE(told);
   EXPECT_EQ(told->unit, "N");
