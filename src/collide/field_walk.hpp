@@ -87,7 +87,7 @@ PHYSIM_INLINE unsigned not_above(const collide::FieldGrid& grid, const collide::
   const Strips first(row * (walk.first[1] / collide::kBlockSide) + walk.first[0] / collide::kBlockSide);
   const StripPlanes planes =
       StripPlanes::load(grid, first + at.strip * Strips(per[axis]) + block * Strips(per[across]));
-  const Strips side(double(collide::kBlockSide)), begin = block * side;
+  const Strips side{double(collide::kBlockSide)}, begin = block * side;
   const StripParts part = StripParts::over(walk, across, begin, begin + side).within(at.part.in, at.part.out);
   const auto number = [&](Along which, int of) PHYSIM_INLINE_LAMBDA { return Strips(number_of(walk, which, of)); };
   const Strips& a = planes.along[axis];
