@@ -38,7 +38,7 @@ PHYSIM_UNORDERED(StudyQuantity)
 /// A bar of a histogram.
 struct HistogramBar {
   double low = 0;           ///< numbers counted here are not below it [unit of the quantity]
-  double high = 0;          ///< numbers counted here lie below it [unit of the quantity]
+  double high = 0;          ///< numbers counted here are not above it [unit of the quantity]
   std::uint64_t count = 0;  ///< [-]
 
   bool operator==(const HistogramBar&) const = default;

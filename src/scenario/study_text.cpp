@@ -63,21 +63,15 @@ std::string setting_of_point(std::string_view path) {
   return setting;
 }
 
-/// What the number of a path measures: that of its setting, of which it may be a component. `shot`: who has it; null:
-/// not known, and spins of a table are rates.
+/// What the number of a path measures: its unit says so, but where another setting of the shot decides. `shot`: who has
+/// it; null: not known.
 Quantity quantity_of_path(std::string_view path, const ScenarioShot* shot) {
-  if (path == "environment.wind.speed") return Quantity::speed;
-  if (path == "environment.wind.from") return Quantity::angle;
-  if (path.ends_with(".time")) return Quantity::time;
-  if (path.starts_with("shot.motor.thrust.")) return Quantity::force;
-  if (path.starts_with("shot.motor.propellant.")) return Quantity::mass;
-  const std::string without_number = setting_of_point(path);
-  path = without_number;
-  const SchemaNode* node = find_node(path);
-  if (!node && path.size() > 2 && path[path.size() - 2] == '.') node = find_node(path.substr(0, path.size() - 2));
-  if (!node || !node->entry) return Quantity::number;
-  ScenarioShot own = shot ? *shot : ScenarioShot{};
-  return node->entry->quantity_in({.shot = &own});
+  const SchemaNode* node = shot ? find_node(setting_of_point(path)) : nullptr;
+  if (node && node->entry && node->entry->quantity_by) {
+    ScenarioShot own = *shot;
+    return node->entry->quantity_by({.shot = &own});
+  }
+  return quantity_of_si_unit(study_path(path)->unit);
 }
 
 /// An error for what is no number of a shot that may be uncertain.

@@ -147,6 +147,11 @@ Error wrong_unit(std::string_view text, std::string_view unit, const QuantityInf
 
 const QuantityInfo& info(Quantity quantity) { return kQuantities[static_cast<std::size_t>(quantity)]; }
 
+Quantity quantity_of_si_unit(std::string_view unit) {
+  const auto of = std::ranges::find(kQuantities, unit, [](const QuantityInfo& q) { return q.units.front().name; });
+  return of == kQuantities.end() ? Quantity::number : of->quantity;
+}
+
 Quantity quantity_of_value(EventKind kind) {
   switch (row_of(kind).watch) {
     case Watch::height:

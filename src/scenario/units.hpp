@@ -34,6 +34,9 @@ struct QuantityInfo {
 /// The SI unit, "" for plain numbers.
 [[nodiscard]] inline std::string_view si_unit(Quantity quantity) { return info(quantity).units.front().name; }
 
+/// What has an SI unit; a plain number where nothing has.
+[[nodiscard]] Quantity quantity_of_si_unit(std::string_view unit);
+
 /// What the value of an event measures.
 [[nodiscard]] Quantity quantity_of_value(EventKind kind);
 

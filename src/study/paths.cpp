@@ -64,7 +64,7 @@ double* drag_point(Shot& shot, std::size_t i) {
 double* wind_point(Environment& e, std::size_t i, double Vec3d::*axis) {
   return i < e.wind.profile.size() ? &(e.wind.profile[i].velocity.*axis) : nullptr;
 }
-double* height_of_wind(Environment& e, std::size_t i) { return point_at(e.wind.profile, i, &WindPoint::at); }
+double* place_of_wind(Environment& e, std::size_t i) { return point_at(e.wind.profile, i, &WindPoint::at); }
 
 double wind_along_ground(const Environment& e) {
   const Vec3d& v = e.wind.velocity;
@@ -212,7 +212,7 @@ constexpr PathRow kPathRows[] = {
     wind_row("environment.wind.profile.N.velocity.x", "m/s", "of the air at a point, downrange", PHYSIM_WIND(x)),
     wind_row("environment.wind.profile.N.velocity.y", "m/s", "of the air at a point, upwards", PHYSIM_WIND(y)),
     wind_row("environment.wind.profile.N.velocity.z", "m/s", "of the air at a point, to the right", PHYSIM_WIND(z)),
-    wind_row("environment.wind.profile.N.at", "m", "height or distance at which a point stands", height_of_wind),
+    wind_row("environment.wind.profile.N.at", "m", "height or distance at which a point stands", place_of_wind),
 };
 
 #undef PHYSIM_NUMBER

@@ -13,6 +13,14 @@ Result<Study> study_in(const std::string& text) {
   return study_of(*scenario, scenario->shots[0]);
 }
 
+/// As the scenario stands, and as it is written and read again.
+void expect_inputs(const Scenario& scenario, const std::vector<StudyInput>& expected) {
+  for (const auto& study : {study_of(scenario, scenario.shots[0]), study_in(scenario_text(scenario))}) {
+    ASSERT_TRUE(study) << study.error().text();
+    EXPECT_EQ(study->inputs, expected);
+  }
+}
+
 TEST(StudyPointsText, inputs_have_the_unit_of_their_points) {
   const auto input = [](const char* text) {
     const auto read = parse_study_input(text);
@@ -74,8 +82,6 @@ TEST(StudyPointsText, points_are_distributions_and_their_means_are_flown) {
   EXPECT_EQ(p.motor.thrust[1], (ThrustPoint{1, 40}));
   EXPECT_EQ(p.aero.lift[0].value, 2);
   EXPECT_EQ(scenario->environment.wind.profile[1].velocity, (Vec3d{0, 0, 4}));
-  const auto study = study_of(*scenario, scenario->shots[0]);
-  ASSERT_TRUE(study) << study.error().text();
   const std::vector<StudyInput> expected = {
       {"shot.drag.curve.1", NormalDistribution{0.23, 0.01}},
       {"shot.drag.curve.3", UniformDistribution{0.2, 0.4}},
@@ -84,10 +90,7 @@ TEST(StudyPointsText, points_are_distributions_and_their_means_are_flown) {
       {"shot.aero.magnus_moment.2", UniformDistribution{0.1, 0.3}},
       {"environment.wind.profile.2.velocity.z", NormalDistribution{4, 1}},
       {.path = "shot.speed", .distribution = NormalDistribution{0, 1}, .added = true}};
-  EXPECT_EQ(study->inputs, expected);
-  const auto again = study_in(scenario_text(*scenario));
-  ASSERT_TRUE(again) << again.error().text();
-  EXPECT_EQ(again->inputs, expected);
+  expect_inputs(*scenario, expected);
 }
 
 TEST(StudyPointsText, places_of_points_are_distributions_too) {
@@ -107,8 +110,6 @@ TEST(StudyPointsText, places_of_points_are_distributions_too) {
   EXPECT_EQ(p.drag.curve[1], (DragPoint{0.9, 0.4})) << "means are flown";
   EXPECT_EQ(p.motor.thrust[1], (ThrustPoint{1, 40}));
   EXPECT_EQ(scenario->environment.wind.profile[1].at, 100);
-  const auto study = study_of(*scenario, scenario->shots[0]);
-  ASSERT_TRUE(study) << study.error().text();
   const std::vector<StudyInput> expected = {{"shot.drag.curve.2", NormalDistribution{0.4, 0.02}},
                                             {"shot.drag.curve.2.mach", NormalDistribution{0.9, 0.01}},
                                             {"shot.motor.thrust.2.time", NormalDistribution{1, 0.05}},
@@ -118,10 +119,7 @@ TEST(StudyPointsText, places_of_points_are_distributions_too) {
                                             {"shot.aero.magnus_moment.1.mach", NormalDistribution{1, 0.1}},
                                             {"shot.aero.magnus_moment.2.mach", NormalDistribution{2, 0.1}},
                                             {"environment.wind.profile.2.at", NormalDistribution{100, 10}}};
-  EXPECT_EQ(study->inputs, expected);
-  const auto again = study_in(scenario_text(*scenario));
-  ASSERT_TRUE(again) << again.error().text();
-  EXPECT_EQ(again->inputs, expected);
+  expect_inputs(*scenario, expected);
 }
 
 TEST(StudyPointsText, a_parameter_has_no_unit) {

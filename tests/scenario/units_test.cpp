@@ -141,6 +141,15 @@ INSTANTIATE_TEST_SUITE_P(
         Refused{"5 m s", Quantity::length, "unknown unit \"m s\" in \"5 m s\"",
                 "known units: m, um, mm, cm, km, in, ft, yd, mi, nmi"}));
 
+TEST(Quantities, HaveOneSiUnitEach) {
+  for (int i = 0; i <= static_cast<int>(kLastQuantity); ++i) {
+    const auto quantity = static_cast<Quantity>(i);
+    EXPECT_EQ(quantity_of_si_unit(si_unit(quantity)), quantity) << si_unit(quantity);
+  }
+  EXPECT_EQ(quantity_of_si_unit("-"), Quantity::number);
+  EXPECT_EQ(quantity_of_si_unit("ft"), Quantity::number) << "no SI unit";
+}
+
 TEST(Quantities, TextReadsBackBitForBit) {
   for (const double value : {0.1, -0.0, 1.0 / 3, 1e-300, 6356766.0, 1e22, 5e-324, 0.010886217, -2.5e9,
                              std::numeric_limits<double>::max(), std::nextafter(1.0, 2.0)}) {

@@ -70,25 +70,34 @@ TEST(StudyPoints, a_profile_of_one_point_is_a_wind) {
   expect_same_shots(profile, wind);
 }
 
-/// v = v0 - g t + J / m: the impulse of a triangle of 2 s is its highest force times 1 s, and a factor is one of all.
-TEST(StudyPoints, a_point_of_thrust_is_its_part_of_the_impulse) {
+/// Straight up on a motor that has burned out after 3 s.
+Study burning(const std::vector<ThrustPoint>& thrust) {
   Study study;
   study.projectile.mass = 2;
-  study.projectile.motor.thrust = {{0, 0}, {1, 40}, {2, 0}};
+  study.projectile.motor.thrust = thrust;
   study.launch = {.speed = 100, .elevation = 90 * kDegree};
   study.environment.gravity.model = GravityModel::constant;
   study.fidelity = vacuum();
   study.until = {.time = 3};
   study.quantities = {StudyQuantity::vy};
   study.shard_shots = study.shots = 64;
+  return study;
+}
+/// v = v0 - g t + J / m, J the impulse of what was drawn.
+template <class F>
+void expect_impulses(const StudyPlan& plan, const F& impulse) {
+  const double fallen = 3 * plan.study().environment.gravity.acceleration;
+  for (std::uint64_t shot = 0; shot < 64; ++shot)
+    EXPECT_NEAR(fly_shot_of(plan, shot)[0], 100 - fallen + impulse(draws_of(plan, shot)) / 2, 1e-6) << shot;
+}
+
+/// The impulse of a triangle of 2 s is its highest force times 1 s, and a factor is one of all.
+TEST(StudyPoints, a_point_of_thrust_is_its_part_of_the_impulse) {
+  Study study = burning({{0, 0}, {1, 40}, {2, 0}});
   study.inputs = {input("shot.motor.thrust.2", NormalDistribution{40, 2}),
                   input("shot.motor.thrust", NormalDistribution{1, 0.03})};
   const StudyPlan plan = plan_of(study);
-  for (std::uint64_t shot = 0; shot < 64; ++shot) {
-    const std::vector<double> drawn = draws_of(plan, shot);
-    const double expected = 100 - 3 * study.environment.gravity.acceleration + drawn[0] * drawn[1] / 2;
-    EXPECT_NEAR(fly_shot_of(plan, shot)[0], expected, 1e-6) << shot;
-  }
+  expect_impulses(plan, [](const std::vector<double>& drawn) { return drawn[0] * drawn[1]; });
   const StudyShots block = fly_shots_of(plan, 0);
   for (std::uint64_t shot = 0; shot < 64; ++shot) EXPECT_EQ(fly_shot_of(plan, shot)[0], block.quantities[0][shot]);
   const auto slopes = propagate_linearly(plan);
@@ -99,24 +108,11 @@ TEST(StudyPoints, a_point_of_thrust_is_its_part_of_the_impulse) {
 
 /// The impulse of a plateau that falls off, (0, F), (t, F), (T, 0), is F (t + T) / 2.
 TEST(StudyPoints, a_time_of_thrust_is_its_part_of_the_impulse) {
-  Study study;
-  study.projectile.mass = 2;
-  study.projectile.motor.thrust = {{0, 40}, {1, 40}, {2, 0}};
-  study.launch = {.speed = 100, .elevation = 90 * kDegree};
-  study.environment.gravity.model = GravityModel::constant;
-  study.fidelity = vacuum();
-  study.until = {.time = 3};
-  study.quantities = {StudyQuantity::vy};
-  study.shard_shots = study.shots = 64;
+  Study study = burning({{0, 40}, {1, 40}, {2, 0}});
   study.inputs = {input("shot.motor.thrust.2.time", NormalDistribution{1, 0.1}),
                   input("shot.motor.thrust.3.time", UniformDistribution{1.9, 2.1})};
   const StudyPlan plan = plan_of(study);
-  for (std::uint64_t shot = 0; shot < 64; ++shot) {
-    const std::vector<double> drawn = draws_of(plan, shot);
-    const double impulse = 40 * (drawn[0] + drawn[1]) / 2;
-    const double expected = 100 - 3 * study.environment.gravity.acceleration + impulse / 2;
-    EXPECT_NEAR(fly_shot_of(plan, shot)[0], expected, 1e-6) << shot;
-  }
+  expect_impulses(plan, [](const std::vector<double>& drawn) { return 40 * (drawn[0] + drawn[1]) / 2; });
   const auto slopes = propagate_linearly(plan);
   ASSERT_TRUE(slopes) << slopes.error().text();
   EXPECT_NEAR(slopes->rows[0].slope[0], 10, 1e-5);
