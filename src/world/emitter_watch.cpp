@@ -136,6 +136,7 @@ void EmitterWatch::end_lives() {
 
 // ------------------------------------------------------------------------------------------- after it
 void EmitterWatch::watch(const Chunk& chunk) {
+  PHYSIM_ASSERT(chunk.strikes.empty());
   for (const Event& event : chunk.events) watch(event);
   std::unordered_map<std::uint32_t, const Event*> last;  // of those that leave
   for (const Change& change : chunk.changes)

@@ -36,15 +36,6 @@ void EventList::put_in_order(std::vector<EventKey>& spare, GivenEvents& given) {
   sort_by_runs(keys_, spare);
 }
 
-template <class S>
-void EventList::fill(Event& event, const EventKey& key, const Plain<S>& from) {
-  const auto vector = [](const std::array<S, 3>& of) { return Vec3d{double(of[0]), double(of[1]), double(of[2])}; };
-  event.kind = from.kind, event.reason = from.reason;
-  event.id = {key.slot, from.generation};
-  event.value = from.value, event.time = key.time;
-  event.position = vector(from.position), event.velocity = vector(from.velocity);
-}
-
 /// Shows one more, for which there is room.
 void EventList::add_shown(const EventKey& key) const {
   const std::size_t at = key.place / 4;
@@ -52,9 +43,9 @@ void EventList::add_shown(const EventKey& key) const {
   if (form == Form::whole) return shown_.push_back(whole_[at]);
   Event& event = add_event(shown_);
   if (form == Form::in_float)
-    fill(event, key, in_float_[at]);
+    put_told(told_of(key, in_float_[at]), event);
   else
-    fill(event, key, in_double_[at]);
+    put_told(told_of(key, in_double_[at]), event);
 }
 
 std::span<const Event> EventList::all(GivenEvents& given) const {

@@ -51,6 +51,14 @@ struct Told {
   Vec3<S> x, v;  // [m], [m/s]
 };
 
+/// Puts what it says into a blank event.
+template <class S>
+void put_told(const Told<S>& told, Event& event) {
+  event.kind = told.event.kind, event.reason = told.event.reason, event.id = told.event.id;
+  event.value = told.event.value, event.time = told.event.time;
+  event.position = vec_cast<double>(told.x), event.velocity = vec_cast<double>(told.v);
+}
+
 /// Lists that were given out and grew out of their memory, or are no more.
 using GivenEvents = std::vector<std::vector<Event>>;
 
@@ -171,7 +179,10 @@ class EventList {
     return fits(v.x) && fits(v.y) && fits(v.z);
   }
   template <class S>
-  static void fill(Event& event, const EventKey& key, const Plain<S>& from);
+  [[nodiscard]] static Told<S> told_of(const EventKey& key, const Plain<S>& p) {
+    const auto vector = [](const std::array<S, 3>& of) { return Vec3<S>{of[0], of[1], of[2]}; };
+    return {{p.kind, p.reason, {key.slot, p.generation}, p.value, key.time}, vector(p.position), vector(p.velocity)};
+  }
   void add_shown(const EventKey& key) const;
 
   StepList<EventKey> keys_;

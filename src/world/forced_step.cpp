@@ -322,8 +322,7 @@ class ForcedStep {
   template <class S>
   void settle(const ForcedRun& r) {
     s_.chunk.cohort = r.cohort;
-    s_.chunk.first = 0, s_.chunk.last = r.count;
-    each_marked(s_.chunk, s_.attention.data() + r.words, [&](std::uint32_t row) {
+    each_marked(s_.attention.data() + r.words, 0, r.count, [&](std::uint32_t row) {
       const TakenStep<S> taken = taken_by<S>(r, row);
       SettleContext context = context_;
       context.taken = &taken;

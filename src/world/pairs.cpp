@@ -407,6 +407,7 @@ class PairStep {
       return at != cuts_.end() && at->first == slot ? at->second : kInfinity;
     };
     const auto clean = [&](Chunk& chunk) {
+      PHYSIM_ASSERT(chunk.strikes.empty());
       std::erase_if(chunk.events, [&](const Event& e) { return e.time > cut_of(e.id.index); });
       std::erase_if(chunk.changes, [&](const Change& change) { return cut_of(change.slot) < kInfinity; });
     };

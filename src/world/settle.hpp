@@ -51,7 +51,7 @@ struct Chunk {
   bool looks = false;      // rows that came near are looked at where they have moved on to
   bool attention = false;  // some rows were left where they were
   StepList<Event> events;
-  StepList<Told<double>> strikes;  // of rows that only struck the ground; among the events where emitters watch these
+  StepList<Told<double>> strikes;  // of rows that only struck the ground; where emitters watch, these are events
   StepList<Change> changes;
   StepList<Trace> traces;     // of those that meet others, each in order of time
   std::vector<OpenHit> open;  // of rows that are left as they were until it is known what their hits do

@@ -139,7 +139,7 @@ class StruckRows {
         vector(job_.at),
         vector(job_.go)};
     if (is_watched_)
-      tell(strike);
+      put_told(strike, add_event(chunk_.events));
     else
       chunk_.strikes.push_back(strike);
     if (!job_.bounces) {
@@ -155,19 +155,12 @@ class StruckRows {
     }
   }
 
-  /// For emitters, which look at events one after the other.
-  void tell(const Told<double>& strike) {
-    Event& event = add_event(chunk_.events);
-    event.kind = strike.event.kind, event.id = strike.event.id, event.time = strike.event.time;
-    event.position = strike.x, event.velocity = strike.v;
-  }
-
   const SettleContext& context_;
   const WorldKernel& kernel_;
   Chunk& chunk_;
   const WorldCohort& cohort_;
   const Rows& rows_;
-  const bool is_watched_ = !context_.state->emitters.empty();
+  const bool is_watched_ = !context_.state->emitters.empty();  // by emitters, which look at whole events
   const RowColumns<S>& columns_;
   StrikeJob<S> job_;
   unsigned fields_ = 0;  // that differ from row to row
@@ -184,9 +177,9 @@ void settle_marked_in(const SettleContext& context, const WorldKernel& kernel, C
                       const std::uint32_t* words) {
   StruckRows<S> struck(context, kernel, chunk);
   if (!struck.may_strike())
-    return each_marked(chunk, words, [&](std::uint32_t row) { settle_row(context, chunk, row); });
+    return each_marked(words, chunk.first, chunk.last, [&](std::uint32_t row) { settle_row(context, chunk, row); });
   struck.prepare();
-  each_marked(chunk, words, [&](std::uint32_t row) { struck.add(row); });
+  each_marked(words, chunk.first, chunk.last, [&](std::uint32_t row) { struck.add(row); });
   struck.settle();
 }
 

@@ -13,13 +13,17 @@
 
 namespace physim {
 
-/// Calls f with every row of a chunk that is marked.
+/// Calls f with every row from `first` to `last` that is marked. Behind the last one no bit of its word is set.
 template <class F>
-void each_marked(const Chunk& chunk, const std::uint32_t* words, const F& f) {
-  PHYSIM_ASSERT(words != nullptr && chunk.first % kRowsPerWord == 0);
-  for (std::uint32_t word = chunk.first / kRowsPerWord; word * kRowsPerWord < chunk.last; ++word)
-    for (std::uint32_t bits = words[word]; bits != 0; bits &= bits - 1)
-      f(word * static_cast<std::uint32_t>(kRowsPerWord) + static_cast<std::uint32_t>(__builtin_ctz(bits)));
+void each_marked(const std::uint32_t* words, std::uint32_t first, std::uint32_t last, const F& f) {
+  PHYSIM_ASSERT(words != nullptr && first % kRowsPerWord == 0);
+  for (std::uint32_t word = first / kRowsPerWord; word * kRowsPerWord < last; ++word)
+    for (std::uint32_t bits = words[word]; bits != 0; bits &= bits - 1) {
+      const auto row =
+          static_cast<std::uint32_t>(word * kRowsPerWord) + static_cast<std::uint32_t>(__builtin_ctz(bits));
+      PHYSIM_ASSERT(row < last);
+      f(row);
+    }
 }
 
 /// Settles the rows of a chunk that are marked.

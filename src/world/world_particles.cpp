@@ -124,6 +124,7 @@ class ParticleReader {
     if (column.size() < first + kPack) return;
     for (std::size_t i = 0; i < kPack * column.stride(); i += 64) prefetch_to_write(&column[first], i);
   }
+
   void put() {
     PHYSIM_ASSERT(now_->count > 0 && now_->count <= kPack);
     each_run(*now_, 0, now_->count, [this](const Rows& rows, auto first, auto last) { put_rows(rows, first, last); });

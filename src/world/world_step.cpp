@@ -164,7 +164,7 @@ void move_chunk(const StepWork& work, Chunk& chunk) {
 /// Calls f with every row of a chunk that came near a thing.
 template <class F>
 void each_near(const StepWork& work, const Chunk& chunk, const F& f) {
-  if (chunk.looks) each_marked(chunk, work.near + work.words_before[chunk.cohort], f);
+  if (chunk.looks) each_marked(work.near + work.words_before[chunk.cohort], chunk.first, chunk.last, f);
 }
 
 void settle_chunk(const StepWork& work, Chunk& chunk) {
