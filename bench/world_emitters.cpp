@@ -4,40 +4,18 @@
 #include <cmath>
 #include <memory>
 
+#include "sparks.hpp"
 #include "world_bench.hpp"
 
 namespace physim::bench {
 namespace {
 
 constexpr std::size_t kBirths = 100000;  // in one frame
-constexpr std::size_t kSparks = 1000000;
-constexpr double kFlow = 1.0 / 60;                            // frame of a steady flow [s]
-constexpr double kShortest = 1.5, kLongest = 2.5, kMean = 2;  // lives of sparks there [s]
 
-/// Upwards out of a cone, 5 to 10 m/s.
-EmitterDef spray(KindId kind, double per_second, const DrawnNumber& lifetime) {
-  EmitterDef def;
-  def.kind = kind;
-  def.seed = 7;
-  def.rotation = {std::sqrt(0.5), 0, 0, std::sqrt(0.5)};
-  def.per_second = {per_second};
-  def.maximum = 4 * kSparks;
-  def.start.lifetime = lifetime;
-  def.start.speed = {5, 10};
-  def.from = {.shape = EmitShape::cone, .radius = 0.1};
-  return def;
-}
 PeerSpray peer_spray(double per_second, double shortest, double longest) {
   const auto in_float = [](double x) { return static_cast<float>(x); };
   return {in_float(per_second), in_float(shortest), in_float(longest), 5, 10, in_float(EmitFrom().angle)};
 }
-/// Smaller and darker as they grow older.
-void put_looks(EmitterDef& def) {
-  def.start.size = {0.5, 1.5};
-  def.life.size = {1, {}, {{0, 1}, {1, 0}}};
-  def.life.colour.gradient = {{0, 0xfff0a0ff}, {1, 0xff280000}};
-}
-World empty_world() { return std::move(World::create(free_flight()).value()); }
 
 /// Medians over rounds, by name, in the order in which they came, each beside another one.
 class Times {
@@ -138,42 +116,24 @@ Section births_section(const Options& options) {
 }
 
 // ------------------------------------------------------------------------------------------- a frame of a million
-/// What a renderer reads.
-struct Columns {
-  std::vector<Vec3d> position = std::vector<Vec3d>(kSparks + kSparks / 16);
-  std::vector<Vec3d> size = position;
-  std::vector<std::uint32_t> colour = std::vector<std::uint32_t>(position.size());
-};
-
 Section frame_section(const Options& options) {
-  const double per_second = static_cast<double>(kSparks) / kMean;
-  World plain = empty_world(), world = empty_world(), driven = empty_world();
-  const KindId kind = *plain.add_kind(world_bullet(Fidelity::game()));
-  plain.spawn(kind, volley(kSparks), {});
-  EmitterDef def = spray(*world.add_kind(world_bullet(Fidelity::game())), per_second, {kShortest, kLongest});
-  put_looks(def);
-  const EmitterId emitter = *world.add_emitter(def);
-  def.kind = *driven.add_kind(world_bullet(Fidelity::game()));
-  def.flight.drag = {1, {}, {{0, 1}, {1, 0}}};
-  static_cast<void>(driven.add_emitter(def).value());
-  const auto peer = plain_loop(peer_physics(), peer_spray(per_second, kShortest, kLongest), 2 * kSparks);
-  for (int i = 0; i < static_cast<int>(1.1 * kLongest / kFlow); ++i) {
-    world.step(kFlow);
-    driven.step(kFlow);
-    peer->step(static_cast<float>(kFlow));
-  }
-  Columns columns;
-  Times times(options, kSparks);
+  using Sparks = SteadySparks;
+  constexpr auto kPeerFlow = static_cast<float>(Sparks::kFlow);
+  World plain = empty_world();
+  plain.spawn(*plain.add_kind(world_bullet(Fidelity::game())), volley(Sparks::kCount), {});
+  Sparks sparks;
+  const auto peer = plain_loop(peer_physics(), peer_spray(Sparks::kPerSecond, Sparks::kShortest, Sparks::kLongest),
+                               2 * Sparks::kCount);
+  for (int i = 0; i < Sparks::kFramesBefore; ++i) peer->step(kPeerFlow);
+  Times times(options, Sparks::kCount);
   const std::string base = "World of as many projectiles, without births: a step";
   for (int round = 0; round < options.rounds; ++round) {
-    times.time(base, base, [&] { plain.step(kFlow); });
-    times.time(base, "emitter: a step", [&] { world.step(kFlow); });
-    times.time(base, "emitter: a step, with drag over life", [&] { driven.step(kFlow); });
-    times.time(base, "emitter: places of all", [&] { world.particles(emitter, {.position = columns.position}); });
-    times.time(base, "emitter: places, sizes and colours of all", [&] {
-      world.particles(emitter, {.position = columns.position, .size = columns.size, .colour = columns.colour});
-    });
-    times.time(base, "plain loop: a step", [&] { peer->step(static_cast<float>(kFlow)); });
+    times.time(base, base, [&] { plain.step(Sparks::kFlow); });
+    times.time(base, "emitter: a step", [&] { sparks.step(); });
+    times.time(base, "emitter: a step, with drag over life", [&] { sparks.step_driven(); });
+    times.time(base, "emitter: places of all", [&] { sparks.read_places(); });
+    times.time(base, "emitter: places, sizes and colours of all", [&] { sparks.read_looks(); });
+    times.time(base, "plain loop: a step", [&] { peer->step(kPeerFlow); });
     times.time(base, "plain loop: sizes and colours of all", [&] { peer->look(); });
   }
   const auto frame = [&](const char* read, const char* step = "emitter: a step") {
@@ -188,8 +148,9 @@ Section frame_section(const Options& options) {
                     frame("emitter: places of all")));
   Section s;
   s.title = "Emitters: a frame of a million sparks";
-  s.intro = "Nanoseconds for each spark of the game preset by one thread: " + fixed(per_second * kFlow, 0).text +
-            " of " + fixed(static_cast<double>(kSparks), 0).text + " are born in each frame and as many die.";
+  s.intro = "Nanoseconds for each spark of the game preset by one thread: " +
+            fixed(Sparks::kPerSecond * Sparks::kFlow, 0).text + " of " +
+            fixed(static_cast<double>(Sparks::kCount), 0).text + " are born in each frame and as many die.";
   s.columns = {"vs step", "operation", "sparks", "ns each", "quartiles"};
   s.rows = times.rows();
   s.notes = {"A frame in which sizes and colours over life are read takes " + bench::times(looks).text +

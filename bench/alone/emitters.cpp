@@ -1,8 +1,8 @@
 // What particles of emitters cost, for profilers: births and deaths of one emitter, a frame of a million sparks, or
 // sixteen emitters of sixteen rungs in one world and in sixteen.
 //
-//   g++ -std=c++20 -O2 -g -Iinclude -Isrc -Ibench bench/alone/emitters.cpp bench/world_bench.cpp bench/report.cpp \
-//     bench/timing.cpp build/bench/libphysim.a -lpthread -o emitters
+//   g++ -std=c++20 -O2 -g -Iinclude -Isrc -Ibench bench/alone/emitters.cpp bench/sparks.cpp \
+//     bench/world_bench.cpp bench/report.cpp bench/timing.cpp build/bench/libphysim.a -lpthread -o emitters
 //   ./emitters births 40     rounds of 100 000 births in a step, and of their deaths in the next one
 //   ./emitters frame 40      steps of a million sparks without and with drag over life, and reading them
 //   ./emitters step 40       one of these alone, or: drag, places, looks
@@ -10,13 +10,13 @@
 //   ./emitters apart 60      steps of sixteen worlds of one
 //
 // Prints nanoseconds of processor time for each: the least and the median of all rounds.
-#include <cmath>
 #include <cstdio>
 #include <cstdlib>
-#include <cstring>
+#include <functional>
 #include <string>
 #include <vector>
 
+#include "sparks.hpp"
 #include "timing.hpp"
 #include "world_bench.hpp"
 
@@ -24,20 +24,6 @@ using namespace physim;
 using namespace physim::bench;
 
 namespace {
-
-EmitterDef spray(KindId kind, double per_second, double lifetime) {
-  EmitterDef def;
-  def.kind = kind;
-  def.seed = 7;
-  def.rotation = {std::sqrt(0.5), 0, 0, std::sqrt(0.5)};
-  def.per_second = {per_second};
-  def.maximum = 4000000;
-  def.start.lifetime = {lifetime};
-  def.start.speed = {5, 10};
-  def.from = {.shape = EmitShape::cone, .radius = 0.1};
-  return def;
-}
-World empty_world() { return std::move(World::create(free_flight()).value()); }
 
 void print(const char* what, const std::vector<double>& seconds, double count) {
   std::printf("%-10s least %6.1f  median %6.1f ns\n", what, 1e9 * smallest(seconds) / count,
@@ -47,7 +33,7 @@ void print(const char* what, const std::vector<double>& seconds, double count) {
 void births(int rounds, const Fidelity& fidelity) {
   constexpr std::size_t kBirths = 100000;
   World world = empty_world(), spawning = empty_world();
-  EmitterDef def = spray(*world.add_kind(world_bullet(fidelity)), kBirths / kFrame, kFrame);
+  EmitterDef def = spray(*world.add_kind(world_bullet(fidelity)), kBirths / kFrame, {kFrame});
   def.cycle = {.duration = kFrame, .looping = false, .plays = false};
   const EmitterId emitter = *world.add_emitter(def);
   const KindId kind = *spawning.add_kind(world_bullet(fidelity));
@@ -73,42 +59,23 @@ void births(int rounds, const Fidelity& fidelity) {
   print("death", died, kBirths), print("despawn", despawns, kBirths);
 }
 
-/// One of what a frame of a million sparks asks for, or all of it where `what` is "frame".
+/// What a frame of a million sparks asks for: one part of it, or all where `what` is "frame".
 void frame(int rounds, const std::string& what) {
-  constexpr double kFlow = 1.0 / 60;
-  constexpr std::size_t kSparks = 1000000;
-  World world = empty_world(), driven = empty_world();
-  EmitterDef def = spray(*world.add_kind(world_bullet(Fidelity::game())), kSparks / 2.0, 2);
-  def.start.lifetime = {1.5, 2.5};
-  def.start.size = {0.5, 1.5};
-  def.life.size = {1, {}, {{0, 1}, {1, 0}}};
-  def.life.colour.gradient = {{0, 0xfff0a0ff}, {1, 0xff280000}};
-  const EmitterId emitter = *world.add_emitter(def);
-  def.kind = *driven.add_kind(world_bullet(Fidelity::game()));
-  def.flight.drag = {1, {}, {{0, 1}, {1, 0}}};
-  static_cast<void>(*driven.add_emitter(def));
-  for (int i = 0; i < 165; ++i) {
-    if (what != "drag") world.step(kFlow);
-    if (what == "drag" || what == "frame") driven.step(kFlow);
-  }
-  std::vector<Vec3d> position(kSparks + kSparks / 16), size = position;
-  std::vector<std::uint32_t> colour(position.size());
-  std::vector<double> plain, drag, places, looks, ratios;
-  const auto time = [&](const char* part, std::vector<double>& taken, const auto& call) {
-    if (what == "frame" || what == part) taken.push_back(seconds(Clock::cpu, call));
+  SteadySparks sparks;
+  struct Part {
+    const char* name;
+    std::function<void()> call;
+    std::vector<double> taken{};
   };
-  for (int round = 0; round < rounds; ++round) {
-    time("step", plain, [&] { world.step(kFlow); });
-    time("drag", drag, [&] { driven.step(kFlow); });
-    time("places", places, [&] { world.particles(emitter, {.position = position}); });
-    time("looks", looks, [&] { world.particles(emitter, {.position = position, .size = size, .colour = colour}); });
-    if (what == "frame") ratios.push_back((drag.back() + looks.back()) / (plain.back() + places.back()));
-  }
-  if (!plain.empty()) print("step", plain, kSparks);
-  if (!drag.empty()) print("drag", drag, kSparks);
-  if (!places.empty()) print("places", places, kSparks);
-  if (!looks.empty()) print("looks", looks, kSparks);
-  if (!ratios.empty()) std::printf("with looks and drag over life, beside places: median %.3f\n", median(ratios));
+  Part parts[] = {{"step", [&] { sparks.step(); }},
+                  {"drag", [&] { sparks.step_driven(); }},
+                  {"places", [&] { sparks.read_places(); }},
+                  {"looks", [&] { sparks.read_looks(); }}};
+  for (int round = 0; round < rounds; ++round)
+    for (Part& part : parts)
+      if (what == "frame" || what == part.name) part.taken.push_back(seconds(Clock::cpu, part.call));
+  for (const Part& part : parts)
+    if (!part.taken.empty()) print(part.name, part.taken, SteadySparks::kCount);
 }
 
 void sixteen(int rounds, bool together) {
@@ -117,7 +84,7 @@ void sixteen(int rounds, bool together) {
   for (const Fidelity& rung : sixteen_fidelities()) {
     if (worlds.empty() || !together) worlds.push_back(empty_world());
     World& world = worlds.back();
-    static_cast<void>(world.add_emitter(spray(*world.add_kind(world_bullet(rung)), kPerSecond, kLife)));
+    static_cast<void>(world.add_emitter(spray(*world.add_kind(world_bullet(rung)), kPerSecond, {kLife})));
   }
   const auto step = [&] {
     for (World& world : worlds) world.step(kFrame);
@@ -133,13 +100,14 @@ void sixteen(int rounds, bool together) {
 }  // namespace
 
 int main(int count, char** given) {
-  const char* what = count > 1 ? given[1] : "births";
+  const std::string what = count > 1 ? given[1] : "births";
   const int rounds = count > 2 ? std::atoi(given[2]) : 20;
-  if (std::strcmp(what, "births") == 0) births(rounds, Fidelity::game());
-  if (std::strcmp(what, "arcade") == 0) births(rounds, Fidelity::arcade());
-  if (std::strcmp(what, "frame") == 0 || std::strcmp(what, "step") == 0 || std::strcmp(what, "drag") == 0 ||
-      std::strcmp(what, "places") == 0 || std::strcmp(what, "looks") == 0)
+  if (what == "births")
+    births(rounds, Fidelity::game());
+  else if (what == "arcade")
+    births(rounds, Fidelity::arcade());
+  else if (what == "together" || what == "apart")
+    sixteen(rounds, what == "together");
+  else
     frame(rounds, what);
-  if (std::strcmp(what, "together") == 0) sixteen(rounds, true);
-  if (std::strcmp(what, "apart") == 0) sixteen(rounds, false);
 }
