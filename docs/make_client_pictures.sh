@@ -20,7 +20,7 @@ pictures=docs/pictures
   --script "settings; fit; wait 70; hits; wait 1; fit; wait 1" scenarios/billiards.toml
 
 "$simclient" --hidden --size 1280x720 --screenshot "$pictures/client_study.png" \
-  --script "settings; statistics; study-run; wait 200" scenarios/study_308.toml
+  --script "settings; statistics; study-at 400 m; study-at apex; study-run; wait 200" scenarios/study_308.toml
 
 for test in 1 2 3 4 5 6; do
   "$simclient" --hidden --size 1120x720 \

@@ -104,6 +104,8 @@ TEST(Actions, EveryOneRunsWithoutAWindow) {
     if (action.name == "material") argument = "oak";
     if (action.name == "study-input") argument = "shot.speed = +- 3 m/s";
     if (action.name == "study-target") argument = "circle 10 cm";
+    if (action.name == "study-at") argument = "apex: y, time";
+    if (action.name == "study-show") argument = "end";
     if (action.name == "study-shots") argument = "1000";
     if (action.name == "study-run" || action.name == "study-again") {
       ASSERT_TRUE(run(client, "study-input shot.speed = +- 1 m/s"));

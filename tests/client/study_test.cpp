@@ -4,11 +4,13 @@
 #include <chrono>
 #include <cmath>
 #include <filesystem>
+#include <nlohmann/json.hpp>
 #include <thread>
 
 #include "client/support.hpp"
 #include "simclient/core/actions.hpp"
 #include "simclient/core/layout.hpp"
+#include "simclient/core/state_log.hpp"
 #include "simclient/core/study_view.hpp"
 
 namespace physim::client {
@@ -16,9 +18,11 @@ namespace {
 
 using State = StudyRun::State;
 
-StudyResult flown(const std::string& scenario, std::int64_t shots, const std::optional<StudyWidth>& width = {}) {
+StudyResult flown(const std::string& scenario, std::int64_t shots, const std::optional<StudyWidth>& width = {},
+                  const std::vector<std::string>& at = {}) {
   Scenario read = load_scenario(PHYSIM_SOURCE_DIR "/scenarios/" + scenario + ".toml").value();
   read.study.shots = shots;
+  read.study.at = at;
   Study study = study_of(read, read.shots[0]).value();
   study.until_width = width;
   return run_study(study).value();
@@ -32,6 +36,8 @@ void expect_same(const StudyResult& a, const StudyResult& b) {
   EXPECT_EQ(a.from_centre, b.from_centre);
   EXPECT_EQ(a.ellipse, b.ellipse);
   EXPECT_EQ(a.stages, b.stages);
+  ASSERT_EQ(a.at.size(), b.at.size());
+  for (std::size_t i = 0; i < a.at.size(); ++i) expect_same(a.at[i], b.at[i]);
 }
 
 TEST(StudyRun, comes_to_the_figures_of_physim_study) {
@@ -91,6 +97,34 @@ TEST(StudyRun, ends_at_a_width_where_physim_study_does) {
   expect_same(*client.study.run.result(), flown("study_308", 1'000'000, StudyWidth{.target = 0, .width = 0.011}));
 }
 
+/// On its way and done: figures of run_study(), dots of shards one by one, slopes of a study that ends there.
+TEST(StudyRun, is_told_at_places_with_the_bits_of_run_study) {
+  const std::vector<std::string> at = {"300 m", "apex", "speed 500 m/s: y, time"};
+  Client client = client_of("study_308");
+  ASSERT_TRUE(run(client, "study-at 300 m; study-at apex; study-at speed 500 m/s: y, time"));
+  ASSERT_EQ(client.study.asked.at, at);
+  ASSERT_TRUE(run(client, "study-shots 20000; study-run; wait 1; study-run"));
+  const StudyRun& study = client.study.run;
+  ASSERT_EQ(study.state(), State::paused);
+  expect_same(*study.result(), flown("study_308", static_cast<std::int64_t>(study.result()->shots), {}, at));
+  ASSERT_TRUE(run(client, "study-run; wait 7"));
+  ASSERT_EQ(study.state(), State::done);
+  expect_same(*study.result(), flown("study_308", 20000, {}, at));
+  EXPECT_EQ(&study.told(std::nullopt).result, &*study.result());
+  const std::vector<StudyPlan> places = study.plan()->places();
+  const StudyShots last = fly_shots_of(*study.plan(), 3);
+  for (std::size_t i = 0; i < at.size(); ++i) {
+    const StudyTold told = study.told(i);
+    EXPECT_EQ(&told.result, &study.result()->at[i]);
+    EXPECT_EQ(told.study.quantities, places[i].study().quantities);
+    ASSERT_NE(told.linear, nullptr);
+    EXPECT_EQ(told.linear->mean, propagate_linearly(places[i])->mean);
+    ASSERT_EQ(told.dots.quantities[0].size(), StudyRun::kMostDots);
+    EXPECT_EQ(told.dots.quantities[1].back(), last.at[i].quantities[1].back());
+    EXPECT_EQ(told.dots.hits.size(), i == 0 ? 1U : 0U) << "the plate stands on the plane of range lines";
+  }
+}
+
 TEST(StudyRun, goes_away_while_it_flies) {
   Client client = client_of("study_308");
   ASSERT_TRUE(set_study_shots(client, "1e9"));
@@ -116,6 +150,7 @@ TEST(StudyDesk, what_is_asked_changes_and_is_saved) {
   ASSERT_TRUE(add_study_input(client, "shot.speed = +- 3 m/s"));
   ASSERT_TRUE(add_study_input(client, "shot.azimuth = +- 0.2 mrad"));
   ASSERT_TRUE(add_study_target(client, "plate: rectangle 45 cm x 75 cm"));
+  ASSERT_TRUE(add_study_at(client, "apex: y, time"));
   EXPECT_EQ(client.study.asked.inputs,
             (std::vector<std::string>{"shot.speed = +- 3 m/s", "shot.azimuth = +- 0.2 mrad"}))
       << "one speed alone";
@@ -126,10 +161,11 @@ TEST(StudyDesk, what_is_asked_changes_and_is_saved) {
   ASSERT_TRUE(read) << read.error().text();
   EXPECT_EQ(read->study.inputs, client.study.asked.inputs);
   EXPECT_EQ(read->study.targets, client.study.asked.targets);
+  EXPECT_EQ(read->study.at, std::vector<std::string>{"apex: y, time"});
   std::filesystem::remove(file);
-  remove_study_input(client, 0);
-  remove_study_target(client, 0);
-  remove_study_target(client, 7);
+  remove_study_text(client, &ScenarioStudy::inputs, 0);
+  remove_study_text(client, &ScenarioStudy::targets, 0);
+  remove_study_text(client, &ScenarioStudy::targets, 7);
   EXPECT_EQ(client.study.asked.inputs.size(), 1U);
   EXPECT_TRUE(client.study.asked.targets.empty());
 }
@@ -144,6 +180,80 @@ TEST(StudyDesk, a_change_forgets_what_was_flown_and_tells_of_the_shot) {
   ASSERT_TRUE(run(client, "study-input shot.mass = +- 0.1 g"));
   EXPECT_EQ(client.study.run.state(), State::none);
   EXPECT_FALSE(client.study.run.result().has_value());
+}
+
+TEST(StudyDesk, places_are_asked_for_chosen_and_taken_out) {
+  Client client = client_of("study_308");
+  const std::vector<std::string>& at = client.study.asked.at;
+  ASSERT_TRUE(run(client, "study-at 300 m; study-at apex: y, time; study-show 0.3 km"));
+  EXPECT_EQ(shown_place(client.study), 0U);
+  ASSERT_TRUE(run(client, "study-at 300 m: up, time"));
+  EXPECT_EQ(at, (std::vector<std::string>{"300 m: up, time", "apex: y, time"})) << "one text for a place";
+  EXPECT_EQ(place_names(client.study), (std::vector<std::string>{"300 m", "apex"}));
+  EXPECT_EQ(shown_place(client.study), 0U);
+  ASSERT_TRUE(run(client, "study-show apex: y"));
+  EXPECT_EQ(shown_place(client.study), 1U);
+  remove_study_text(client, &ScenarioStudy::at, 0);
+  EXPECT_EQ(shown_place(client.study), 0U) << "the apex still";
+  remove_study_text(client, &ScenarioStudy::at, 1);
+  EXPECT_EQ(at.size(), 1U) << "there is no second one";
+  ASSERT_TRUE(run(client, "study-show end"));
+  EXPECT_EQ(shown_place(client.study), std::nullopt);
+  ASSERT_TRUE(run(client, "study-show apex"));
+  remove_study_text(client, &ScenarioStudy::at, 0);
+  EXPECT_EQ(shown_place(client.study), std::nullopt) << "what is not there is not shown";
+}
+
+TEST(StudyDesk, bad_places_are_refused_and_nothing_is_lost) {
+  Client client = client_of("study_308");
+  ASSERT_TRUE(run(client, "study-at apex; study-shots 4096; study-run; wait 2; study-show apex"));
+  const auto refusal = [&](const std::string& text) {
+    const Status status = add_study_at(client, text);
+    return status ? text + " is taken" : status.error().text();
+  };
+  EXPECT_NE(refusal("apx").find("did you mean \"apex\""), std::string::npos) << refusal("apx");
+  EXPECT_NE(refusal("300 kg").find("is a mass"), std::string::npos) << refusal("300 kg");
+  EXPECT_NE(refusal("300 m: hight").find("hight"), std::string::npos) << refusal("300 m: hight");
+  EXPECT_NE(refusal("300 m: obliquity").find("first impact"), std::string::npos) << refusal("300 m: obliquity");
+  EXPECT_NE(refusal("-3 m").find("above 0"), std::string::npos) << refusal("-3 m");
+  EXPECT_NE(refusal("").find("is no place"), std::string::npos) << refusal("");
+  const Status unknown = show_study_at(client, "300 m");
+  ASSERT_FALSE(unknown);
+  EXPECT_NE(unknown.error().text().find("end, apex"), std::string::npos) << unknown.error().text();
+  EXPECT_EQ(client.study.asked.at, std::vector<std::string>{"apex"});
+  EXPECT_EQ(shown_place(client.study), 0U);
+  EXPECT_EQ(client.study.run.state(), State::done);
+  for (int i = 1; i < 24; ++i) ASSERT_TRUE(add_study_at(client, std::to_string(i) + " m"));
+  EXPECT_EQ(client.study.run.state(), State::none) << "of other places than were flown";
+  EXPECT_NE(refusal("24 m").find("more than 24"), std::string::npos) << refusal("24 m");
+  EXPECT_EQ(client.study.asked.at.size(), 24U);
+}
+
+TEST(StudyDesk, a_place_that_no_shot_comes_to_is_told_when_it_begins) {
+  Client client = client_of("study_308");
+  ASSERT_TRUE(run(client, "study-at 700 m"));
+  const Status status = begin_study(client);
+  ASSERT_FALSE(status);
+  EXPECT_NE(status.error().text().find("at[0]"), std::string::npos) << status.error().text();
+  EXPECT_NE(status.error().text().find("before they end"), std::string::npos) << status.error().text();
+  EXPECT_EQ(client.study.run.state(), State::none);
+}
+
+TEST(StudyDesk, lines_of_state_tell_of_places) {
+  Client client = client_of("study_308");
+  ASSERT_TRUE(run(client, "study-at 300 m; study-at apex: y; study-shots 4096; study-run; wait 2; study-show apex"));
+  const auto state = nlohmann::json::parse(state_line(client, 1))["study"];
+  EXPECT_EQ(state["shown"], "apex");
+  ASSERT_EQ(state["at"].size(), 2U);
+  const StudyResult& range = client.study.run.result()->at[0];
+  EXPECT_EQ(state["at"][0]["place"], "300 m");
+  EXPECT_EQ(state["at"][0]["cep"], range.from_centre->r50);
+  EXPECT_EQ(state["at"][0]["hits"][0]["high"], range.hits[0].high);
+  EXPECT_EQ(state["at"][1]["place"], "apex");
+  EXPECT_EQ(state["at"][1]["figures"][0]["quantity"], "y");
+  EXPECT_EQ(state["at"][1]["figures"][0]["mean"], client.study.run.result()->at[1].quantities[0].mean.value);
+  EXPECT_EQ(state["figures"][0]["mean"], client.study.run.result()->quantities[0].mean.value);
+  EXPECT_TRUE(state["at"][1]["hits"].empty());
 }
 
 /// The face holds three deviations and the target, and a metre across is a metre upwards.
@@ -220,6 +330,40 @@ TEST(StudyView, shows_one_quantity_as_cells) {
   EXPECT_EQ(face.across.label, "speed [m/s]");
   EXPECT_GE(face.up.high, *std::ranges::max_element(face.cells_across));
   EXPECT_EQ(settling_of(*client.study.run.result(), 4).size(), 1U);
+}
+
+TEST(StudyView, says_what_a_place_has_not) {
+  Client client = client_of("study_308");
+  ASSERT_TRUE(run(client, "study-at 300 m; study-at apex; study-at time 0.2 s: y"));
+  ASSERT_TRUE(run(client, "study-shots 4096; study-run; wait 2"));
+  const auto lacking = [&](std::size_t place) {
+    return lacking_at(client.study.run.told(place), client.study.run.plan()->study());
+  };
+  EXPECT_EQ(lacking(0), "");
+  EXPECT_NE(lacking(1).find("Targets"), std::string::npos) << lacking(1);
+  EXPECT_EQ(lacking(1).find("no plane"), std::string::npos) << lacking(1);
+  EXPECT_NE(lacking(2).find("no plane: shots are shown over y"), std::string::npos) << lacking(2);
+  Client kick = client_of("study_free_kick");
+  ASSERT_TRUE(run(kick, "study-at apex; study-run; wait 2"));
+  const std::string things = lacking_at(kick.study.run.told(0), kick.study.run.plan()->study());
+  EXPECT_NE(things.find("Things"), std::string::npos) << things;
+  EXPECT_EQ(things.find("Targets"), std::string::npos) << things;
+}
+
+/// Of rare shots alone that come to a place, the first thousands may have none.
+TEST(StudyView, shows_a_place_without_shots) {
+  StudyResult result = flown("study_308", 4096, {}, {"300 m"}).at[0];
+  const double unknown = std::nan("");
+  result.ellipse.reset();
+  for (QuantityResult& q : result.quantities)
+    q = {q.quantity, {unknown, unknown}, unknown, unknown, unknown, {q.cells.centre, q.cells.scale, 0, {}}};
+  for (StudyStage& stage : result.stages) stage.distance = {unknown, unknown};
+  const Study study;
+  const StudyFace face = face_of(study, result, 1);
+  EXPECT_TRUE(face.cells_across.empty() && face.ellipses.empty());
+  EXPECT_LT(face.across.ticks().size(), 20U);
+  EXPECT_EQ(settling_of(result, 4).size(), 1U) << "hits alone";
+  for (const StudyFigure& figure : figures_of(result)) EXPECT_EQ(figure.value.find("nan"), std::string::npos);
 }
 
 TEST(StudyView, has_room_beside_the_scene) {

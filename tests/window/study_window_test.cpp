@@ -1,4 +1,4 @@
-// A study in a window: begun, paused and gone on with by keys, while frames go on.
+// Studies in a window: begun, paused and gone on with by keys, while frames go on; places that are typed.
 #include <gtest/gtest.h>
 
 #include "window/x_client.hpp"
@@ -22,6 +22,27 @@ TEST(Study, IsBegunAndPausedByAKeyAndComesToTheFiguresOfThePage) {
   EXPECT_EQ(done["study"]["shots"], 32768U);
   EXPECT_NEAR(done["study"]["hits"][0]["probability"].get<double>(), 60521.0 / 102400, 0.01);
   EXPECT_GT(done["frame"].get<std::uint64_t>(), paused["frame"].get<std::uint64_t>());
+}
+
+TEST(Study, APlaceIsTypedMendedAndChosen) {
+  const Screen screen;
+  RunningClient client(
+      screen, {"--size", "1280x720", PHYSIM_SOURCE_DIR "/scenarios/study_308.toml", "--set", "study.shots=4096"});
+  ASSERT_TRUE(client.has_window());
+  client.key("y");
+  client.click(600, 556);
+  for (const char* key : {"a", "p", "x", "Return"}) client.key(key);
+  const Json refused = client.wait_for([](const Json& s) { return s.contains("message"); });
+  EXPECT_NE(refused["message"].get<std::string>().find("did you mean \"apex\""), std::string::npos);
+  client.click(600, 556);
+  for (const char* key : {"BackSpace", "e", "x", "Return", "z"}) client.key(key);
+  const Json told = client.wait_for([](const Json& s) { return s.contains("study") && s["study"].contains("at"); });
+  ASSERT_EQ(told["study"]["at"].size(), 1U);
+  EXPECT_EQ(told["study"]["at"][0]["place"], "apex");
+  EXPECT_EQ(told["study"]["shown"], "end");
+  client.click(600, 291);
+  client.click(560, 335);
+  EXPECT_EQ(client.wait_for([](const Json& s) { return s["study"]["shown"] != "end"; })["study"]["shown"], "apex");
 }
 
 }  // namespace

@@ -28,20 +28,34 @@ Json shot_state(Client& client) {
            {{"motion", name(granted.motion)}, {"drag", name(granted.drag)}, {"gravity", name(granted.gravity)}}}};
 }
 
-/// The study at hand, with the figures that stand in its panel.
-Json study_state(const StudyRun& run) {
-  static constexpr std::string_view kStates[] = {"none", "running", "paused", "done"};
-  Json state = {{"state", kStates[static_cast<int>(run.state())]}, {"dots", run.dots_shown()}};
-  if (!run.result()) return state;
-  const StudyResult& result = *run.result();
-  state["shots"] = result.shots;
-  state["figures"] = state["hits"] = Json::array();
+/// Figures that stand in the panel of a study, at its end or at a place.
+Json figures_state(const StudyResult& result) {
+  Json state = {{"shots", result.shots},
+                {"not_arrived", result.not_arrived},
+                {"figures", Json::array()},
+                {"hits", Json::array()}};
   for (const QuantityResult& q : result.quantities)
     state["figures"].push_back({{"quantity", name(q.quantity)}, {"mean", q.mean.value}, {"deviation", q.deviation}});
   if (result.from_centre) state["cep"] = result.from_centre->r50;
   for (const HitResult& hit : result.hits)
     state["hits"].push_back(
         {{"target", hit.name}, {"probability", hit.probability.value}, {"low", hit.low}, {"high", hit.high}});
+  return state;
+}
+
+/// The study at hand, at its end and at each place, and which of them is shown.
+Json study_state(const StudyDesk& desk) {
+  static constexpr std::string_view kStates[] = {"none", "running", "paused", "done"};
+  const StudyRun& run = desk.run;
+  Json state = {{"state", kStates[static_cast<int>(run.state())]}, {"dots", run.dots_shown()}};
+  if (!run.result()) return state;
+  state.update(figures_state(*run.result()));
+  state["shown"] = shown_place(desk) ? desk.shown_at : "end";
+  state["at"] = Json::array();
+  for (std::size_t i = 0; i < run.result()->at.size(); ++i) {
+    state["at"].push_back({{"place", place_text(run.plan()->study().at[i].event)}});
+    state["at"].back().update(figures_state(run.result()->at[i]));
+  }
   return state;
 }
 
@@ -111,7 +125,7 @@ std::string state_line(Client& client, std::uint64_t frame) {
     line["hits"].push_back(hit_state(client, hits[i]));
   for (std::size_t i = things.size() - std::min(things.size(), kMostThings); i < things.size(); ++i)
     line["things"].push_back(thing_state(client, things[i]));
-  if (client.study.run.state() != StudyRun::State::none) line["study"] = study_state(client.study.run);
+  if (client.study.run.state() != StudyRun::State::none) line["study"] = study_state(client.study);
   if (client.question) line["question"] = client.question->text;
   if (!client.messages().empty()) line["message"] = client.messages().back().text;
   return report::json_line(line);

@@ -3,12 +3,15 @@
 #include <algorithm>
 
 #include "physim/quantity.hpp"
+#include "scenario/suggest.hpp"
 #include "simclient/core/client.hpp"
+#include "study/places.hpp"
 
 namespace physim::client {
 namespace {
 
-constexpr double kMostShots = 1e12;  // that a study beside a scene is asked for: months on one machine
+constexpr std::string_view kEnd = "end";  // what show_study_at() calls the end
+constexpr double kMostShots = 1e12;       // that a study beside a scene is asked for: months on one machine
 
 Result<Study> study_asked(const Client& client) {
   const StudyDesk& desk = client.study;
@@ -31,6 +34,33 @@ Result<Study> study_asked(const Client& client) {
 void is_changed(Client& client) {
   client.study.run.clear();
   client.has_changed_settings();
+}
+
+/// A further text, or another one in the place of the first that says something of the same.
+template <class IsOfTheSame>
+void put(std::vector<std::string>& texts, const std::string& text, const IsOfTheSame& is_of_the_same) {
+  const auto before = std::ranges::find_if(texts, is_of_the_same);
+  if (before != texts.end())
+    *before = text;
+  else
+    texts.push_back(text);
+}
+
+/// What a text of a place calls it; one that is none, itself.
+std::string place_name(const std::string& text) {
+  const Result<StudyPlace> place = parse_study_place(text);
+  return place ? place_text(place->event) : text;
+}
+
+/// As a study will check them when it begins.
+Status check_at(const std::vector<std::string>& texts) {
+  Study study;
+  for (std::size_t i = 0; i < texts.size(); ++i) {
+    const Result<StudyPlace> place = parse_study_place(texts[i]);
+    if (!place) return Error{place.error().message, "at[" + std::to_string(i) + ']', place.error().hint};
+    study.at.push_back(*place);
+  }
+  return check_places(study, true);
 }
 
 }  // namespace
@@ -59,15 +89,10 @@ Status start_or_pause_study(Client& client) {
 Status add_study_input(Client& client, const std::string& text) {
   const Result<StudyInput> input = parse_study_input(text);
   if (!input) return input.error();
-  std::vector<std::string>& inputs = client.study.asked.inputs;
-  const auto before = std::ranges::find_if(inputs, [&](const std::string& other) {
+  put(client.study.asked.inputs, text, [&](const std::string& other) {
     const Result<StudyInput> read = parse_study_input(other);
     return read && read->path == input->path && read->added == input->added && read->drawn_for == input->drawn_for;
   });
-  if (before != inputs.end())
-    *before = text;
-  else
-    inputs.push_back(text);
   return is_changed(client), Status();
 }
 
@@ -77,17 +102,19 @@ Status add_study_target(Client& client, const std::string& text) {
   return is_changed(client), Status();
 }
 
-void remove_study_input(Client& client, std::size_t input) {
-  std::vector<std::string>& inputs = client.study.asked.inputs;
-  if (input >= inputs.size()) return;
-  inputs.erase(inputs.begin() + static_cast<std::ptrdiff_t>(input));
-  is_changed(client);
+Status add_study_at(Client& client, const std::string& text) {
+  if (const Result<StudyPlace> place = parse_study_place(text); !place) return place.error();
+  std::vector<std::string> at = client.study.asked.at;
+  put(at, text, [&](const std::string& other) { return place_name(other) == place_name(text); });
+  if (Status status = check_at(at); !status) return status;
+  client.study.asked.at = std::move(at);
+  return is_changed(client), Status();
 }
 
-void remove_study_target(Client& client, std::size_t target) {
-  std::vector<std::string>& targets = client.study.asked.targets;
-  if (target >= targets.size()) return;
-  targets.erase(targets.begin() + static_cast<std::ptrdiff_t>(target));
+void remove_study_text(Client& client, std::vector<std::string> ScenarioStudy::*list, std::size_t text) {
+  std::vector<std::string>& texts = client.study.asked.*list;
+  if (text >= texts.size()) return;
+  texts.erase(texts.begin() + static_cast<std::ptrdiff_t>(text));
   is_changed(client);
 }
 
@@ -107,6 +134,32 @@ Status set_study_width(Client& client, const std::string& text) {
   client.study.width = text;
   client.study.run.clear();
   return {};
+}
+
+std::vector<std::string> place_names(const StudyDesk& desk) {
+  std::vector<std::string> names;
+  for (const std::string& text : desk.asked.at) names.push_back(place_name(text));
+  return names;
+}
+
+Status show_study_at(Client& client, const std::string& place) {
+  const std::vector<std::string> names = place_names(client.study);
+  std::vector<std::string_view> known = {kEnd};
+  known.insert(known.end(), names.begin(), names.end());
+  const std::string name = place_name(place);
+  if (std::ranges::find(known, name) == known.end())
+    return Error{"the study is not told at " + in_quotes(place), "study-show",
+                 suggestion(name, known, "it is told at")};
+  client.study.shown_at = name;
+  client.bottom = BottomPanel::study;
+  return {};
+}
+
+std::optional<std::size_t> shown_place(const StudyDesk& desk) {
+  const std::vector<std::string> names = place_names(desk);
+  const auto shown = std::ranges::find(names, desk.shown_at);
+  if (shown == names.end()) return std::nullopt;
+  return static_cast<std::size_t>(shown - names.begin());
 }
 
 }  // namespace physim::client

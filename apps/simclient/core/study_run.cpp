@@ -27,6 +27,8 @@ void append(StudyShots& to, const StudyShots& from) {
   append(to.inputs, from.inputs);
   append(to.quantities, from.quantities);
   append(to.hits, from.hits);
+  to.at.resize(std::max(to.at.size(), from.at.size()));
+  for (std::size_t i = 0; i < from.at.size(); ++i) append(to.at[i], from.at[i]);
 }
 
 }  // namespace
@@ -117,10 +119,21 @@ Status StudyRun::begin(const Study& study) {
   const Result<StudyPlan> plan = plan_study(study);
   if (!plan) return plan.error();
   clear();
-  plan_ = *plan;
-  if (const Result<LinearResult> linear = propagate_linearly(*plan)) linear_ = *linear;
+  const auto tell = [this](const StudyPlan& there) {
+    const Result<LinearResult> linear = propagate_linearly(there);
+    told_.push_back({there, linear ? std::optional(*linear) : std::nullopt});
+  };
+  tell(*plan);
+  for (const StudyPlan& place : plan->places()) tell(place);
   state_ = State::running;
   return {};
+}
+
+StudyTold StudyRun::told(std::optional<std::size_t> place) const {
+  PHYSIM_ASSERT(result_ && (!place || (*place < result_->at.size() && *place < dots_.at.size())));
+  const Told& there = told_[place ? 1 + *place : 0];
+  return {there.plan.study(), place ? result_->at[*place] : *result_, there.linear ? &*there.linear : nullptr,
+          place ? dots_.at[*place] : dots_, dots_shown_};
 }
 
 void StudyRun::clear() { *this = StudyRun(); }
@@ -143,7 +156,7 @@ void StudyRun::advance(bool one_by_one) {
     const std::uint64_t allowed = one_by_one ? part_.first_missing() : std::numeric_limits<std::uint64_t>::max();
     if (!flyer_)
       flyer_ =
-          std::make_unique<Flyer>(*plan_, part_, count_of(dots_), one_by_one ? 1 : threads_beside_frames(), allowed);
+          std::make_unique<Flyer>(*plan(), part_, count_of(dots_), one_by_one ? 1 : threads_beside_frames(), allowed);
     if (one_by_one) flyer_->wait_for(shards_ + 1);
     take(flyer_->look());
   }
@@ -152,7 +165,7 @@ void StudyRun::advance(bool one_by_one) {
 }
 
 void StudyRun::take(Seen seen) {
-  PHYSIM_ASSERT(plan_ && flyer_);
+  PHYSIM_ASSERT(plan() && flyer_);
   append(dots_, seen.dots);
   part_ = std::move(seen.part);
   if (seen.end) {
@@ -166,9 +179,9 @@ void StudyRun::take(Seen seen) {
     shards_ = result_->shards;
     return;
   }
-  const std::uint64_t shards = std::min(part_.first_missing(), plan_->shards());
+  const std::uint64_t shards = std::min(part_.first_missing(), plan()->shards());
   if (shards == shards_) return;
-  Result<StudyResult> result = result_of(*plan_, part_, shards);
+  Result<StudyResult> result = result_of(*plan(), part_, shards);
   if (!result) return;
   result_ = *std::move(result);
   shards_ = shards;

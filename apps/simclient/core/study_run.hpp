@@ -1,6 +1,7 @@
 // A study that runs beside the scene: its shots fly on threads of their own, and frames look at what there is.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <memory>
 #include <optional>
@@ -10,6 +11,15 @@
 #include "physim/study.hpp"
 
 namespace physim::client {
+
+/// What there is to tell of a study where it ends, or at one of Study::at.
+struct StudyTold {
+  const Study& study;  // as it is there: with quantities, targets and aim of that place
+  const StudyResult& result;
+  const LinearResult* linear;  // what each input does by its slope; null where a shot near the mean does not arrive
+  const StudyShots& dots;      // the first shots one by one, StudyRun::kMostDots of them at most
+  std::size_t dots_shown;      // how many are to be seen yet
+};
 
 class StudyRun {
  public:
@@ -35,11 +45,11 @@ class StudyRun {
 
   [[nodiscard]] State state() const { return state_; }
   /// The study that was begun, prepared; null before there is one.
-  [[nodiscard]] const StudyPlan* plan() const { return plan_ ? &*plan_ : nullptr; }
+  [[nodiscard]] const StudyPlan* plan() const { return told_.empty() ? nullptr : &told_[0].plan; }
   /// What the shards that are shown come to: figures of `physim study` with as many shots. Nothing before the first.
   [[nodiscard]] const std::optional<StudyResult>& result() const { return result_; }
-  /// What each input does by its slope; nothing where a shot near the mean does not arrive.
-  [[nodiscard]] const std::optional<LinearResult>& linear() const { return linear_; }
+  /// What there is to tell at one of Study::at; without a place, at the end. To be asked once there is a result.
+  [[nodiscard]] StudyTold told(std::optional<std::size_t> place) const;
   /// The first shots one by one, kMostDots of them at most.
   [[nodiscard]] const StudyShots& dots() const { return dots_; }
   /// How many of them are to be seen yet: they appear by and by, so that the scatter is seen to grow.
@@ -50,16 +60,20 @@ class StudyRun {
  private:
   class Flyer;
   struct Seen;
+  /// A place, or the end, as it was prepared.
+  struct Told {
+    StudyPlan plan;
+    std::optional<LinearResult> linear;
+  };
 
   void take(Seen seen);
 
   State state_ = State::none;
-  std::optional<StudyPlan> plan_;
+  std::vector<Told> told_;        // the end, then each place; empty before there is a study
   std::unique_ptr<Flyer> flyer_;  // none while nothing flies
   StudyPart part_;                // that is there by now
   std::uint64_t shards_ = 0;      // that are shown
   std::optional<StudyResult> result_;
-  std::optional<LinearResult> linear_;
   StudyShots dots_;
   std::size_t dots_shown_ = 0;
   std::string problem_;

@@ -69,10 +69,17 @@ std::vector<double> shares_of(const CountedCells& cells, const Span& span) {
 
 Span middle_of(const CountedCells& cells) { return {cells.quantile(0.001), cells.quantile(0.999)}; }
 
+/// Where few of all shots come to a place, none may be among the first.
+bool none_arrived(const StudyResult& result) { return result.quantities[0].cells.count() == 0; }
+
 StudyFace histogram_of(const StudyResult& result) {
   const QuantityResult& quantity = result.quantities[0];
-  const Span span = widened(middle_of(quantity.cells));
   StudyFace face;
+  if (none_arrived(result)) {
+    face.across.label = report::with_unit(quantity.quantity);
+    return face;
+  }
+  const Span span = widened(middle_of(quantity.cells));
   face.cells_across = shares_of(quantity.cells, span);
   face.across = axis_of(span, 6, report::with_unit(quantity.quantity));
   const double most = std::max(*std::ranges::max_element(face.cells_across), 1e-9);
@@ -111,6 +118,20 @@ StudyFace face_of(const Study& study, const StudyResult& result, double aspect) 
   face.cells_across = shares_of(result.quantities[0].cells, across);
   face.cells_up = shares_of(result.quantities[1].cells, up);
   return face;
+}
+
+std::string lacking_at(const StudyTold& place, const Study& study) {
+  const auto is_thing = [](const StudyTarget& target) { return std::holds_alternative<ThingTarget>(target.shape); };
+  std::string text;
+  const auto say = [&](const std::string& sentence) { text += (text.empty() ? "" : " ") + sentence; };
+  if (none_arrived(place.result)) say("No shot has come there yet.");
+  if (!place.result.from_aim)
+    say("It does not begin with two lengths, so it has no plane: shots are shown over " +
+        std::string(name(place.study.quantities[0])) + ".");
+  if (place.study.targets.empty() && !std::ranges::all_of(study.targets, is_thing))
+    say("Targets stand on the plane of the end: none is here.");
+  if (std::ranges::any_of(study.targets, is_thing)) say("Things are hit wherever they stand: the end tells of them.");
+  return text;
 }
 
 // ------------------------------------------------------------------------------------------------ how figures settle
@@ -163,8 +184,9 @@ std::vector<Settling> settling_of(const StudyResult& result, int wanted_ticks) {
   Settling mean;
   mean.label =
       has_plane ? "mean distance from the aim [m]" : "mean " + report::with_unit(result.quantities[0].quantity);
-  for (const StudyStage& stage : result.stages) mean.points.push_back(point_of(stage.shots, stage.distance));
-  list.push_back(std::move(mean));
+  for (const StudyStage& stage : result.stages)
+    if (std::isfinite(stage.distance.value)) mean.points.push_back(point_of(stage.shots, stage.distance));
+  if (!mean.points.empty()) list.push_back(std::move(mean));
   for (Settling& each : list) set_axes(each, wanted_ticks);
   return list;
 }
@@ -181,6 +203,7 @@ std::vector<StudyFigure> figures_of(const StudyResult& result) {
                     std::isfinite(hit.low) && std::isfinite(hit.high)
                         ? significant(100 * hit.low, 3) + " .. " + significant(100 * hit.high, 3)
                         : ""});
+  if (none_arrived(result)) return list;
   if (result.from_aim) {
     const RadiusResult& r = *result.from_aim;
     list.push_back({"from the aim", significant(r.mean.value, 4) + " m", "\u00b1 " + significant(r.mean.error, 2)});
@@ -215,7 +238,9 @@ std::vector<StudyInputRow> input_rows(const Study& study, const StudyResult& res
                                                   : " " + unit);
     for (std::size_t q = 0; q < std::min<std::size_t>(2, result.quantities.size()); ++q) {
       const std::string of(report::unit_of(result.quantities[q].quantity));
-      told.effect[q] = report::significant(std::abs(row.effect[q]), 3) + " " + of;
+      const double effect = std::abs(row.effect[q]);
+      const bool is_short = of == "m" && effect < 0.01;
+      told.effect[q] = report::significant(is_short ? 1000 * effect : effect, 3) + (is_short ? " mm" : " " + of);
       told.share[q] = std::isfinite(row.share[q]) ? row.share[q] : 0;
     }
     list.push_back(std::move(told));

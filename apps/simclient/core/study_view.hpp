@@ -11,13 +11,20 @@ namespace physim::client {
 
 /// The plane of impact as it is drawn, in a frame of `aspect`, its width over its height.
 struct StudyFace {
-  PlotAxis across, up;  // of one quantity alone: `up` counts shots [%] in each cell
+  PlotAxis across, up;  // of one quantity alone: `up` counts shots [%] in each cell, and there are no `cells_up`
   double stretch = 1;   // lengths upwards are drawn so many times as large as those across
   std::vector<std::vector<PlanePoint>> targets, ellipses;  // closed rims; of 1, 2 and 3 deviations
   std::vector<double> cells_across, cells_up;              // shots [%] in equal cells of each axis
   PlanePoint aim;
+
+  [[nodiscard]] bool shows(const PlanePoint& p) const {
+    return p.right >= across.low && p.right <= across.high && p.up >= up.low && p.up <= up.high;
+  }
 };
 [[nodiscard]] StudyFace face_of(const Study& study, const StudyResult& result, double aspect);
+
+/// In words, what a place has not that the end of its study has: a plane, targets, shots; empty: it has all.
+[[nodiscard]] std::string lacking_at(const StudyTold& place, const Study& study);
 
 /// A figure as shots add up, with its 95 % interval. Without one its ends are its value.
 struct Settling {

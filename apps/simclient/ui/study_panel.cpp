@@ -86,9 +86,9 @@ void draw_cells(ImDrawList& list, const Frame& frame, const StudyFace& face, dou
   }
 }
 
-void draw_dots(ImDrawList& list, const Frame& frame, const StudyRun& run) {
-  const StudyShots& shots = run.dots();
-  const std::size_t count = run.dots_shown();
+void draw_dots(ImDrawList& list, const Frame& frame, const StudyTold& told) {
+  const StudyShots& shots = told.dots;
+  const std::size_t count = told.dots_shown;
   const bool has_targets = !shots.hits.empty();
   const float scale = letter() / 15;
   const float half = (count > 4000 ? 0.6F : count > 500 ? 0.9F : 1.5F) * scale;
@@ -103,9 +103,9 @@ void draw_dots(ImDrawList& list, const Frame& frame, const StudyRun& run) {
   }
 }
 
-void draw_impacts(ImDrawList& list, const Frame& frame, const StudyFace& face, const StudyRun& run) {
+void draw_impacts(ImDrawList& list, const Frame& frame, const StudyFace& face, const StudyTold& told) {
   const float scale = letter() / 15;
-  const std::vector<StudyTarget>& targets = run.plan()->study().targets;
+  const std::vector<StudyTarget>& targets = told.study.targets;
   for (std::size_t i = 0; i < targets.size(); ++i) {
     if (std::holds_alternative<PolygonTarget>(targets[i].shape)) continue;  // need not be convex: its rim alone
     std::vector<ImVec2> points;
@@ -113,7 +113,7 @@ void draw_impacts(ImDrawList& list, const Frame& frame, const StudyFace& face, c
     if (points.size() > 3) list.AddConvexPolyFilled(points.data(), static_cast<int>(points.size()), shade(kFace));
   }
   draw_cells(list, frame, face, 0.12);
-  draw_dots(list, frame, run);
+  draw_dots(list, frame, told);
   for (const auto& rim : face.targets) draw_rim(list, frame, rim, kRim, 1.6F * scale);
   for (std::size_t i = 0; i < face.ellipses.size(); ++i) {
     draw_rim(list, frame, face.ellipses[i], colours::kText, 1.4F * scale);
@@ -131,14 +131,14 @@ void draw_impacts(ImDrawList& list, const Frame& frame, const StudyFace& face, c
   }
 }
 
-void draw_legend(ImDrawList& list, const Frame& frame, const StudyFace& face, const StudyRun& run) {
+void draw_legend(ImDrawList& list, const Frame& frame, const StudyFace& face, const StudyTold& told) {
   std::vector<std::pair<std::string, Colour>> words;
   if (!face.ellipses.empty()) {
-    const bool has_targets = !run.plan()->study().targets.empty();
+    const bool has_targets = !told.study.targets.empty();
     words = {{has_targets ? "\u25a0 hits" : "\u25a0 shots", kHitInk}};
     if (has_targets) words.emplace_back("\u25a0 misses", kMissInk);
-    words.emplace_back("+ aim", colours::kForce);
-    if (run.dots_shown() > 0) words.emplace_back(formatted("the first %zu shots", run.dots_shown()), colours::kDim);
+    if (face.shows(face.aim)) words.emplace_back("+ aim", colours::kForce);
+    if (told.dots_shown > 0) words.emplace_back(formatted("the first %zu shots", told.dots_shown), colours::kDim);
     if (face.stretch != 1) words.emplace_back(formatted("heights \u00d7%.2g", face.stretch), colours::kWarning);
   }
   float x = frame.low.x + letter() * 0.5F;
@@ -154,14 +154,13 @@ void draw_legend(ImDrawList& list, const Frame& frame, const StudyFace& face, co
   }
 }
 
-void draw_face(const StudyRun& run, float width) {
+void draw_face(const StudyTold& told, float width) {
   ImGui::BeginChild("face", {width, 0}, false, ImGuiWindowFlags_NoScrollbar);
   const ImVec2 at = ImGui::GetCursorScreenPos(), room = ImGui::GetContentRegionAvail();
   Frame frame{{at.x + letter() * 3.4F, at.y + letter() * 2.7F},
               {at.x + room.x - letter() * 0.6F, at.y + room.y - letter() * 2.6F}};
   if (frame.width() > letter() * 4 && frame.height() > letter() * 4) {
-    const StudyFace face =
-        face_of(run.plan()->study(), *run.result(), static_cast<double>(frame.width()) / frame.height());
+    const StudyFace face = face_of(told.study, told.result, static_cast<double>(frame.width()) / frame.height());
     frame.x = &face.across, frame.y = &face.up;
     ImDrawList& list = *ImGui::GetWindowDrawList();
     list.AddRectFilled(frame.low, frame.high, shade(kGround));
@@ -173,14 +172,14 @@ void draw_face(const StudyRun& run, float width) {
     if (face.ellipses.empty())
       draw_cells(list, frame, face, 1);
     else
-      draw_impacts(list, frame, face, run);
+      draw_impacts(list, frame, face, told);
     list.PopClipRect();
     list.AddRect(frame.low, frame.high, shade(colours::kGrid));
     text_at(list, {at.x + letter() * 0.3F, at.y}, colours::kText, face.up.label);
     const ImVec2 size = ImGui::CalcTextSize(face.across.label.c_str());
     text_at(list, {(frame.low.x + frame.high.x - size.x) / 2, frame.high.y + letter() * 1.3F}, colours::kText,
             face.across.label);
-    draw_legend(list, frame, face, run);
+    draw_legend(list, frame, face, told);
   }
   ImGui::EndChild();
 }
@@ -268,18 +267,17 @@ std::string short_path(const std::string& path) {
 }
 
 /// What each input does, as bars of its share of the variance.
-void draw_inputs(const StudyRun& run) {
-  const Study& study = run.plan()->study();
-  const StudyResult& result = *run.result();
+void draw_inputs(const StudyTold& told) {
+  const StudyResult& result = told.result;
   const std::size_t shown = std::min<std::size_t>(2, result.quantities.size());
-  if (!run.linear() || !ImGui::BeginTable("inputs", 1 + static_cast<int>(shown),
-                                          ImGuiTableFlags_RowBg | ImGuiTableFlags_SizingStretchSame))
+  if (!told.linear || !ImGui::BeginTable("inputs", 1 + static_cast<int>(shown),
+                                         ImGuiTableFlags_RowBg | ImGuiTableFlags_SizingStretchSame))
     return;
-  ImGui::TableSetupColumn("a deviation of", ImGuiTableColumnFlags_WidthStretch, 1.3F);
+  ImGui::TableSetupColumn("a deviation of", ImGuiTableColumnFlags_WidthStretch, 1.15F);
   for (std::size_t q = 0; q < shown; ++q)
     ImGui::TableSetupColumn(("does to " + std::string(name(result.quantities[q].quantity))).c_str());
   ImGui::TableHeadersRow();
-  for (const StudyInputRow& row : input_rows(study, result, *run.linear())) {
+  for (const StudyInputRow& row : input_rows(told.study, result, *told.linear)) {
     ImGui::TableNextRow();
     ImGui::TableNextColumn();
     ImGui::TextUnformatted(short_path(row.path).c_str());
@@ -318,30 +316,39 @@ std::optional<std::size_t> draw_texts(const std::vector<std::string>& texts) {
   return out;
 }
 
-void draw_line(Client& client, const char* action, const char* hint) {
-  static std::string typed[2];
-  std::string& text = typed[std::string_view(action) == "study-target"];
+/// Texts of one kind, and the action that takes another.
+struct AskedTexts {
+  const char* title;
+  std::vector<std::string> ScenarioStudy::*list;
+  const char *action, *hint;
+};
+constexpr AskedTexts kAsked[] = {
+    {"uncertain", &ScenarioStudy::inputs, "study-input", "shot.speed = +- 3 m/s, then Enter"},
+    {"targets", &ScenarioStudy::targets, "study-target", "plate: rectangle 45 cm x 75 cm"},
+    {"told at the end, and at", &ScenarioStudy::at, "study-at", "500 m, or apex: y, time"},
+};
+
+/// A text that is refused stays, to be mended.
+void draw_line(Client& client, const AskedTexts& asked, std::string& typed) {
   ImGui::SetNextItemWidth(-1);
-  ImGui::PushID(action);
-  if (ImGui::InputTextWithHint("##text", hint, &text, ImGuiInputTextFlags_EnterReturnsTrue) && !text.empty()) {
-    run_action(client, *find_action(action), text);
-    text.clear();
-  }
-  ImGui::PopID();
+  if (!ImGui::InputTextWithHint("##text", asked.hint, &typed, ImGuiInputTextFlags_EnterReturnsTrue) || typed.empty())
+    return;
+  if (const Status status = find_action(asked.action)->run(client, typed); !status)
+    client.complain(status.error());
+  else
+    typed.clear();
 }
 
 void draw_asked(Client& client) {
-  const ScenarioStudy& asked = client.study.asked;
-  ImGui::TextDisabled("uncertain");
-  ImGui::PushID("inputs");
-  if (const auto out = draw_texts(asked.inputs)) remove_study_input(client, *out);
-  ImGui::PopID();
-  draw_line(client, "study-input", "shot.speed = +- 3 m/s, then Enter");
-  ImGui::TextDisabled("targets");
-  ImGui::PushID("targets");
-  if (const auto out = draw_texts(asked.targets)) remove_study_target(client, *out);
-  ImGui::PopID();
-  draw_line(client, "study-target", "plate: rectangle 45 cm x 75 cm");
+  static std::string typed[std::size(kAsked)];
+  for (std::size_t i = 0; i < std::size(kAsked); ++i) {
+    const AskedTexts& asked = kAsked[i];
+    ImGui::TextDisabled("%s", asked.title);
+    ImGui::PushID(asked.title);
+    if (const auto out = draw_texts(client.study.asked.*asked.list)) remove_study_text(client, asked.list, *out);
+    draw_line(client, asked, typed[i]);
+    ImGui::PopID();
+  }
 }
 
 /// A value that is typed, put in with Enter.
@@ -358,6 +365,24 @@ void draw_value(Client& client, const char* label, const char* action, const std
   ImGui::PopID();
 }
 
+/// Where the study is shown: its end, or one of its places.
+void draw_places(Client& client) {
+  const std::vector<std::string> names = place_names(client.study);
+  if (names.empty()) return;
+  const auto shown = shown_place(client.study);
+  ImGui::SameLine();
+  ImGui::TextDisabled("told at");
+  ImGui::SameLine(0, 4);
+  ImGui::SetNextItemWidth(letter() * 9);
+  if (!ImGui::BeginCombo("##place", shown ? names[*shown].c_str() : "end")) return;
+  const auto choice = [&](const std::string& name, bool is_shown) {
+    if (ImGui::Selectable(name.c_str(), is_shown)) run_action(client, *find_action("study-show"), name);
+  };
+  choice("end", !shown);
+  for (std::size_t i = 0; i < names.size(); ++i) choice(names[i], shown == i);
+  ImGui::EndCombo();
+}
+
 void draw_buttons(Client& client) {
   const StudyRun& run = client.study.run;
   static constexpr const char* kLabels[] = {"Start", "Pause", "Go on", "Start anew"};
@@ -368,6 +393,7 @@ void draw_buttons(Client& client) {
   if (ImGui::Button("Reset")) client.study.run.clear();
   draw_value(client, "shots", "study-shots", std::to_string(client.study.asked.shots), 6);
   draw_value(client, "or until known to", "study-width", client.study.width, 4);
+  draw_places(client);
   if (!run.plan()) return;
   ImGui::SameLine();
   const double done = run.result() ? static_cast<double>(run.result()->shards) : 0;
@@ -378,8 +404,10 @@ void draw_buttons(Client& client) {
                      is_done ? "done" : formatted("%.0f %%", 100 * done / all).c_str());
   ImGui::PopStyleColor();
   if (client.study.begun_at && *client.study.begun_at != client.versions()) {
+    static constexpr const char* kChanged = "the shot was changed since";
     ImGui::SameLine();
-    ImGui::TextColored(tint(colours::kWarning), "the shot was changed since");
+    if (ImGui::GetContentRegionAvail().x < ImGui::CalcTextSize(kChanged).x) ImGui::NewLine();
+    ImGui::TextColored(tint(colours::kWarning), "%s", kChanged);
   }
 }
 
@@ -399,13 +427,17 @@ void draw_study(Client& client) {
   const float gap = ImGui::GetStyle().ItemSpacing.x;
   const float face = std::min(room.x * 0.4F, room.y * 1.35F);
   const float settling = (room.x - face) * 0.46F - gap;
-  draw_face(run, face);
+  const auto place = shown_place(client.study);
+  const StudyTold told = run.told(place);
+  draw_face(told, face);
   ImGui::SameLine();
-  draw_all_settling(*run.result(), settling);
+  draw_all_settling(told.result, settling);
   ImGui::SameLine();
   ImGui::BeginChild("figures");
-  draw_figures(*run.result());
-  draw_inputs(run);
+  if (const std::string lacking = place ? lacking_at(told, run.plan()->study()) : ""; !lacking.empty())
+    coloured_text(colours::kDim, lacking);
+  draw_figures(told.result);
+  draw_inputs(told);
   draw_asked(client);
   ImGui::EndChild();
 }
