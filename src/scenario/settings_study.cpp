@@ -10,7 +10,8 @@ constexpr Entry kStudySettings[] = {
     PHYSIM_SCENARIO(study.inputs,
                     "what `physim study` draws: \"shot.speed = 800 m/s +- 3 m/s\", see docs/uncertainty.md",
                     at_most(64)),
-    PHYSIM_SCENARIO(study.correlated, "\"shot.speed with shot.mass = 0.5\"", at_most(1000)),
+    PHYSIM_SCENARIO(study.correlated, "\"shot.speed with shot.mass = 0.5\", \"shot.drag.curve.N by distance = 0.3\"",
+                    at_most(1000)),
     PHYSIM_SCENARIO(study.targets, "\"plate: rectangle 30 cm x 50 cm at 0 m, 1 m\", \"circle 10 cm\", \"thing wall\"",
                     at_most(1000)),
     PHYSIM_SCENARIO(

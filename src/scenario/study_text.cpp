@@ -10,6 +10,7 @@
 #include "scenario/study_text.hpp"
 #include "scenario/suggest.hpp"
 #include "scenario/units.hpp"
+#include "study/paths.hpp"
 
 namespace physim {
 namespace {
@@ -230,18 +231,41 @@ void add_groups(Study& study, std::vector<PairOfInputs> pairs) {
   }
 }
 
-Result<PairOfInputs> pair_of(const Study& study, std::string_view text) {
-  const auto halves = split(text, "=");
-  const auto names = halves ? split(halves->left, " with ") : std::nullopt;
-  if (!names)
-    return Error{"\"" + std::string(text) + "\" is no correlation", "",
-                 "write it as \"shot.speed with shot.mass = 0.5\""};
-  const auto a = input_of(study, names->left), b = input_of(study, names->right);
-  const auto correlation = parse_quantity(halves->right, Quantity::number);
-  if (!a || !b) return Error{std::string(a ? names->right : names->left) + " is none of the study's inputs", "", ""};
+Result<PairOfInputs> pair_of(const Study& study, const Halves& names, std::string_view number) {
+  const auto a = input_of(study, names.left), b = input_of(study, names.right);
+  const auto correlation = parse_quantity(number, Quantity::number);
+  if (!a || !b) return Error{std::string(a ? names.right : names.left) + " is none of the study's inputs", "", ""};
   if (!correlation) return correlation.error();
-  if (*a == *b) return Error{std::string(names->left) + " is correlated with itself", "", ""};
+  if (*a == *b) return Error{std::string(names.left) + " is correlated with itself", "", ""};
   return PairOfInputs{*a, *b, *correlation};
+}
+
+/// A length has the unit of what the points of the list stand at.
+Result<std::vector<PairOfInputs>> pairs_by_distance(const Study& study, std::string_view list, std::string_view text) {
+  const PathRow* row = find_list(list);
+  const PathRow* places = row ? row->row_of_places() : nullptr;
+  const auto length = parse_quantity(text, places ? quantity_of_si_unit(places->unit) : Quantity::number);
+  if (places && !length) return length.error();
+  const auto with = correlated_by_distance(study, list, places ? *length : 1);
+  if (!with) return with.error();
+  const std::size_t n = with->inputs.size();
+  std::vector<PairOfInputs> pairs;
+  for (std::size_t i = 0; i < n; ++i)
+    for (std::size_t j = 0; j < i; ++j) pairs.push_back({with->inputs[j], with->inputs[i], with->matrix[i * n + j]});
+  return pairs;
+}
+
+Result<std::vector<PairOfInputs>> pairs_of(const Study& study, std::string_view text) {
+  const auto halves = split(text, "=");
+  if (const auto names = halves ? split(halves->left, " with ") : std::nullopt) {
+    const auto pair = pair_of(study, *names, halves->right);
+    if (!pair) return pair.error();
+    return std::vector{*pair};
+  }
+  std::string_view list = halves ? halves->left : "";
+  if (take_back(list, " by distance")) return pairs_by_distance(study, list, halves->right);
+  return Error{in_quotes(text) + " is no correlation", "",
+               "write it as \"shot.speed with shot.mass = 0.5\" or \"shot.drag.curve.N by distance = 0.3\""};
 }
 
 /// "shot.NAME.speed" of this shot as "shot.speed"; nothing where it is of another shot of the scenario.
@@ -278,13 +302,16 @@ Status add_texts(const ScenarioStudy& texts, Study& study) {
   };
   std::vector<PairOfInputs> pairs;
   for (std::size_t i = 0; i < texts.correlated.size(); ++i) {
-    const auto pair = pair_of(study, texts.correlated[i]);
-    if (!pair) return placed(pair.error(), numbered("study.correlated", i));
-    const auto is_known = [&](const PairOfInputs& p) { return std::minmax(p.a, p.b) == std::minmax(pair->a, pair->b); };
-    if (std::ranges::any_of(pairs, is_known))
+    const auto told = pairs_of(study, texts.correlated[i]);
+    if (!told) return placed(told.error(), numbered("study.correlated", i));
+    const auto is_known = [&](const PairOfInputs& pair) {
+      return std::ranges::any_of(
+          pairs, [&](const PairOfInputs& p) { return std::minmax(p.a, p.b) == std::minmax(pair.a, pair.b); });
+    };
+    if (std::ranges::any_of(*told, is_known))
       return Error{"\"" + texts.correlated[i] + "\" names a pair that has a correlation already",
                    numbered("study.correlated", i), "give it once"};
-    pairs.push_back(*pair);
+    pairs.insert(pairs.end(), told->begin(), told->end());
   }
   add_groups(study, std::move(pairs));
   for (std::size_t i = 0; i < texts.targets.size(); ++i) {

@@ -273,6 +273,19 @@ void FoundPath::put(Environment& place, double number) const {
 
 std::span<const PathRow> all_paths() { return kPathRows; }
 
+const PathRow* find_list(std::string_view path) {
+  const auto* row = std::ranges::find(kPathRows, path, &PathRow::path);
+  return row != std::end(kPathRows) && row->is_of_list() ? row : nullptr;
+}
+
+const PathRow* PathRow::row_of_places() const {
+  PHYSIM_ASSERT(is_of_list());
+  const std::string head(path.substr(0, path.find(".N") + 2));
+  for (const char* last : {".mach", ".time", ".at", ".above"})
+    if (const PathRow* row = find_list(head + last)) return row;
+  return nullptr;
+}
+
 FoundPath find_path(std::string_view path) {
   for (const PathRow& row : kPathRows) {
     PHYSIM_ASSERT(row.number || row.there || row.scale || row.is_of_list());

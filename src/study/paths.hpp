@@ -27,6 +27,8 @@ struct PathRow {
 
   [[nodiscard]] bool is_of_place() const { return place || place_point; }
   [[nodiscard]] bool is_of_list() const { return point || place_point; }
+  /// The row of where the points of its list stand, which may be this one; null where no one number tells.
+  [[nodiscard]] const PathRow* row_of_places() const;
 };
 
 /// What a path names: a row, and which point where it is one of a list.
@@ -49,5 +51,7 @@ struct FoundPath {
 
 [[nodiscard]] std::span<const PathRow> all_paths();
 [[nodiscard]] FoundPath find_path(std::string_view path);
+/// The row of a list, by its path with N in it; null where there is none.
+[[nodiscard]] const PathRow* find_list(std::string_view path);
 
 }  // namespace physim

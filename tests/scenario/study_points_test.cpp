@@ -1,4 +1,7 @@
 // Points of lists that are uncertain, as scenarios write them.
+#include <cmath>
+#include <set>
+
 #include "physim/scenario.hpp"
 #include "support.hpp"
 
@@ -120,6 +123,63 @@ TEST(StudyPointsText, places_of_points_are_distributions_too) {
                                             {"shot.aero.magnus_moment.2.mach", NormalDistribution{2, 0.1}},
                                             {"environment.wind.profile.2.at", NormalDistribution{100, 10}}};
   expect_inputs(*scenario, expected);
+}
+
+/// A shot with a curve and a motor, points of which are drawn, and what goes with what.
+std::string correlated(const std::string& list) {
+  return std::string(kShot) +
+         "drag = { table = \"custom\", curve = [[0.5, \"0.20 +- 0.01\"], [0.9, \"0.40 +- 0.02\"], [2, 0.3]] }\n"
+         "motor.thrust = [[0, \"40 +- 2\"], [0.5, \"40 +- 2\"], [1, 0]]\n"
+         "[study]\ninputs = [\"shot.speed = +- 3 m/s\"]\ncorrelated = [" +
+         list + "]\n";
+}
+
+TEST(StudyPointsText, points_go_together_by_their_distance) {
+  const auto scenario = parse_scenario(
+      correlated("\"shot.drag.curve.N by distance = 0.2\", \"shot.motor.thrust.N by distance = 250 ms\", "
+                 "\"shot.speed with shot.motor.thrust.1 = 0.5\""),
+      "test.toml");
+  ASSERT_TRUE(scenario) << scenario.error().text();
+  for (const auto& study : {study_of(*scenario, scenario->shots[0]), study_in(scenario_text(*scenario))}) {
+    ASSERT_TRUE(study) << study.error().text();
+    const auto path = [&](std::size_t input) { return study->inputs[input].path; };
+    ASSERT_EQ(study->correlated.size(), 2u) << "what a pair connects is one group";
+    for (const StudyCorrelation& with : study->correlated) {
+      const std::size_t n = with.inputs.size();
+      for (std::size_t i = 0; i < n; ++i)
+        for (std::size_t j = 0; j < i; ++j) {
+          const std::set<std::string> pair{path(with.inputs[i]), path(with.inputs[j])};
+          double expected = 0;
+          if (pair == std::set<std::string>{"shot.drag.curve.1", "shot.drag.curve.2"}) expected = std::exp(-2);
+          if (pair == std::set<std::string>{"shot.motor.thrust.1", "shot.motor.thrust.2"}) expected = std::exp(-2);
+          if (pair == std::set<std::string>{"shot.motor.thrust.1", "shot.speed"}) expected = 0.5;
+          EXPECT_NEAR(with.matrix[i * n + j], expected, 1e-15) << *pair.begin() << ' ' << *pair.rbegin();
+        }
+    }
+    EXPECT_TRUE(plan_study(*study)) << plan_study(*study).error().text();
+  }
+}
+
+TEST(StudyPointsText, distances_have_the_unit_of_places) {
+  const auto refused = [](const char* text) {
+    const auto study = study_in(correlated(text));
+    return study ? std::string("accepted") : study.error().text();
+  };
+  const auto expect = [&](const char* text, const char* words) {
+    const std::string told = refused(text);
+    EXPECT_NE(told.find(words), std::string::npos) << text << ": " << told;
+    EXPECT_NE(told.find("study.correlated["), std::string::npos) << told;
+  };
+  expect("\"shot.drag.curve.N by distance = 250 ms\"", "ms");
+  expect("\"shot.motor.thrust.N by distance = 3 m\"", "m");
+  expect("\"shot.drag.curve.N by distance = 0\"", "positive");
+  expect("\"shot.drag.curve.N by distance = wide\"", "wide");
+  expect("\"shot.drag.curv.N by distance = 0.2\"", "no list of points");
+  expect("\"shot.speed by distance = 0.2\"", "name one with its N");
+  expect("\"shot.aero.lift.N by distance = 0.2\"", "fewer than two points");
+  expect("\"shot.drag.curve.N near 0.2\"", "is no correlation");
+  expect("\"shot.drag.curve.N by distance = 0.2\", \"shot.drag.curve.2 with shot.drag.curve.1 = 0.5\"",
+         "has a correlation already");
 }
 
 TEST(StudyPointsText, a_parameter_has_no_unit) {
