@@ -25,7 +25,7 @@
 namespace physim {
 
 class SceneCanvas;
-class SceneParts;
+class SceneByMotion;
 class SharedShape;
 struct SceneDrawing;
 
@@ -302,7 +302,7 @@ class Scene {
                                 double to) const;
 
  private:
-  friend class SceneParts;
+  friend class SceneByMotion;
   friend class SharedShape;
   struct Impl;
   std::unique_ptr<Impl> impl_;

@@ -13,7 +13,7 @@ struct SceneContent;
 struct ClearQuery {
   SceneSegment segment;
   std::uint32_t layers = 0;
-  double part = 0;  // as SceneParts::clear_part() says
+  double part = 0;  // as SceneByMotion::clear_part() says
 };
 
 /// Finds the part of each, in a scene without an engine: many go through its trees together.

@@ -9,7 +9,7 @@
 #include "collide/cast_batch.hpp"
 #include "collide/clear_batch.hpp"
 #include "collide/clear_look.hpp"
-#include "collide/scene_parts.hpp"
+#include "collide/scene_by_motion.hpp"
 #include "physim/scene.hpp"
 
 namespace physim {
@@ -182,20 +182,20 @@ double Scene::clear_part(const SceneSegment& asked, const SceneFilter& filter) c
   return collide::clear_part_in(*impl_, asked, filter, collide::Which::all);
 }
 
-double SceneParts::clearance(const Vec3d& point, double reach, const SceneFilter& filter) const {
+double SceneByMotion::clearance(const Vec3d& point, double reach, const SceneFilter& filter) const {
   return collide::clearance_in(content_, point, reach, filter, 0, 0, collide::Which::resting);
 }
 
-double SceneParts::clear_part(const SceneSegment& segment, const SceneFilter& filter) const {
+double SceneByMotion::clear_part(const SceneSegment& segment, const SceneFilter& filter) const {
   return collide::clear_part_in(content_, segment, filter, collide::Which::resting);
 }
 
-void SceneParts::clear_parts(std::span<collide::ClearQuery> queries) const {
+void SceneByMotion::clear_parts(std::span<collide::ClearQuery> queries) const {
   if (!content_.engine) return collide::clear_parts(content_, queries);
   for (collide::ClearQuery& query : queries) query.part = 0;  // nobody knows how far its things are
 }
 
-bool SceneParts::meets_mover(const SceneSegment& segment, const SceneFilter& filter) const {
+bool SceneByMotion::meets_mover(const SceneSegment& segment, const SceneFilter& filter) const {
   return collide::any_hit(content_, segment, filter, collide::Which::moving);
 }
 

@@ -1,7 +1,7 @@
 #include "collide/tube_casts.hpp"
 
 #include "collide/cast.hpp"
-#include "collide/scene_parts.hpp"
+#include "collide/scene_by_motion.hpp"
 
 namespace physim::collide {
 namespace {
@@ -37,7 +37,7 @@ bool is_below(const Shape& shape, const Segment& s) {
 
 /// Adds a thing with what of it is near; false where that is too much.
 bool TubeCasts::add(std::uint32_t index, const Segment& inside) {
-  const Shape& shape = *SceneParts(*scene_).content().instances[index].shape;
+  const Shape& shape = *SceneByMotion(*scene_).content().instances[index].shape;
   if (is_below(shape, inside)) return true;
   if (things_ == kMostThings) return false;
   Thing& thing = (*thing_)[things_];
@@ -61,7 +61,7 @@ bool TubeCasts::add(std::uint32_t index, const Segment& inside) {
 
 bool TubeCasts::find(const SceneSegment& tube) {
   PHYSIM_ASSERT(scene_ != nullptr);
-  const SceneContent& content = SceneParts(*scene_).content();
+  const SceneContent& content = SceneByMotion(*scene_).content();
   found_ = false;
   if (content.engine || !is_sound(tube)) return true;
   tube_ = tube;
@@ -105,7 +105,7 @@ bool TubeCasts::holds(const SceneSegment& asked) const {
 SceneHit TubeCasts::first_hit(const SceneSegment& asked) const {
   if (!found_ || !is_sound(asked) || !holds(asked)) return scene_->first_hit(asked, filter_);
   PHYSIM_ASSERT(things_ <= kMostThings && triangles_ <= kMostTriangles);
-  const SceneContent& content = SceneParts(*scene_).content();
+  const SceneContent& content = SceneByMotion(*scene_).content();
   Segment segment{asked.from, asked.to - asked.from, asked.radius, 1};
   FirstCrossing first;
   for (std::uint32_t i = 0; i < things_; ++i) {

@@ -91,7 +91,7 @@ bool meets(const SettleContext& context, const SceneSegment& way, Ahead rest, co
   box.take(way.from), box.take(way.to);
   box.widen(way.radius + 16 * (spacing_at<S>(way.from) + spacing_at<S>(way.to)));
   if (context.restless->may_have_come(box)) return context.scene->any_hit(way, filter);
-  return SceneParts(*context.scene).meets_mover(way, filter);
+  return SceneByMotion(*context.scene).meets_mover(way, filter);
 }
 
 /// As it was when the step began.

@@ -1,8 +1,8 @@
 // How far rows are from the things of a scene: who may have come near is looked at once a step.
 #pragma once
 
+#include "collide/scene_by_motion.hpp"
 #include "collide/scene_contact.hpp"
-#include "collide/scene_parts.hpp"
 #include "world/rows_ahead.hpp"
 #include "world/settle.hpp"
 
@@ -10,7 +10,7 @@ namespace physim {
 
 /// Whether what rests can be told from what does not, so that rows keep what they find out about it.
 [[nodiscard]] inline bool knows_rest(const SettleContext& context) {
-  return context.scene && !context.scene->engine() && !SceneParts(*context.scene).has_boundless_movers();
+  return context.scene && !context.scene->engine() && !SceneByMotion(*context.scene).has_boundless_movers();
 }
 
 /// So far something may fly from where it is before it can touch anything at rest; 0 where nobody knows. Where that is
@@ -21,7 +21,7 @@ template <class S>
   if (!knows_rest(context)) return S(0);
   constexpr double kSteps = 64;  // looking farther costs more than looking again
   const double reach = collision.radius + kSteps * context.dt * (length(s.v) + 10 * context.dt);
-  const double clear = SceneParts(*context.scene).clearance(s.x, reach, {.layers = collision.layers});
+  const double clear = SceneByMotion(*context.scene).clearance(s.x, reach, {.layers = collision.layers});
   // What is flown of it is summed up in numbers of the row's own.
   constexpr double kSum = 2 * kSteps * static_cast<double>(std::numeric_limits<S>::epsilon());
   const double way = context.dt * length(s.v), left = (clear - collision.radius) * (1 - kSum) - 4 * spacing_at<S>(s.x);

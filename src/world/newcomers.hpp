@@ -7,7 +7,7 @@
 
 namespace physim {
 
-class SceneParts;
+class SceneByMotion;
 
 /// Things that came to where they rest since rows found out what is clear about them, by index.
 class Newcomers {
@@ -20,7 +20,7 @@ class Newcomers {
   void clear() { *this = {}; }
   [[nodiscard]] bool are_settled(std::uint64_t step) const { return !things_.empty() && step >= last_ + kQuiet; }
   /// Boxes that hold those of them that are still there.
-  [[nodiscard]] const BoxGroups& boxes(const SceneParts& scene);
+  [[nodiscard]] const BoxGroups& boxes(const SceneByMotion& scene);
 
  private:
   std::vector<std::uint32_t> things_;  // in order

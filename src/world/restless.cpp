@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "base/assert.hpp"
-#include "collide/scene_parts.hpp"
+#include "collide/scene_by_motion.hpp"
 
 namespace physim {
 namespace {
@@ -38,7 +38,7 @@ bool Newcomers::add(std::uint32_t thing, std::uint64_t step) {
   return true;
 }
 
-const BoxGroups& Newcomers::boxes(const SceneParts& scene) {
+const BoxGroups& Newcomers::boxes(const SceneByMotion& scene) {
   if (is_known_) return boxes_;
   std::vector<Bounds> boxes;
   for (const std::uint32_t thing : things_)
@@ -55,7 +55,7 @@ void Restless::clear() {
 
 void Restless::find(const Scene& scene, Newcomers& newcomers) {
   clear();
-  const SceneParts parts(scene);
+  const SceneByMotion parts(scene);
   if (parts.has_boundless_movers()) return be_everywhere();
   std::vector<Bounds> moving;
   parts.add_boxes_of_movers(moving);

@@ -6,7 +6,7 @@
 #include <span>
 
 #include "base/assert.hpp"
-#include "collide/scene_parts.hpp"
+#include "collide/scene_by_motion.hpp"
 #include "model/rotor.hpp"
 
 namespace physim {
@@ -31,7 +31,7 @@ class RowsAhead {
   template <class Take>
   void look(const Scene& scene, const Take& take) {
     PHYSIM_ASSERT(count_ <= kMost);
-    SceneParts(scene).clear_parts(std::span(*queries_).first(count_));
+    SceneByMotion(scene).clear_parts(std::span(*queries_).first(count_));
     for (std::size_t i = 0; i < count_; ++i) take(rows_[i], TubeAhead{(*queries_)[i], room_[i]});
     count_ = 0;
   }

@@ -108,7 +108,7 @@ class Settling {
   void look_ahead(const TubeAhead& ahead) {
     if (waiting_) return waiting_->add(r_.row(), ahead);
     TubeAhead looked = ahead;
-    looked.query.part = SceneParts(*context_.scene).clear_part(ahead.query.segment, {.layers = ahead.query.layers});
+    looked.query.part = SceneByMotion(*context_.scene).clear_part(ahead.query.segment, {.layers = ahead.query.layers});
     r_.put_tube(tube_along<S>(looked));
   }
 

@@ -3,7 +3,7 @@
 #include <utility>
 
 #include "base/ieee_mode.hpp"
-#include "collide/scene_parts.hpp"
+#include "collide/scene_by_motion.hpp"
 #include "world/world_impl.hpp"
 
 namespace physim {
@@ -49,7 +49,7 @@ void WorldImpl::forget_clear() {
 
 /// A thing came, or is elsewhere, or moves in another way. What moves, or was there before, rows need not know.
 void WorldImpl::notice(InstanceId changed) {
-  const SceneParts parts(*state.scene);
+  const SceneByMotion parts(*state.scene);
   if (!parts.rests(changed.index)) return;
   const bool has_box = parts.box_at_rest(changed.index).has_value();
   if (!has_box || !state.newcomers.add(changed.index, state.clock.steps)) forget_clear();

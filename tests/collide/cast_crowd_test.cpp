@@ -4,7 +4,7 @@
 
 #include "collide/clear_batch.hpp"
 #include "collide/crowd_support.hpp"
-#include "collide/scene_parts.hpp"
+#include "collide/scene_by_motion.hpp"
 #include "physim/flight.hpp"
 
 namespace physim {
@@ -92,7 +92,7 @@ TEST(CastCrowd, a_clear_part_reaches_the_box_of_a_triangle) {
       {0, 0, 0}, {20, 0, 0}, 0.5};  // its tip is at 10, the prism about its sides begins before 0
   EXPECT_GT(scene.clear_part(towards), 0.474);
   EXPECT_LT(scene.clear_part(towards), 0.476);
-  const SceneParts parts(scene);
+  const SceneByMotion parts(scene);
   std::vector<collide::ClearQuery> queries(9, {towards, 0xffffffff, 0});
   parts.clear_parts(queries);
   for (const collide::ClearQuery& query : queries) EXPECT_EQ(query.part, parts.clear_part(towards, {}));

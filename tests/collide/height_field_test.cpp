@@ -2,7 +2,7 @@
 #include <gtest/gtest.h>
 
 #include "collide/height_field.hpp"
-#include "collide/scene_parts.hpp"
+#include "collide/scene_by_motion.hpp"
 #include "collide/scene_support.hpp"
 #include "physim/flight.hpp"
 
@@ -124,7 +124,7 @@ void check_clear_parts(const HeightFieldShape& shape, std::vector<collide::Clear
   for (const std::string& kernel : kernels()) {
     ASSERT_TRUE(use_kernel(kernel));
     std::vector<collide::ClearQuery> asked = queries;
-    SceneParts(scene).clear_parts(asked);
+    SceneByMotion(scene).clear_parts(asked);
     for (std::size_t k = 0; k < asked.size(); ++k) {
       const SceneSegment& s = asked[k].segment;
       const collide::Segment whole{s.from, s.to - s.from, s.radius, 1};

@@ -4,7 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "collide/crowd_support.hpp"
-#include "collide/scene_parts.hpp"
+#include "collide/scene_by_motion.hpp"
 
 namespace physim {
 namespace {
@@ -139,7 +139,7 @@ TEST(TubeCasts, heaps_and_slivers_are_asked_whole) {
 TEST(ClearParts, of_many_ways_are_those_of_each) {
   Random r(44);
   for (const Scene& scene : scenes(r)) {
-    const SceneParts parts(scene);
+    const SceneByMotion parts(scene);
     for (const std::size_t count : {0, 1, 3, 8, 9, 500}) {
       std::vector<collide::ClearQuery> queries;
       for (std::size_t i = 0; i < count; ++i) {

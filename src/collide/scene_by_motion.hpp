@@ -11,9 +11,9 @@
 
 namespace physim {
 
-class SceneParts {
+class SceneByMotion {
  public:
-  explicit SceneParts(const Scene& scene) : content_(*scene.impl_) {}
+  explicit SceneByMotion(const Scene& scene) : content_(*scene.impl_) {}
 
   [[nodiscard]] const collide::SceneContent& content() const { return content_; }
 
