@@ -158,11 +158,12 @@ struct StudyPath {
 /// The one that a path names, such as "shot.drag.curve.3"; nothing where it is none.
 [[nodiscard]] std::optional<StudyPath> study_path(std::string_view path);
 
-/// How points of a list go together that are off alike where they are near each other: each pair that is drawn has the
-/// correlation exp(-d / length), d the distance of their places, by the first input of each point. `list`: a path of
-/// study_paths() with its N, "shot.drag.curve.N", of points that stand at a Mach number, a time, a height or a speed
-/// each; `length`: above 0 [unit of the places]. An error for any other list, for points at one place, and for fewer
-/// than two. Source: C. E. Rasmussen, C. K. I. Williams, Gaussian Processes for Machine Learning (2006), sec. 4.2.1.
+/// Correlates the points of a list that a study draws by their distance d, exp(-d / length): points near each other are
+/// off by much the same, as in curves that were measured. `list`: a path of study_paths() with its N,
+/// "shot.drag.curve.N", of points that stand at a Mach number, a time, a height or a speed each; `length`: above 0
+/// [unit of these]. A point that is drawn more than once goes by its first input. An error for any other list, for two
+/// points at one place, and for fewer than two. Source: C. E. Rasmussen, C. K. I. Williams, Gaussian Processes for
+/// Machine Learning (2006), sec. 4.2.1.
 [[nodiscard]] Result<StudyCorrelation> correlated_by_distance(const Study& study, std::string_view list, double length);
 
 /// A model of one's own in the place of flights: a column of each input comes in, one of each quantity goes out, behind

@@ -242,11 +242,11 @@ Result<PairOfInputs> pair_of(const Study& study, const Halves& names, std::strin
 
 /// A length has the unit of what the points of the list stand at.
 Result<std::vector<PairOfInputs>> pairs_by_distance(const Study& study, std::string_view list, std::string_view text) {
-  const PathRow* row = find_list(list);
-  const PathRow* places = row ? row->row_of_places() : nullptr;
-  const auto length = parse_quantity(text, places ? quantity_of_si_unit(places->unit) : Quantity::number);
-  if (places && !length) return length.error();
-  const auto with = correlated_by_distance(study, list, places ? *length : 1);
+  const auto places = places_of_list(list);
+  if (!places) return places.error();
+  const auto length = parse_quantity(text, quantity_of_si_unit((*places)->unit));
+  if (!length) return length.error();
+  const auto with = correlated_by_distance(study, list, *length);
   if (!with) return with.error();
   const std::size_t n = with->inputs.size();
   std::vector<PairOfInputs> pairs;
@@ -255,39 +255,68 @@ Result<std::vector<PairOfInputs>> pairs_by_distance(const Study& study, std::str
   return pairs;
 }
 
-Result<std::vector<PairOfInputs>> pairs_of(const Study& study, std::string_view text) {
-  const auto halves = split(text, "=");
-  if (const auto names = halves ? split(halves->left, " with ") : std::nullopt) {
-    const auto pair = pair_of(study, *names, halves->right);
-    if (!pair) return pair.error();
-    return std::vector{*pair};
+/// One shot of a scenario, whose paths may be written "shot.NAME.speed".
+struct ShotOfScenario {
+  const Scenario& scenario;
+  const ScenarioShot& shot;
+
+  /// Its own path, "shot.speed"; nothing where a path is of another shot. What names no shot stays as it is.
+  [[nodiscard]] std::optional<std::string> path(std::string_view written) const {
+    constexpr std::string_view kShot = "shot.";
+    const auto is_path = [](std::string_view path) { return study_path(path) || find_list(path); };
+    if (is_path(written)) return std::string(written);
+    for (const ScenarioShot& each : scenario.shots) {
+      const std::string head = std::string(kShot) + each.projectile.name + ".";
+      if (!written.starts_with(head)) continue;
+      const std::string own = std::string(kShot) + std::string(written.substr(head.size()));
+      if (!is_path(own)) continue;
+      if (each.projectile.name != shot.projectile.name) return std::nullopt;
+      return own;
+    }
+    return std::string(written);
   }
-  std::string_view list = halves ? halves->left : "";
-  if (take_back(list, " by distance")) return pairs_by_distance(study, list, halves->right);
-  return Error{in_quotes(text) + " is no correlation", "",
-               "write it as \"shot.speed with shot.mass = 0.5\" or \"shot.drag.curve.N by distance = 0.3\""};
+};
+
+/// None where one of the two is another shot's.
+Result<std::vector<PairOfInputs>> pairs_by_name(const Study& study, const ShotOfScenario& of, const Halves& names,
+                                                std::string_view number) {
+  const auto a = of.path(names.left), b = of.path(names.right);
+  if (!a || !b) {
+    const bool names_this = (a && *a != names.left) || (b && *b != names.right);
+    if (!names_this) return std::vector<PairOfInputs>();
+    return Error{std::string(names.left) + " and " + std::string(names.right) + " are of two shots", "",
+                 "a study flies one of them; correlate what it draws"};
+  }
+  const auto pair = pair_of(study, {*a, *b}, number);
+  if (!pair) return pair.error();
+  return std::vector{*pair};
 }
 
-/// "shot.NAME.speed" of this shot as "shot.speed"; nothing where it is of another shot of the scenario.
-std::optional<std::string> text_for(const std::string& text, const Scenario& scenario, const ScenarioShot& shot) {
-  constexpr std::string_view kShot = "shot.";
-  if (!text.starts_with(kShot)) return text;
-  for (const ScenarioShot& each : scenario.shots) {
-    const std::string head = std::string(kShot) + each.projectile.name + ".";
-    const std::string path(trimmed(std::string_view(text).substr(0, text.find('='))));
-    if (!path.starts_with(head) || check_path(path)) continue;
-    const std::string own = std::string(kShot) + text.substr(head.size());
-    if (!check_path(trimmed(std::string_view(own).substr(0, own.find('='))))) continue;
-    if (each.projectile.name != shot.projectile.name) return std::nullopt;
-    return own;
-  }
-  return text;
+Result<std::vector<PairOfInputs>> pairs_of(const Study& study, const ShotOfScenario& of, std::string_view text) {
+  const auto halves = split(text, "=");
+  const auto names = halves ? split(halves->left, " with ") : std::nullopt;
+  if (names) return pairs_by_name(study, of, *names, halves->right);
+  std::string_view list = halves ? halves->left : "";
+  if (!take_back(list, " by distance"))
+    return Error{in_quotes(text) + " is no correlation", "",
+                 "write it as \"shot.speed with shot.mass = 0.5\" or \"shot.drag.curve.N by distance = 0.3\""};
+  const auto own = of.path(list);
+  if (!own) return std::vector<PairOfInputs>();
+  return pairs_by_distance(study, *own, halves->right);
+}
+
+/// The text of an input with the path of the shot itself; nothing where it is of another.
+std::optional<std::string> input_for(const std::string& text, const ShotOfScenario& of) {
+  const std::size_t number = std::min(text.find('='), text.size());
+  const auto own = of.path(trimmed(std::string_view(text).substr(0, number)));
+  if (!own) return std::nullopt;
+  return number == text.size() ? text : *own + ' ' + text.substr(number);
 }
 
 Status add_inputs(const Scenario& scenario, const ScenarioShot& shot, Study& study) {
   const std::string folder = std::filesystem::path(scenario.file).parent_path().string();
   for (std::size_t i = 0; i < scenario.study.inputs.size(); ++i) {
-    const auto text = text_for(scenario.study.inputs[i], scenario, shot);
+    const auto text = input_for(scenario.study.inputs[i], {scenario, shot});
     if (!text) continue;
     auto input = parse_study_input_in(folder, *text, &shot);
     if (!input) return placed(input.error(), "study.inputs[" + std::to_string(i) + ']');
@@ -296,13 +325,14 @@ Status add_inputs(const Scenario& scenario, const ScenarioShot& shot, Study& stu
   return {};
 }
 
-Status add_texts(const ScenarioStudy& texts, Study& study) {
+Status add_texts(const Scenario& scenario, const ScenarioShot& shot, Study& study) {
+  const ScenarioStudy& texts = scenario.study;
   const auto numbered = [](const char* list, std::size_t i) {
     return std::string(list) + '[' + std::to_string(i) + ']';
   };
   std::vector<PairOfInputs> pairs;
   for (std::size_t i = 0; i < texts.correlated.size(); ++i) {
-    const auto told = pairs_of(study, texts.correlated[i]);
+    const auto told = pairs_of(study, {scenario, shot}, texts.correlated[i]);
     if (!told) return placed(told.error(), numbered("study.correlated", i));
     const auto is_known = [&](const PairOfInputs& pair) {
       return std::ranges::any_of(
@@ -348,6 +378,16 @@ Status add_scene(const Scenario& scenario, const ScenarioShot& shot, Study& stud
 }
 
 }  // namespace
+
+Result<std::vector<StudyPlace>> study_places_of(const ScenarioStudy& texts) {
+  std::vector<StudyPlace> places;
+  for (std::size_t i = 0; i < texts.at.size(); ++i) {
+    auto place = parse_study_place(texts.at[i]);
+    if (!place) return placed(place.error(), "study.at[" + std::to_string(i) + ']');
+    places.push_back(*std::move(place));
+  }
+  return places;
+}
 
 Result<StudyInput> parse_study_input_in(const std::string& folder, std::string_view text, const ScenarioShot* shot) {
   const auto halves = split(text, "=");
@@ -422,7 +462,7 @@ Result<Study> study_of(const Scenario& scenario, const ScenarioShot& shot) {
     return Error{"must be from 3 to 1000 bars", "study.histograms", "0 for none"};
   if (texts.over_inputs > 0) study.over_inputs = static_cast<std::uint32_t>(texts.over_inputs);
   if (Status status = add_inputs(scenario, shot, study); !status) return status.error();
-  if (Status status = add_texts(texts, study); !status) return status.error();
+  if (Status status = add_texts(scenario, shot, study); !status) return status.error();
   if (Status status = add_scene(scenario, shot, study); !status) return status.error();
   for (std::size_t i = 0; i < texts.quantities.size(); ++i) {
     const auto quantity = value_of<StudyQuantity>(texts.quantities[i]);
@@ -432,11 +472,9 @@ Result<Study> study_of(const Scenario& scenario, const ScenarioShot& shot) {
                    suggestion(texts.quantities[i], names_of<StudyQuantity>(), "they are")};
     study.quantities.push_back(*quantity);
   }
-  for (std::size_t i = 0; i < texts.at.size(); ++i) {
-    auto place = parse_study_place(texts.at[i]);
-    if (!place) return placed(place.error(), "study.at[" + std::to_string(i) + ']');
-    study.at.push_back(*std::move(place));
-  }
+  auto at = study_places_of(texts);
+  if (!at) return at.error();
+  study.at = *std::move(at);
   if (!texts.aim.empty()) {
     NumberReader read(Quantity::length);
     const auto aim = point_of(texts.aim, read);

@@ -1,8 +1,9 @@
-// Inputs of studies that name files.
+// Texts of studies, as the library and its clients read them: inputs that name files, and places.
 #pragma once
 
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "physim/scenario_study.hpp"
 
@@ -14,5 +15,7 @@ struct ScenarioShot;
 /// that depend on another of its settings.
 [[nodiscard]] Result<StudyInput> parse_study_input_in(const std::string& folder, std::string_view text,
                                                       const ScenarioShot* shot = nullptr);
+/// What a study is told at; an error names the text that is no place.
+[[nodiscard]] Result<std::vector<StudyPlace>> study_places_of(const ScenarioStudy& texts);
 
 }  // namespace physim

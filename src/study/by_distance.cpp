@@ -45,21 +45,15 @@ Result<std::vector<DrawnPoint>> drawn_points(const Study& study, const PathRow& 
   return drawn;
 }
 
-Error no_list(std::string_view list) {
-  return {"\"" + std::string(list) + "\" is no list of points, each at a place", "list",
-          "name one with its N, as study_paths() has it: \"shot.drag.curve.N\""};
-}
-
 }  // namespace
 
 Result<StudyCorrelation> correlated_by_distance(const Study& study, std::string_view list, double length) {
-  const PathRow* row = find_list(list);
-  const PathRow* places = row ? row->row_of_places() : nullptr;
-  if (!places) return no_list(list);
+  const auto places = places_of_list(list);
+  if (!places) return places.error();
   Checker c;
   c.positive(length, "length", "at which correlations have fallen to 1/e");
   if (const Status status = c.status(); !status) return status.error();
-  const auto points = drawn_points(study, *row, *places);
+  const auto points = drawn_points(study, *find_list(list), **places);
   if (!points) return points.error();
   StudyCorrelation with;
   for (const DrawnPoint& a : *points) {

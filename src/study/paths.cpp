@@ -278,12 +278,14 @@ const PathRow* find_list(std::string_view path) {
   return row != std::end(kPathRows) && row->is_of_list() ? row : nullptr;
 }
 
-const PathRow* PathRow::row_of_places() const {
-  PHYSIM_ASSERT(is_of_list());
-  const std::string head(path.substr(0, path.find(".N") + 2));
-  for (const char* last : {".mach", ".time", ".at", ".above"})
-    if (const PathRow* row = find_list(head + last)) return row;
-  return nullptr;
+Result<const PathRow*> places_of_list(std::string_view path) {
+  if (find_list(path)) {
+    const std::string head(path.substr(0, path.find(".N") + 2));
+    for (const char* last : {".mach", ".time", ".at", ".above"})
+      if (const PathRow* places = find_list(head + last)) return places;
+  }
+  return Error{"\"" + std::string(path) + "\" is no list of points, each at a place", "list",
+               "name one with its N, as study_paths() has it: \"shot.drag.curve.N\""};
 }
 
 FoundPath find_path(std::string_view path) {

@@ -6,6 +6,7 @@
 #include <string_view>
 
 #include "physim/flight_columns.hpp"
+#include "physim/result.hpp"
 
 namespace physim {
 
@@ -27,8 +28,6 @@ struct PathRow {
 
   [[nodiscard]] bool is_of_place() const { return place || place_point; }
   [[nodiscard]] bool is_of_list() const { return point || place_point; }
-  /// The row of where the points of its list stand, which may be this one; null where no one number tells.
-  [[nodiscard]] const PathRow* row_of_places() const;
 };
 
 /// What a path names: a row, and which point where it is one of a list.
@@ -53,5 +52,8 @@ struct FoundPath {
 [[nodiscard]] FoundPath find_path(std::string_view path);
 /// The row of a list, by its path with N in it; null where there is none.
 [[nodiscard]] const PathRow* find_list(std::string_view path);
+/// The row of where the points of a list stand, which may be its own; an error for what is no list, and for points that
+/// no one number places.
+[[nodiscard]] Result<const PathRow*> places_of_list(std::string_view path);
 
 }  // namespace physim

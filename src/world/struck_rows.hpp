@@ -13,7 +13,7 @@
 
 namespace physim {
 
-/// Calls f with every row from `first` to `last` that is marked. Behind the last one no bit of its word is set.
+/// Calls f with every row that is marked, from `first` on and before `last`; no bit is set from there on.
 template <class F>
 void each_marked(const std::uint32_t* words, std::uint32_t first, std::uint32_t last, const F& f) {
   PHYSIM_ASSERT(words != nullptr && first % kRowsPerWord == 0);

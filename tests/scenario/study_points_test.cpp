@@ -182,6 +182,42 @@ TEST(StudyPointsText, distances_have_the_unit_of_places) {
          "has a correlation already");
 }
 
+/// What goes with what in one of several shots is none of the others' concern.
+TEST(StudyPointsText, correlations_name_the_shot_that_they_are_of) {
+  const std::string shots =
+      "physim = 1\n[[shot]]\nname = \"a\"\nspeed = \"300 m/s +- 3 m/s\"\nmass = \"1 kg +- 10 g\"\n"
+      "drag = { table = \"custom\", curve = [[0.5, \"0.20 +- 0.01\"], [0.9, \"0.40 +- 0.02\"]] }\n"
+      "[[shot]]\nname = \"b\"\nspeed = \"300 m/s +- 3 m/s\"\nmass = 1\n[study]\n";
+  const auto scenario = parse_scenario(
+      shots +
+          "inputs = [\"environment.wind.velocity.x = +- 1 m/s\"]\n"
+          "correlated = [\"shot.a.speed with shot.a.mass = 0.5\", \"shot.a.drag.curve.N by distance = 0.2\",\n"
+          "\"shot.b.speed with environment.wind.velocity.x = 0.25\"]\n",
+      "test.toml");
+  ASSERT_TRUE(scenario) << scenario.error().text();
+  const auto a = study_of(*scenario, scenario->shots[0]), b = study_of(*scenario, scenario->shots[1]);
+  ASSERT_TRUE(a) << a.error().text();
+  ASSERT_TRUE(b) << b.error().text();
+  const auto paths = [](const Study& study, const StudyCorrelation& with) {
+    std::set<std::string> names;
+    for (const std::size_t input : with.inputs) names.insert(study.inputs[input].path);
+    return names;
+  };
+  ASSERT_EQ(a->correlated.size(), 2u);
+  EXPECT_EQ(paths(*a, a->correlated[0]), (std::set<std::string>{"shot.speed", "shot.mass"}));
+  EXPECT_EQ(paths(*a, a->correlated[1]), (std::set<std::string>{"shot.drag.curve.1", "shot.drag.curve.2"}));
+  ASSERT_EQ(b->correlated.size(), 1u);
+  EXPECT_EQ(paths(*b, b->correlated[0]), (std::set<std::string>{"shot.speed", "environment.wind.velocity.x"}));
+  const auto two = parse_scenario(shots + "correlated = [\"shot.a.speed with shot.b.speed = 0.5\"]\n", "test.toml");
+  ASSERT_TRUE(two) << two.error().text();
+  for (const ScenarioShot& shot : two->shots) {
+    const auto study = study_of(*two, shot);
+    ASSERT_FALSE(study);
+    EXPECT_NE(study.error().text().find("shot.a.speed and shot.b.speed are of two shots"), std::string::npos)
+        << study.error().text();
+  }
+}
+
 TEST(StudyPointsText, a_parameter_has_no_unit) {
   const auto drawn = [](const char* measure, const char* spin) {
     return study_in(std::string(kShot) + "magnus = { measure = \"" + measure + "\", table = [{ speed = 30, spin = \"" +

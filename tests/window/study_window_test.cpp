@@ -6,10 +6,13 @@
 namespace physim::testing_window {
 namespace {
 
+std::vector<std::string> study_308(const char* shots) {
+  return {"--size", "1280x720", PHYSIM_SOURCE_DIR "/scenarios/study_308.toml", "--set", shots};
+}
+
 TEST(Study, IsBegunAndPausedByAKeyAndComesToTheFiguresOfThePage) {
   const Screen screen;
-  RunningClient client(
-      screen, {"--size", "1280x720", PHYSIM_SOURCE_DIR "/scenarios/study_308.toml", "--set", "study.shots=30000"});
+  RunningClient client(screen, study_308("study.shots=30000"));
   ASSERT_TRUE(client.has_window());
   client.key("z");
   client.wait_for([](const Json& s) { return s.contains("study") && s["study"].contains("shots"); });
@@ -26,8 +29,7 @@ TEST(Study, IsBegunAndPausedByAKeyAndComesToTheFiguresOfThePage) {
 
 TEST(Study, APlaceIsTypedMendedAndChosen) {
   const Screen screen;
-  RunningClient client(
-      screen, {"--size", "1280x720", PHYSIM_SOURCE_DIR "/scenarios/study_308.toml", "--set", "study.shots=4096"});
+  RunningClient client(screen, study_308("study.shots=4096"));
   ASSERT_TRUE(client.has_window());
   client.key("y");
   client.click(600, 556);

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "physim/quantity.hpp"
+#include "scenario/study_text.hpp"
 #include "scenario/suggest.hpp"
 #include "simclient/core/client.hpp"
 #include "study/places.hpp"
@@ -54,13 +55,9 @@ std::string place_name(const std::string& text) {
 
 /// As a study will check them when it begins.
 Status check_at(const std::vector<std::string>& texts) {
-  Study study;
-  for (std::size_t i = 0; i < texts.size(); ++i) {
-    const Result<StudyPlace> place = parse_study_place(texts[i]);
-    if (!place) return Error{place.error().message, "at[" + std::to_string(i) + ']', place.error().hint};
-    study.at.push_back(*place);
-  }
-  return check_places(study, true);
+  const auto places = study_places_of({.at = texts});
+  if (!places) return places.error();
+  return check_places({.at = *places}, true);
 }
 
 }  // namespace
