@@ -109,13 +109,13 @@ Contender single_flights(std::string name, const Fidelity& fidelity) {
     const Until until = bench_until();
     const Tolerance tolerance = tolerance_of(kind, setting);
     std::vector<Vec3d> places(ends ? 0 : count);
-    Vec3d* const into = ends ? ends : places.data();  // the place is asked in every turn, as of peers
+    Vec3d* const into = ends ? ends : places.data();  // the place is taken in every turn, as of peers
     for (std::size_t i = 0; i < count; ++i) {
       const Flight flight = fly(set.shots[0].projectile, set.launches[i], environment, fidelity, tolerance, until);
       work.steps += flight.cost().steps;
       work.tries += flight.cost().steps + flight.cost().rejected;
       work.evaluations += flight.cost().evaluations;
-      into[i] = flight.end().position;
+      into[i] = flight.events().back().position;  // the crossing of the range line, which ended it
     }
     return work;
   };

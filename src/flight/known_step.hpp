@@ -1,28 +1,20 @@
-// Steps on the rungs that most single flights stand on, known at compile time: the models, the same functions, fold to
-// straight code. A single flight waits for its own numbers; here they stay in registers, where going through memory
-// would take as long as computing them.
+// Steps on the rungs that most single flights stand on, known at compile time (flight/known_stages.hpp), by the kernels
+// of the instruction set in use.
 #pragma once
 
 #include <array>
-#include <vector>
 
-#include "solve/march.hpp"
+#include "flight/plain_rung.hpp"
+#include "solve/corners.hpp"
 
 namespace physim {
 
-struct KnownFlight;
-
-/// How steps are taken whose rung and integrator are known.
-struct KnownStep {
-  /// Takes one, as take_step() does, to the bit: a flyer's slopes, its end and its error.
-  void (*take)(const Conditions<double>& c, Flyer<double>& flyer, double relative, double absolute) = nullptr;
-  /// Takes steps and keeps them, one after the other, as March does, to the bit; the last one tried, which somebody has
-  /// to look at, is neither accepted yet nor kept. Returns whether it is to be accepted.
-  bool (*go_on)(KnownFlight& flight) = nullptr;
-  /// The coefficients of its interpolant, as dense_sums() makes them, to the bit; none where it is made of both ends.
-  void (*interpolate)(const Step<double>& step, State<double>* coefficients) = nullptr;
-
-  explicit operator bool() const { return take != nullptr; }
+/// The rungs that are known.
+inline constexpr PlainRungs kKnownRungs[] = {
+    {GravityModel::constant, EarthModel::flat, WindModel::off},
+    {GravityModel::constant, EarthModel::flat, WindModel::constant},
+    {GravityModel::inverse_square, EarthModel::flat_coriolis, WindModel::off},
+    {GravityModel::inverse_square, EarthModel::flat_coriolis, WindModel::constant},
 };
 
 /// What a step of Tsit5 leaves for its interpolant beside the nodes at its ends, which hold the first slope and the
@@ -35,13 +27,36 @@ struct KeptStep {
   Unset<std::array<State<double>, kInner>> slopes{};  // between them
 };
 
-/// What a flight from a launch that meets nothing needs, step by step.
+/// What a flight from a launch that meets nothing needs, step by step. It may be begun where may_go_on() says so.
 struct KnownFlight {
-  March<double>& march;
-  std::vector<Node>& nodes;
-  std::vector<KeptStep>& kept;  // where interpolants are made of them
-  bool is_watched = false;      // the step at hand, by that which follows
-  Unset<QuietWatch<double>> quiet{};
+  const Course<double>& course;
+  Lanes<double>& lanes;
+  Node* node;  // where the end of the next step is kept
+  Node* end_of_nodes;
+  KeptStep* kept;  // where what its interpolant needs is kept; as many as nodes, or none
+};
+
+/// Why steps do not go on.
+enum class KnownEnd {
+  rejected,         // the last step tried has to be looked at
+  accepted,         // it has, and it is to be accepted
+  of_another_rung,  // the next step is one that is not known
+  out_of_room,      // for nodes
+};
+
+/// How steps are taken whose rung and integrator are known.
+struct KnownSteps {
+  /// Takes one, as take_step() does, to the bit: a flyer's slopes, its end and its error.
+  void (*take)(const Conditions<double>& c, Flyer<double>& flyer, double relative, double absolute) = nullptr;
+  /// Takes steps and keeps them, one after the other, as March does, to the bit; the last one tried, where somebody has
+  /// to look at it, is neither accepted yet nor kept.
+  KnownEnd (*go_on)(KnownFlight& flight) = nullptr;
+};
+struct KnownStep : KnownSteps {
+  /// The coefficients of its interpolant, as dense_sums() makes them, to the bit; none where it is made of both ends.
+  void (*interpolate)(const Step<double>& step, State<double>* coefficients) = nullptr;
+
+  explicit operator bool() const { return take != nullptr; }
 };
 
 void keep_slopes(const Step<double>& step, KeptStep& kept);
@@ -51,5 +66,17 @@ void interpolate_kept(const KeptStep& kept, const Node& n0, const Node& n1, Stat
 
 /// The step of what flies under some conditions; none where no known rung matches.
 [[nodiscard]] KnownStep known_step(const Conditions<double>& c);
+
+/// Whether a flight may go on by known steps: what they know nothing of, corners but those of the air and the air above
+/// its first layer, is not at hand.
+[[nodiscard]] inline bool may_go_on(const Course<double>& course, const Lanes<double>& l) {
+  const Conditions<double>& c = *course.conditions;
+  if (course.corners && !(only_air_has_corners(c) && l.regime.air_layer == 0 && l.cut == 0)) return false;
+  return !(l.step.start.x.y + c.altitude > c.air.low_top);
+}
+
+/// A step of any rung, for kernels that know few: all integrators and models are long, and few steps get above the
+/// first layer of the air.
+void take_any_step(const Conditions<double>& c, Flyer<double>& flyer, double relative, double absolute);
 
 }  // namespace physim

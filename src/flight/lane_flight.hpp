@@ -105,8 +105,10 @@ class LaneFlight {
   /// Most steps of known rungs are taken and kept without a look at them.
   void fly_known() {
     if constexpr (kMayBeKnown) {
-      KnownFlight flight{march_, record_.path.nodes, record_.path.kept};
-      while (!ended_) look_at_step(known_.go_on(flight));
+      while (!ended_) {
+        const KnownEnd end = path_.go_on(known_, course_, lane());
+        look_at_step(end == KnownEnd::of_another_rung ? try_step() : end == KnownEnd::accepted);
+      }
     }
   }
 

@@ -87,6 +87,17 @@ class PathKeeper {
       record_.path.coefficients.reserve(kSteps * coefficient_count(record_));
   }
 
+  /// Takes known steps as long as they go on.
+  [[nodiscard]] KnownEnd go_on(const KnownStep& known, const Course<double>& course, Lanes<double>& lanes) {
+    while (may_go_on(course, lanes)) {
+      KnownFlight flight = lend_room(course, lanes);
+      const KnownEnd end = known.go_on(flight);
+      take_room(flight);
+      if (end != KnownEnd::out_of_room) return end;
+    }
+    return KnownEnd::of_another_rung;
+  }
+
   /// Keeps where a step starts; of a state's slope the acceleration alone.
   void keep_start(double time) {
     const auto keep = [time](const auto& part, auto& path) {
@@ -174,10 +185,42 @@ class PathKeeper {
  private:
   [[nodiscard]] const Fidelity& fidelity() const { return record_.cohort.in_use.fidelity; }
 
+  /// Room for one more step. Lists grow in few steps, for what is long already is mostly a long flight's.
+  void make_room() {
+    const auto grow = [](auto& list) {
+      PHYSIM_ASSERT(list.capacity() > 0);
+      if (list.size() == list.capacity()) list.reserve(4 * list.size());
+    };
+    grow(record_.path.nodes);
+    if (keeps_slopes) grow(record_.path.kept);
+  }
+
+  // Known steps are kept by who takes them: room is lent to them, and what they have filled is taken back. What is lent
+  // is set to zero, so it is not all that there is.
+  [[nodiscard]] KnownFlight lend_room(const Course<double>& course, Lanes<double>& lanes) {
+    constexpr std::size_t kMostLent = 64;
+    make_room();
+    FlownPath& path = record_.path;
+    const std::size_t count = path.nodes.size();
+    std::size_t room = std::min(path.nodes.capacity(), count + kMostLent);
+    if (keeps_slopes) room = std::min(room, path.kept.capacity() + 1);
+    PHYSIM_ASSERT(count > 0 && !is_pushed && !path.turn && (!keeps_slopes || path.kept.size() == count - 1));
+    path.nodes.resize(room);
+    if (keeps_slopes) path.kept.resize(room - 1);
+    Node* const nodes = path.nodes.data();
+    return {course, lanes, nodes + count, nodes + room, keeps_slopes ? path.kept.data() + (count - 1) : nullptr};
+  }
+  void take_room(const KnownFlight& flight) {
+    FlownPath& path = record_.path;
+    path.nodes.resize(static_cast<std::size_t>(flight.node - path.nodes.data()));
+    if (keeps_slopes) path.kept.resize(path.nodes.size() - 1);
+  }
+
   void keep_known_slopes() {
     const Step<S>& s = lane_.step;
     FlownPath& path = record_.path;
     PHYSIM_ASSERT(!path.nodes.empty() && path.kept.size() == path.nodes.size() - 1 && !is_pushed && !path.turn);
+    make_room();
     keep_end(s, path.nodes.emplace_back());
     keep_slopes(s, path.kept.emplace_back());
   }

@@ -4,7 +4,7 @@
 #include "math/pack.hpp"
 #include "model/acceleration.hpp"
 
-PHYSIM_ISA_BEGIN
+namespace physim {
 
 /// The rungs and features that tell plain point masses apart.
 struct PlainRungs {
@@ -13,6 +13,10 @@ struct PlainRungs {
   WindModel wind = WindModel::off;
   Features features{};
 };
+
+}  // namespace physim
+
+PHYSIM_ISA_BEGIN
 
 /// Whether somebody flies as a point mass with a drag curve in the standard's air, and has nothing special about it but
 /// these features.

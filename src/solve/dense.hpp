@@ -12,6 +12,28 @@
 
 #include "solve/take_step.hpp"
 
+namespace physim {
+
+/// A state and its acceleration at a time: what lies at both ends of a step. W is double, or a pack of them.
+template <class W>
+struct NodeOf {
+  W t;
+  State<W> y;
+  Vec3<W> a;
+};
+using Node = NodeOf<double>;
+
+/// A Turn and its slope at a time, at both ends of a step.
+template <class W>
+struct TurnNodeOf {
+  W t;
+  Turn<W> y;
+  Turn<W> slope;
+};
+using TurnNode = TurnNodeOf<double>;
+
+}  // namespace physim
+
 PHYSIM_ISA_BEGIN
 
 inline constexpr int kMaxDenseCoefficients = 7;
@@ -34,24 +56,6 @@ PHYSIM_INLINE void for_dense_slopes(Integrator integrator, int last, const auto&
   PHYSIM_ASSERT(last >= 1 && last < kMaxSlopes);
   for (int i = 0; i <= last; i += dense_coefficient_count(integrator) > 0 ? 1 : last) f(i);
 }
-
-/// A state and its acceleration at a time: what lies at both ends of a step. W is double, or a pack of them.
-template <class W>
-struct NodeOf {
-  W t;
-  State<W> y;
-  Vec3<W> a;
-};
-using Node = NodeOf<double>;
-
-/// A Turn and its slope at a time, at both ends of a step.
-template <class W>
-struct TurnNodeOf {
-  W t;
-  Turn<W> y;
-  Turn<W> slope;
-};
-using TurnNode = TurnNodeOf<double>;
 
 /// Where a time lies between two nodes, 0..1; a step that stands still counts as taken.
 template <class W>

@@ -31,7 +31,7 @@ PHYSIM_INLINE R closed_form_step(const Conditions<S>& c, const Body<R>& b) {
 
 template <class R>
 PHYSIM_INLINE MaskOf<R> stands_still(const Lanes<R>& l) {
-  return (l.step.t_end <= l.step.t) | !(l.step.h > R(ScalarOf<R>(0)));
+  return stands_still(l.step.t, l.step.h, l.step.t_end);
 }
 
 template <class R>
@@ -248,10 +248,8 @@ class March {
     l.tries += R(S(1));
     Mask accepted = asked;
     if (steps_itself(c.fidelity) && c.fidelity.motion != Motion::closed_form) {
-      accepted = asked & (l.step.error <= R(S(1)));
       const R proposed = l.control.h;
-      l.control.h =
-          min(next_step(c.fidelity.integrator, l.step.h, l.step.error, accepted, l.control), R(course_->plan.max_step));
+      accepted = judge_error(c.fidelity.integrator, l.step.h, l.step.error, asked, course_->plan.max_step, l.control);
       // A step that had to end at a stop or a frame says nothing against the longer one that it would have been.
       if (framed_ || has_stops(c))
         l.control.h = select(accepted & (l.step.h < proposed), max(l.control.h, proposed), l.control.h);

@@ -8,7 +8,7 @@
 #include "solve/dense.hpp"
 #include "solve/stops.hpp"
 
-PHYSIM_ISA_BEGIN
+namespace physim {
 
 /// Index of the piece in each kind of data; whole numbers.
 template <class R>
@@ -21,6 +21,10 @@ struct Regime {
   R aero_cell;
   R rail;
 };
+
+}  // namespace physim
+
+PHYSIM_ISA_BEGIN
 
 /// How many of the borders lie at or below u.
 template <class R, class S>

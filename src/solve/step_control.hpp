@@ -15,13 +15,17 @@
 #include "physim/fidelity.hpp"
 #include "solve/explicit_runge_kutta.hpp"
 
-PHYSIM_ISA_BEGIN
+namespace physim {
 
 template <class R>
 struct StepControl {
   R log_previous;  // log2 of the last accepted error, squared
   R h;             // next step to try [s]
 };
+
+}  // namespace physim
+
+PHYSIM_ISA_BEGIN
 
 /// As clamp(), of what mostly lies between: a number by itself passes without waiting for comparisons, which the
 /// processor foresees.
@@ -49,6 +53,22 @@ PHYSIM_INLINE R next_step(Integrator integrator, const R& h, const R& error, con
   const R factor = constant<R>(0.9) * exp2_roughly(select(accepted, with_memory, after_rejection));
   control.log_previous = select(accepted, e, control.log_previous);
   return h * seldom_clamped(factor, R(S(0.1)), R(S(5)));
+}
+
+/// Judges steps of length h by their error squared: returns those of the lanes asked for in which it is accepted, and
+/// sets control.h to the next step to try.
+template <class R, class S>
+PHYSIM_INLINE MaskOf<R> judge_error(Integrator integrator, const R& h, const R& error, const MaskOf<R>& asked,
+                                    S max_step, StepControl<R>& control) {
+  const MaskOf<R> accepted = asked & (error <= R(S(1)));
+  control.h = min(next_step(integrator, h, error, accepted, control), R(max_step));
+  return accepted;
+}
+
+/// Steps so short that they do not move the clock, or of no length.
+template <class R>
+PHYSIM_INLINE MaskOf<R> stands_still(const R& t, const R& h, const R& t_end) {
+  return (t_end <= t) | !(h > R(ScalarOf<R>(0)));
 }
 
 /// First step: the time in which the velocity would change by a few times the root of the tolerance, of the estimate's

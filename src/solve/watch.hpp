@@ -267,43 +267,6 @@ class StandingWatch {
   int count_ = 0;
 };
 
-/// What a lane that flies alone is watched for, as numbers: a step after which all of them lie strictly on their sides
-/// crosses nothing, and needs no closer look.
-template <class S>
-class QuietWatch {
- public:
-  /// At a step that has not been taken yet.
-  void begin(const Conditions<S>& c, const WatchList& watch, const Flyer<S>& l) {
-    for (int i = 0; i < watch.count; ++i)
-      at_[i] = numbers(c, l.body, watch.item[i].spec, l.step.t, l.step.start, l.step.slope[0].v);
-  }
-  /// Whether a step from where begin() or the last accepted step left off surely crosses nothing. Where it may, begin()
-  /// has to come before the next one.
-  PHYSIM_INLINE bool passes(const Conditions<S>& c, const WatchList& watch, const Flyer<S>& l, int last_slope) {
-    PHYSIM_ASSERT(watch.count >= 0 && watch.count <= kMaxWatched);
-    bool quiet = true;
-    for (int i = 0; i < watch.count; ++i) {
-      const Numbers end = numbers(c, l.body, watch.item[i].spec, l.step.t_end, l.step.end, l.step.slope[last_slope].v);
-      quiet &= at_[i].value * end.value > S(0) && at_[i].rate * end.rate > S(0);
-      at_[i] = end;
-    }
-    return quiet;
-  }
-
- private:
-  struct Numbers {
-    S value;
-    S rate;  // 1 of what may not turn
-  };
-  PHYSIM_INLINE static Numbers numbers(const Conditions<S>& c, const Body<S>& b, const EventSpec& spec, const S& t,
-                                       const State<S>& s, const Vec3<S>& a) {
-    const bool turns = may_turn(row_of(spec.kind).watch);
-    return {watched_value(c, b, spec, t, s), turns ? watched_rate(c, b, spec, s, a) : S(1)};
-  }
-
-  Numbers at_[kMaxWatched];
-};
-
 /// The crossings of one lane's step.
 struct CrossingList {
   Found found[2 * kMaxWatched];

@@ -1,4 +1,4 @@
-// Steps of known rungs are those of all rungs, to the bit.
+// Steps of known rungs are those of all rungs, to the bit, by every kernel.
 #include "flight/known_step.hpp"
 
 #include "plain_bullet.hpp"
@@ -6,6 +6,14 @@
 
 namespace physim::test {
 namespace {
+
+class KnownStepTest : public testing::TestWithParam<std::string> {
+ protected:
+  KnownStepTest() { EXPECT_TRUE(use_kernel(GetParam())); }
+  ~KnownStepTest() override { use_kernel(""); }
+};
+INSTANTIATE_TEST_SUITE_P(Kernels, KnownStepTest, testing::ValuesIn(kernels()),
+                         [](const auto& kernel) { return kernel.param; });
 
 struct Rung {
   const char* name;
@@ -73,7 +81,7 @@ Flyer<double> same_step(const Prepared& p, const KnownStep& known, int number, d
   return other;
 }
 
-TEST(KnownStep, OfRk43IsTheStepOfAllRungsToTheBit) {
+TEST_P(KnownStepTest, OfRk43IsTheStepOfAllRungsToTheBit) {
   for (const Rung& rung : kRungs) {
     SCOPED_TRACE(rung.name);
     const Prepared p(plain_bullet(), {}, windy(), fidelity_of(rung, Integrator::rk43));
@@ -84,7 +92,7 @@ TEST(KnownStep, OfRk43IsTheStepOfAllRungsToTheBit) {
   }
 }
 
-TEST(KnownStep, IsTheStepOfAllRungsToTheBit) {
+TEST_P(KnownStepTest, IsTheStepOfAllRungsToTheBit) {
   for (const Rung& rung : kRungs) {
     SCOPED_TRACE(rung.name);
     const Prepared p(plain_bullet(), {}, windy(), fidelity_of(rung));
@@ -121,7 +129,7 @@ ProjectileDef with_short_curve() {
   return p;
 }
 
-TEST(KnownStep, IsTheStepOfAllRungsBeyondBothEndsOfADragCurve) {
+TEST_P(KnownStepTest, IsTheStepOfAllRungsBeyondBothEndsOfADragCurve) {
   for (const Integrator integrator : {Integrator::tsit5, Integrator::rk43}) {
     const Prepared p(with_short_curve(), {}, windy(), fidelity_of(kRungs[1], integrator));
     ASSERT_FALSE(p.cohort.conditions.has_searched_curves);
@@ -158,7 +166,7 @@ void expect_same_flight(const Flight& a, const Flight& b) {
   }
 }
 
-TEST(KnownStep, FliesAsWhatLooksAtEachStep) {
+TEST_P(KnownStepTest, FliesAsWhatLooksAtEachStep) {
   Scene far;
   ASSERT_TRUE(far.add({.shape = *far.add_shape(SphereShape{1}), .transform = {.position = {0, -4000, 1e5}}}));
   struct Case {
@@ -177,18 +185,20 @@ TEST(KnownStep, FliesAsWhatLooksAtEachStep) {
   cases.back().until.events = {{EventKind::mach, 1}, {EventKind::speed, 200}, {EventKind::height, 500}};
   for (const Rung& rung : kRungs)
     for (const Integrator integrator : {Integrator::tsit5, Integrator::rk43})
-      for (const Case& each : cases) {
-        SCOPED_TRACE(std::string(rung.name) + ", " + each.name);
-        const Launch launch{.speed = each.speed, .elevation = each.elevation};
-        Until beside = each.until;
-        beside.scene = &far;
-        const Fidelity fidelity = fidelity_of(rung, integrator);
-        expect_same_flight(fly(plain_bullet(), launch, windy(), fidelity, each.tolerance, each.until),
-                           fly(plain_bullet(), launch, windy(), fidelity, each.tolerance, beside));
-      }
+      for (const Interpolation interpolation : {Interpolation::cubic, Interpolation::linear})
+        for (const Case& each : cases) {
+          SCOPED_TRACE(std::string(rung.name) + ", " + each.name);
+          const Launch launch{.speed = each.speed, .elevation = each.elevation};
+          Until beside = each.until;
+          beside.scene = &far;
+          Fidelity fidelity = fidelity_of(rung, integrator);
+          fidelity.interpolation = interpolation;  // linear curves have corners
+          expect_same_flight(fly(plain_bullet(), launch, windy(), fidelity, each.tolerance, each.until),
+                             fly(plain_bullet(), launch, windy(), fidelity, each.tolerance, beside));
+        }
 }
 
-TEST(KnownStep, IsNotForWhatIsSpecial) {
+TEST_P(KnownStepTest, IsNotForWhatIsSpecial) {
   const Rung& rung = kRungs[1];
   const auto knows = [&](const auto& change) {
     Prepared p(plain_bullet(), {}, windy(), fidelity_of(rung));
@@ -217,7 +227,7 @@ std::vector<std::pair<Rung, Integrator>> known_flights() {
 
 /// A single flight takes known steps, a batch the steps of all rungs: places, events and work are equal, up through
 /// several layers of the air and down again.
-TEST(KnownStep, GivesTheFlightOfABatch) {
+TEST_P(KnownStepTest, GivesTheFlightOfABatch) {
   for (const auto& [rung, integrator] : known_flights()) {
     SCOPED_TRACE(rung.name);
     for (const double elevation : {0.01, 0.4, 1.2}) {
@@ -244,7 +254,7 @@ TEST(KnownStep, GivesTheFlightOfABatch) {
 
 /// What meets nothing makes its interpolants when it is asked, what may meet things in its steps, by the functions of
 /// all rungs: a scene without things changes nothing anywhere on the path.
-TEST(KnownStep, AnswersInsideItsStepsAsAllRungsDo) {
+TEST_P(KnownStepTest, AnswersInsideItsStepsAsAllRungsDo) {
   const Scene empty;
   for (const auto& [rung, integrator] : known_flights()) {
     SCOPED_TRACE(rung.name);

@@ -1,0 +1,128 @@
+// Compiled once per instruction set, in a namespace of its name: a single flight waits less where there are more
+// registers. Its numbers are no packs, and joining them to packs would make them wait (see cmake/kernels.cmake).
+#include "flight/known_stages.hpp"
+#include "flight/known_step.hpp"
+#include "solve/judge.hpp"
+#include "solve/quiet_watch.hpp"
+
+PHYSIM_ISA_BEGIN
+
+namespace {
+
+template <class Method, class Rung>
+void take_known_step(const Conditions<double>& c, Flyer<double>& flyer, double relative, double absolute) {
+  Step<double>& s = flyer.step;
+  StageCells<Method> cells(flyer.body, c.curve_rows);
+  const KnownStages<Rung, Method> stages(c, flyer.body, s.t, s.h, s.t_end, start_of(s), cells);
+  if (!stages.holds()) return take_any_step(c, flyer, relative, absolute);
+  stages.put(stages.error(relative, absolute), s);
+}
+
+/// A flight under way, in numbers of its own: of its lanes only the body is read, until it leaves them where it is.
+template <class Method, class Rung>
+class KnownLoop {
+ public:
+  PHYSIM_INLINE explicit KnownLoop(KnownFlight& flight)
+      : flight_(flight),
+        c_(*flight.course.conditions),
+        plan_(flight.course.plan),
+        top_(flight.course.corners ? c_.air.base[1] : std::numeric_limits<double>::infinity()),
+        now_(start_of(flight.lanes.step)),
+        control_(flight.lanes.control),
+        t_(flight.lanes.step.t),
+        tries_(flight.lanes.tries),
+        count_(flight.lanes.count) {}
+
+  PHYSIM_INLINE KnownEnd run() {
+    const Lanes<double>& l = flight_.lanes;
+    PHYSIM_ASSERT(may_go_on(flight_.course, l));
+    QuietWatch<double> quiet;
+    quiet.begin(c_, flight_.course.watch, l);
+    StageCells<Method> cells(l.body, c_.curve_rows);
+    while (flight_.node != flight_.end_of_nodes) {
+      const double h = control_.h, t_end = t_ + h;
+      const KnownStages<Rung, Method> stages(c_, l.body, t_, h, t_end, now_, cells);
+      const Standpoint end = stages.end();
+      if (!stages.holds() || !(altitude(Rung::known(c_), end.x) < top_)) return leave(KnownEnd::of_another_rung);
+      const double error = stages.error(plan_.relative, plan_.absolute);
+      tries_ += 1;
+      const bool accepted = judge_error(kIntegrator, h, error, true, plan_.max_step, control_);
+      const bool stuck = tries_ >= plan_.max_tries || stands_still(t_, h, t_end);
+      if (!accepted && !stuck) continue;
+      const State<double> there{end.x, end.v};
+      if (stuck || !quiet.passes(c_, flight_.course.watch, l.body, t_end, there, end.a) || !is_finite(there)) {
+        Step<double>& s = flight_.lanes.step;
+        s.h = h, s.t_end = t_end;
+        stages.put(error, s);
+        return leave(accepted ? KnownEnd::accepted : KnownEnd::rejected);
+      }
+      keep(stages, h, t_end, end);
+      cells.accept(h);
+      copy(end, now_);
+      t_ = t_end;
+      count_ += 1;
+    }
+    return leave(KnownEnd::out_of_room);
+  }
+
+ private:
+  static constexpr Integrator kIntegrator = std::is_same_v<Method, Tsit5> ? Integrator::tsit5 : Integrator::rk43;
+  static_assert(std::is_same_v<Method, Tsit5> || std::is_same_v<Method, Rk43>);
+
+  PHYSIM_INLINE void keep(const KnownStages<Rung, Method>& stages, double h, double t_end, const Standpoint& end) {
+    Node& node = *flight_.node++;
+    node.t = t_end;
+    copy_vector(end.x, node.y.x), copy_vector(end.v, node.y.v), copy_vector(end.a, node.a);
+    if constexpr (dense_coefficients_of<Method>() > 0) {
+      KeptStep& kept = *flight_.kept++;
+      kept.h = h;
+      stages.put_inner_slopes(kept.slopes->data());
+    }
+  }
+  PHYSIM_INLINE KnownEnd leave(KnownEnd end) const {
+    Lanes<double>& l = flight_.lanes;
+    l.step.t = t_;
+    copy_vector(now_.x, l.step.start.x), copy_vector(now_.v, l.step.start.v);
+    copy_vector(now_.v, l.step.slope[0].x), copy_vector(now_.a, l.step.slope[0].v);
+    l.control = control_;
+    l.tries = tries_;
+    l.count = count_;
+    return end;
+  }
+
+  KnownFlight& flight_;
+  const Conditions<double>& c_;
+  const StepPlan<double>& plan_;
+  double top_;      // corners are above it [m]
+  Standpoint now_;  // where the step at hand starts
+  StepControl<double> control_;
+  double t_, tries_, count_;
+};
+
+template <class Method, class Rung>
+KnownEnd go_on_known(KnownFlight& flight) {
+  return KnownLoop<Method, Rung>(flight).run();
+}
+
+template <class Method, int kRung>
+KnownSteps steps_of() {
+  constexpr PlainRungs kRungs = kKnownRungs[kRung];
+  using Rung = PlainRung<kRungs.gravity, kRungs.earth, kRungs.wind>;
+  return {take_known_step<Method, Rung>, go_on_known<Method, Rung>};
+}
+template <class Method, int... kRung>
+KnownSteps steps_of_rung(int rung, std::integer_sequence<int, kRung...>) {
+  KnownSteps steps;
+  ((rung == kRung ? void(steps = steps_of<Method, kRung>()) : void()), ...);
+  return steps;
+}
+
+}  // namespace
+
+KnownSteps known_steps(Integrator integrator, int rung) {
+  constexpr auto kAll = std::make_integer_sequence<int, std::size(kKnownRungs)>();
+  PHYSIM_ASSERT(rung >= 0 && rung < static_cast<int>(std::size(kKnownRungs)));
+  return integrator == Integrator::tsit5 ? steps_of_rung<Tsit5>(rung, kAll) : steps_of_rung<Rk43>(rung, kAll);
+}
+
+PHYSIM_ISA_END
