@@ -101,7 +101,7 @@ Contender batch(std::string name, std::string kernel, const Fidelity& fidelity, 
 }
 
 Contender single_flights(std::string name, const Fidelity& fidelity) {
-  Contender contender{std::move(name), "scalar"};
+  Contender contender{std::move(name), kernels().front()};  // of its steps
   const Contender kind = contender;
   contender.fly = [kind, fidelity](const ShotSet& set, std::size_t count, double setting, Vec3d* ends) {
     Work work;

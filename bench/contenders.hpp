@@ -36,7 +36,7 @@ enum class BatchOf {
 };
 /// fly_batch() or fly_columns() with one kernel.
 [[nodiscard]] Contender batch(std::string name, std::string kernel, const Fidelity& fidelity, BatchOf what);
-/// fly() for each shot, with dense output and the place asked from it.
+/// fly() for each shot, by the best kernel, with dense output and the place of the event that ends it.
 [[nodiscard]] Contender single_flights(std::string name, const Fidelity& fidelity);
 
 /// Worst and mean distance from the reference [m].

@@ -142,9 +142,8 @@ Section equal_error_section(const Options& options, double target, double* toler
       "Flown: " + std::to_string(options.flights) +
           " shots, 823 +- 15 m/s, 0.7 +- 0.3 degrees; peers fly the same ones in turn. Checking, preparing and "
           "gathering are part of every PhySim time; batches and fly() are launches of one projectile, as those of the "
-          "peers are; batches go into a result used again. fly() keeps its dense output and, as odeint, is asked the "
-          "place "
-          "at the range line.",
+          "peers are; batches go into a result used again. fly() keeps its dense output and, as odeint, finds the "
+          "place at the range line.",
       "Air by laws: exp() and log() in every evaluation, as one would write it. The others, peers too, read PhySim's "
       "polynomials for the air below 11 km, which agree with the laws to 1e-14.",
       "native, FMA: -O3 -march=native -ffp-contract=fast. portable: -O3 for any x86-64, without fused multiply-add. "
