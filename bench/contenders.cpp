@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <utility>
 
 #include "physim/flight_columns.hpp"
@@ -100,10 +101,14 @@ Contender batch(std::string name, std::string kernel, const Fidelity& fidelity, 
   return contender;
 }
 
+constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
+constexpr Vec3d kNowhere{kNan, kNan, kNan};  // of a flight that misses the range line
+
 Contender single_flights(std::string name, const Fidelity& fidelity) {
   Contender contender{std::move(name), kernels().front()};  // of its steps
   const Contender kind = contender;
   contender.fly = [kind, fidelity](const ShotSet& set, std::size_t count, double setting, Vec3d* ends) {
+    use_kernel(kind.kernel);
     Work work;
     const Environment environment = bench_environment();
     const Until until = bench_until();
@@ -115,8 +120,10 @@ Contender single_flights(std::string name, const Fidelity& fidelity) {
       work.steps += flight.cost().steps;
       work.tries += flight.cost().steps + flight.cost().rejected;
       work.evaluations += flight.cost().evaluations;
-      into[i] = flight.events().back().position;  // the crossing of the range line, which ended it
+      // The crossing of the range line, which ends it.
+      into[i] = flight.outcome() == Outcome::reached_range ? flight.events().back().position : kNowhere;
     }
+    use_kernel("");
     return work;
   };
   return contender;

@@ -261,10 +261,10 @@ void fly_batch(const ProjectileDef& projectile, std::span<const Launch> launches
                                         const Environment& environment, const Fidelity& fidelity,
                                         const Tolerance& tolerance, const Until& until);
 
-/// Instruction sets this build and machine can fly batches with, best first.
+/// Instruction sets this build and machine can fly with, best first; "scalar" is a loop over plain numbers.
 [[nodiscard]] std::vector<std::string> kernels();
-/// Chooses the instruction set for all later batches; "" chooses the best. The environment variable PHYSIM_KERNEL does
-/// the same at start. False where the machine or the build does not have it.
+/// Chooses the instruction set for all that flies later; "" chooses the best. The environment variable PHYSIM_KERNEL
+/// does the same at start. False where the machine or the build does not have it.
 bool use_kernel(const std::string& name);
 
 }  // namespace physim

@@ -12,7 +12,7 @@
 PHYSIM_ISA_BEGIN
 
 template <int kCount>
-PHYSIM_INLINE void copy_numbers(const double (&from)[kCount], double (&to)[kCount]) {
+PHYSIM_INLINE void copy_coefficients(const double (&from)[kCount], double (&to)[kCount]) {
   [&]<int... I>(std::integer_sequence<int, I...>) PHYSIM_INLINE_LAMBDA { ((to[I] = from[I]), ...); }
   (std::make_integer_sequence<int, kCount>());
 }
@@ -23,10 +23,7 @@ PHYSIM_INLINE void copy_vector(const Vec3<double>& from, Vec3<double>& to) {
 
 /// A point mass with a drag curve and nothing special about it, in the standard's air below the top of its first layer.
 template <GravityModel kGravity, EarthModel kEarth, WindModel kWind>
-struct PlainRung {
-  PHYSIM_INLINE static bool is_below_top(const Conditions<double>& c, const Vec3<double>& place) {
-    return !(place.y + c.altitude > c.air.low_top);
-  }
+struct KnownRung {
   /// The conditions that this rung reads.
   PHYSIM_INLINE static Conditions<double> known(const Conditions<double>& c) {
     Conditions<double> k;
@@ -43,8 +40,8 @@ struct PlainRung {
     k.radius = c.radius;
     k.altitude = c.altitude;
     k.omega = c.omega;
-    copy_numbers(c.air.common.low_density, k.air.common.low_density);
-    copy_numbers(c.air.common.low_per_sound, k.air.common.low_per_sound);
+    copy_coefficients(c.air.common.low_density, k.air.common.low_density);
+    copy_coefficients(c.air.common.low_per_sound, k.air.common.low_per_sound);
     k.air.low_middle = c.air.low_middle;
     k.air.low_scale = c.air.low_scale;
     k.air.low_top = std::numeric_limits<double>::quiet_NaN();  // nothing is above it
@@ -239,7 +236,7 @@ class KnownStages {
     air_.speed = length(air_.u);
     x_[1] = whole<kStage>(lead_of<kStage>(v_, h_, x_[0]), v_[kStage - 1], h_, x_[0]);
     air_.air = air_state(k, b_, x_[1]);
-    holds_ &= Rung::is_below_top(c_, x_[1]);
+    holds_ &= is_in_low_air(c_, x_[1]);
   }
   template <int kStage>
   [[nodiscard]] PHYSIM_INLINE double time() const {

@@ -1,5 +1,6 @@
 #include "flight/known_step.hpp"
 
+#include <algorithm>
 #include <iterator>
 #include <utility>
 
@@ -10,22 +11,22 @@
 
 namespace physim {
 
-PHYSIM_KERNEL_COPIES(KnownSteps known_steps(Integrator integrator, int rung);)
+PHYSIM_KERNEL_COPIES(KnownStep known_step_on(int rung, Integrator integrator);)
 
 namespace {
 
 struct KnownStepKernel {
   const char* name;
-  KnownSteps (*steps)(Integrator integrator, int rung);
+  KnownStep (*step_on)(int rung, Integrator integrator);  // without its interpolant
 };
 constexpr KnownStepKernel kKernels[] = {
 #if PHYSIM_HAVE_AVX512
-    {"avx512", avx512::known_steps},
+    {"avx512", avx512::known_step_on},
 #endif
 #if PHYSIM_HAVE_AVX2
-    {"avx2", avx2::known_steps},
+    {"avx2", avx2::known_step_on},
 #endif
-    {"base", base::known_steps},
+    {"base", base::known_step_on},
 };
 
 PHYSIM_INLINE void copy_state(const State<double>& from, State<double>& to) {
@@ -83,11 +84,11 @@ void take_any_step(const Conditions<double>& c, Flyer<double>& flyer, double rel
 KnownStep known_step(const Conditions<double>& c) {
   const Integrator integrator = c.fidelity.integrator;
   if (integrator != Integrator::tsit5 && integrator != Integrator::rk43) return {};
-  for (int rung = 0; rung < static_cast<int>(std::size(kKnownRungs)); ++rung)
-    if (is_plain(c, kKnownRungs[rung]))
-      return {copy_in_use(kKernels).steps(integrator, rung),
-              integrator == Integrator::tsit5 ? interpolate_tsit5 : nullptr};
-  return {};
+  const auto rung = std::ranges::find_if(kKnownRungs, [&](const PlainRungs& rungs) { return is_plain(c, rungs); });
+  if (rung == std::end(kKnownRungs)) return {};
+  KnownStep step = copy_in_use(kKernels).step_on(static_cast<int>(rung - kKnownRungs), integrator);
+  if (integrator == Integrator::tsit5) step.interpolate = interpolate_tsit5;
+  return step;
 }
 
 }  // namespace physim

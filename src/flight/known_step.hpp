@@ -45,14 +45,12 @@ enum class KnownEnd {
 };
 
 /// How steps are taken whose rung and integrator are known.
-struct KnownSteps {
+struct KnownStep {
   /// Takes one, as take_step() does, to the bit: a flyer's slopes, its end and its error.
   void (*take)(const Conditions<double>& c, Flyer<double>& flyer, double relative, double absolute) = nullptr;
   /// Takes steps and keeps them, one after the other, as March does, to the bit; the last one tried, where somebody has
   /// to look at it, is neither accepted yet nor kept.
   KnownEnd (*go_on)(KnownFlight& flight) = nullptr;
-};
-struct KnownStep : KnownSteps {
   /// The coefficients of its interpolant, as dense_sums() makes them, to the bit; none where it is made of both ends.
   void (*interpolate)(const Step<double>& step, State<double>* coefficients) = nullptr;
 
@@ -67,16 +65,20 @@ void interpolate_kept(const KeptStep& kept, const Node& n0, const Node& n1, Stat
 /// The step of what flies under some conditions; none where no known rung matches.
 [[nodiscard]] KnownStep known_step(const Conditions<double>& c);
 
-/// Whether a flight may go on by known steps: what they know nothing of, corners but those of the air and the air above
-/// its first layer, is not at hand.
-[[nodiscard]] inline bool may_go_on(const Course<double>& course, const Lanes<double>& l) {
-  const Conditions<double>& c = *course.conditions;
-  if (course.corners && !(only_air_has_corners(c) && l.regime.air_layer == 0 && l.cut == 0)) return false;
-  return !(l.step.start.x.y + c.altitude > c.air.low_top);
-}
-
 /// A step of any rung, for kernels that know few: all integrators and models are long, and few steps get above the
 /// first layer of the air.
 void take_any_step(const Conditions<double>& c, Flyer<double>& flyer, double relative, double absolute);
 
 }  // namespace physim
+
+PHYSIM_ISA_BEGIN
+
+/// Whether a flight may go on by known steps: what they know nothing of, corners but those of the air and the air above
+/// its first layer, is not at hand.
+PHYSIM_INLINE bool may_go_on(const Course<double>& course, const Lanes<double>& l) {
+  const Conditions<double>& c = *course.conditions;
+  if (course.corners && !(only_air_has_corners(c) && starts_in_first_layer(l))) return false;
+  return is_in_low_air(c, l.step.start.x);
+}
+
+PHYSIM_ISA_END

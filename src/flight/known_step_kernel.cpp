@@ -1,5 +1,5 @@
 // Compiled once per instruction set, in a namespace of its name: a single flight waits less where there are more
-// registers. Its numbers are no packs, and joining them to packs would make them wait (see cmake/kernels.cmake).
+// registers. Its numbers are no packs, and joining them to packs would make them wait (see CMakeLists.txt).
 #include "flight/known_stages.hpp"
 #include "flight/known_step.hpp"
 #include "solve/judge.hpp"
@@ -26,7 +26,6 @@ class KnownLoop {
       : flight_(flight),
         c_(*flight.course.conditions),
         plan_(flight.course.plan),
-        top_(flight.course.corners ? c_.air.base[1] : std::numeric_limits<double>::infinity()),
         now_(start_of(flight.lanes.step)),
         control_(flight.lanes.control),
         t_(flight.lanes.step.t),
@@ -43,7 +42,7 @@ class KnownLoop {
       const double h = control_.h, t_end = t_ + h;
       const KnownStages<Rung, Method> stages(c_, l.body, t_, h, t_end, now_, cells);
       const Standpoint end = stages.end();
-      if (!stages.holds() || !(altitude(Rung::known(c_), end.x) < top_)) return leave(KnownEnd::of_another_rung);
+      if (!stages.holds() || crosses_corner(end.x)) return leave(KnownEnd::of_another_rung);
       const double error = stages.error(plan_.relative, plan_.absolute);
       tries_ += 1;
       const bool accepted = judge_error(kIntegrator, h, error, true, plan_.max_step, control_);
@@ -69,6 +68,9 @@ class KnownLoop {
   static constexpr Integrator kIntegrator = std::is_same_v<Method, Tsit5> ? Integrator::tsit5 : Integrator::rk43;
   static_assert(std::is_same_v<Method, Tsit5> || std::is_same_v<Method, Rk43>);
 
+  PHYSIM_INLINE bool crosses_corner(const Vec3<double>& end) const {
+    return flight_.course.corners && !is_in_first_layer(Rung::known(c_), end);
+  }
   PHYSIM_INLINE void keep(const KnownStages<Rung, Method>& stages, double h, double t_end, const Standpoint& end) {
     Node& node = *flight_.node++;
     node.t = t_end;
@@ -93,7 +95,6 @@ class KnownLoop {
   KnownFlight& flight_;
   const Conditions<double>& c_;
   const StepPlan<double>& plan_;
-  double top_;      // corners are above it [m]
   Standpoint now_;  // where the step at hand starts
   StepControl<double> control_;
   double t_, tries_, count_;
@@ -105,24 +106,24 @@ KnownEnd go_on_known(KnownFlight& flight) {
 }
 
 template <class Method, int kRung>
-KnownSteps steps_of() {
+constexpr KnownStep step_of() {
   constexpr PlainRungs kRungs = kKnownRungs[kRung];
-  using Rung = PlainRung<kRungs.gravity, kRungs.earth, kRungs.wind>;
+  using Rung = KnownRung<kRungs.gravity, kRungs.earth, kRungs.wind>;
   return {take_known_step<Method, Rung>, go_on_known<Method, Rung>};
 }
 template <class Method, int... kRung>
-KnownSteps steps_of_rung(int rung, std::integer_sequence<int, kRung...>) {
-  KnownSteps steps;
-  ((rung == kRung ? void(steps = steps_of<Method, kRung>()) : void()), ...);
-  return steps;
+KnownStep step_of(int rung, std::integer_sequence<int, kRung...>) {
+  static constexpr KnownStep kSteps[] = {step_of<Method, kRung>()...};
+  return kSteps[rung];
 }
 
 }  // namespace
 
-KnownSteps known_steps(Integrator integrator, int rung) {
-  constexpr auto kAll = std::make_integer_sequence<int, std::size(kKnownRungs)>();
-  PHYSIM_ASSERT(rung >= 0 && rung < static_cast<int>(std::size(kKnownRungs)));
-  return integrator == Integrator::tsit5 ? steps_of_rung<Tsit5>(rung, kAll) : steps_of_rung<Rk43>(rung, kAll);
+KnownStep known_step_on(int rung, Integrator integrator) {
+  constexpr int kRungs = std::size(kKnownRungs);
+  constexpr auto kAll = std::make_integer_sequence<int, kRungs>();
+  PHYSIM_ASSERT(rung >= 0 && rung < kRungs);
+  return integrator == Integrator::tsit5 ? step_of<Tsit5>(rung, kAll) : step_of<Rk43>(rung, kAll);
 }
 
 PHYSIM_ISA_END

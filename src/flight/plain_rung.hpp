@@ -28,4 +28,9 @@ PHYSIM_INLINE bool is_plain(const Conditions<S>& c, const PlainRungs& rungs) {
          !spins(f) && static_cast<const Features&>(c) == rungs.features;
 }
 
+/// Whether a place over a flat Earth is one where the standard's air is known by its lowest layer alone.
+PHYSIM_INLINE bool is_in_low_air(const Conditions<double>& c, const Vec3<double>& place) {
+  return !(place.y + c.altitude > c.air.low_top);
+}
+
 PHYSIM_ISA_END

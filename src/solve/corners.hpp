@@ -15,12 +15,23 @@ PHYSIM_INLINE bool only_air_has_corners(const Conditions<S>& c) {
   return !(drag_has_corners(c) || has_wind_pieces(c) || c.has_applied || c.has_rail || c.has_aero_tables);
 }
 
+/// Places in the first layer of the air, surely: geopotential height is never above geometric height.
+template <class R, class S>
+PHYSIM_INLINE MaskOf<R> is_in_first_layer(const Conditions<S>& c, const Vec3<R>& x) {
+  return altitude(c, x) < R(c.air.base[1]);
+}
+/// Steps that start there, and are not cut to end behind a corner.
+template <class R>
+PHYSIM_INLINE MaskOf<R> starts_in_first_layer(const Lanes<R>& l) {
+  const R zero(ScalarOf<R>(0));
+  return (l.regime.air_layer == zero) & (l.cut == zero);
+}
+
 /// The common case: layers of the air are the only corners, and no lane leaves the first one.
 template <class R, class S>
 PHYSIM_INLINE bool only_below_first_layer(const Conditions<S>& c, const Lanes<R>& l) {
   if (!only_air_has_corners(c)) return false;
-  // Geopotential height is never above geometric height.
-  return all((altitude(c, l.step.end.x) < R(c.air.base[1])) & (l.regime.air_layer == R(S(0))) & (l.cut == R(S(0))));
+  return all(is_in_first_layer(c, l.step.end.x) & starts_in_first_layer(l));
 }
 
 /// How long the step of one lane may be to end behind its first corner [s]; nothing where it stands.
