@@ -76,7 +76,7 @@ ValueRef records(const Scope& outer, std::vector<T>& list) {
 template <class T>
 Choice choice(std::span<const std::string_view> names, T& value) {
   return {names, [&value] { return std::optional(static_cast<std::size_t>(value)); },
-          [names, &value](std::size_t i) {
+          [=, &value](std::size_t i) {
             PHYSIM_ASSERT(i < names.size());
             value = static_cast<T>(i);
           }};
