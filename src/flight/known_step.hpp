@@ -43,6 +43,10 @@ enum class KnownEnd {
   of_another_rung,  // the next step is one that is not known
   out_of_room,      // for nodes
 };
+struct KnownStop {
+  KnownEnd why;
+  WatchedSet may_cross;  // what the last step tried may have crossed
+};
 
 /// How steps are taken whose rung and integrator are known.
 struct KnownStep {
@@ -50,7 +54,7 @@ struct KnownStep {
   void (*take)(const Conditions<double>& c, Flyer<double>& flyer, double relative, double absolute) = nullptr;
   /// Takes steps and keeps them, one after the other, as March does, to the bit; the last one tried, where somebody has
   /// to look at it, is neither accepted yet nor kept.
-  KnownEnd (*go_on)(KnownFlight& flight) = nullptr;
+  KnownStop (*go_on)(KnownFlight& flight) = nullptr;
   /// The coefficients of its interpolant, as dense_sums() makes them, to the bit; none where it is made of both ends.
   void (*interpolate)(const Step<double>& step, State<double>* coefficients) = nullptr;
 

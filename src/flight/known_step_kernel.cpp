@@ -32,7 +32,7 @@ class KnownLoop {
         tries_(flight.lanes.tries),
         count_(flight.lanes.count) {}
 
-  PHYSIM_INLINE KnownEnd run() {
+  PHYSIM_INLINE KnownStop run() {
     const Lanes<double>& l = flight_.lanes;
     PHYSIM_ASSERT(may_go_on(flight_.course, l));
     QuietWatch<double> quiet;
@@ -49,11 +49,12 @@ class KnownLoop {
       const bool stuck = tries_ >= plan_.max_tries || stands_still(t_, h, t_end);
       if (!accepted && !stuck) continue;
       const State<double> there{end.x, end.v};
-      if (stuck || !quiet.passes(c_, flight_.course.watch, l.body, t_end, there, end.a) || !is_finite(there)) {
+      const WatchedSet crossed = quiet.may_cross(c_, flight_.course.watch, l.body, t_end, there, end.a);
+      if (stuck || crossed != 0 || !is_finite(there)) {
         Step<double>& s = flight_.lanes.step;
         s.h = h, s.t_end = t_end;
         stages.put(error, s);
-        return leave(accepted ? KnownEnd::accepted : KnownEnd::rejected);
+        return leave(accepted ? KnownEnd::accepted : KnownEnd::rejected, crossed);
       }
       keep(stages, h, t_end, end);
       cells.accept(h);
@@ -81,7 +82,7 @@ class KnownLoop {
       stages.put_inner_slopes(kept.slopes->data());
     }
   }
-  PHYSIM_INLINE KnownEnd leave(KnownEnd end) const {
+  PHYSIM_INLINE KnownStop leave(KnownEnd why, WatchedSet may_cross = kAllWatched) const {
     Lanes<double>& l = flight_.lanes;
     l.step.t = t_;
     copy_vector(now_.x, l.step.start.x), copy_vector(now_.v, l.step.start.v);
@@ -89,7 +90,7 @@ class KnownLoop {
     l.control = control_;
     l.tries = tries_;
     l.count = count_;
-    return end;
+    return {why, may_cross};
   }
 
   KnownFlight& flight_;
@@ -101,7 +102,7 @@ class KnownLoop {
 };
 
 template <class Method, class Rung>
-KnownEnd go_on_known(KnownFlight& flight) {
+KnownStop go_on_known(KnownFlight& flight) {
   return KnownLoop<Method, Rung>(flight).run();
 }
 

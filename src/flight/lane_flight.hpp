@@ -106,16 +106,16 @@ class LaneFlight {
   void fly_known() {
     if constexpr (kMayBeKnown) {
       while (!ended_) {
-        const KnownEnd end = path_.go_on(known_, course_, lane());
-        look_at_step(end == KnownEnd::of_another_rung ? try_step() : end == KnownEnd::accepted);
+        const auto [why, may_cross] = path_.go_on(known_, course_, lane());
+        look_at_step(why == KnownEnd::of_another_rung ? try_step() : why == KnownEnd::accepted, may_cross);
       }
     }
   }
 
   /// One step, or a try at it.
-  void step() { look_at_step(try_step()); }
-  void look_at_step(bool accepted) {
-    const bool special = needs_attention(course_, lane(), accepted).special;
+  void step() { look_at_step(try_step(), kAllWatched); }
+  void look_at_step(bool accepted, WatchedSet may_cross) {
+    const bool special = needs_attention(course_, lane(), accepted, may_cross).special;
     const bool sound = accepted && ends_finite(fidelity(), lane().step);
     if constexpr (kMayBeKnown) {
       if (known_ && !special && !contacts_) {  // most steps: they are kept, and that is all
@@ -124,7 +124,7 @@ class LaneFlight {
       }
     }
     if (sound) make_dense();
-    judge(accepted, special, sound);
+    judge(accepted, special, sound, may_cross);
     if (ended_ || met_) {
       if (sound) lane().count += S(1);
       return;
@@ -149,11 +149,11 @@ class LaneFlight {
   }
 
   /// What the step tried means; its dense output is there where it is sound.
-  void judge(bool accepted, bool special, bool sound) {
+  void judge(bool accepted, bool special, bool sound, WatchedSet may_cross) {
     Verdict verdict{false, Outcome::step_limit, 1};
     j_->crossings[0].count = 0;
     if (special) {
-      find_crossings<S>(course_, sound, *j_);
+      find_crossings<S>(course_, sound, *j_, may_cross);
       verdict = verdict_on(course_, lane(), step_marks(course_, lane()), 0, accepted, j_->crossings[0]);
     }
     if (sound) path_.keep_step(j_->at);
@@ -316,7 +316,7 @@ class LaneFlight {
       drop_higher_terms(j_->at);
     }
     lane().tries = S(1);
-    judge(true, true, sound);
+    judge(true, true, sound, kAllWatched);
   }
 
   [[nodiscard]] static double end_of(const FrameStart& from, std::int64_t frame) {

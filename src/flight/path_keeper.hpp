@@ -88,14 +88,14 @@ class PathKeeper {
   }
 
   /// Takes known steps as long as they go on.
-  [[nodiscard]] KnownEnd go_on(const KnownStep& known, const Course<double>& course, Lanes<double>& lanes) {
+  [[nodiscard]] KnownStop go_on(const KnownStep& known, const Course<double>& course, Lanes<double>& lanes) {
     while (may_go_on(course, lanes)) {
       KnownFlight flight = lend_room(course, lanes);
-      const KnownEnd end = known.go_on(flight);
+      const KnownStop stop = known.go_on(flight);
       take_room(flight);
-      if (end != KnownEnd::out_of_room) return end;
+      if (stop.why != KnownEnd::out_of_room) return stop;
     }
-    return KnownEnd::of_another_rung;
+    return {KnownEnd::of_another_rung, kAllWatched};
   }
 
   /// Keeps where a step starts; of a state's slope the acceleration alone.

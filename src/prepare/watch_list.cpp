@@ -63,8 +63,7 @@ bool is_without_air(const WatchList& watch, const Fidelity& f) {
 bool has_lowest_altitude(const Fidelity& f) { return f.air == AirModel::isa && f.drag == DragModel::equation; }
 
 WatchList prepare_watch(const Until& until, const Conditions<double>& c, Watcher watcher) {
-  WatchList watch;  // a large one, of which little is used: not set to zero first
-  watch.count = 0;
+  WatchList watch;
   const auto add = [&](const EventSpec& spec, Outcome outcome) {
     PHYSIM_ASSERT(watch.count < kMaxWatched);
     PHYSIM_ASSERT(row_of(spec.kind).watch != Watch::none);

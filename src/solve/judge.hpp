@@ -54,12 +54,14 @@ PHYSIM_INLINE Attention needs_attention(const Course<S>& course, const Lanes<R>&
   a.surely_goes_on = sound & ~found.maybe_terminal & ~trouble;
   return a;
 }
+/// What needs attention, where `items` alone may have been crossed.
 template <class R, class S>
-PHYSIM_INLINE Attention needs_attention(const Course<S>& course, const Lanes<R>& l, const MaskOf<R>& accepted) {
+PHYSIM_INLINE Attention needs_attention(const Course<S>& course, const Lanes<R>& l, const MaskOf<R>& accepted,
+                                        WatchedSet items) {
   const Conditions<S>& c = *course.conditions;
   return needs_attention(
       course, l, lane_bits(accepted),
-      detect(c, l.body, course.watch, l.step, l.step.slope[0].v, l.step.slope[last_slope(c.fidelity)].v));
+      detect(c, l.body, course.watch, l.step, l.step.slope[0].v, l.step.slope[last_slope(c.fidelity)].v, items));
 }
 
 /// The crossings in the last steps of lanes.
@@ -69,13 +71,13 @@ struct Judgement {
   CrossingList crossings[kLanes<R>];
 };
 
-/// Finds what sound (accepted, finite) steps cross; j.at is their dense output.
+/// Finds what sound (accepted, finite) steps cross of some items; j.at is their dense output.
 template <class R, class S>
-void find_crossings(const Course<S>& course, const MaskOf<R>& sound, Judgement<R>& j) {
+void find_crossings(const Course<S>& course, const MaskOf<R>& sound, Judgement<R>& j, WatchedSet items = kAllWatched) {
   for (CrossingList& list : j.crossings) list.count = 0;
   if (!any(sound)) return;
   find_crossings<Cast<double, R>>(*course.conditions_double, course.watch, j.at, cast_mask<double, R>(sound),
-                                  j.crossings);
+                                  j.crossings, items);
 }
 
 /// What a verdict asks of steps, beside their crossings.

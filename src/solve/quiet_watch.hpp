@@ -15,18 +15,19 @@ class QuietWatch {
     for (int i = 0; i < watch.count; ++i)
       at_[i] = numbers(c, l.body, watch.item[i].spec, l.step.t, l.step.start, l.step.slope[0].v);
   }
-  /// Whether a step from where begin() or the last step left off, to a state at t_end with the acceleration a, surely
-  /// crosses nothing. Where it may, begin() has to come before the next one.
-  PHYSIM_INLINE bool passes(const Conditions<S>& c, const WatchList& watch, const Body<S>& body, const S& t_end,
-                            const State<S>& end, const Vec3<S>& a) {
+  /// What a step from where begin() or the last step left off, to a state at t_end with the acceleration a, may have
+  /// crossed. Where that is something, begin() has to come before the next one.
+  PHYSIM_INLINE WatchedSet may_cross(const Conditions<S>& c, const WatchList& watch, const Body<S>& body,
+                                     const S& t_end, const State<S>& end, const Vec3<S>& a) {
     PHYSIM_ASSERT(watch.count >= 0 && watch.count <= kMaxWatched);
-    bool quiet = true;
+    WatchedSet some = 0;
     for (int i = 0; i < watch.count; ++i) {
       const Numbers there = numbers(c, body, watch.item[i].spec, t_end, end, a);
-      quiet &= at_[i].value * there.value > S(0) && at_[i].rate * there.rate > S(0);
+      const bool quiet = at_[i].value * there.value > S(0) && at_[i].rate * there.rate > S(0);
+      some |= WatchedSet(!quiet) << i;
       at_[i] = there;
     }
-    return quiet;
+    return some;
   }
 
  private:

@@ -18,6 +18,11 @@ namespace physim {
 
 inline constexpr int kMaxWatched = 32;
 
+/// Some of the events of a watch list: bit i is item i.
+using WatchedSet = std::uint32_t;
+inline constexpr WatchedSet kAllWatched = ~WatchedSet(0);
+static_assert(kMaxWatched <= 32);
+
 /// How closely the place of an event in its step is found [-]: a few roundings.
 inline constexpr double kThetaTolerance = 1e-15;
 
@@ -29,9 +34,13 @@ struct Watched {
 
 /// The events of a cohort.
 struct WatchList {
-  Watched item[kMaxWatched];
-  int count;
-  bool without_air;  // judging a step reads no air of a body: neither what is watched nor the dense output
+  WatchList() {}  // NOLINT: items behind the count stay as they are
+
+  union {
+    Watched item[kMaxWatched];
+  };
+  int count = 0;
+  bool without_air = false;  // judging a step reads no air of a body: neither what is watched nor the dense output
 };
 
 /// A crossing inside a step.
@@ -218,13 +227,15 @@ struct Detected {
   }
 };
 
-/// Whether a step crosses something watched. `a_start` and `a_end` are the accelerations at its ends.
+/// Whether a step crosses something watched, of the items that are asked for. `a_start` and `a_end` are the
+/// accelerations at its ends.
 template <class R, class S>
 PHYSIM_INLINE Detected detect(const Conditions<S>& c, const Body<R>& b, const WatchList& watch, const Step<R>& s,
-                              const Vec3<R>& a_start, const Vec3<R>& a_end) {
+                              const Vec3<R>& a_start, const Vec3<R>& a_end, WatchedSet items = kAllWatched) {
   PHYSIM_ASSERT(watch.count >= 0 && watch.count <= kMaxWatched);
   Detected d;
   for (int i = 0; i < watch.count; ++i) {
+    if ((items >> i & 1u) == 0) continue;
     const EventSpec& spec = watch.item[i].spec;
     d.add(spec, standing(c, b, spec, s.t, s.start, a_start), standing(c, b, spec, s.t_end, s.end, a_end));
   }
@@ -356,13 +367,14 @@ struct CrossingFinder {
   }
 };
 
-/// Finds every crossing in the steps of the lanes asked for, in order of time, up to and with the first terminal one.
-/// `at` is the dense output, with the nodes n0 and n1 at its ends; whether something is crossed is decided as detect()
-/// does, by the watched values there.
+/// Finds every crossing of some items in the steps of the lanes asked for, in order of time, up to and with the first
+/// terminal one. `at` is the dense output, with the nodes n0 and n1 at its ends; whether something is crossed is
+/// decided as detect() does, by the watched values there.
 template <class W, class Dense>
 PHYSIM_INLINE void find_crossings(const Conditions<double>& c, const WatchList& watch, const Dense& at,
-                                  const MaskOf<W>& asked, CrossingList* lists) {
-  for (int i = 0; i < watch.count; ++i) CrossingFinder<W, Dense>{c, watch.item[i].spec, i, at, lists}.find(asked);
+                                  const MaskOf<W>& asked, CrossingList* lists, WatchedSet items) {
+  for (int i = 0; i < watch.count; ++i)
+    if ((items >> i & 1u) != 0) CrossingFinder<W, Dense>{c, watch.item[i].spec, i, at, lists}.find(asked);
   for (unsigned left = lane_bits(asked); left != 0; left &= left - 1) lists[__builtin_ctz(left)].put_in_order(watch);
 }
 

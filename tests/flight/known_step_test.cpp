@@ -182,7 +182,10 @@ TEST_P(KnownStepTest, FliesAsWhatLooksAtEachStep) {
                           {"out of time", 820, 0.7, {.ground = -1, .time = 3.3}, {}},
                           {"short steps", 820, 0.7, {.ground = -1}, {.max_step = 0.05}},
                           {"watched", 820, 0.5, {.ground = -1}, {}}};
-  cases.back().until.events = {{EventKind::mach, 1}, {EventKind::speed, 200}, {EventKind::height, 500}};
+  cases.back().until.events = {{EventKind::mach, 1},
+                               {EventKind::speed, 200},
+                               {EventKind::height, 500},
+                               {EventKind::height, 500.1}};  // the last two in one step
   for (const Rung& rung : kRungs)
     for (const Integrator integrator : {Integrator::tsit5, Integrator::rk43})
       for (const Interpolation interpolation : {Interpolation::cubic, Interpolation::linear})
