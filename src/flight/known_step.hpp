@@ -43,9 +43,10 @@ enum class KnownEnd {
   of_another_rung,  // the next step is one that is not known
   out_of_room,      // for nodes
 };
+/// How a run of known steps ended.
 struct KnownStop {
   KnownEnd why;
-  WatchedSet may_cross;  // what the last step tried may have crossed
+  WatchedSet may_cross;  // what a step that has to be looked at may have crossed; of others nothing is known: all
 };
 
 /// How steps are taken whose rung and integrator are known.

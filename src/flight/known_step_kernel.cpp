@@ -49,12 +49,12 @@ class KnownLoop {
       const bool stuck = tries_ >= plan_.max_tries || stands_still(t_, h, t_end);
       if (!accepted && !stuck) continue;
       const State<double> there{end.x, end.v};
-      const WatchedSet crossed = quiet.may_cross(c_, flight_.course.watch, l.body, t_end, there, end.a);
-      if (stuck || crossed != 0 || !is_finite(there)) {
+      const WatchedSet may_cross = quiet.may_cross(c_, flight_.course.watch, l.body, t_end, there, end.a);
+      if (stuck || may_cross != 0 || !is_finite(there)) {
         Step<double>& s = flight_.lanes.step;
         s.h = h, s.t_end = t_end;
         stages.put(error, s);
-        return leave(accepted ? KnownEnd::accepted : KnownEnd::rejected, crossed);
+        return leave(accepted ? KnownEnd::accepted : KnownEnd::rejected, may_cross);
       }
       keep(stages, h, t_end, end);
       cells.accept(h);

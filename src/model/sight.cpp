@@ -18,12 +18,9 @@ double azimuth_of(const Launch& launch) {
 }  // namespace
 
 SightFrame sight_frame(const Launch& launch) {
-  SightFrame frame{SightAxes<double>(sincos_of(azimuth_of(launch)), sincos_of(launch.sight.look_angle),
-                                     sincos_of(launch.sight.cant)),
-                   launch.position,
-                   {}};
-  frame.start = frame.muzzle + frame.canted * launch.sight.height;
-  return frame;
+  const SightAxes<double> axes(sincos_of(azimuth_of(launch)), sincos_of(launch.sight.look_angle),
+                               sincos_of(launch.sight.cant));
+  return {axes, launch.position, launch.position + axes.canted * launch.sight.height};
 }
 
 Vec3d launch_direction(const Launch& launch, const SightFrame& sight, double elevation) {

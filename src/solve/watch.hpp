@@ -18,10 +18,11 @@ namespace physim {
 
 inline constexpr int kMaxWatched = 32;
 
-/// Some of the events of a watch list: bit i is item i.
+/// Some items of a watch list: bit i is item i.
 using WatchedSet = std::uint32_t;
 inline constexpr WatchedSet kAllWatched = ~WatchedSet(0);
 static_assert(kMaxWatched <= 32);
+PHYSIM_INLINE constexpr bool contains(WatchedSet set, int item) { return (set >> item & 1u) != 0; }
 
 /// How closely the place of an event in its step is found [-]: a few roundings.
 inline constexpr double kThetaTolerance = 1e-15;
@@ -235,7 +236,7 @@ PHYSIM_INLINE Detected detect(const Conditions<S>& c, const Body<R>& b, const Wa
   PHYSIM_ASSERT(watch.count >= 0 && watch.count <= kMaxWatched);
   Detected d;
   for (int i = 0; i < watch.count; ++i) {
-    if ((items >> i & 1u) == 0) continue;
+    if (!contains(items, i)) continue;
     const EventSpec& spec = watch.item[i].spec;
     d.add(spec, standing(c, b, spec, s.t, s.start, a_start), standing(c, b, spec, s.t_end, s.end, a_end));
   }
@@ -374,7 +375,7 @@ template <class W, class Dense>
 PHYSIM_INLINE void find_crossings(const Conditions<double>& c, const WatchList& watch, const Dense& at,
                                   const MaskOf<W>& asked, CrossingList* lists, WatchedSet items) {
   for (int i = 0; i < watch.count; ++i)
-    if ((items >> i & 1u) != 0) CrossingFinder<W, Dense>{c, watch.item[i].spec, i, at, lists}.find(asked);
+    if (contains(items, i)) CrossingFinder<W, Dense>{c, watch.item[i].spec, i, at, lists}.find(asked);
   for (unsigned left = lane_bits(asked); left != 0; left &= left - 1) lists[__builtin_ctz(left)].put_in_order(watch);
 }
 
