@@ -101,9 +101,12 @@ function(physim_add_kernels target)
       # Their vectors are written out; `./dev determinism` sees to it that nothing in them is fused.
       target_compile_options(${kernels} PRIVATE ${physim_isa_flags_${isa}} $<$<CONFIG:Release,RelWithDebInfo>:-O3>
                                                 $<$<CONFIG:Debug>:-O2> -ftree-slp-vectorize)
+      # Of themselves compilers copy vectors of packs by halves of registers, and a register that is read where its halves
+      # have just been written waits until they are in the cache; or they call memcpy(), which keeps nothing in registers.
       if(CMAKE_CXX_COMPILER_ID MATCHES "Clang" AND isa STREQUAL avx512)
-        # Of itself clang copies vectors of packs by halves of registers, or calls memcpy(), which keeps none of them.
         target_compile_options(${kernels} PRIVATE -mprefer-vector-width=512)
+      elseif(CMAKE_CXX_COMPILER_ID STREQUAL GNU AND isa STREQUAL avx2)
+        target_compile_options(${kernels} PRIVATE -mmove-max=256 -mstore-max=256)
       endif()
       if(PHYSIM_SMALL_KERNELS)
         set(no_guards $<IF:$<CXX_COMPILER_ID:GNU>,--param=asan-stack=0,SHELL:-mllvm -asan-stack=0>)
