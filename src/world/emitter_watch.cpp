@@ -4,6 +4,7 @@
 #include <cmath>
 #include <unordered_map>
 
+#include "base/append.hpp"
 #include "world/world_impl.hpp"
 
 namespace physim {
@@ -216,7 +217,7 @@ void EmitterWatch::end_followed(std::uint32_t slot, const BodyState& at, double 
     }
 }
 void EmitterWatch::depart(std::uint32_t slot, std::uint32_t emitter, const BodyState& at, double time) {
-  s_.departures.push_back({emitter, time});
+  append(s_.departures, {emitter, time});
   trigger(slot, SubEvent::death, time, at, {});
 }
 void EmitterWatch::trigger(std::uint32_t slot, SubEvent on, double time, const BodyState& at, const Vec3d& normal,

@@ -13,6 +13,7 @@
 #include <utility>
 #include <vector>
 
+#include "base/append.hpp"
 #include "base/assert.hpp"
 #include "base/event_table.hpp"
 #include "physim/event.hpp"
@@ -89,16 +90,13 @@ class EventList {
     make_room(in_double_, in_double);
   }
   void add(const Event& event) {
-    add_to(whole_, event);
+    append(whole_, event);
     add_key(event.kind, event.id.index, event.time, place_of(whole_.size() - 1, Form::whole));
   }
   /// A plain one, with a place [m] and a velocity [m/s] in float or double.
   template <class S>
-  void add(const PlainEvent& e, const Vec3<S>& x, const Vec3<S>& v) {
-    if (sizeof(S) > sizeof(float) && fits_float32(x) && fits_float32(v))
-      return add(e, vec_cast<float>(x), vec_cast<float>(v));
-    add_to(plain<S>(), plain_of(e, x, v));
-    add_key(e.kind, e.id.index, e.time, place_of(plain<S>().size() - 1, kForm<S>));
+  PHYSIM_INLINE void add(const PlainEvent& e, const Vec3<S>& x, const Vec3<S>& v) {
+    add_numbers(e, x.x, x.y, x.z, v.x, v.y, v.z);
   }
 
   /// So many plain ones: told(i) gives each, as a Told<S>. They are kept in numbers of that type.
@@ -157,21 +155,23 @@ class EventList {
     return static_cast<std::uint32_t>(4 * at) | static_cast<std::uint32_t>(form);
   }
 
-  template <class T>
-  static void make_room(std::vector<T>& list, std::size_t more) {
-    if (list.capacity() - list.size() < more)
-      list.reserve(std::max({list.size() + more, 2 * list.capacity(), std::size_t{16}}));
+  /// Six numbers come in registers. Of vectors, which come in memory, compilers read in pairs what was just written one
+  /// by one.
+  template <class S>
+  [[gnu::noinline, gnu::flatten]] void add_numbers(const PlainEvent& e, S x, S y, S z, S vx, S vy, S vz) {
+    const Vec3<S> at{x, y, z}, v{vx, vy, vz};
+    if (sizeof(S) > sizeof(float) && fits_float32(at) && fits_float32(v))
+      add_plain(e, vec_cast<float>(at), vec_cast<float>(v));
+    else
+      add_plain(e, at, v);
   }
-  template <class T>
-  static void add_to(std::vector<T>& list, const T& event) {
-    make_room(list, 1);
-    // Told that there is room, compilers write the event in place. A copy, for which clang calls memcpy(), would read
-    // in wide pieces what was just written in narrow ones, and wait until it is in the cache.
-    if (list.size() == list.capacity()) __builtin_unreachable();
-    list.push_back(event);
+  template <class S>
+  PHYSIM_INLINE void add_plain(const PlainEvent& e, const Vec3<S>& x, const Vec3<S>& v) {
+    append(plain<S>(), plain_of(e, x, v));
+    add_key(e.kind, e.id.index, e.time, place_of(plain<S>().size() - 1, kForm<S>));
   }
-  void add_key(EventKind kind, std::uint32_t slot, double time, std::uint32_t place) {
-    add_to(keys_, {time, slot, row_of(kind).order, static_cast<std::uint32_t>(keys_.size()), place});
+  PHYSIM_INLINE void add_key(EventKind kind, std::uint32_t slot, double time, std::uint32_t place) {
+    append(keys_, {time, slot, row_of(kind).order, static_cast<std::uint32_t>(keys_.size()), place});
   }
   template <class S>
   [[nodiscard]] static bool fits_float32(const Vec3<S>& v) {

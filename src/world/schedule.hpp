@@ -12,6 +12,7 @@
 #include <utility>
 #include <vector>
 
+#include "base/append.hpp"
 #include "world/slots.hpp"
 
 namespace physim {
@@ -30,8 +31,8 @@ class Schedule {
   void add(double time, ProjectileId id) {
     PHYSIM_ASSERT(time == time && id);
     const std::int64_t part = part_of(time);
-    if (part > reached_) return later(part).push_back({time, id});
-    fresh_.push_back({time, id});
+    if (part > reached_) return append(later(part), {time, id});
+    append(fresh_, {time, id});
     std::push_heap(fresh_.begin(), fresh_.end(), Later{});
   }
   /// Takes out the next one alive that is due by now, if there is one.
