@@ -68,22 +68,17 @@ Entry landing_entry() {
   World world = std::move(World::create(def).value());
   const KindId kind = *world.add_kind(world_bullet(Fidelity::game()));
   world.reserve(kind, 2 * kCount);
-  const auto fire = [kind](World& w, std::size_t first, std::size_t count) {
-    for (std::size_t i = first; i < first + count; ++i) {
-      Launch launch = volley_launch(i);
-      launch.position.y = 0;
-      launch.velocity->y = 0.5 * 9.80665 * 100 * kFrame;  // in the air for a hundred steps
-      w.spawn(kind, launch);
-    }
-  };
-  for (int i = 0; i < 300; ++i) {  // until every buffer has seen its worst
-    fire(world, 0, kCount / 100);
-    world.step(kFrame);
+  std::vector<Launch> launches = volley(kCount / 100);
+  for (Launch& launch : launches) {
+    launch.position.y = 0;
+    launch.velocity->y = 0.5 * 9.80665 * 100 * kFrame;  // in the air for a hundred steps
   }
-  return {"game, 1 % land and are replaced", std::move(world), [fire](World& w) {
-            fire(w, 0, kCount / 100);
-            w.step(kFrame);
-          }};
+  const auto step = [kind, launches](World& w) {
+    for (const Launch& launch : launches) w.spawn(kind, launch);
+    w.step(kFrame);
+  };
+  for (int i = 0; i < 300; ++i) step(world);  // until every buffer has seen its worst
+  return {"game, 1 % land and are replaced", std::move(world), step};
 }
 
 std::vector<Entry> entries() {
