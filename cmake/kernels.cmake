@@ -105,7 +105,8 @@ function(physim_add_kernels target)
       # have just been written waits until they are in the cache; or they call memcpy(), which keeps nothing in registers.
       if(CMAKE_CXX_COMPILER_ID MATCHES "Clang" AND isa STREQUAL avx512)
         target_compile_options(${kernels} PRIVATE -mprefer-vector-width=512)
-      elseif(CMAKE_CXX_COMPILER_ID STREQUAL GNU AND isa STREQUAL avx2)
+      elseif(CMAKE_CXX_COMPILER_ID STREQUAL GNU AND isa STREQUAL avx2
+             AND CMAKE_CXX_COMPILER_VERSION VERSION_GREATER_EQUAL 12)
         target_compile_options(${kernels} PRIVATE -mmove-max=256 -mstore-max=256)
       endif()
       if(PHYSIM_SMALL_KERNELS)
