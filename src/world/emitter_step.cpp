@@ -5,6 +5,7 @@
 #include <queue>
 #include <unordered_map>
 
+#include "base/append.hpp"
 #include "base/restored.hpp"
 #include "emit/flight_law.hpp"
 #include "math/elementary.hpp"
@@ -209,7 +210,7 @@ class EmitterBirths : EmitterAhead {
     const Newborn newborn = e.emission->newborn(birth);
     if (is_past_ && e.def().subs.empty() && firing.time + newborn.lifetime <= end_) {
       ++e.counts.born, ++e.counts.aged;
-      return s_.departures.push_back({firing.emitter, firing.time + newborn.lifetime});  // nobody has to fly it
+      return append(s_.departures, {firing.emitter, firing.time + newborn.lifetime});  // nobody has to fly it
     }
     const KindId kind = newborn.tracer ? e.def().gun.tracer : e.def().kind;
     Launch launch = launch_of(firing, pose, birth.number, newborn);

@@ -166,11 +166,11 @@ class EventList {
       add_plain(e, at, v);
   }
   template <class S>
-  PHYSIM_INLINE void add_plain(const PlainEvent& e, const Vec3<S>& x, const Vec3<S>& v) {
+  void add_plain(const PlainEvent& e, const Vec3<S>& x, const Vec3<S>& v) {
     append(plain<S>(), plain_of(e, x, v));
     add_key(e.kind, e.id.index, e.time, place_of(plain<S>().size() - 1, kForm<S>));
   }
-  PHYSIM_INLINE void add_key(EventKind kind, std::uint32_t slot, double time, std::uint32_t place) {
+  void add_key(EventKind kind, std::uint32_t slot, double time, std::uint32_t place) {
     append(keys_, {time, slot, row_of(kind).order, static_cast<std::uint32_t>(keys_.size()), place});
   }
   template <class S>
