@@ -6,6 +6,7 @@
 #include <limits>
 #include <utility>
 
+#include "flight/known_step.hpp"
 #include "flight/plain_rung.hpp"
 #include "solve/take_step.hpp"
 
@@ -81,7 +82,8 @@ PHYSIM_INLINE Vec3<double> sum_of(const Vec3<double>* slope, double h, const Fir
 template <class Method>
 class StageCells {
  public:
-  explicit StageCells(const Body<double>& b, const double* rows) : b_(b), rows_(rows) {}
+  PHYSIM_INLINE StageCells(const Body<double>& b, const double* rows, const CurveCourse& from)
+      : b_(b), rows_(rows), guess_(from.guess), start_(from.start), rate_(from.rate) {}
 
   /// A step of length h is tried.
   PHYSIM_INLINE void begin(double h) {
@@ -106,6 +108,7 @@ class StageCells {
     rate_ = (last_ - reference_) / (h * (1 - Method::c[Method::kStages - kBehind]));
     start_ = last_;
   }
+  [[nodiscard]] PHYSIM_INLINE CurveCourse course() const { return {guess_, start_, rate_}; }
 
  private:
   static constexpr int kBehind = Method::kStages == 4 ? 2 : 3;  // stages back from the end, one lies well before it
@@ -113,9 +116,9 @@ class StageCells {
 
   const Body<double>& b_;
   const double* rows_;
-  GuessedCell<double> guess_{std::numeric_limits<double>::quiet_NaN(), nullptr, 0};  // none: no cell is equal to it
+  GuessedCell<double> guess_;
   double last_ = 0, before_ = 0;  // places of the stages taken [cells]
-  double start_ = 0, rate_ = 0;   // where the step starts, and how the place changed before that [cells], [1/s]
+  double start_, rate_;           // as of CurveCourse
   double reference_ = 0;
 };
 

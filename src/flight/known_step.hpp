@@ -3,6 +3,7 @@
 #pragma once
 
 #include <array>
+#include <limits>
 
 #include "flight/plain_rung.hpp"
 #include "solve/corners.hpp"
@@ -27,6 +28,12 @@ struct KeptStep {
   Unset<std::array<State<double>, kInner>> slopes{};  // between them
 };
 
+/// Where a flight stands on its drag curve: from there the cells are guessed that its next step reads.
+struct CurveCourse {
+  GuessedCell<double> guess{std::numeric_limits<double>::quiet_NaN(), nullptr, 0};  // none: no cell is equal to it
+  double start = 0, rate = 0;  // where the step starts, and how the place changed before that [cells], [1/s]
+};
+
 /// What a flight from a launch that meets nothing needs, step by step. It may be begun where may_go_on() says so.
 struct KnownFlight {
   const Course<double>& course;
@@ -34,6 +41,7 @@ struct KnownFlight {
   Node* node;  // where the end of the next step is kept
   Node* end_of_nodes;
   KeptStep* kept;  // where what its interpolant needs is kept; as many as nodes, or none
+  CurveCourse& on_curve;
 };
 
 /// Why steps do not go on.

@@ -12,7 +12,7 @@ namespace {
 template <class Method, class Rung>
 void take_known_step(const Conditions<double>& c, Flyer<double>& flyer, double relative, double absolute) {
   Step<double>& s = flyer.step;
-  StageCells<Method> cells(flyer.body, c.curve_rows);
+  StageCells<Method> cells(flyer.body, c.curve_rows, {});
   const KnownStages<Rung, Method> stages(c, flyer.body, s.t, s.h, s.t_end, start_of(s), cells);
   if (!stages.holds()) return take_any_step(c, flyer, relative, absolute);
   stages.put(stages.error(relative, absolute), s);
@@ -27,6 +27,7 @@ class KnownLoop {
         c_(*flight.course.conditions),
         plan_(flight.course.plan),
         now_(start_of(flight.lanes.step)),
+        cells_(flight.lanes.body, c_.curve_rows, flight.on_curve),
         control_(flight.lanes.control),
         t_(flight.lanes.step.t),
         tries_(flight.lanes.tries),
@@ -35,12 +36,10 @@ class KnownLoop {
   PHYSIM_INLINE KnownStop run() {
     const Lanes<double>& l = flight_.lanes;
     PHYSIM_ASSERT(may_go_on(flight_.course, l));
-    QuietWatch<double> quiet;
-    quiet.begin(c_, flight_.course.watch, l);
-    StageCells<Method> cells(l.body, c_.curve_rows);
+    QuietWatch<double> quiet(c_, flight_.course.watch, l);
     while (flight_.node != flight_.end_of_nodes) {
       const double h = control_.h, t_end = t_ + h;
-      const KnownStages<Rung, Method> stages(c_, l.body, t_, h, t_end, now_, cells);
+      const KnownStages<Rung, Method> stages(c_, l.body, t_, h, t_end, now_, cells_);
       const Standpoint end = stages.end();
       if (!stages.holds() || crosses_corner(end.x)) return leave(KnownEnd::of_another_rung);
       const double error = stages.error(plan_.relative, plan_.absolute);
@@ -49,15 +48,16 @@ class KnownLoop {
       const bool stuck = tries_ >= plan_.max_tries || stands_still(t_, h, t_end);
       if (!accepted && !stuck) continue;
       const State<double> there{end.x, end.v};
-      const WatchedSet may_cross = quiet.may_cross(c_, flight_.course.watch, l.body, t_end, there, end.a);
+      const WatchedSet may_cross = quiet.may_cross(Rung::known(c_), l.body, t_end, there, end.a);
       if (stuck || may_cross != 0 || !is_finite(there)) {
         Step<double>& s = flight_.lanes.step;
         s.h = h, s.t_end = t_end;
         stages.put(error, s);
+        if (accepted && !stuck) cells_.accept(h);
         return leave(accepted ? KnownEnd::accepted : KnownEnd::rejected, may_cross);
       }
       keep(stages, h, t_end, end);
-      cells.accept(h);
+      cells_.accept(h);
       copy(end, now_);
       t_ = t_end;
       count_ += 1;
@@ -90,6 +90,7 @@ class KnownLoop {
     l.control = control_;
     l.tries = tries_;
     l.count = count_;
+    flight_.on_curve = cells_.course();
     return {why, may_cross};
   }
 
@@ -97,6 +98,7 @@ class KnownLoop {
   const Conditions<double>& c_;
   const StepPlan<double>& plan_;
   Standpoint now_;  // where the step at hand starts
+  StageCells<Method> cells_;
   StepControl<double> control_;
   double t_, tries_, count_;
 };

@@ -208,7 +208,8 @@ class PathKeeper {
     path.nodes.resize(room);
     if (keeps_slopes) path.kept.resize(room - 1);
     Node* const nodes = path.nodes.data();
-    return {course, lanes, nodes + count, nodes + room, keeps_slopes ? path.kept.data() + (count - 1) : nullptr};
+    KeptStep* const kept = keeps_slopes ? path.kept.data() + (count - 1) : nullptr;
+    return {course, lanes, nodes + count, nodes + room, kept, on_curve_};
   }
   void take_room(const KnownFlight& flight) {
     FlownPath& path = record_.path;
@@ -228,6 +229,7 @@ class PathKeeper {
   FlightRecord& record_;
   const Lanes<S>& lane_;
   std::optional<double> coming_leg_;  // [s]
+  CurveCourse on_curve_;              // of known steps
   struct {
     double clock, start, limit, finish;
   } part_{};  // of the frame at hand; all 0 in flights from a launch

@@ -1,47 +1,99 @@
 // Watching one lane that flies alone, in as little work as possible.
 #pragma once
 
+#include <limits>
+
 #include "solve/watch.hpp"
 
 PHYSIM_ISA_BEGIN
 
-/// What a lane that flies alone is watched for, as numbers: a step after which all of them lie strictly on their sides
-/// crosses nothing, and needs no closer look.
+/// Whether the steps of a lane that flies alone cross nothing that is watched, for sure: heights, ranges and times stay
+/// strictly between what is waited for, and what may turn keeps its way. Steps of which that is not sure need a closer
+/// look.
 template <class S>
 class QuietWatch {
  public:
-  /// At a step that has not been taken yet.
-  PHYSIM_INLINE void begin(const Conditions<S>& c, const WatchList& watch, const Flyer<S>& l) {
-    for (int i = 0; i < watch.count; ++i)
-      at_[i] = numbers(c, l.body, watch.item[i].spec, l.step.t, l.step.start, l.step.slope[0].v);
-  }
-  /// What a step from where begin() or the last step left off, to a state at t_end with the acceleration a, may have
-  /// crossed. Where that is something, begin() has to come before the next one.
-  PHYSIM_INLINE WatchedSet may_cross(const Conditions<S>& c, const WatchList& watch, const Body<S>& body,
-                                     const S& t_end, const State<S>& end, const Vec3<S>& a) {
+  /// From the start of a step that has not been taken yet. Conditions and list must stay as long as this.
+  PHYSIM_INLINE QuietWatch(const Conditions<S>& all, const WatchList& watch, const Flyer<S>& l)
+      : all_(all), watch_(watch), climb_(climb_rate(all, l.step.start)), advance_(dot(l.step.start.v, l.body.sight)) {
     PHYSIM_ASSERT(watch.count >= 0 && watch.count <= kMaxWatched);
-    WatchedSet some = 0;
+    const State<S>& s = l.step.start;
+    const S high = height(all, s.x), far = range(l.body, s);
     for (int i = 0; i < watch.count; ++i) {
-      const Numbers there = numbers(c, body, watch.item[i].spec, t_end, end, a);
+      const EventSpec& spec = watch.item[i].spec;
+      const Watch kind = row_of(spec.kind).watch;
+      if (kind == Watch::height)
+        height_.add(i, spec, high);
+      else if (kind == Watch::range)
+        range_.add(i, spec, far);
+      else if (kind == Watch::time)
+        time_.add(i, spec, l.step.t);
+      else if (kind == Watch::climb_rate)
+        climbs_ |= WatchedSet(1) << i;
+      else
+        others_ |= WatchedSet(1) << i, at_[i] = numbers(l.body, spec, l.step.t, s, l.step.slope[0].v);
+    }
+  }
+
+  /// What a step from where the last one ended, to a state at t_end with the acceleration a, may have crossed. Where
+  /// that is something, this watch is over. `c` is what the compiler knows of the conditions.
+  PHYSIM_INLINE WatchedSet may_cross(const Conditions<S>& c, const Body<S>& b, const S& t_end, const State<S>& end,
+                                     const Vec3<S>& a) {
+    WatchedSet some = time_.holds(t_end) ? 0 : time_.items;
+    const bool turned = !(climb_rate(c, end) * climb_ > S(0));
+    if (turned || !height_.holds(height(c, end.x))) some |= height_.items;
+    if (turned) some |= climbs_;
+    if (range_.items != 0 && !(range_.holds(range(b, end)) && dot(end.v, b.sight) * advance_ > S(0)))
+      some |= range_.items;
+    if (others_ != 0) some |= look_at_others(b, t_end, end, a);
+    return some;
+  }
+
+ private:
+  /// What a quantity stays strictly between, of which some items wait for a value.
+  struct Bounds {
+    S low = -std::numeric_limits<S>::infinity(), high = std::numeric_limits<S>::infinity();
+    WatchedSet items = 0;
+
+    PHYSIM_INLINE void add(int item, const EventSpec& spec, const S& now) {
+      const S awaited = static_cast<S>(spec.value);
+      items |= WatchedSet(1) << item;
+      if (!(awaited > now)) low = max(low, awaited);
+      if (!(awaited < now)) high = min(high, awaited);
+    }
+    [[nodiscard]] PHYSIM_INLINE bool holds(const S& x) const { return low < x && x < high; }
+  };
+  struct Numbers {
+    S value;
+    S rate;  // 1 of what may not turn
+  };
+
+  PHYSIM_INLINE static S range(const Body<S>& b, const State<S>& s) { return dot(s.x - b.launch.x, b.sight); }
+  [[nodiscard]] Numbers numbers(const Body<S>& b, const EventSpec& spec, const S& t, const State<S>& s,
+                                const Vec3<S>& a) const {
+    const bool turns = may_turn(row_of(spec.kind).watch);
+    return {watched_value(all_, b, spec, t, s), turns ? watched_rate(all_, b, spec, s, a) : S(1)};
+  }
+
+  /// Of what few flights watch.
+  [[gnu::noinline]] WatchedSet look_at_others(const Body<S>& b, const S& t, const State<S>& s, const Vec3<S>& a) {
+    WatchedSet some = 0;
+    for (int i = 0; i < watch_.count; ++i) {
+      if (!contains(others_, i)) continue;
+      const Numbers there = numbers(b, watch_.item[i].spec, t, s, a);
       const bool quiet = at_[i].value * there.value > S(0) && at_[i].rate * there.rate > S(0);
-      some |= WatchedSet(!quiet) << i;
+      if (!quiet) some |= WatchedSet(1) << i;
       at_[i] = there;
     }
     return some;
   }
 
- private:
-  struct Numbers {
-    S value;
-    S rate;  // 1 of what may not turn
-  };
-  PHYSIM_INLINE static Numbers numbers(const Conditions<S>& c, const Body<S>& b, const EventSpec& spec, const S& t,
-                                       const State<S>& s, const Vec3<S>& a) {
-    const bool turns = may_turn(row_of(spec.kind).watch);
-    return {watched_value(c, b, spec, t, s), turns ? watched_rate(c, b, spec, s, a) : S(1)};
-  }
-
-  Numbers at_[kMaxWatched];
+  const Conditions<S>& all_;
+  const WatchList& watch_;
+  Bounds height_, range_, time_;
+  WatchedSet climbs_ = 0, others_ = 0;
+  S climb_, advance_;        // rates of height and range where the watch began
+  Numbers at_[kMaxWatched];  // of the others, where the last step ended
 };
 
 PHYSIM_ISA_END
