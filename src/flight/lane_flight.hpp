@@ -107,7 +107,11 @@ class LaneFlight {
     if constexpr (kMayBeKnown) {
       while (!ended_) {
         const auto [why, may_cross] = path_.go_on(known_, course_, lane());
-        look_at_step(why == KnownEnd::of_another_rung ? try_step() : why == KnownEnd::accepted, may_cross);
+        const bool accepted = why == KnownEnd::of_another_rung ? try_step() : why == KnownEnd::accepted;
+        if (why == KnownEnd::accepted && may_cross != 0)  // whether it did is found out where it is looked for
+          judge_step(accepted, true, may_cross);
+        else
+          look_at_step(accepted, may_cross);
       }
     }
   }
@@ -116,13 +120,16 @@ class LaneFlight {
   void step() { look_at_step(try_step(), kAllWatched); }
   void look_at_step(bool accepted, WatchedSet may_cross) {
     const bool special = needs_attention(course_, lane(), accepted, may_cross).special;
-    const bool sound = accepted && ends_finite(fidelity(), lane().step);
     if constexpr (kMayBeKnown) {
       if (known_ && !special && !contacts_) {  // most steps: they are kept, and that is all
-        if (sound) path_.keep_known_step(known_);
+        if (accepted) path_.keep_known_step(known_);
         return march_.accept(accepted);
       }
     }
+    judge_step(accepted, special, may_cross);
+  }
+  void judge_step(bool accepted, bool special, WatchedSet may_cross) {
+    const bool sound = accepted && ends_finite(fidelity(), lane().step);
     if (sound) make_dense();
     judge(accepted, special, sound, may_cross);
     if (ended_ || met_) {

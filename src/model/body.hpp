@@ -216,8 +216,10 @@ class PartSet {
   /// Their numbers.
   [[nodiscard]] constexpr NumberRuns runs() const {
     NumberRuns runs{};
-    for (unsigned i = 0; i < BodyParts::kParts; ++i)
-      if (bits_ >> i & 1u) runs.add(BodyParts::first(i), BodyParts::first(i + 1) - BodyParts::first(i));
+    for (unsigned left = bits_; left != 0; left &= left - 1) {
+      const auto part = static_cast<unsigned>(std::countr_zero(left));
+      runs.add(BodyParts::first(part), BodyParts::first(part + 1) - BodyParts::first(part));
+    }
     return runs;
   }
 

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <span>
 
 #include "base/assert.hpp"
 #include "model/acceleration.hpp"
@@ -74,9 +75,8 @@ WatchList prepare_watch(const Until& until, const Conditions<double>& c, Watcher
   if (std::isfinite(until.time)) add({EventKind::time, until.time, Crossing::rising, true}, Outcome::time_limit);
   if (has_lowest_altitude(c.fidelity))
     add({EventKind::height, kLowestAltitude - c.altitude, Crossing::falling, true}, Outcome::left_domain);
-  for (const EventRow& row : kEventTable)
-    if (row.watch != Watch::none && is_told(row, watcher) && may_happen(row, c))
-      add({row.kind, row.value, row.direction, false}, Outcome::event);
+  for (const EventRow& row : std::span(kEventTable).first<watchable_kinds()>())
+    if (is_told(row, watcher) && may_happen(row, c)) add({row.kind, row.value, row.direction, false}, Outcome::event);
   for (EventSpec spec : until.events) {
     PHYSIM_ASSERT(is_watchable(spec.kind));
     const EventRow& row = row_of(spec.kind);

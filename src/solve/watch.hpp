@@ -331,7 +331,16 @@ struct CrossingFinder {
   }
 
  private:
-  PHYSIM_INLINE W value(const W& theta) const { return watched_value(c, at.body, spec, at.time(theta), at(theta)); }
+  /// Searches ask for it again and again. The commonest quantities stand by themselves: where the compiler knows the
+  /// quantity it leaves out what of the state that does not read.
+  PHYSIM_INLINE W value(const W& theta) const {
+    const Watch watch = row_of(spec.kind).watch;
+    const auto value = [&]()
+                           PHYSIM_INLINE_LAMBDA { return watched_value(c, at.body, spec, at.time(theta), at(theta)); };
+    if (watch == Watch::range) return value();
+    if (watch == Watch::climb_rate && column<&EarthRow::shape>(c.fidelity.earth) == EarthShape::flat) return value();
+    return value();
+  }
 
   PHYSIM_INLINE void add(const MaskOf<W>& lanes, const W& theta, const MaskOf<W>& rising) const {
     for (unsigned left = lane_bits(lanes); left != 0; left &= left - 1) {
