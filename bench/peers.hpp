@@ -46,6 +46,7 @@ struct PeerShot {
 struct PeerEnd {
   double time;         // [s]
   double position[3];  // [m]
+  double apex = 0;     // time of the highest point, where it is looked for [s]
 };
 
 struct PeerTask {
@@ -61,6 +62,7 @@ struct PeerTask {
 /// Boost.odeint: runge_kutta_dopri5, controlled, with dense output.
 void fly_odeint_dopri5(PeerTask& task);
 void fly_odeint_dopri5_portable(PeerTask& task);  ///< compiled as PhySim's portable files are
+void fly_odeint_dopri5_apex(PeerTask& task);      ///< finds the highest point too
 void fly_odeint_dopri5_laws(PeerTask& task);      ///< with the air's laws: exp() and log() in every evaluation
 /// SUNDIALS CVODE with root finding: Adams with fixed-point iteration, BDF with Newton's method and a dense Jacobian.
 void fly_cvode_adams(PeerTask& task);
