@@ -23,7 +23,7 @@ double nearest_time(double time, double duration) { return time > 0 ? std::min(t
 using LegPart = FlightRecord::LegPart;
 
 /// Number of the node that ends the step of a leg which a time lies in.
-std::size_t later_node(const std::vector<Node>& nodes, const LegPart& part, double time) {
+std::size_t later_node(const NodeList& nodes, const LegPart& part, double time) {
   PHYSIM_ASSERT(part.end_node <= nodes.size() && part.end_node - part.leg.first_node >= 2);
   const auto at = [&](std::size_t node) { return nodes.begin() + static_cast<std::ptrdiff_t>(node); };
   const auto later = std::upper_bound(at(part.leg.first_node + 1), at(part.end_node - 1), time,
@@ -32,7 +32,7 @@ std::size_t later_node(const std::vector<Node>& nodes, const LegPart& part, doub
 }
 
 /// The node of a leg at a very time; null where there is none.
-const Node* node_at(const std::vector<Node>& nodes, const LegPart& part, double time) {
+const Node* node_at(const NodeList& nodes, const LegPart& part, double time) {
   const auto first = nodes.begin() + static_cast<std::ptrdiff_t>(part.leg.first_node);
   const auto end = nodes.begin() + static_cast<std::ptrdiff_t>(part.end_node);
   const auto at = std::lower_bound(first, end, time, [](const Node& n, double t) { return n.t < t; });

@@ -1,6 +1,7 @@
 // FlightRecord: a computed trajectory with everything needed to answer questions about it.
 #pragma once
 
+#include "base/near_list.hpp"
 #include "flight/known_step.hpp"
 #include "model/attitude.hpp"
 #include "model/sight.hpp"
@@ -14,12 +15,17 @@ struct TurnPath {
   std::vector<TurnNode> nodes;
   std::vector<Turn<double>> coefficients;
 };
+/// How many nodes flights of small arms at a millimetre have, and some more.
+inline constexpr std::size_t kNearNodes = 17;
+using NodeList = NearList<Node, kNearNodes>;
+
 struct FlownPath {
-  std::vector<Node> nodes;                  // at both ends of every step; the last may lie beyond the end
-  std::vector<State<double>> coefficients;  // of the interpolants, step by step
-  std::vector<KeptStep> kept;               // in their place, where they are made when they are asked for
-  std::optional<TurnPath> turn;             // where the rotation is flown
-  std::vector<Vec3d> pushes;                // by generators at the nodes; empty: none pushes [m/s^2]
+  NearRoom<Node, kNearNodes> room;
+  NodeList nodes{NodeList::allocator_type(room)};  // at both ends of every step; the last may lie beyond the end
+  std::vector<State<double>> coefficients;         // of the interpolants, step by step
+  std::vector<KeptStep> kept;                      // in their place, where they are made when they are asked for
+  std::optional<TurnPath> turn;                    // where the rotation is flown
+  std::vector<Vec3d> pushes;                       // by generators at the nodes; empty: none pushes [m/s^2]
 };
 
 /// What is flown from one contact to the next, or along a surface. Its last node may lie beyond its end.

@@ -77,10 +77,10 @@ class PathKeeper {
 
   /// Room for the steps of most flights, so that it is asked for once.
   void reserve() {
-    constexpr std::size_t kSteps = 16;
+    constexpr std::size_t kSteps = kNearNodes - 1;
     constexpr std::size_t kEvents = 4;
     record_.events.reserve(kEvents);
-    record_.path.nodes.reserve(kSteps + 1);
+    record_.path.nodes.reserve(kNearNodes);
     if (keeps_slopes)
       record_.path.kept.reserve(kSteps);
     else
