@@ -27,20 +27,20 @@ class NearRoom {
   T* lend(std::size_t items) {
     if (is_lent_ || items > kItems) return nullptr;
     is_lent_ = true;
-    return memory();
+    return items_;
   }
   /// Whether it was this memory, which is free again.
   bool take_back(const T* memory) {
-    if (memory != this->memory()) return false;
+    if (memory != items_) return false;
     PHYSIM_ASSERT(is_lent_);
     is_lent_ = false;
     return true;
   }
 
  private:
-  T* memory() { return reinterpret_cast<T*>(bytes_); }
-
-  alignas(T) std::byte bytes_[kItems * sizeof(T)];
+  union {
+    T items_[kItems];
+  };
   bool is_lent_ = false;
 };
 

@@ -64,8 +64,7 @@ class LaneFlight {
     if (is_plain_) fly_known();
     while (!ended_) {
       step();
-      if (!met_) continue;  // it goes on only from a contact
-      if (const auto from = next()) relaunch(*from);
+      if (const auto from = met_ ? next() : std::nullopt) relaunch(*from);  // it goes on only from a contact
     }
     count_work();
     put_events_in_order();
@@ -107,11 +106,7 @@ class LaneFlight {
     if constexpr (kMayBeKnown) {
       while (!ended_) {
         const auto [why, may_cross] = path_.go_on(known_, course_, lane());
-        const bool accepted = why == KnownEnd::of_another_rung ? try_step() : why == KnownEnd::accepted;
-        if (why == KnownEnd::accepted && may_cross != 0)  // whether it did is found out where it is looked for
-          judge_step(accepted, true, may_cross);
-        else
-          look_at_step(accepted, may_cross);
+        look_at_step(why == KnownEnd::of_another_rung ? try_step() : why == KnownEnd::accepted, may_cross);
       }
     }
   }
@@ -119,17 +114,15 @@ class LaneFlight {
   /// One step, or a try at it.
   void step() { look_at_step(try_step(), kAllWatched); }
   void look_at_step(bool accepted, WatchedSet may_cross) {
-    const bool special = needs_attention(course_, lane(), accepted, may_cross).special;
+    const bool told = accepted && may_cross != 0 && may_cross != kAllWatched;  // by known steps
+    const bool special = told || needs_attention(course_, lane(), accepted, may_cross).special;
+    const bool sound = accepted && ends_finite(fidelity(), lane().step);
     if constexpr (kMayBeKnown) {
       if (known_ && !special && !contacts_) {  // most steps: they are kept, and that is all
-        if (accepted) path_.keep_known_step(known_);
+        if (sound) path_.keep_known_step(known_);
         return march_.accept(accepted);
       }
     }
-    judge_step(accepted, special, may_cross);
-  }
-  void judge_step(bool accepted, bool special, WatchedSet may_cross) {
-    const bool sound = accepted && ends_finite(fidelity(), lane().step);
     if (sound) make_dense();
     judge(accepted, special, sound, may_cross);
     if (ended_ || met_) {

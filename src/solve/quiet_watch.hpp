@@ -75,7 +75,7 @@ class QuietWatch {
     return {watched_value(all_, b, spec, t, s), turns ? watched_rate(all_, b, spec, s, a) : S(1)};
   }
 
-  /// Of what few flights watch.
+  /// Which of the quantities that few flights watch may have been crossed since the last look.
   [[gnu::noinline]] WatchedSet look_at_others(const Body<S>& b, const S& t, const State<S>& s, const Vec3<S>& a) {
     WatchedSet some = 0;
     for (int i = 0; i < watch_.count; ++i) {
