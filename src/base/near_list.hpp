@@ -1,5 +1,4 @@
-// Lists whose first items lie in the structure that has the list: most lists of a kind are short, and asking for memory
-// takes as long as filling it.
+// Lists whose first items lie in the structure that has the list: short ones ask for no memory.
 #pragma once
 
 #include <cstddef>

@@ -20,7 +20,7 @@ inline constexpr std::size_t kNearNodes = 17;
 using NodeList = NearList<Node, kNearNodes>;
 
 struct FlownPath {
-  NearRoom<Node, kNearNodes> room;
+  NearRoom<Node, kNearNodes> room;                 // of the first nodes
   NodeList nodes{NodeList::allocator_type(room)};  // at both ends of every step; the last may lie beyond the end
   std::vector<State<double>> coefficients;         // of the interpolants, step by step
   std::vector<KeptStep> kept;                      // in their place, where they are made when they are asked for

@@ -82,7 +82,7 @@ PHYSIM_INLINE Vec3<double> sum_of(const Vec3<double>* slope, double h, const Fir
 template <class Method>
 class StageCells {
  public:
-  PHYSIM_INLINE StageCells(const Body<double>& b, const double* rows, const CurveCourse& from)
+  PHYSIM_INLINE StageCells(const Body<double>& b, const double* rows, const CurvePlace& from)
       : b_(b), rows_(rows), guess_(from.guess), start_(from.start), rate_(from.rate) {}
 
   /// A step of length h is tried.
@@ -108,7 +108,7 @@ class StageCells {
     rate_ = (last_ - reference_) / (h * (1 - Method::c[Method::kStages - kBehind]));
     start_ = last_;
   }
-  [[nodiscard]] PHYSIM_INLINE CurveCourse course() const { return {guess_, start_, rate_}; }
+  [[nodiscard]] PHYSIM_INLINE CurvePlace place() const { return {guess_, start_, rate_}; }
 
  private:
   static constexpr int kBehind = Method::kStages == 4 ? 2 : 3;  // stages back from the end, one lies well before it
@@ -118,7 +118,7 @@ class StageCells {
   const double* rows_;
   GuessedCell<double> guess_;
   double last_ = 0, before_ = 0;  // places of the stages taken [cells]
-  double start_, rate_;           // as of CurveCourse
+  double start_, rate_;           // as of CurvePlace
   double reference_ = 0;
 };
 

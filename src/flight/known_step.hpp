@@ -29,7 +29,7 @@ struct KeptStep {
 };
 
 /// Where a flight stands on its drag curve: from there the cells are guessed that its next step reads.
-struct CurveCourse {
+struct CurvePlace {
   GuessedCell<double> guess{std::numeric_limits<double>::quiet_NaN(), nullptr, 0};  // none: no cell is equal to it
   double start = 0, rate = 0;  // where the step starts, and how the place changed before that [cells], [1/s]
 };
@@ -40,8 +40,8 @@ struct KnownFlight {
   Lanes<double>& lanes;
   Node* node;  // where the end of the next step is kept
   Node* end_of_nodes;
-  KeptStep* kept;  // where what its interpolant needs is kept; as many as nodes, or none
-  CurveCourse& on_curve;
+  KeptStep* kept;        // where what its interpolant needs is kept; as many as nodes, or none
+  CurvePlace& on_curve;  // from call to call
 };
 
 /// Why steps do not go on.

@@ -90,7 +90,7 @@ class KnownLoop {
     l.control = control_;
     l.tries = tries_;
     l.count = count_;
-    flight_.on_curve = cells_.course();
+    flight_.on_curve = cells_.place();
     return {why, may_cross};
   }
 

@@ -229,7 +229,7 @@ class PathKeeper {
   FlightRecord& record_;
   const Lanes<S>& lane_;
   std::optional<double> coming_leg_;  // [s]
-  CurveCourse on_curve_;              // of known steps
+  CurvePlace on_curve_;               // of known steps
   struct {
     double clock, start, limit, finish;
   } part_{};  // of the frame at hand; all 0 in flights from a launch

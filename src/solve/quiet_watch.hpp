@@ -15,10 +15,10 @@ class QuietWatch {
  public:
   /// From the start of a step that has not been taken yet. Conditions and list must stay as long as this.
   PHYSIM_INLINE QuietWatch(const Conditions<S>& all, const WatchList& watch, const Flyer<S>& l)
-      : all_(all), watch_(watch), climb_(climb_rate(all, l.step.start)), advance_(dot(l.step.start.v, l.body.sight)) {
+      : all_(all), watch_(watch), climb_(climb_rate(all, l.step.start)), advance_(range_rate(l.body, l.step.start.v)) {
     PHYSIM_ASSERT(watch.count >= 0 && watch.count <= kMaxWatched);
     const State<S>& s = l.step.start;
-    const S high = height(all, s.x), far = range(l.body, s);
+    const S high = height(all, s.x), far = range(l.body, s.x);
     for (int i = 0; i < watch.count; ++i) {
       const EventSpec& spec = watch.item[i].spec;
       const Watch kind = row_of(spec.kind).watch;
@@ -43,14 +43,15 @@ class QuietWatch {
     const bool turned = !(climb_rate(c, end) * climb_ > S(0));
     if (turned || !height_.holds(height(c, end.x))) some |= height_.items;
     if (turned) some |= climbs_;
-    if (range_.items != 0 && !(range_.holds(range(b, end)) && dot(end.v, b.sight) * advance_ > S(0)))
+    if (range_.items != 0 && !(range_.holds(range(b, end.x)) && range_rate(b, end.v) * advance_ > S(0)))
       some |= range_.items;
     if (others_ != 0) some |= look_at_others(b, t_end, end, a);
     return some;
   }
 
  private:
-  /// What a quantity stays strictly between, of which some items wait for a value.
+  /// What a quantity stays strictly between, of which some items wait for a value. A comparison says what the sign of a
+  /// difference says, to the bit.
   struct Bounds {
     S low = -std::numeric_limits<S>::infinity(), high = std::numeric_limits<S>::infinity();
     WatchedSet items = 0;
@@ -68,7 +69,6 @@ class QuietWatch {
     S rate;  // 1 of what may not turn
   };
 
-  PHYSIM_INLINE static S range(const Body<S>& b, const State<S>& s) { return dot(s.x - b.launch.x, b.sight); }
   [[nodiscard]] Numbers numbers(const Body<S>& b, const EventSpec& spec, const S& t, const State<S>& s,
                                 const Vec3<S>& a) const {
     const bool turns = may_turn(row_of(spec.kind).watch);

@@ -61,6 +61,16 @@ PHYSIM_NOINLINE void mach_number(const Conditions<S>& c, const Body<R>& b, const
   mach = length(air_velocity(c, b, t, s)) * air_state(c, b, s.x).per_sound_speed;
 }
 
+/// The way from the launch along the line of sight [m], and how fast it grows [m/s].
+template <class R>
+PHYSIM_INLINE R range(const Body<R>& b, const Vec3<R>& x) {
+  return dot(x - b.launch.x, b.sight);
+}
+template <class R>
+PHYSIM_INLINE R range_rate(const Body<R>& b, const Vec3<R>& v) {
+  return dot(v, b.sight);
+}
+
 /// The quantity that an event watches, less the value it waits for.
 template <class R, class S>
 PHYSIM_INLINE R watched_value(const Conditions<S>& c, const Body<R>& b, const EventSpec& spec, const R& t,
@@ -69,7 +79,7 @@ PHYSIM_INLINE R watched_value(const Conditions<S>& c, const Body<R>& b, const Ev
   switch (row_of(spec.kind).watch) {
     case Watch::height: return height(c, s.x) - value;
     case Watch::climb_rate: return climb_rate(c, s);
-    case Watch::range: return dot(s.x - b.launch.x, b.sight) - value;
+    case Watch::range: return range(b, s.x) - value;
     case Watch::mach: {
       R mach;
       mach_number(c, b, t, s, mach);
@@ -127,7 +137,7 @@ PHYSIM_INLINE R watched_rate(const Conditions<S>& c, const Body<R>& b, const Eve
                              const Vec3<R>& a) {
   switch (row_of(spec.kind).watch) {
     case Watch::height: return climb_rate(c, s);
-    case Watch::range: return dot(s.v, b.sight);
+    case Watch::range: return range_rate(b, s.v);
     case Watch::speed: return dot(s.v, a);
     case Watch::none:
     case Watch::climb_rate:
@@ -331,15 +341,17 @@ struct CrossingFinder {
   }
 
  private:
-  /// Searches ask for it again and again. The commonest quantities stand by themselves: where the compiler knows the
-  /// quantity it leaves out what of the state that does not read.
+  PHYSIM_INLINE W value(const W& theta, const State<W>& s) const {
+    return watched_value(c, at.body, spec, at.time(theta), s);
+  }
+  /// Searches ask for it again and again: of the state the commonest quantities get what they read, and the compiler
+  /// leaves out the rest.
   PHYSIM_INLINE W value(const W& theta) const {
     const Watch watch = row_of(spec.kind).watch;
-    const auto value = [&]()
-                           PHYSIM_INLINE_LAMBDA { return watched_value(c, at.body, spec, at.time(theta), at(theta)); };
-    if (watch == Watch::range) return value();
-    if (watch == Watch::climb_rate && column<&EarthRow::shape>(c.fidelity.earth) == EarthShape::flat) return value();
-    return value();
+    const bool is_flat = column<&EarthRow::shape>(c.fidelity.earth) == EarthShape::flat;
+    if (watch == Watch::range) return value(theta, {at(theta).x, {}});
+    if (watch == Watch::climb_rate && is_flat) return value(theta, {{}, at(theta).v});
+    return value(theta, at(theta));
   }
 
   PHYSIM_INLINE void add(const MaskOf<W>& lanes, const W& theta, const MaskOf<W>& rising) const {

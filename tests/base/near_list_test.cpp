@@ -2,8 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <cstddef>
 #include <cstdint>
-#include <cstring>
 
 namespace physim {
 namespace {
@@ -18,9 +18,9 @@ Item item(std::uint64_t i) { return {i, 0.5 * static_cast<double>(i)}; }
 using Room = NearRoom<Item, 4>;
 using List = NearList<Item, 4>;
 
+const std::byte* place_of(const void* memory) { return static_cast<const std::byte*>(memory); }
 bool is_in(const Room& room, const List& list) {
-  const auto *const begin = reinterpret_cast<const std::byte*>(&room), *const at = reinterpret_cast<const std::byte*>(
-                                                                           list.data());
+  const std::byte *const begin = place_of(&room), *const at = place_of(list.data());
   return at >= begin && at < begin + sizeof(Room);
 }
 

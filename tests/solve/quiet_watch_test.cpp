@@ -29,7 +29,7 @@ WatchList everything() {
 
 /// One lane over flat ground, whose line of sight is level.
 struct Lane {
-  Conditions<double> c;
+  Conditions<double> c{};
   Flyer<double> flyer;
 
   Lane() {
