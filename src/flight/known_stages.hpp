@@ -77,6 +77,28 @@ PHYSIM_INLINE Vec3<double> sum_of(const Vec3<double>* slope, double h, const Fir
   return sum;
 }
 
+/// low_air() of the air that all share, to the bit, with both polynomials side by side in one register: two operations
+/// for the price of one. Terms that density does not have are zero.
+class PairedLowAir {
+ public:
+  PHYSIM_INLINE explicit PairedLowAir(const Air<double>& air) : middle_(air.low_middle), scale_(air.low_scale) {
+    static_assert(kDensityTerms <= kPerSoundTerms && kDensityTerms > 8);  // which makes sums of one order
+    for (int i = 0; i < kPerSoundTerms; ++i)
+      c_[i] = Pair{i < kDensityTerms ? air.common.low_density[i] : 0.0, air.common.low_per_sound[i]};
+  }
+  [[nodiscard]] PHYSIM_INLINE AirState<double> operator()(double z) const {
+    const double u = (z - middle_) * scale_;
+    const Pair both = polynomial(Pair{u, u}, c_);
+    return {both[0], both[1]};
+  }
+
+ private:
+  using Pair [[gnu::vector_size(16)]] = double;
+
+  double middle_, scale_;
+  Pair c_[kPerSoundTerms];
+};
+
 /// The cells of the drag curve that the stages of steps read, guessed before their Mach numbers are known: where the
 /// line through the last two places leads. Whether a guess holds is known to the processor before, mostly.
 template <class Method>
@@ -152,9 +174,9 @@ PHYSIM_INLINE Standpoint start_of(const Step<double>& s) {
 template <class Rung, class Method>
 class KnownStages {
  public:
-  PHYSIM_INLINE KnownStages(const Conditions<double>& c, const Body<double>& b, double t, double h, double t_end,
-                            const Standpoint& start, StageCells<Method>& cells)
-      : c_(c), b_(b), t_(t), h_(h), t_end_(t_end), cells_(cells) {
+  PHYSIM_INLINE KnownStages(const Conditions<double>& c, const PairedLowAir& low_air, const Body<double>& b, double t,
+                            double h, double t_end, const Standpoint& start, StageCells<Method>& cells)
+      : c_(c), low_air_(low_air), b_(b), t_(t), h_(h), t_end_(t_end), cells_(cells) {
     cells.begin(h);
     copy_vector(start.x, x_[0]), copy_vector(start.v, v_[0]), copy_vector(start.a, a_[0]);
     lead<1>();
@@ -238,7 +260,7 @@ class KnownStages {
     air_.u = air_velocity(k, b_, time<kStage>(), State<double>{{}, v_[kStage]});  // which asks for no place
     air_.speed = length(air_.u);
     x_[1] = whole<kStage>(lead_of<kStage>(v_, h_, x_[0]), v_[kStage - 1], h_, x_[0]);
-    air_.air = air_state(k, b_, x_[1]);
+    air_.air = low_air_(altitude(k, x_[1]));
     holds_ &= is_in_low_air(c_, x_[1]);
   }
   template <int kStage>
@@ -250,6 +272,7 @@ class KnownStages {
   }
 
   const Conditions<double>& c_;
+  const PairedLowAir& low_air_;
   const Body<double>& b_;
   double t_, h_, t_end_;
   StageCells<Method>& cells_;
