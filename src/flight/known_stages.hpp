@@ -3,7 +3,6 @@
 // as computing them.
 #pragma once
 
-#include <limits>
 #include <utility>
 
 #include "flight/known_step.hpp"
@@ -12,11 +11,6 @@
 
 PHYSIM_ISA_BEGIN
 
-template <int kCount>
-PHYSIM_INLINE void copy_coefficients(const double (&from)[kCount], double (&to)[kCount]) {
-  [&]<int... I>(std::integer_sequence<int, I...>) PHYSIM_INLINE_LAMBDA { ((to[I] = from[I]), ...); }
-  (std::make_integer_sequence<int, kCount>());
-}
 /// Number by number: a pair that was stored as two numbers is slow to load as one.
 PHYSIM_INLINE void copy_vector(const Vec3<double>& from, Vec3<double>& to) {
   to.x = from.x, to.y = from.y, to.z = from.z;
@@ -25,7 +19,7 @@ PHYSIM_INLINE void copy_vector(const Vec3<double>& from, Vec3<double>& to) {
 /// A point mass with a drag curve and nothing special about it, in the standard's air below the top of its first layer.
 template <GravityModel kGravity, EarthModel kEarth, WindModel kWind>
 struct KnownRung {
-  /// The conditions that this rung reads.
+  /// The conditions that this rung reads; LowAirOfOne reads the air.
   PHYSIM_INLINE static Conditions<double> known(const Conditions<double>& c) {
     Conditions<double> k;
     k.fidelity.motion = Motion::force;
@@ -41,11 +35,6 @@ struct KnownRung {
     k.radius = c.radius;
     k.altitude = c.altitude;
     k.omega = c.omega;
-    copy_coefficients(c.air.common.low_density, k.air.common.low_density);
-    copy_coefficients(c.air.common.low_per_sound, k.air.common.low_per_sound);
-    k.air.low_middle = c.air.low_middle;
-    k.air.low_scale = c.air.low_scale;
-    k.air.low_top = std::numeric_limits<double>::quiet_NaN();  // nothing is above it
     k.air.base[1] = c.air.base[1];
     k.wind.points = 1;
     k.wind.velocity[0] = c.wind.velocity[0];
@@ -76,28 +65,6 @@ PHYSIM_INLINE Vec3<double> sum_of(const Vec3<double>* slope, double h, const Fir
   (std::make_integer_sequence<int, kCount>());
   return sum;
 }
-
-/// low_air() of the air that all share, to the bit, with both polynomials side by side in one register: two operations
-/// for the price of one. Terms that density does not have are zero.
-class PairedLowAir {
- public:
-  PHYSIM_INLINE explicit PairedLowAir(const Air<double>& air) : middle_(air.low_middle), scale_(air.low_scale) {
-    static_assert(kDensityTerms <= kPerSoundTerms && kDensityTerms > 8);  // which makes sums of one order
-    for (int i = 0; i < kPerSoundTerms; ++i)
-      c_[i] = Pair{i < kDensityTerms ? air.common.low_density[i] : 0.0, air.common.low_per_sound[i]};
-  }
-  [[nodiscard]] PHYSIM_INLINE AirState<double> operator()(double z) const {
-    const double u = (z - middle_) * scale_;
-    const Pair both = polynomial(Pair{u, u}, c_);
-    return {both[0], both[1]};
-  }
-
- private:
-  using Pair [[gnu::vector_size(16)]] = double;
-
-  double middle_, scale_;
-  Pair c_[kPerSoundTerms];
-};
 
 /// The cells of the drag curve that the stages of steps read, guessed before their Mach numbers are known: where the
 /// line through the last two places leads. Whether a guess holds is known to the processor before, mostly.
@@ -174,7 +141,7 @@ PHYSIM_INLINE Standpoint start_of(const Step<double>& s) {
 template <class Rung, class Method>
 class KnownStages {
  public:
-  PHYSIM_INLINE KnownStages(const Conditions<double>& c, const PairedLowAir& low_air, const Body<double>& b, double t,
+  PHYSIM_INLINE KnownStages(const Conditions<double>& c, const LowAirOfOne& low_air, const Body<double>& b, double t,
                             double h, double t_end, const Standpoint& start, StageCells<Method>& cells)
       : c_(c), low_air_(low_air), b_(b), t_(t), h_(h), t_end_(t_end), cells_(cells) {
     cells.begin(h);
@@ -272,7 +239,7 @@ class KnownStages {
   }
 
   const Conditions<double>& c_;
-  const PairedLowAir& low_air_;
+  const LowAirOfOne& low_air_;
   const Body<double>& b_;
   double t_, h_, t_end_;
   StageCells<Method>& cells_;

@@ -13,7 +13,7 @@ template <class Method, class Rung>
 void take_known_step(const Conditions<double>& c, Flyer<double>& flyer, double relative, double absolute) {
   Step<double>& s = flyer.step;
   StageCells<Method> cells(flyer.body, c.curve_rows, {});
-  const PairedLowAir low_air(c.air);
+  const LowAirOfOne low_air(c.air);
   const KnownStages<Rung, Method> stages(c, low_air, flyer.body, s.t, s.h, s.t_end, start_of(s), cells);
   if (!stages.holds()) return take_any_step(c, flyer, relative, absolute);
   stages.put(stages.error(relative, absolute), s);
@@ -25,8 +25,8 @@ class KnownLoop {
  public:
   PHYSIM_INLINE explicit KnownLoop(KnownFlight& flight)
       : flight_(flight),
-        c_(Rung::known(*flight.course.conditions)),
-        low_air_(flight.course.conditions->air),
+        c_(*flight.course.conditions),
+        low_air_(c_.air),
         plan_(flight.course.plan),
         now_(start_of(flight.lanes.step)),
         cells_(flight.lanes.body, c_.curve_rows, flight.on_curve),
@@ -38,7 +38,7 @@ class KnownLoop {
   PHYSIM_INLINE KnownStop run() {
     const Lanes<double>& l = flight_.lanes;
     PHYSIM_ASSERT(may_go_on(flight_.course, l));
-    QuietWatch<double> quiet(*flight_.course.conditions, flight_.course.watch, l);
+    QuietWatch<double> quiet(c_, flight_.course.watch, l);
     while (flight_.node != flight_.end_of_nodes) {
       const double h = control_.h, t_end = t_ + h;
       const KnownStages<Rung, Method> stages(c_, low_air_, l.body, t_, h, t_end, now_, cells_);
@@ -97,8 +97,8 @@ class KnownLoop {
   }
 
   KnownFlight& flight_;
-  const Conditions<double> c_;  // copies: nobody else writes them, so that no step reads them anew
-  const PairedLowAir low_air_;
+  const Conditions<double>& c_;
+  const LowAirOfOne low_air_;
   const StepPlan<double>& plan_;
   Standpoint now_;  // where the step at hand starts
   StageCells<Method> cells_;

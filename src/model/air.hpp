@@ -56,15 +56,44 @@ PHYSIM_NOINLINE void layered_air(const Air<S>& air, const AirNumbers<N>& numbers
   out = {density * exp_bounded(power * log1p_near_zero(excess) + decay * rise), per_sound / sqrt(S(1) + excess)};
 }
 
+/// Where a geometric altitude [m] lies in the lowest layer: -1 at its bottom, 1 at its top [-].
+template <class R, class AnyAir>
+PHYSIM_INLINE R place_in_low_air(const AnyAir& air, const R& z) {
+  return (z - air.low_middle) * air.low_scale;
+}
 /// The lowest layer at a geometric altitude [m].
 template <class R, class S, class N>
 PHYSIM_INLINE AirState<R> low_air(const Air<S>& air, const AirNumbers<N>& numbers, const R& z) {
   constexpr bool kDouble = sizeof(S) == 8;
   PHYSIM_ASSERT(air.low_scale > S(0));
-  const R u = (z - air.low_middle) * air.low_scale;
+  const R u = place_in_low_air(air, z);
   return {polynomial < kDouble ? kDensityTerms : 8 > (u, numbers.low_density),
           polynomial < kDouble ? kPerSoundTerms : 10 > (u, numbers.low_per_sound)};
 }
+
+/// As low_air() of the air that all share, to the bit, for one number: both polynomials side by side in one register.
+/// It has copies of all that it reads, so that the compiler knows that nobody else writes them.
+class LowAirOfOne {
+ public:
+  PHYSIM_INLINE explicit LowAirOfOne(const Air<double>& air) : low_middle(air.low_middle), low_scale(air.low_scale) {
+    static_assert(kDensityTerms <= kPerSoundTerms, "terms that density does not have are zero");
+    for (int i = 0; i < kPerSoundTerms; ++i) {
+      set_lane(c_[i], 0, i < kDensityTerms ? air.common.low_density[i] : 0.0);
+      set_lane(c_[i], 1, air.common.low_per_sound[i]);
+    }
+  }
+  [[nodiscard]] PHYSIM_INLINE AirState<double> operator()(double z) const {
+    const Both both = polynomial(Both(place_in_low_air(*this, z)), c_);
+    return {lane_of(both, 0), lane_of(both, 1)};
+  }
+
+  double low_middle, low_scale;  // as those of Air
+
+ private:
+  using Both = Pack<double, 2>;
+
+  Both c_[kPerSoundTerms];
+};
 
 /// Standard atmosphere at a geometric altitude [m].
 template <class R, class S, class N>

@@ -255,6 +255,34 @@ TEST_P(KnownStepTest, GivesTheFlightOfABatch) {
   }
 }
 
+/// Steps so long that they rise out of the first layer of the air and sink back into it: both ends lie below its top,
+/// stages between them above.
+TEST_P(KnownStepTest, LooksAtTheAirInsideItsSteps) {
+  Scene far;
+  ASSERT_TRUE(far.add({.shape = *far.add_shape(SphereShape{1}), .transform = {.position = {0, -4000, 1e5}}}));
+  ProjectileDef p = plain_bullet();
+  p.drag.ballistic_coefficient = 6000;  // slows down little, which makes its steps long
+  for (const auto& [rung, integrator] : known_flights()) {
+    SCOPED_TRACE(rung.name);
+    const Conditions<double> c = Prepared(p, {}, windy(), fidelity_of(rung, integrator)).cohort.conditions;
+    int over = 0;
+    for (int i = 0; i < 100; ++i) {
+      const Launch launch{.position = {0, 10650, 0}, .speed = 820, .elevation = 0.04 + 1e-4 * i};
+      const Tolerance loose{.relative = 1e-2, .absolute = 1e-2};
+      Until until{.ground = std::nullopt, .time = 30};
+      const Flight flight = fly(p, launch, windy(), fidelity_of(rung, integrator), loose, until);
+      until.scene = &far;
+      expect_same_flight(flight, fly(p, launch, windy(), fidelity_of(rung, integrator), loose, until));
+      const std::vector<double> times = flight.step_times();
+      const auto altitude = [&](double time) { return flight.at(time).position.y + c.altitude; };
+      for (std::size_t k = 1; k < times.size() && times[k] <= flight.duration(); ++k)
+        over += altitude(times[k - 1]) < c.air.base[1] && altitude(times[k]) < c.air.base[1] &&
+                altitude(0.5 * (times[k - 1] + times[k])) > c.air.low_top;
+    }
+    EXPECT_GT(over, 0);
+  }
+}
+
 /// What meets nothing makes its interpolants when it is asked, what may meet things in its steps, by the functions of
 /// all rungs: a scene without things changes nothing anywhere on the path.
 TEST_P(KnownStepTest, AnswersInsideItsStepsAsAllRungsDo) {

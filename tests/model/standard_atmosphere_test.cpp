@@ -188,6 +188,21 @@ TEST(StandardAtmosphere, is_what_flights_feel) {
   for (const auto& [z, t, p, rho, a, mu] : kExact) EXPECT_TRUE(near(felt_density(z), rho, 1e-10)) << z;
 }
 
+TEST(StandardAtmosphere, of_one_number_is_that_of_all_to_the_bit) {
+  Environment warm;
+  warm.altitude = 1500;
+  warm.atmosphere.temperature = 310;
+  for (const Environment& environment : {Environment{}, warm}) {
+    const Air<double> air = prepare_conditions(environment, Fidelity::small_arms()).air;
+    const LowAirOfOne of_one(air);
+    for (double z = -5000; z < air.low_top; z += 0.37) {
+      const AirState<double> one = of_one(z), all = low_air(air, air.common, z);
+      ASSERT_TRUE(test::same_bits(one.density, all.density)) << z;
+      ASSERT_TRUE(test::same_bits(one.per_sound_speed, all.per_sound_speed)) << z;
+    }
+  }
+}
+
 TEST(StandardAtmosphere, air_at_refuses_an_environment_as_flights_do) {
   Environment e;
   e.atmosphere.pressure = -1;
