@@ -83,17 +83,27 @@ void prepare(FlightRecord& record, const ProjectileDef& projectile, const Launch
   Conditions<double>& conditions = record.cohort.conditions;
   put_conditions(environment, granted, conditions);
   put_kind(projectile, record.cohort.pool, conditions, record.body);
-  put_launch(projectile, launch, record.elevation, conditions, record.body);
+  record.sight = sight_frame(launch);
+  put_launch(projectile, launch, record.sight, record.elevation, conditions, record.body);
   jump_in_crosswind(projectile, environment, conditions, record.body);
   if (turns(granted)) {
     record.path.turn.emplace();
     record.rotor = prepare_rotor(projectile, launch, record.elevation, record.body, record.cohort.pool, conditions);
   }
   record.cohort.finish();
-  record.sight = sight_frame(launch);
   record.drift = prepare_spin_drift(projectile, length(record.body.launch.v), environment, granted);
   record.keep(environment);
   record.projectile.fidelity = granted;
+}
+
+Status check_all(const ProjectileDef& projectile, const Launch& launch, const Environment& environment,
+                 const Fidelity& fidelity, const Tolerance& tolerance, const Until& until) {
+  if (Status of_projectile = check(projectile); !of_projectile) return of_projectile;
+  if (Status of_launch = check(launch); !of_launch) return of_launch;
+  if (Status of_environment = check(environment); !of_environment) return of_environment;
+  if (Status of_tolerance = check(tolerance, fidelity); !of_tolerance) return of_tolerance;
+  if (Status of_until = check(until); !of_until) return of_until;
+  return check(projectile, launch);
 }
 
 Status choose_step(FlightRecord& record, const ProjectileDef& projectile, const Launch& launch,
@@ -145,10 +155,8 @@ std::shared_ptr<FlightRecord> record_flight(const ProjectileDef& projectile, con
     return record;
   };
   const auto refuse_at_once = [&](const Error& error) { return refuse(error, std::make_shared<FlightRecord>()); };
-  for (const Status& status :
-       {check(projectile), check(launch), check(environment), check(tolerance, fidelity), check(until)})
-    if (!status) return refuse_at_once(status.error());
-  if (const Status status = check(projectile, launch); !status) return refuse_at_once(status.error());
+  if (const Status status = check_all(projectile, launch, environment, fidelity, tolerance, until); !status)
+    return refuse_at_once(status.error());
   const auto elevation = elevation_of(projectile, launch, environment, fidelity);
   if (!elevation) return refuse_at_once(elevation.error());
   auto record = std::make_shared<FlightRecord>(projectile);

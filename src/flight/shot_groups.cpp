@@ -173,7 +173,7 @@ ShotState ShotGroups::prepare(std::size_t shot) {
   Body<double>& body = kind.body;
   if (task_.weather.has_wind()) body.wind = environment_->wind.velocity;
   if (task_.weather.has_air()) body.air = prepare_air_numbers(*environment_, granted.air);
-  put_launch(projectile, launch, elevation, cohort.conditions, body);
+  put_launch(projectile, launch, sight_frame(launch), elevation, cohort.conditions, body);
   if (auto status = check_fits(body.launch.x, body.launch.v, granted.precision); !status)
     return refuse(std::move(status));
   jump_in_crosswind(projectile, *environment_, cohort.conditions, body);

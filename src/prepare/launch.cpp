@@ -37,9 +37,9 @@ bool prepare_rail(const Launch& launch, const Vec3d& bore, const Fidelity& grant
 
 }  // namespace
 
-bool put_launch(const Launch& launch, double elevation, const Fidelity& granted, Body<double>& b) {
+bool put_launch(const Launch& launch, const SightFrame& sight, double elevation, const Fidelity& granted,
+                Body<double>& b) {
   PHYSIM_ASSERT(elevation - elevation == 0 && launch.rail_length >= 0);
-  const SightFrame sight = sight_frame(launch);
   const Vec3d bore = launch_direction(launch, sight, elevation);
   b.launch = {launch.position, velocity_along(launch, bore)};
   b.sight = sight.forward;
@@ -49,9 +49,9 @@ bool put_launch(const Launch& launch, double elevation, const Fidelity& granted,
   return prepare_rail(launch, bore, granted, b);
 }
 
-void put_launch(const ProjectileDef& p, const Launch& launch, double elevation, Conditions<double>& c,
-                Body<double>& b) {
-  c.has_rail = put_launch(launch, elevation, c.fidelity, b) || c.has_rail;
+void put_launch(const ProjectileDef& p, const Launch& launch, const SightFrame& sight, double elevation,
+                Conditions<double>& c, Body<double>& b) {
+  c.has_rail = put_launch(launch, sight, elevation, c.fidelity, b) || c.has_rail;
   if (c.fidelity.drag == DragModel::linear_quadratic && p.drag.k1 == 0 && p.drag.k2 == 0)
     b.k2_per_mass = EquivalentDrag(p, b, c).k2_per_mass(b.launch);
 }
@@ -59,7 +59,7 @@ void put_launch(const ProjectileDef& p, const Launch& launch, double elevation, 
 Body<double> prepare_body(const ProjectileDef& p, const Launch& launch, double elevation, TablePool& pool,
                           Conditions<double>& c) {
   Body<double> b = prepare_kind(p, pool, c);
-  put_launch(p, launch, elevation, c, b);
+  put_launch(p, launch, sight_frame(launch), elevation, c, b);
   return b;
 }
 

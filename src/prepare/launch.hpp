@@ -10,11 +10,12 @@
 namespace physim {
 
 /// What of a launch with a bore elevation above the horizon [rad] needs no projectile: state, sight, plane of fire, and
-/// where the models read them, spin and rail. True where it starts on a rail.
-bool put_launch(const Launch& launch, double elevation, const Fidelity& granted, Body<double>& body);
-/// Launches a projectile; a rail comes with the launch, and its flag.
-void put_launch(const ProjectileDef& projectile, const Launch& launch, double elevation, Conditions<double>& conditions,
+/// where the models read them, spin and rail. `sight` is the launch's frame. True where it starts on a rail.
+bool put_launch(const Launch& launch, const SightFrame& sight, double elevation, const Fidelity& granted,
                 Body<double>& body);
+/// Launches a projectile; a rail comes with the launch, and its flag.
+void put_launch(const ProjectileDef& projectile, const Launch& launch, const SightFrame& sight, double elevation,
+                Conditions<double>& conditions, Body<double>& body);
 /// A projectile launched: prepare_kind() and put_launch().
 [[nodiscard]] Body<double> prepare_body(const ProjectileDef& projectile, const Launch& launch, double elevation,
                                         TablePool& pool, Conditions<double>& conditions);

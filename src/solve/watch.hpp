@@ -71,12 +71,12 @@ PHYSIM_INLINE R range_rate(const Body<R>& b, const Vec3<R>& v) {
   return dot(v, b.sight);
 }
 
-/// The quantity that an event watches, less the value it waits for.
+/// The quantity that is watched, less the value that is waited for.
 template <class R, class S>
-PHYSIM_INLINE R watched_value(const Conditions<S>& c, const Body<R>& b, const EventSpec& spec, const R& t,
+PHYSIM_INLINE R watched_value(const Conditions<S>& c, const Body<R>& b, Watch watch, double waits_for, const R& t,
                               const State<R>& s) {
-  const R value = constant<R>(spec.value);
-  switch (row_of(spec.kind).watch) {
+  const R value = constant<R>(waits_for);
+  switch (watch) {
     case Watch::height: return height(c, s.x) - value;
     case Watch::climb_rate: return climb_rate(c, s);
     case Watch::range: return range(b, s.x) - value;
@@ -93,6 +93,11 @@ PHYSIM_INLINE R watched_value(const Conditions<S>& c, const Body<R>& b, const Ev
     case Watch::time: break;
   }
   return t - value;
+}
+template <class R, class S>
+PHYSIM_INLINE R watched_value(const Conditions<S>& c, const Body<R>& b, const EventSpec& spec, const R& t,
+                              const State<R>& s) {
+  return watched_value(c, b, row_of(spec.kind).watch, spec.value, t, s);
 }
 
 /// On which side of nothing a number lies; of what is no number nothing holds.
@@ -326,6 +331,7 @@ struct CrossingFinder {
   int index;  // in the watch list
   const Dense& at;
   CrossingList* lists;
+  const Watch watch = row_of(spec.kind).watch;
 
   PHYSIM_INLINE void find(const MaskOf<W>& asked) const {
     const W at_start = at.watched_at_start(spec);
@@ -342,12 +348,11 @@ struct CrossingFinder {
 
  private:
   PHYSIM_INLINE W value(const W& theta, const State<W>& s) const {
-    return watched_value(c, at.body, spec, at.time(theta), s);
+    return watched_value(c, at.body, watch, spec.value, at.time(theta), s);
   }
   /// Searches ask for it again and again: of the state the commonest quantities get what they read, and the compiler
   /// leaves out the rest.
   PHYSIM_INLINE W value(const W& theta) const {
-    const Watch watch = row_of(spec.kind).watch;
     const bool is_flat = column<&EarthRow::shape>(c.fidelity.earth) == EarthShape::flat;
     if (watch == Watch::range) return value(theta, {at(theta).x, {}});
     if (watch == Watch::climb_rate && is_flat) return value(theta, {{}, at(theta).v});

@@ -136,8 +136,10 @@ Body<double> Placement::special_body(std::uint32_t index, BodyState& at, const R
   for (const OwnPart& part : kOwnParts)
     if (slot.is(part.flag)) part.put(mine, body);
   body.launch = {at.position, at.velocity};
-  if (c.fidelity.planar || spins(c.fidelity) || has_stops(c))
-    put_launch(start.launch ? *start.launch : launch_of(at), start.elevation, c.fidelity, body);
+  if (c.fidelity.planar || spins(c.fidelity) || has_stops(c)) {
+    const Launch launch = start.launch ? *start.launch : launch_of(at);
+    put_launch(launch, sight_frame(launch), start.elevation, c.fidelity, body);
+  }
   at.velocity = body.launch.v = component_product(body.launch.v, body.free);
   body.birth = start.birth.value_or(state_.clock.time() - start.age);
   if (rung.equivalent_drag) body.k2_per_mass = rung.equivalent_drag->k2_per_mass(body.launch, body.birth);
