@@ -22,9 +22,9 @@
 #include <algorithm>
 #include <array>
 
+#include "base/unset.hpp"
 #include "collide/box_job.hpp"
 #include "collide/cast.hpp"
-#include "model/rotor.hpp"
 
 namespace physim::collide {
 

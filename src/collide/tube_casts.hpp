@@ -5,8 +5,8 @@
 #include <array>
 #include <cstdint>
 
+#include "base/unset.hpp"
 #include "collide/triangle.hpp"
-#include "model/rotor.hpp"
 #include "physim/scene.hpp"
 
 namespace physim::collide {

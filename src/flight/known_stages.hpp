@@ -36,8 +36,8 @@ struct KnownRung {
     k.altitude = c.altitude;
     k.omega = c.omega;
     k.air.base[1] = c.air.base[1];
-    k.wind.points = 1;
-    k.wind.velocity[0] = c.wind.velocity[0];
+    k.wind.points = 0;
+    k.wind.velocity = c.wind.velocity;
     k.curve_rows = c.curve_rows;
     return k;
   }
@@ -173,7 +173,7 @@ class KnownStages {
   }
   /// What a step leaves: its slopes, its end and its error.
   PHYSIM_INLINE void put(double error, Step<double>& s) const {
-    put_inner_slopes(s.slope + 1);
+    put_inner_slopes(s.slope.item + 1);
     put_slope<kEnd>(s.slope[kEnd]);
     copy_vector(x_[1], s.end.x), copy_vector(v_[kEnd], s.end.v);
     s.error = error;

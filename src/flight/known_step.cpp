@@ -48,7 +48,7 @@ PHYSIM_INLINE void interpolate(const State<double>* slope, double h, State<doubl
   (std::make_integer_sequence<int, dense_coefficients_of<Method>()>());
 }
 void interpolate_tsit5(const Step<double>& s, State<double>* coefficients) {
-  interpolate<Tsit5>(s.slope, s.h, coefficients);
+  interpolate<Tsit5>(s.slope.item, s.h, coefficients);
 }
 
 }  // namespace
@@ -58,7 +58,7 @@ static_assert(dense_coefficients_of<Rk43>() == 0);
 
 void keep_slopes(const Step<double>& step, KeptStep& kept) {
   kept.h = step.h;
-  const State<double>* from = step.slope + 1;
+  const State<double>* from = step.slope.item + 1;
   for (State<double>& to : *kept.slopes) copy_state(*from++, to);
 }
 void keep_end(const Step<double>& step, Node& node) {

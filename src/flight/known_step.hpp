@@ -5,6 +5,7 @@
 #include <array>
 #include <limits>
 
+#include "base/unset.hpp"
 #include "flight/plain_rung.hpp"
 #include "solve/corners.hpp"
 

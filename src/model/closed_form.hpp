@@ -51,7 +51,7 @@ PHYSIM_INLINE State<R> closed_form_of_free(const Conditions<S>& c, const Body<R>
   const R e2 = second_decay_integral(z);
   const R decayed = t * (S(1) - z * e2);  // t E1
   const bool windy = c.fidelity.wind != WindModel::off;
-  const Vec3<S> w = windy ? c.wind.velocity[0] : Vec3<S>{};
+  const Vec3<S> w = windy ? c.wind.velocity : Vec3<S>{};
   Vec3<R> air{R(w.x), R(w.y), R(w.z)};
   if (c.has_own_wind) air = b.wind;
   if (c.fidelity.planar) air -= b.plane * dot(b.plane, air);

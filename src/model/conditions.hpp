@@ -5,6 +5,7 @@
 #pragma once
 
 #include "base/members.hpp"
+#include "base/unset.hpp"
 #include "math/interpolation.hpp"
 #include "physim/environment.hpp"
 #include "physim/fidelity.hpp"
@@ -65,9 +66,14 @@ struct Components {
 /// Wind ready to compute; see model/wind.hpp.
 template <class S>
 struct WindField {
-  int points;                              // 1: the same everywhere; 0: by a function
-  bool by_range;                           // else by height
-  bool stepped;                            // else straight lines
+  int points;              // of its profile; 0: none, it blows the same everywhere or by a function
+  bool by_range;           // by downrange distance; else by height
+  bool stepped;            // else straight lines
+  Components<S> velocity;  // without a profile, or at its first point [m/s]
+};
+/// The points of a wind profile.
+template <class S>
+struct WindProfile {
   S at[kMaxWindPoints];                    // [m]
   Components<S> velocity[kMaxWindPoints];  // [m/s]
   Components<S> slope[kMaxWindPoints];     // from point i to i + 1 [1/s]
@@ -151,14 +157,16 @@ struct TablePointers {
 };
 
 template <class S>
-struct Conditions : Features, EnvironmentNumbers<S>, FunctionPointers, TablePointers<S> {};
+struct ConditionsWithoutProfile : Features, EnvironmentNumbers<S>, FunctionPointers, TablePointers<S> {};
+template <class S>
+struct Conditions : ConditionsWithoutProfile<S> {
+  Unset<WindProfile<S>> profile;  // as many points as wind.points: large, and few winds have one
+};
 
 /// Counted here, since they hold arrays.
 template <class S>
 inline constexpr std::size_t kMemberCount<AirNumbers<S>> = 11;
 template <class S>
 inline constexpr std::size_t kMemberCount<Air<S>> = 7;
-template <class S>
-inline constexpr std::size_t kMemberCount<WindField<S>> = 6;
 
 }  // namespace physim

@@ -91,16 +91,4 @@ struct Rotor : RotorConstants<R> {
   Turn<R> launch;  // at time 0
 };
 
-/// Memory that is not set to zero and holds nothing until it is written: what only some rungs use of a large structure.
-template <class T>
-union Unset {
-  T value;
-
-  PHYSIM_INLINE Unset() {}  // NOLINT: it is left as it is
-  PHYSIM_INLINE T* operator->() { return &value; }
-  PHYSIM_INLINE const T* operator->() const { return &value; }
-  PHYSIM_INLINE T& operator*() { return value; }
-  PHYSIM_INLINE const T& operator*() const { return value; }
-};
-
 }  // namespace physim

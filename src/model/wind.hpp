@@ -25,19 +25,20 @@ PHYSIM_ISA_BEGIN
 template <class R, class S>
 PHYSIM_NOINLINE void profile_wind(const Conditions<S>& c, const Vec3<R>& x, Vec3<R>& w) {
   const WindField<S>& field = c.wind;
+  const WindProfile<S>& profile = *c.profile;
   PHYSIM_ASSERT(field.points >= 2 && field.points <= kMaxWindPoints);
   const R u = field.by_range ? x.x : height(c, x);
   for (int i = 0; i + 1 < field.points; ++i) {
     if (field.stepped) {
-      const auto past = u >= R(field.at[i + 1]);
-      w.x = select(past, R(field.velocity[i + 1].x), w.x);
-      w.y = select(past, R(field.velocity[i + 1].y), w.y);
-      w.z = select(past, R(field.velocity[i + 1].z), w.z);
+      const auto past = u >= R(profile.at[i + 1]);
+      w.x = select(past, R(profile.velocity[i + 1].x), w.x);
+      w.y = select(past, R(profile.velocity[i + 1].y), w.y);
+      w.z = select(past, R(profile.velocity[i + 1].z), w.z);
     } else {
-      const R inside = clamp(u - R(field.at[i]), R(S(0)), R(field.at[i + 1] - field.at[i]));
-      w.x += field.slope[i].x * inside;
-      w.y += field.slope[i].y * inside;
-      w.z += field.slope[i].z * inside;
+      const R inside = clamp(u - R(profile.at[i]), R(S(0)), R(profile.at[i + 1] - profile.at[i]));
+      w.x += profile.slope[i].x * inside;
+      w.y += profile.slope[i].y * inside;
+      w.z += profile.slope[i].z * inside;
     }
   }
 }
@@ -47,7 +48,7 @@ template <class R, class S>
 PHYSIM_INLINE Vec3<R> wind_at_origin(const Conditions<S>& c, const Body<R>& b, const R& t, const Vec3<R>& x) {
   if (c.has_own_wind) return b.wind;
   const WindField<S>& field = c.wind;
-  Vec3<R> w{R(field.velocity[0].x), R(field.velocity[0].y), R(field.velocity[0].z)};
+  Vec3<R> w{R(field.velocity.x), R(field.velocity.y), R(field.velocity.z)};
   if (c.fidelity.wind != WindModel::profile) return w;
   if (c.has_wind_function)
     wind_by_function(c, b, t, x, w);

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <memory>
+#include <span>
 #include <vector>
 
 #include "base/ieee_mode.hpp"
@@ -15,30 +16,35 @@
 namespace physim {
 namespace {
 
+void put_profile(std::span<const WindPoint> points, WindProfile<double>& profile) {
+  PHYSIM_ASSERT(points.size() <= std::size_t(kMaxWindPoints));
+  for (int i = 0; i < static_cast<int>(points.size()); ++i) {
+    const WindPoint& p = points[static_cast<std::size_t>(i)];
+    PHYSIM_ASSERT(i == 0 || p.at > profile.at[i - 1]);
+    profile.at[i] = p.at;
+    profile.velocity[i] = p.velocity;
+    profile.slope[i] = Vec3d{};
+    if (i > 0) profile.slope[i - 1] = (p.velocity - Vec3d(profile.velocity[i - 1])) * (1 / (p.at - profile.at[i - 1]));
+  }
+}
+
 /// Into a field that is all zero.
-void put_wind(const Wind& wind, WindModel model, WindField<double>& field) {
+void put_wind(const Wind& wind, WindModel model, WindField<double>& field, WindProfile<double>& profile) {
   if (wind.field && model == WindModel::profile) return;  // its function is asked
-  field.points = 1;
   field.by_range = wind.by == WindAxis::range;
   field.stepped = wind.interpolation == WindInterpolation::step;
   switch (wind.profile.empty() ? lower_of(model, WindModel::constant) : model) {
     case WindModel::off: return;
     case WindModel::constant:
       // A low rung has one wind: the profile's first point stands for it where no other is given.
-      field.velocity[0] = wind.velocity;
-      if (!wind.profile.empty() && wind.velocity == Vec3d{}) field.velocity[0] = wind.profile.front().velocity;
+      field.velocity = wind.velocity;
+      if (!wind.profile.empty() && wind.velocity == Vec3d{}) field.velocity = wind.profile.front().velocity;
       return;
     case WindModel::profile: break;
   }
-  PHYSIM_ASSERT(wind.profile.size() <= std::size_t(kMaxWindPoints));
   field.points = static_cast<int>(wind.profile.size());
-  for (int i = 0; i < field.points; ++i) {
-    const WindPoint& p = wind.profile[static_cast<std::size_t>(i)];
-    PHYSIM_ASSERT(i == 0 || p.at > field.at[i - 1]);
-    field.at[i] = p.at;
-    field.velocity[i] = p.velocity;
-    if (i > 0) field.slope[i - 1] = (p.velocity - Vec3d(field.velocity[i - 1])) * (1 / (p.at - field.at[i - 1]));
-  }
+  field.velocity = wind.profile.front().velocity;
+  put_profile(wind.profile, profile);
 }
 
 /// A function that is asked for times so much later [s].
@@ -57,11 +63,11 @@ FieldFunction<Batch> later_by(double delay, const FieldFunction<Batch>& function
 }  // namespace
 
 void put_conditions(const Environment& environment, const Fidelity& granted, Conditions<double>& c) {
-  std::construct_at(&c);  // where it is: it is large
+  std::construct_at(static_cast<ConditionsWithoutProfile<double>*>(&c));  // where it is: it is large
   c.fidelity = granted;
   prepare_earth(environment, granted, c);
   put_air(environment, granted.air, c.air);
-  put_wind(environment.wind, granted.wind, c.wind);
+  put_wind(environment.wind, granted.wind, c.wind, *c.profile);
   c.wind_function = environment.wind.field.get();
   c.force_function = environment.force.get();
   c.has_wind_function = c.wind_function != nullptr && granted.wind == WindModel::profile;
@@ -100,6 +106,11 @@ Conditions<float> to_float(const Conditions<double>& c) {
   static_cast<FunctionPointers&>(f) = c;
   cast_members(static_cast<const EnvironmentNumbers<double>&>(c), static_cast<EnvironmentNumbers<float>&>(f));
   f.globe = to_float(c.globe);
+  for (int i = 0; i < c.wind.points; ++i) {
+    cast_members(c.profile->at[i], f.profile->at[i]);
+    cast_members(c.profile->velocity[i], f.profile->velocity[i]);
+    cast_members(c.profile->slope[i], f.profile->slope[i]);
+  }
   return f;
 }
 

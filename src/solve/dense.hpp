@@ -99,7 +99,7 @@ PHYSIM_INLINE void dense_sums(Integrator integrator, const AnyStep& s, const W& 
     static_assert(dense_coefficients_of<Method>() <= kMaxDenseCoefficients);
     if constexpr (HasDensePolynomials<Method>) {
       static_for<dense_coefficients_of<Method>()>([&](auto power) {
-        out[power] = weighted_sum<PolynomialWeights<Method, power>, Method::kStages + 1>(s.slope) * h;
+        out[power] = weighted_sum<PolynomialWeights<Method, power>, Method::kStages + 1>(s.slope.item) * h;
       });
     } else if constexpr (HasDenseStages<Method>) {
       const Y<W> change = s.end - s.start;
@@ -107,7 +107,7 @@ PHYSIM_INLINE void dense_sums(Integrator integrator, const AnyStep& s, const W& 
       out[1] = s.slope[0] * h - change;
       out[2] = change - s.slope[Method::kStages] * h - out[1];
       static_for<dense_coefficients_of<Method>() - 3>([&](auto row) {
-        out[3 + row] = weighted_sum<RowWeights<Method::kDense, row>, Method::kDenseStages>(s.slope) * h;
+        out[3 + row] = weighted_sum<RowWeights<Method::kDense, row>, Method::kDenseStages>(s.slope.item) * h;
       });
     }
   });

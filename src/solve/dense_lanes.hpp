@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "base/assert.hpp"
+#include "base/unset.hpp"
 #include "solve/lanes.hpp"
 
 PHYSIM_ISA_BEGIN

@@ -279,12 +279,12 @@ struct RowWeights {
 /// slope, of which the step's end, summed up before it is added, feels only what the slopes do.
 template <class Tableau, int Stage, class AnyStep, class R>
 PHYSIM_INLINE auto stage_state(const AnyStep& s, const R& h) {
-  return step_sum<RowWeights<Tableau::a, Stage>, Stage>(s.slope, h, s.start);
+  return step_sum<RowWeights<Tableau::a, Stage>, Stage>(s.slope.item, h, s.start);
 }
 /// The state at the end from the slopes of all stages.
 template <class Tableau, class AnyStep, class R>
 PHYSIM_INLINE auto end_state(const AnyStep& s, const R& h) {
-  return s.start + step_sum<Weights<Tableau::b>, Tableau::kStages>(s.slope, h);
+  return s.start + step_sum<Weights<Tableau::b>, Tableau::kStages>(s.slope.item, h);
 }
 
 /// Runs the stages of some steps side by side and goes to their ends; slope[0] of each is given. `f(i, t, y, a)` puts

@@ -40,11 +40,19 @@ class March {
   using Mask = MaskOf<R>;
 
  public:
-  PHYSIM_INLINE March() { lanes.body = {}; }
+  PHYSIM_INLINE March() {
+    lanes.body = {};
+    lanes.step.slope[0] = {};
+  }
   PHYSIM_INLINE explicit March(const Course<S>& course) : March() { set_course(course); }
-  PHYSIM_INLINE March(const Course<S>& course, const Body<R>& body) : course_(&course) { lanes.body = body; }
+  PHYSIM_INLINE March(const Course<S>& course, const Body<R>& body) : course_(&course) {
+    lanes.body = body;
+    lanes.step.slope[0] = {};
+  }
 
-  Lanes<R> lanes;  // but for its body nothing is set before a launch or a restart
+  /// Before a launch or a restart nothing is set but the body and the first slope, which closed forms started by frames
+  /// keep at zero.
+  Lanes<R> lanes;
 
   [[nodiscard]] PHYSIM_INLINE const Course<S>& course() const { return *course_; }
   /// Tells lanes their course where they lie: a march is too large to be made anew and copied.

@@ -90,7 +90,7 @@ PHYSIM_NOINLINE Regime<R> regime(const Conditions<S>& c, const Body<R>& b, const
     r.air_layer = borders_passed(c.air.base + 1, c.air.layers - 1, r0 * z / (r0 + z));
   }
   if (has_wind_pieces(c))
-    r.wind_piece = borders_passed(c.wind.at, c.wind.points, c.wind.by_range ? s.x.x : height(c, s.x));
+    r.wind_piece = borders_passed(c.profile->at, c.wind.points, c.wind.by_range ? s.x.x : height(c, s.x));
   if (c.has_applied) r.force = select(t >= b.applied_until, R(S(1)), zero);
   if (c.has_aero_tables)
     r.aero_cell =

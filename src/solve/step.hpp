@@ -4,6 +4,7 @@
 // written once, with for_parts(); memory of a part that is not flown is neither set nor read.
 #pragma once
 
+#include "base/unset.hpp"
 #include "math/vec3.hpp"
 #include "model/body.hpp"
 #include "model/rigid_body.hpp"
@@ -18,20 +19,20 @@ template <class R>
 struct TurnStep {
   Turn<R> start;
   Turn<R> end;
-  Turn<R> slope[kMaxSlopes];  // as those of the Step
+  UnsetList<Turn<R>, kMaxSlopes> slope;  // as those of the Step
 };
 
 /// A step from time t over h to t_end. The derivative of a state (x, v) is a state (v, a).
 template <class R>
 struct Step {
-  R t;                         // start [s]
-  R h;                         // length [s]
-  R t_end;                     // start of the next step: t + h but for rounding, since fixed steps are counted [s]
-  State<R> start;              // state at t
-  State<R> end;                // state at t + h
-  State<R> slope[kMaxSlopes];  // slope[0] at the start; the last stage (see end_slope) at the end
-  R error;                     // estimated error over tolerance [-]; adaptive integrators accept up to 1
-  Unset<TurnStep<R>> turn;     // of rungs that turn
+  R t;             // start [s]
+  R h;             // length [s]
+  R t_end;         // start of the next step: t + h but for rounding, since fixed steps are counted [s]
+  State<R> start;  // state at t
+  State<R> end;    // state at t + h
+  UnsetList<State<R>, kMaxSlopes> slope;  // slope[0] at the start; the last stage (see end_slope) at the end
+  R error;                                // estimated error over tolerance [-]; adaptive integrators accept up to 1
+  Unset<TurnStep<R>> turn;                // of rungs that turn
 };
 
 /// What the models read of a projectile, and its step under way. R is a number, or a pack: one projectile per lane.

@@ -87,7 +87,8 @@ PHYSIM_INLINE R worse(const R& a, const R& b) {
 template <class Tableau, class AnyStep, class R, class S>
 PHYSIM_NOINLINE R embedded_error_squared(const AnyStep& s, const R& h, S relative, S absolute) {
   constexpr int kSlopes = Tableau::kStages + 1;
-  const auto e = squared_errors(step_sum<Weights<Tableau::kError>, kSlopes>(s.slope, h), s.end, relative, absolute);
+  const auto e =
+      squared_errors(step_sum<Weights<Tableau::kError>, kSlopes>(s.slope.item, h), s.end, relative, absolute);
   return worse(e.first, e.second);
 }
 
@@ -102,8 +103,10 @@ PHYSIM_INLINE R combined_error_squared(const R& e5, const R& e3) {
 template <class Tableau, class AnyStep, class R, class S>
 PHYSIM_NOINLINE R two_errors_squared(const AnyStep& s, const R& h, S relative, S absolute) {
   constexpr int kSlopes = Tableau::kStages;
-  const auto e5 = squared_errors(step_sum<Weights<Tableau::kError5>, kSlopes>(s.slope, h), s.end, relative, absolute);
-  const auto e3 = squared_errors(step_sum<Weights<Tableau::kError3>, kSlopes>(s.slope, h), s.end, relative, absolute);
+  const auto e5 =
+      squared_errors(step_sum<Weights<Tableau::kError5>, kSlopes>(s.slope.item, h), s.end, relative, absolute);
+  const auto e3 =
+      squared_errors(step_sum<Weights<Tableau::kError3>, kSlopes>(s.slope.item, h), s.end, relative, absolute);
   return worse(combined_error_squared(e5.first, e3.first), combined_error_squared(e5.second, e3.second));
 }
 

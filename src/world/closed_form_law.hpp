@@ -25,7 +25,7 @@ struct ClosedFormLaw {
     drag = f.drag;
     wind_model = f.wind;
     if (f.gravity != GravityModel::off) gravity = cohort.conditions.gravity;
-    if (f.wind != WindModel::off) wind = cohort.conditions.wind.velocity[0];
+    if (f.wind != WindModel::off) wind = cohort.conditions.wind.velocity;
   }
 
   bool operator==(const ClosedFormLaw&) const = default;

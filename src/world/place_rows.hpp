@@ -66,7 +66,7 @@ PHYSIM_INLINE Hull<R> hull_of(const Conditions<S>& c, const Body<R>& b, const R&
   const auto sum = [](const Vec3<R>& v) { return abs(v.x) + abs(v.y) + abs(v.z); };
   R wind = zero;
   if (c.fidelity.wind != WindModel::off) {
-    const Vec3<S> w = c.wind.velocity[0];
+    const Vec3<S> w = c.wind.velocity;
     wind = sum(Vec3<R>{R(w.x), R(w.y), R(w.z)});
   }
   R g(c.fidelity.gravity == GravityModel::off ? S(0) : c.gravity);

@@ -6,8 +6,8 @@
 #include <span>
 
 #include "base/assert.hpp"
+#include "base/unset.hpp"
 #include "collide/scene_by_motion.hpp"
-#include "model/rotor.hpp"
 
 namespace physim {
 

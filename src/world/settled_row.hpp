@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "base/assert.hpp"
+#include "base/unset.hpp"
 #include "model/contact.hpp"
 #include "physim/impact.hpp"
 #include "solve/judge.hpp"

@@ -386,8 +386,8 @@ struct KnownRung {
     k.fidelity.planar = false;
     k.fidelity.rotation = RotationModel::none;
     k.gravity = c.gravity;
-    k.wind.points = 1;
-    k.wind.velocity[0] = c.wind.velocity[0];
+    k.wind.points = 0;
+    k.wind.velocity = c.wind.velocity;
     if (kCurve) k.altitude = c.altitude, k.air = c.air, k.curve_rows = c.curve_rows;
     return k;
   }

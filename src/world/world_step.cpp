@@ -29,7 +29,7 @@ bool only_falls(const WorldCohort& cohort) {
   const bool own = std::ranges::any_of(kOwnParts, [&](const OwnPart& part) { return features.*part.feature; });
   const bool pushed = cohort.key.forced || features.has_applied || own || features.has_motor || features.has_rail ||
                       features.has_force_function || cohort.key.fidelity.rotation == RotationModel::magnus;
-  const bool updraught = f.wind == WindModel::profile || cohort.conditions.wind.velocity[0].y > 0;
+  const bool updraught = f.wind == WindModel::profile || cohort.conditions.wind.velocity.y > 0;
   return f.earth == EarthModel::flat && !pushed && !updraught && !cohort.layout.turning;
 }
 

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <vector>
 
 #include "support.hpp"
 
@@ -52,6 +53,24 @@ TEST(Wind, steps_hold_from_their_place_on) {
   EXPECT_EQ(wind_at(w, {49.999, 0, 0}), (Vec3d{2, 1, -3}));
   EXPECT_EQ(wind_at(w, {50, 0, 0}), (Vec3d{12, 1, 3}));
   EXPECT_EQ(wind_at(w, {1e9, 0, 0}), (Vec3d{0, -2, 8}));
+}
+
+TEST(Wind, a_profile_in_single_precision_has_all_its_points) {
+  std::vector<WindPoint> longest;
+  for (int i = 0; i < kMaxWindPoints; ++i) longest.push_back({7.0 * i, {1.0 * i, -2.0 * i, 0.5 * i * i}});
+  const Wind plain = {.velocity = {3, 0, -4}}, single = {.profile = {{20, {1, 2, 3}}}};
+  const Wind stepped = profile(WindAxis::range, WindInterpolation::step);
+  Fidelity f;
+  for (const Wind& wind : {plain, single, stepped, Wind{.profile = longest}}) {
+    Environment e;
+    e.wind = wind;
+    f.wind = wind.profile.empty() ? WindModel::constant : WindModel::profile;
+    const Conditions<double> c = prepare_conditions(e, f);
+    const Conditions<float> c32 = to_float(c);
+    for (const Vec3d& x : {Vec3d{-30, -30, 0}, Vec3d{13, 13, 0}, Vec3d{125, 125, 0}, Vec3d{900, 900, 0}})
+      EXPECT_TRUE(near(vec_cast<double>(physim::wind(c32, Body<float>{}, 0.0f, vec_cast<float>(x))),
+                       physim::wind(c, Body<double>{}, 0.0, x), 1e-4));
+  }
 }
 
 TEST(Wind, height_over_a_sphere_is_above_the_sphere) {
