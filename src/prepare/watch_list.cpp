@@ -2,7 +2,6 @@
 #include "prepare/watch_list.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <span>
 
@@ -25,7 +24,7 @@ bool may_happen(const EventRow& row, const Conditions<double>& c) {
 }
 
 /// Whether it is told though nobody asked for it.
-constexpr bool is_told(const EventRow& row, Watcher watcher) {
+bool is_told(const EventRow& row, Watcher watcher) {
   switch (watcher) {
     case Watcher::batch: return false;
     case Watcher::flight: return row.in_flights;
@@ -34,20 +33,6 @@ constexpr bool is_told(const EventRow& row, Watcher watcher) {
   }
   return row.in_worlds != InWorlds::never;
 }
-
-/// The kinds that are told without having been asked for.
-struct ToldKinds {
-  std::array<EventKind, watchable_kinds()> kind{};
-  std::size_t count = 0;
-};
-constexpr ToldKinds told_kinds(Watcher watcher) {
-  ToldKinds told;
-  for (std::size_t i = 0; i < watchable_kinds(); ++i)
-    if (is_told(kEventTable[i], watcher)) told.kind[told.count++] = kEventTable[i].kind;
-  return told;
-}
-constexpr ToldKinds kToldKinds[] = {told_kinds(Watcher::batch), told_kinds(Watcher::flight), told_kinds(Watcher::world),
-                                    told_kinds(Watcher::world_with_apexes)};
 
 /// What is told without having been asked for, where a spec asks for that again: told once, it may end the flight.
 Watched* told_anyway(WatchList& watch, const EventSpec& spec, const EventRow& row) {
@@ -90,11 +75,8 @@ WatchList prepare_watch(const Until& until, const Conditions<double>& c, Watcher
   if (std::isfinite(until.time)) add({EventKind::time, until.time, Crossing::rising, true}, Outcome::time_limit);
   if (has_lowest_altitude(c.fidelity))
     add({EventKind::height, kLowestAltitude - c.altitude, Crossing::falling, true}, Outcome::left_domain);
-  const ToldKinds& kinds = kToldKinds[static_cast<std::size_t>(watcher)];
-  for (const EventKind kind : std::span(kinds.kind).first(kinds.count)) {
-    const EventRow& row = row_of(kind);
-    if (may_happen(row, c)) add({row.kind, row.value, row.direction, false}, Outcome::event);
-  }
+  for (const EventRow& row : std::span(kEventTable).first<watchable_kinds()>())
+    if (is_told(row, watcher) && may_happen(row, c)) add({row.kind, row.value, row.direction, false}, Outcome::event);
   for (EventSpec spec : until.events) {
     PHYSIM_ASSERT(is_watchable(spec.kind));
     const EventRow& row = row_of(spec.kind);
