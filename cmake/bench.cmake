@@ -35,7 +35,7 @@ endif()
 # The peers get every instruction of this machine and fused multiply-add; odeint also flies as our portable files do.
 set(bench_peers ${bench_sources})
 list(FILTER bench_peers INCLUDE REGEX "/peer_[a-z]+\\.cpp$")
-set_source_files_properties(${bench_peers} PROPERTIES COMPILE_OPTIONS "-O3;-march=native;-ffp-contract=fast")
+set_source_files_properties(${bench_peers} PROPERTIES COMPILE_OPTIONS "-O3;${PHYSIM_NATIVE};-ffp-contract=fast")
 set(bench_portable ${bench_sources})
 list(FILTER bench_portable INCLUDE REGEX "/peer_[a-z]+_portable\\.cpp$")
 set_source_files_properties(${bench_portable} PROPERTIES COMPILE_OPTIONS -O3)
