@@ -57,7 +57,7 @@ template <AirBy kAir = AirBy::polynomials>
 [[gnu::always_inline]] inline void peer_rhs(const PeerModel& m, const double* y, double* slope) {
   const PeerAir air = peer_air<kAir>(m, m.altitude + y[1]);
   const double speed = std::sqrt(y[3] * y[3] + y[4] * y[4] + y[5] * y[5]);
-  const double place = std::max(speed * (air.per_sound_speed * m.cells_per_mach) - m.curve_first, 0.0);
+  const double place = speed * (air.per_sound_speed * m.cells_per_mach);
   const int cell = std::min(static_cast<int>(place), m.last_cell);
   const double t = std::min(place - cell, 1.0);
   const double* r = m.rows + 4 * cell;

@@ -31,8 +31,7 @@ struct PeerModel {
   double decay[kPeerLayers];                 // [1/m]
   double base_density[kPeerLayers];          // [kg/m^3]
   double base_per_sound_speed[kPeerLayers];  // [s/m]
-  const double* rows;                        // four coefficients a cell
-  double curve_first;                        // Mach number of the first cell, in cells [-]
+  const double* rows;                        // four coefficients a cell, from Mach 0 on
   double cells_per_mach;                     // [-]
   int last_cell;
   double half_area_per_mass;  // [m^2/kg]

@@ -182,7 +182,7 @@ std::unique_ptr<PeerData> peer_data() {
   std::copy(std::begin(c.air.common.low_density), std::end(c.air.common.low_density), m.density);
   std::copy(std::begin(c.air.common.low_per_sound), std::end(c.air.common.low_per_sound), m.per_sound_speed);
   m.rows = c.curve_rows + 4 * static_cast<std::size_t>(body.curve_row);
-  m.curve_first = body.curve_first;
+  PHYSIM_ASSERT(body.curve_first == 0);  // which the peers do not subtract either
   m.cells_per_mach = body.curve_cells;
   m.last_cell = static_cast<int>(body.curve_last);
   m.half_area_per_mass = body.half_area_per_mass;
