@@ -1,27 +1,38 @@
-// Powers of two and their logarithms to two or three digits, for where more would be wasted: a step's length by its
-// error. A third of the work of exp() and log().
+// Powers of two and their logarithms, linear between whole exponents: for where more would be wasted and is waited for,
+// as a step's length by its error. The bits of a number, read as a number with a fixed point, are its exponent and a
+// line between powers of two.
+//
+// Source: J. N. Mitchell, "Computer multiplication and division using binary logarithms", IRE Trans. Electron. Comput.
+// EC-11 (1962) 512-517.
 #pragma once
 
 #include "math/elementary.hpp"
 
 PHYSIM_ISA_BEGIN
 
-/// log2(x) of a normal positive x within 0.01. With x = 2^k m, the parabola through the logarithm at both ends of
-/// sqrt(1/2) <= m < sqrt(2) and at m = 1 takes the place of log2(m).
+/// Bits of sign and exponent. Numbers from point_at() to twice that have as many digits in front of the point.
 template <class R>
-PHYSIM_INLINE R log2_roughly(const R& x) {
-  const ExponentMantissa<R> e = split_normal(x, constant<R>(1023, 127));
-  const R f = e.m - constant<R>(1);
-  return e.k + f * (constant<R>(1.5) - constant<R>(0.70710678118654752) * f);
+inline constexpr int kBitsInFront = 8 * sizeof(ScalarOf<R>) - kMantissaBits<R>;
+template <class R>
+PHYSIM_INLINE R point_at() {
+  return constant<R>(4096, 512);
+}
+/// What an exponent of zero is stored as, behind point_at().
+template <class R>
+PHYSIM_INLINE R stored_zero() {
+  return constant<R>(4096 + 1023, 512 + 127);
 }
 
-/// 2^x for |x| < 120 within one percent, by Taylor's series up to the square of what is left of a whole exponent.
+/// log2(x) of a normal positive x, no more than 0.0862 below it; exact where x is a power of two.
+template <class R>
+PHYSIM_INLINE R log2_roughly(const R& x) {
+  return from_bits<R>((to_bits(x) >> kBitsInFront<R>) | to_bits(point_at<R>())) - stored_zero<R>();
+}
+
+/// 2^x for |x| < 120, no more than 6.2 % above it; exact where x is whole. The inverse of log2_roughly().
 template <class R>
 PHYSIM_INLINE R exp2_roughly(const R& x) {
-  const R shifted = x + rounding_magic<R>();
-  const R f = x - (shifted - rounding_magic<R>());
-  const R y = constant<R>(1) + f * (constant<R>(0.69314718055994531) + constant<R>(0.24022650695910071) * f);
-  return from_bits<R>(to_bits(y) + (to_bits(shifted) << kMantissaBits<R>));
+  return from_bits<R>(to_bits(x + stored_zero<R>()) << kBitsInFront<R>);
 }
 
 PHYSIM_ISA_END

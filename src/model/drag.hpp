@@ -39,7 +39,12 @@ PHYSIM_NOINLINE R searched_cd(const Conditions<S>& c, const Body<R>& b, const R&
 /// is done.
 template <class R>
 PHYSIM_INLINE R endless_position(const Body<R>& b, const R& per_sound_speed, const R& speed) {
-  return speed * (per_sound_speed * b.curve_cells) - b.curve_first;
+  const R cells = speed * (per_sound_speed * b.curve_cells);
+  if constexpr (std::is_floating_point_v<R>) {
+    if (b.curve_first == 0) [[likely]]
+      return cells;  // curves mostly begin at Mach 0; nobody waits for a difference that changes nothing
+  }
+  return cells - b.curve_first;
 }
 /// A place on the curve: one beyond an end is that end.
 template <class R>

@@ -54,9 +54,10 @@ PHYSIM_INLINE void take_semi_implicit_step(const Conditions<S>& c, Flyer<R>& l) 
   if (turns(c.fidelity)) semi_implicit_turn(c, *l.rotor, l.step);
 }
 
+/// The error comes last, behind the last slope: what it is measured by is known before, and is divided by then.
 template <class R, class S>
 PHYSIM_INLINE R squared_ratio(const Vec3<R>& error, const Vec3<R>& value, S relative, S absolute) {
-  return length_squared(error) / (absolute * absolute + relative * relative * length_squared(value));
+  return length_squared(error) * (S(1) / (absolute * absolute + relative * relative * length_squared(value)));
 }
 
 /// The squares of two errors over tolerance. The lengths of vectors are compared, not their components, so that turning
