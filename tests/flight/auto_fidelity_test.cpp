@@ -203,8 +203,8 @@ TEST(AutoFidelity, AThrustThatMattersIsKept) {
   EXPECT_EQ(choice->fidelity.motion, Motion::force) << "the other motions know no forces";
 }
 
-// The table of docs/auto_fidelity.md, and the sentence quoted there.
-TEST(AutoFidelity, ItsPageTellsTheTruth) {
+/// What a bullet gets that is fired in a crosswind.
+Result<AutoFidelity> bullet_in_wind(double speed, const Purpose& purpose) {
   using namespace units;
   const ProjectileDef bullet{.mass = 168_gr,
                              .diameter = 0.308_in,
@@ -213,10 +213,13 @@ TEST(AutoFidelity, ItsPageTellsTheTruth) {
                              .drag = {.table = DragTable::g7, .ballistic_coefficient = 0.218_lb_in2}};
   Environment environment;
   environment.wind.velocity = {0, 0, -2};
-  const auto at = [&](double error) {
-    const Launch launch{.speed = 2700_fps, .elevation = 0.2_deg};
-    return cheapest_within(bullet, launch, environment, {.error = error, .time = 1});
-  };
+  return cheapest_within(bullet, {.speed = speed, .elevation = 0.2_deg}, environment, purpose);
+}
+
+// The table of docs/auto_fidelity.md, and the sentence quoted there.
+TEST(AutoFidelity, ItsPageTellsTheTruth) {
+  using namespace units;
+  const auto at = [](double error) { return bullet_in_wind(2700_fps, {.error = error, .time = 1}); };
   const auto words = [&](double error) {
     const auto choice = at(error);
     if (!choice) return choice.error().message;
@@ -238,6 +241,15 @@ TEST(AutoFidelity, ItsPageTellsTheTruth) {
   EXPECT_EQ(words(1e-9).find("the truth itself is known to"), 0U) << words(1e-9);
   EXPECT_EQ(at(1e-2)->explanation(),
             "the cheapest within 1 cm over 1 s: measured 2.4 mm, 16 times cheaper than the reference");
+}
+
+TEST(AutoFidelity, TheTruthItselfIsToldWhereNothingCheaperStaysWithin) {
+  const auto choice = bullet_in_wind(600, {.error = 1e-8, .time = 0.5});
+  ASSERT_TRUE(choice.ok()) << choice.error().text();
+  EXPECT_EQ(choice->fidelity.integrator, Integrator::dop853);
+  EXPECT_EQ(choice->explanation().find("nothing cheaper than the reference stays within 10 nm over 0.5 s: measured "),
+            0U)
+      << choice->explanation();
 }
 
 TEST(AutoFidelity, SeveralLaunchesCountByTheirWorst) {
