@@ -2,74 +2,10 @@
 #pragma once
 
 #include "base/assert.hpp"
-#include "flight/batch_job.hpp"
 #include "flight/known_pack_steps.hpp"
-#include "model/sight.hpp"
+#include "flight/lane_launches.hpp"
 
 PHYSIM_ISA_BEGIN
-
-/// A column's numbers of the shots from `first` on; lanes without a shot repeat the last one.
-template <class W>
-PHYSIM_INLINE W take_column(const NumberColumn& column, std::size_t first, int filled) {
-  if (column.of_shots == nullptr) return W(column.common);
-  const double* from = column.of_shots + first;
-  if constexpr (kLanes<W> == 1) {
-    return *from;
-  } else {
-    if (filled == kLanes<W>) return W::load(from);
-    double padded[kLanes<W>];
-    for (int lane = 0; lane < kLanes<W>; ++lane) padded[lane] = from[lane < filled ? lane : filled - 1];
-    return W::load(padded);
-  }
-}
-
-/// put_launch() (prepare/launch.hpp) for a pack of launches without rail and spin.
-template <class R>
-void put_launches(const LaunchSource& from, std::size_t first, int filled, Body<R>& into) {
-  using W = Cast<double, R>;
-  using S = ScalarOf<R>;
-  const auto take = [&](const NumberColumn& column) { return take_column<W>(column, first, filled); };
-  const SightAxes<W> axes(sincos_of(take(from.azimuth)), sincos_of(W(from.look_angle)), sincos_of(W(from.cant)));
-  const Vec3<W> v = axes.bore(sincos_of(take(from.elevation) - W(from.look_angle))) * take(from.speed);
-  into.launch.x = {cast<S>(take(from.x)), cast<S>(take(from.y)), cast<S>(take(from.z))};
-  cast_numbers(v, into.launch.v);
-  cast_numbers(axes.right, into.plane);
-  cast_numbers(axes.forward, into.sight);
-  if (from.half_areas) into.half_area_per_mass = cast<S>(take({from.half_areas, 0}));
-}
-
-/// What prepare_air_numbers() (model/standard_atmosphere.hpp) gives, for a pack of shots with air of their own.
-template <class W>
-PHYSIM_NOINLINE void put_air(const WeatherSource& from, std::size_t first, int filled, AirNumbers<W>& air) {
-  const auto take = [&](const NumberColumn& column) { return take_column<W>(column, first, filled); };
-  if (!from.has_station || from.place.model != AirModel::isa) {
-    const double* no_station = numbers(*from.no_station);
-    for (unsigned i = 0; i < kNumbers<AirNumbers>; ++i) numbers(air)[i] = W(no_station[i]);
-  }
-  if (from.has_station)
-    put_air(from.place, Readings<W>{take(from.temperature), take(from.pressure), take(from.humidity)}, air);
-  if (from.has_density) air.density = take(from.density);
-  if (from.has_sound_speed) air.per_sound_speed = W(from.per_sound_speed);
-}
-
-template <class R, class S>
-void put_weather(const WeatherSource& from, const Conditions<S>& c, std::size_t first, int filled, Body<R>& into) {
-  using W = Cast<double, R>;
-  const auto take = [&](const NumberColumn& column) { return cast<S>(take_column<W>(column, first, filled)); };
-  if (c.has_own_wind) into.wind = {take(from.wind_x), take(from.wind_y), take(from.wind_z)};
-  if (!c.has_own_air) return;
-  if constexpr (std::is_same_v<W, R>) {
-    put_air(from, first, filled, into.air);
-  } else {
-    AirNumbers<W> air;
-    put_air(from, first, filled, air);
-    constexpr unsigned kLow = kBodyNumber.air.low_density[0] - kBodyNumber.air.density;
-    constexpr unsigned kLayers = kBodyNumber.air.lapse[0] - kBodyNumber.air.density;
-    NumberRuns wanted;  // what is not stays what the batch has in its place: no numbers
-    from.place.low_alone ? wanted.add(kLow, kLayers - kLow) : wanted.add(0, kNumbers<AirNumbers>);
-    cast_numbers(air, into.air, wanted);
-  }
-}
 
 /// The shots of a job as they enter lanes, in their order.
 template <class R, class S>
@@ -198,11 +134,16 @@ class StepJudge {
     result.cost = {steps, tries - steps, evaluations(conditions().fidelity, tries)};
   }
 
-  void put_end(int i, double time, const State<double>& state) {
+  /// Takes each number from the lanes. A State that has just been written in single numbers is copied in pairs, and
+  /// such a read waits until both are in the cache.
+  template <class P>
+  void put_end(int i, const P& time, const State<P>& state) {
+    const auto number = [i](const P& lanes) { return static_cast<double>(lane_of(lanes, i)); };
+    const auto vector = [&](const Vec3<P>& lanes) { return Vec3d{number(lanes.x), number(lanes.y), number(lanes.z)}; };
     ShotResult& result = result_of(i);
-    result.time = time;
-    result.position = state.x;
-    result.velocity = state.v;
+    result.time = number(time);
+    result.position = vector(state.x);
+    result.velocity = vector(state.v);
   }
 
   /// The first crossing of every lane, the second, ...
@@ -225,11 +166,15 @@ class StepJudge {
       each([&](int i) {
         if (rank >= judgement_.crossings[i].count) return;
         const Found& found = judgement_.crossings[i].found[rank];
-        RawEvent event{std::uint32_t(shots_[i]), std::int16_t(found.index), found.rising, lane_of(time, i), {}};
+        RawEvent unwanted;
+        RawEvent& event = job_.next_event != nullptr ? job_.next_event(job_.sink) : unwanted;
+        event.shot = static_cast<std::uint32_t>(shots_[i]);
+        event.index = static_cast<std::int16_t>(found.index);
+        event.rising = found.rising;
+        event.time = lane_of(time, i);
         copy_lane(state, i, event.state, 0);
-        if (job_.emit != nullptr) job_.emit(job_.sink, event);
         if (!verdict_[i].ended) return;
-        put_end(i, event.time, event.state);  // of the last crossing, where the flight ends with one
+        put_end(i, time, state);  // of the last crossing, where the flight ends with one
         if (turning) copy_lane(turned, i, job_.turns[shots_[i]], 0);
       });
     }
@@ -243,10 +188,7 @@ class StepJudge {
       if (at_crossing && !stays(i)) return;
       const bool at_start = stays(i);  // else the verdict lets it take the whole step
       const Step<R>& step = steps_->step;
-      State<S> state;
-      copy_lane(at_start ? step.start : step.end, i, state, 0);
-      put_end(i, static_cast<double>(lane_of(at_start ? step.t : step.t_end, i)),
-              {vec_cast<double>(state.x), vec_cast<double>(state.v)});
+      put_end(i, at_start ? step.t : step.t_end, at_start ? step.start : step.end);
       if (job_.turns == nullptr) return;
       Turn<S> turn;
       copy_lane(at_start ? step.turn->start : step.turn->end, i, turn, 0);

@@ -59,9 +59,9 @@ struct BatchJob {
   const Rotor<double>* rotors;  // where the rotation is flown
   const std::uint32_t* places;  // of the shots in the results; null: in their order
   std::size_t count;
-  ShotResult* results;                              // how each ended, without spin drift
-  Turn<double>* turns;                              // how each turned at its end; null where the rotation is not flown
-  void (*emit)(void* sink, const RawEvent& event);  // null: nobody wants events
+  ShotResult* results;                  // how each ended, without spin drift
+  Turn<double>* turns;                  // how each turned at its end; null where the rotation is not flown
+  RawEvent& (*next_event)(void* sink);  // room for one more, to be written where it stays; null: nobody wants events
   void* sink;
   /// Null: lanes hold all of the air of their shots. Else they hold the polynomials of its lowest layer, and all else
   /// of it is no number; where a lane asks for that, true is put here, and the job ends without results.

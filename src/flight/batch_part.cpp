@@ -56,8 +56,7 @@ NumberRuns differing(const LaunchSource& from, const NumberRuns& held) {
   return runs;
 }
 
-State<double> shown(const ShotGroup& group, std::size_t i, const State<double>& flown, double time) {
-  if (!drifts(group.cohort.in_use.fidelity)) return flown;
+State<double> drifted(const ShotGroup& group, std::size_t i, const State<double>& flown, double time) {
   PHYSIM_ASSERT(i < group.drifts.size());
   return with_drift(flown, group.drifts[i].first, group.drifts[i].second, time);
 }
@@ -214,9 +213,9 @@ void BatchPart::run_kernel(ShotGroup& group, const LaunchSource* launches, void 
   watch_ = prepare_watch(task_.until, group.cohort.conditions, Watcher::batch);
   const Course<S> course = group.cohort.course<S>(task_.tolerance, *group.step, watch_);
   group.turned.resize(group.rotors.size());
-  void (*emit)(void*, const RawEvent&) = nullptr;
+  RawEvent& (*next_event)(void*) = nullptr;
   if (part_->wants_events)
-    emit = [](void* to, const RawEvent& event) { static_cast<ShotGroup*>(to)->events.push_back(event); };
+    next_event = [](void* to) -> RawEvent& { return static_cast<ShotGroup*>(to)->events.emplace_back(); };
   const PartSet own = group.own & parts_flown(granted, group.cohort.conditions);
   const PartSet judged = watch_.without_air ? own - kWeatherParts : own;
   const bool low_air_alone = left_low_air_ != nullptr;
@@ -227,7 +226,8 @@ void BatchPart::run_kernel(ShotGroup& group, const LaunchSource* launches, void 
   if (launches != nullptr) own_runs = differing(*launches, own_runs), judged_runs = differing(*launches, judged_runs);
   kernel({&course, launches, group.own_numbers.data(), group.own_stride(), own_runs, judged_runs, &common,
           group.rotors.data(), launches ? nullptr : group.shots.data(), launches ? part_->shots.size() : gathered,
-          part_->shots.data(), group.turned.empty() ? nullptr : group.turned.data(), emit, &group, left_low_air_});
+          part_->shots.data(), group.turned.empty() ? nullptr : group.turned.data(), next_event, &group,
+          left_low_air_});
 }
 
 /// Whether the lanes may compute the launches of a part themselves. What all have in common is asked of the first; any
@@ -251,23 +251,24 @@ bool BatchPart::fly_as_columns() {
 }
 
 void BatchPart::keep(const ShotGroup& group, const RawEvent& e) {
-  const State<double> s = shown(group, e.shot, e.state, e.time);
   PHYSIM_ASSERT(e.index >= 0 && e.index < watch_.count);
   const EventSpec& spec = watch_.item[e.index].spec;
-  const Crossing direction = e.rising ? Crossing::rising : Crossing::falling;
-  part_->events.push_back({group.shots[e.shot],
-                           {.kind = spec.kind,
-                            .direction = direction,
-                            .value = spec.value,
-                            .time = e.time,
-                            .position = s.x,
-                            .velocity = s.v}});
+  ShotEvent& kept = part_->events.emplace_back();  // written where it stays: see base/append.hpp
+  kept.shot = group.shots[e.shot];
+  Event& event = kept.event;
+  event.kind = spec.kind;
+  event.direction = e.rising ? Crossing::rising : Crossing::falling;
+  event.value = spec.value;
+  event.time = e.time;
+  const auto put = [&event](const State<double>& s) { event.position = s.x, event.velocity = s.v; };
+  if (drifts(group.cohort.in_use.fidelity)) return put(drifted(group, e.shot, e.state, e.time));
+  put(e.state);
 }
 
 void BatchPart::add_drift(const ShotGroup& group) {
   for (std::size_t i = 0; i < group.shots.size(); ++i) {
     ShotResult& result = part_->shots[group.shots[i]];
-    const State<double> s = shown(group, i, {result.position, result.velocity}, result.time);
+    const State<double> s = drifted(group, i, {result.position, result.velocity}, result.time);
     result.position = s.x;
     result.velocity = s.v;
   }

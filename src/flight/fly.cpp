@@ -23,14 +23,14 @@ void say_why_it_landed_at_once(FlightRecord& record, double ground) {
 /// A flight that is over before it begins has one node; `body` is launched where it begins.
 bool is_over_at_once(FlightRecord& record, const Body<double>& body, const Turn<double>& turn, const Until& until) {
   const State<double>& now = body.launch;
-  const auto outcome = ends_at_once(record.cohort.conditions, body, until);
-  if (!outcome) return false;
-  record.outcome = *outcome;
+  Outcome outcome;
+  if (!ends_at_once(record.cohort.conditions, body, until, outcome)) return false;
+  record.outcome = outcome;
   const Vec3d a = accelerations_of(record.cohort.conditions, record.body, record.rotor, record.clock, now, turn).total;
   record.path.nodes.push_back({0, now, a});
   if (record.path.turn) record.path.turn->nodes.push_back({0, turn, {}});
   if (outcome != Outcome::landed) return true;
-  keep_event(record, {{EventKind::ground, *until.ground, Crossing::falling, true}, *outcome}, false, 0, now);
+  keep_event(record, {{EventKind::ground, *until.ground, Crossing::falling, true}, outcome}, false, 0, now);
   say_why_it_landed_at_once(record, *until.ground);
   return true;
 }

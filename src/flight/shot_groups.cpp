@@ -23,6 +23,13 @@ bool differ_by_launch_alone(const Conditions<double>& c) {
          c.fidelity.drag != DragModel::linear_quadratic;
 }
 
+/// Whether the spline through a projectile's own curve overshoots. Fitting one costs more than a flight.
+bool overshoots(const DragDef& drag, KnownCurve* known) {
+  if (known == nullptr) return spline_overshoots(drag);
+  if (!known->overshoots) known->overshoots = spline_overshoots(drag);
+  return *known->overshoots;
+}
+
 unsigned rotation_key(const ProjectileDef& p) {
   return (has_inertia(p) ? 128u : 0) | (is_axisymmetric(p) ? 256u : 0) | (p.aero.pitching.empty() ? 0 : 2048u);
 }
@@ -60,27 +67,38 @@ void ShotGroup::clear() {
 }
 
 // ------------------------------------------------------------------------------------------- all of them
-/// Fitting a spline costs more than a flight, so each custom curve is judged once.
-bool ShotGroups::overshoots(const DragDef& drag) {
-  if (drag.table != DragTable::custom) return false;
-  for (const auto& [curve, verdict] : judged_curves_)
-    if (same_points(curve, drag.curve)) return verdict;
-  if (judged_curves_.size() == kMostJudgedCurves) judged_curves_.clear();
-  return judged_curves_.emplace_back(drag.curve, spline_overshoots(drag)).second;
+/// Null for a standard curve, and for one that is not known.
+KnownCurve* ShotGroups::known_curve(const DragDef& drag) {
+  if (drag.table != DragTable::custom) return nullptr;
+  for (KnownCurve& known : known_curves_)
+    if (same_points(known.points, drag.curve)) return &known;
+  return nullptr;
+}
+
+/// check() of a projectile, which looks at its own drag curve once; `curve` is that afterwards, if it has one.
+Status ShotGroups::look_at_projectile(const ProjectileDef& projectile, KnownCurve*& curve) {
+  const DragDef& drag = projectile.drag;
+  curve = known_curve(drag);
+  if (curve != nullptr) return check_but_curve(projectile);
+  auto status = check(projectile);
+  if (!status || drag.table != DragTable::custom) return status;
+  if (known_curves_.size() == kMostKnownCurves) known_curves_.clear();
+  curve = &known_curves_.emplace_back(KnownCurve{drag.curve});
+  return status;
 }
 
 /// grant() looks at these of a projectile, so shots that agree in them are granted the same.
-unsigned ShotGroups::grant_key(const ProjectileDef& p) {
+unsigned ShotGroups::grant_key(const ProjectileDef& p, KnownCurve* curve) const {
   const DragDef& d = p.drag;
   const Fidelity& asked = task_.fidelity;
   return (p.twist == 0 ? 1u : 0) | (p.length <= 0 ? 2u : 0) | (d.k1 == 0 ? 4u : 0) | (d.k2 == 0 ? 8u : 0) |
          (d.damping < 1 ? 16u : 0) | (p.force != Vec3d{} ? 32u : 0) |
-         (asked.interpolation == Interpolation::cubic && overshoots(d) ? 64u : 0) |
+         (asked.interpolation == Interpolation::cubic && overshoots(d, curve) ? 64u : 0) |
          (turns(asked) ? rotation_key(p) : 0) | (has_motor(p) ? 512u : 0) | (has_magnus(p) ? 1024u : 0);
 }
 
-ShotGroup& ShotGroups::group_of(const ProjectileDef& projectile) {
-  const unsigned key = grant_key(projectile);
+ShotGroup& ShotGroups::group_of(const ProjectileDef& projectile, KnownCurve* curve) {
+  const unsigned key = grant_key(projectile, curve);
   PHYSIM_ASSERT(key < group_by_key_.size());
   ShotGroup*& known = group_by_key_[key];
   if (known) return *known;
@@ -108,9 +126,10 @@ ShotKind& ShotGroups::kind_of(std::size_t shot) {
   if (kind_.projectile == &projectile && !task_.shots.has_own_drag()) return kind_;
   kind_.projectile = &projectile;
   kind_.status = look_at_drag(shot);
-  if (kind_.status) kind_.status = check(projectile);
+  KnownCurve* curve = nullptr;
+  if (kind_.status) kind_.status = look_at_projectile(projectile, curve);
   if (!kind_.status) return kind_;
-  ShotGroup& group = group_of(projectile);
+  ShotGroup& group = group_of(projectile, curve);
   kind_.group = &group;
   Cohort& cohort = group.cohort;
   put_kind(projectile, cohort.pool, cohort.conditions, kind_.body);
@@ -178,10 +197,7 @@ ShotState ShotGroups::prepare(std::size_t shot) {
     return refuse(std::move(status));
   jump_in_crosswind(projectile, *environment_, cohort.conditions, body);
   if (turns(granted)) put_launch(projectile, launch, elevation, body, cohort.conditions, kind.rotor);
-  if (const auto outcome = ends_at_once(cohort.conditions, body, task_.until)) {
-    outcome_ = *outcome;
-    return ShotState::over;
-  }
+  if (ends_at_once(cohort.conditions, body, task_.until, outcome_)) return ShotState::over;
   const bool by_frames = steps_by_frames(granted) && !step_given(granted, task_.tolerance);
   if (by_frames && frame_step(cohort, body, kind.rotor, task_.until) < kFrame) return ShotState::alone;
   return ShotState::flies;

@@ -53,6 +53,12 @@ struct ShotKind {
   Rotor<double> rotor;  // of rungs that turn
 };
 
+/// A drag curve that many projectiles may have as their own, looked at once.
+struct KnownCurve {
+  std::vector<DragPoint> points;        // right ones
+  std::optional<bool> overshoots = {};  // its spline, where that was asked
+};
+
 /// What becomes of a shot.
 enum class ShotState {
   refused,
@@ -74,7 +80,9 @@ class ShotGroups {
   [[nodiscard]] const Error& refusal() const { return refusal_.error(); }
   [[nodiscard]] Outcome outcome() const { return outcome_; }
 
-  [[nodiscard]] ShotGroup& group_of(const ProjectileDef& projectile);
+  [[nodiscard]] ShotGroup& group_of(const ProjectileDef& projectile) {
+    return group_of(projectile, known_curve(projectile.drag));
+  }
   [[nodiscard]] std::deque<ShotGroup>& all() { return groups_; }
   /// What of a body may be a shot's own.
   [[nodiscard]] PartSet parts_of_shots() const;
@@ -83,14 +91,16 @@ class ShotGroups {
   ShotKind& kind_of(std::size_t shot);
   [[nodiscard]] Status look_at(std::size_t shot, const ProjectileDef& projectile);
   [[nodiscard]] Status look_at_drag(std::size_t shot) const;
-  [[nodiscard]] unsigned grant_key(const ProjectileDef& projectile);
-  [[nodiscard]] bool overshoots(const DragDef& drag);
+  [[nodiscard]] KnownCurve* known_curve(const DragDef& drag);
+  [[nodiscard]] Status look_at_projectile(const ProjectileDef& projectile, KnownCurve*& curve);
+  [[nodiscard]] unsigned grant_key(const ProjectileDef& projectile, KnownCurve* curve) const;
+  [[nodiscard]] ShotGroup& group_of(const ProjectileDef& projectile, KnownCurve* curve);
   [[nodiscard]] ShotState refuse(Status why);
 
   const BatchTask& task_;
   std::deque<ShotGroup> groups_;
-  static constexpr std::size_t kMostJudgedCurves = 64;
-  std::vector<std::pair<std::vector<DragPoint>, bool>> judged_curves_;
+  static constexpr std::size_t kMostKnownCurves = 64;
+  std::vector<KnownCurve> known_curves_;
   std::array<ShotGroup*, 4096> group_by_key_{};
   ShotKind kind_;
   ShotProjectiles projectiles_;

@@ -52,8 +52,9 @@ struct NumberRuns {
   /// Calls f with the index of each number.
   PHYSIM_INLINE void each(const auto& f) const {
     for (unsigned k = 0; k < count; ++k) {
+      const unsigned end_of_run = run[k].end;  // read once: for all that compilers know f writes over it
       PHYSIM_ONE_BY_ONE
-      for (unsigned i = run[k].first; i < run[k].end; ++i) f(i);
+      for (unsigned i = run[k].first; i < end_of_run; ++i) f(i);
     }
   }
 };

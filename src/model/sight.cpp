@@ -18,9 +18,9 @@ double azimuth_of(const Launch& launch) {
 }  // namespace
 
 SightFrame sight_frame(const Launch& launch) {
-  const SightAxes<double> axes(sincos_of(azimuth_of(launch)), sincos_of(launch.sight.look_angle),
-                               sincos_of(launch.sight.cant));
-  return {axes, launch.position, launch.position + axes.canted * launch.sight.height};
+  const Sight& sight = launch.sight;
+  return {sincos_of(azimuth_of(launch)), sincos_of(sight.look_angle), sincos_of(sight.cant), launch.position,
+          sight.height};
 }
 
 Vec3d launch_direction(const Launch& launch, const SightFrame& sight, double elevation) {

@@ -54,6 +54,11 @@ namespace physim {
 struct SightFrame : SightAxes<double> {
   Vec3d muzzle;
   Vec3d start;  // of the line of sight
+
+  SightFrame() = default;
+  SightFrame(const SinCos<double>& azimuth, const SinCos<double>& look, const SinCos<double>& cant, const Vec3d& at,
+             double height)
+      : SightAxes<double>(azimuth, look, cant), muzzle(at), start(at + canted * height) {}
 };
 
 [[nodiscard]] SightFrame sight_frame(const Launch& launch);

@@ -188,18 +188,7 @@ void check_magnus(Checker& c, const MagnusDef& m) {
             "give every speed with every spin, once");
 }
 
-}  // namespace
-
-Status check(const ProjectileDef& p, const Launch& l) {
-  if (!has_motor(p)) return {};
-  Checker c;
-  const bool at_rest = l.velocity ? *l.velocity == Vec3d{} : l.speed == 0;
-  c.require(!at_rest || l.rail_length > 0, "launch.rail_length", "a rocket that starts from rest needs a rail",
-            "without one nothing holds its nose up");
-  return c.status();
-}
-
-Status check(const ProjectileDef& p) {
+Status check_projectile(const ProjectileDef& p, bool curve_too) {
   Checker c;
   c.positive(p.mass, "projectile.mass", "in kg");
   c.positive(p.diameter, "projectile.diameter", "in m");
@@ -215,7 +204,7 @@ Status check(const ProjectileDef& p) {
   if (c.status_so_far())
     c.require(std::isfinite(half_area_per_mass(p)), "projectile.mass", "is too small for its drag area", "in kg");
   c.not_negative(d.k1, "projectile.drag.k1", "").not_negative(d.k2, "projectile.drag.k2", "");
-  if (d.table == DragTable::custom) check_curve(c, d.curve, "projectile.drag.curve");
+  if (curve_too && d.table == DragTable::custom) check_curve(c, d.curve, "projectile.drag.curve");
   if (!d.bands.empty()) check_bands(c, d.bands);
   c.is_vector(p.inertia.moments, "projectile.inertia.moments");
   c.is_vector(p.inertia.products, "projectile.inertia.products");
@@ -226,6 +215,20 @@ Status check(const ProjectileDef& p) {
   c.require(p.force_duration >= 0, "projectile.force_duration", "must be zero or positive", "");
   if (has_motor(p)) check_motor(c, p);
   check_magnus(c, p.magnus);
+  return c.status();
+}
+
+}  // namespace
+
+Status check(const ProjectileDef& p) { return check_projectile(p, true); }
+Status check_but_curve(const ProjectileDef& p) { return check_projectile(p, false); }
+
+Status check(const ProjectileDef& p, const Launch& l) {
+  if (!has_motor(p)) return {};
+  Checker c;
+  const bool at_rest = l.velocity ? *l.velocity == Vec3d{} : l.speed == 0;
+  c.require(!at_rest || l.rail_length > 0, "launch.rail_length", "a rocket that starts from rest needs a rail",
+            "without one nothing holds its nose up");
   return c.status();
 }
 

@@ -91,17 +91,18 @@ WatchList prepare_watch(const Until& until, const Conditions<double>& c, Watcher
   return watch;
 }
 
-std::optional<Outcome> ends_at_once(const Conditions<double>& c, const Body<double>& b, const Until& until) {
-  if (has_lowest_altitude(c.fidelity) && altitude(c, b.launch.x) <= kLowestAltitude) return Outcome::left_domain;
-  if (!until.ground || height(c, b.launch.x) > *until.ground) return std::nullopt;
-  if (b.rail_phase < kOffRail && b.rail.y >= 0) return std::nullopt;  // its rail stands on the ground
+bool ends_at_once(const Conditions<double>& c, const Body<double>& b, const Until& until, Outcome& outcome) {
+  outcome = Outcome::left_domain;
+  if (has_lowest_altitude(c.fidelity) && altitude(c, b.launch.x) <= kLowestAltitude) return true;
+  outcome = Outcome::landed;
+  if (!until.ground || height(c, b.launch.x) > *until.ground) return false;
+  if (b.rail_phase < kOffRail && b.rail.y >= 0) return false;  // its rail stands on the ground
   const double climb = climb_rate(c, b.launch);
   // Level at the start: weight against what lifts it decides. Drag does not, and its tables may not be there yet.
   Sum<double> sum;
   sum_effects(c, b, 0.0, b.launch, PointInVacuum{}, sum);
   const double climb_later = climb_rate(c, State<double>{b.launch.x, sum.total});
-  if (climb < 0 || (climb == 0 && climb_later < 0)) return Outcome::landed;
-  return std::nullopt;
+  return climb < 0 || (climb == 0 && climb_later < 0);
 }
 
 }  // namespace physim

@@ -1,8 +1,6 @@
 // The events that flights and worlds look for in their steps.
 #pragma once
 
-#include <optional>
-
 #include "solve/watch.hpp"
 
 namespace physim {
@@ -17,8 +15,9 @@ enum class Watcher : std::uint8_t { batch, flight, world, world_with_apexes };
 /// events asked for.
 [[nodiscard]] WatchList prepare_watch(const Until& until, const Conditions<double>& conditions, Watcher watcher);
 
-/// How a flight ends that is over before it begins: it starts on or below the ground and descends, or below the air.
-[[nodiscard]] std::optional<Outcome> ends_at_once(const Conditions<double>& conditions, const Body<double>& body,
-                                                  const Until& until);
+/// Whether a flight is over before it begins, and how it ends then: it starts on or below the ground and descends, or
+/// below the air.
+[[nodiscard]] bool ends_at_once(const Conditions<double>& conditions, const Body<double>& body, const Until& until,
+                                Outcome& outcome);
 
 }  // namespace physim

@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <string>
+#include <utility>
 
 #include "flight/batch_support.hpp"
 #include "physim/presets.hpp"
@@ -339,6 +340,40 @@ TEST_F(BatchTest, refused_shots_are_left_out_and_the_others_fly) {
   for (std::size_t i = 0; i < shots.size(); ++i)
     EXPECT_EQ(batch.shots[i].outcome, i == 3 || i == 9 || i == 19 ? Outcome::refused : Outcome::landed) << i;
   EXPECT_TRUE(same_bits(batch.shots[0].position, fly(shots[0].projectile, shots[0].launch, {}, {}).end().position));
+}
+
+/// Batches look at equal curves once; what differs in one point, or is wrong beside its curve, is seen all the same.
+TEST_F(BatchTest, own_drag_curves_are_checked_and_granted_as_in_single_flights) {
+  const std::vector<DragPoint> smooth = {{0, .2}, {1, .3}, {2, .25}, {3, .2}};
+  const std::vector<DragPoint> overshooting = {{0, .12}, {.8, .12}, {1, .4}, {1.2, .35}, {2, .25}, {3, .2}};
+  std::vector<Shot> shots(200, Shot{bullet_308(), {.speed = 700, .elevation = 0.02}});
+  for (std::size_t i = 0; i < shots.size(); ++i) {
+    ProjectileDef& p = shots[i].projectile;
+    p.drag.table = DragTable::custom;
+    p.drag.curve = i % 3 == 0 ? overshooting : smooth;
+    if (i >= 100) p.drag.curve[0].coefficient += 1e-3 * static_cast<double>(i);  // more curves than are remembered
+  }
+  shots[50].projectile.drag.curve[2].coefficient = kNan;
+  shots[51].projectile.drag.curve[1].mach = 0;
+  shots[52].projectile.drag.curve.clear();
+  shots[53].projectile.mass = -1;
+  shots[54].projectile.drag.curve[0].mach = -0.0;
+  const Fidelity asked = Fidelity::simulation();
+  for (const std::size_t first : {std::size_t(0), std::size_t(51), std::size_t(52), std::size_t(53)}) {
+    const std::span<const Shot> from = std::span(shots).subspan(first);
+    const BatchResult batch = fly_batch(from, {}, asked);
+    bool told = false;
+    for (std::size_t i = 0; i < from.size(); ++i) {
+      const Flight flight = fly(from[i].projectile, from[i].launch, {}, asked);
+      EXPECT_EQ(batch.shots[i].outcome, flight.outcome()) << first + i;
+      if (!flight.error()) {
+        EXPECT_TRUE(same_bits(batch.shots[i].position, flight.end().position)) << first + i;
+      } else if (!std::exchange(told, true)) {
+        ASSERT_TRUE(batch.error);
+        EXPECT_EQ(batch.error->text(), flight.error()->text());
+      }
+    }
+  }
 }
 
 TEST_F(BatchTest, bad_common_input_refuses_all) {
