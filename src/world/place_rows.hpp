@@ -8,29 +8,50 @@
 
 PHYSIM_ISA_BEGIN
 
+/// end_on_clock(), but of a word whose rows have one clock it is not read from their columns.
+template <class R, class S>
+PHYSIM_INLINE R end_on_one_clock(const WorldJob<S>& job, std::uint32_t row) {
+  static_assert(kLanes<R> <= int(kRowsPerWord));
+  const WordClock& clock = job.clocks[row / kRowsPerWord];
+  if (!clock.is_one()) return end_on_clock<R>(job, row);
+  const S steps = job.now - static_cast<S>(clock.born);
+  const R end(static_cast<S>(clock.offset) + (steps + S(1)) * job.h);
+  PHYSIM_ASSERT((lane_bits(end != end_on_clock<R>(job, row)) & filled_lanes<R>(job.last - row)) == 0);
+  return end;
+}
+
+/// Rows that fall freely keep their horizontal velocity: it is left where it stands, which spares a fifth of the memory
+/// that placing many rows waits for.
+template <class R, class S>
+PHYSIM_INLINE void place_falling(const WorldJob<S>& job) {
+  constexpr auto kN = static_cast<std::uint32_t>(kLanes<R>);
+  for (std::uint32_t row = job.first; row < job.last; row += kN) {
+    Body<R> b;
+    load_part<LaunchPart>(job, row, b);
+    const Conditions<S> known = KnownFall::known(*job.course->conditions);
+    const State<R> s = closed_form_of_free(known, b, end_on_one_clock<R>(job, row));
+    store_vector(s.x, job.columns.previous, row);
+    if (!job.velocities) continue;
+    s.v.y.store(job.columns.velocity[1] + row);
+    PHYSIM_ASSERT((lane_bits((load<R>(job.columns.velocity[0], row) != s.v.x) |
+                             (load<R>(job.columns.velocity[2], row) != s.v.z)) &
+                   filled_lanes<R>(job.last - row)) == 0);
+  }
+}
+
 /// Writes where rows are at the end of the step job.now, with the numbers of a step that takes them there.
 template <class R, class S>
 void place_packs_of(const WorldJob<S>& given) {
   const WorldJob<S> job = given;
-  const auto put = [&](std::uint32_t row, const State<R>& s) PHYSIM_INLINE_LAMBDA {
-    store_vector(s.x, job.columns.previous, row);
-    store_vector(s.v, job.columns.velocity, row);
-  };
   const Conditions<S>& c = *job.course->conditions;
+  if (KnownFall::matches(c)) return place_falling<R>(job);
   constexpr auto kN = static_cast<std::uint32_t>(kLanes<R>);
-  if (KnownFall::matches(c)) {
-    for (std::uint32_t row = job.first; row < job.last; row += kN) {
-      Body<R> b;
-      load_part<LaunchPart>(job, row, b);
-      const Conditions<S> known = KnownFall::known(c);
-      put(row, closed_form_of_free(known, b, end_on_clock<R>(job, row)));
-    }
-    return;
-  }
   for (std::uint32_t row = job.first; row < job.last; row += kN) {
     Body<R> b;
     load_body(job, row, b);
-    put(row, closed_form(c, b, end_on_clock<R>(job, row)));
+    const State<R> s = closed_form(c, b, end_on_one_clock<R>(job, row));
+    store_vector(s.x, job.columns.previous, row);
+    if (job.velocities) store_vector(s.v, job.columns.velocity, row);
   }
 }
 

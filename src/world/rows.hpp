@@ -56,6 +56,13 @@ struct RowColumns {
 /// number. Such a column is read in its first rows only, which stay in the nearest cache.
 using RowMasks = std::array<std::uint32_t, kNumbers<Body>>;
 
+/// Memory for the positions of some rows that wait, beside their columns: it stays in the nearest cache.
+template <class S>
+struct PlacedRows {
+  static constexpr std::uint32_t kMost = 512;
+  alignas(64) S position[3][kMost];
+};
+
 /// What rows are copied by; the columns point into it.
 struct RowMemory {
   struct alignas(64) Line {
@@ -212,6 +219,19 @@ class Rows : RowMemory {
     bring_up();
     return visit(f);
   }
+  /// Calls f with the first of some rows, how many they are, and their positions, until all rows have come by. Rows
+  /// that wait go on waiting: theirs are computed for the call, and gone after it.
+  template <class F>
+  void read_positions(const F& f) const {
+    visit([&]<class S>(const RowColumns<S>& c) {
+      if (!may_wait()) return f(0u, size_, std::array<const S*, 3>{c.position[0], c.position[1], c.position[2]});
+      PlacedRows<S> beside;
+      for (std::uint32_t first = 0; first < size_; first += beside.kMost) {
+        const std::uint32_t count = std::min(size_ - first, beside.kMost);
+        f(first, count, positions(first, count, beside));
+      }
+    });
+  }
   /// Calls f with the columns, to read what never waits.
   template <class F>
   decltype(auto) read_fixed(F&& f) const {
@@ -314,6 +334,10 @@ class Rows : RowMemory {
   [[nodiscard]] std::uint32_t words() const {
     return static_cast<std::uint32_t>((size_ + kRowsPerWord - 1) / kRowsPerWord);
   }
+  /// Positions of rows from the first of a word on: where they lie, or where some wait, in `beside`.
+  template <class S>
+  [[nodiscard]] std::array<const S*, 3> positions(std::uint32_t first, std::uint32_t count,
+                                                  PlacedRows<S>& beside) const;
   /// As readers do, of which there may be several.
   void bring_up_shared(std::uint32_t first, std::uint32_t last) const;
   [[nodiscard]] std::byte* column(unsigned k) const {

@@ -42,6 +42,7 @@ void WaitingRows::begin(const WorldCohort& cohort, std::uint32_t now, double dt,
   look_.assign(words, now + kStepsAfterChange);
   reach_.assign(words, kMostReach - 1);
   failed_.assign(words, 0);
+  clock_.assign(words, {});
 }
 
 bool WaitingRows::any_due(std::uint32_t first, std::uint32_t last) const {
@@ -55,16 +56,19 @@ void WaitingRows::forget(std::uint32_t word) {
   PHYSIM_ASSERT(word < due_.size());
   due_[word] = 0;
   look_[word] = std::max(look_[word], now_ + kStepsAfterChange);
+  clock_[word] = {};
 }
 
 void WaitingRows::join(std::uint32_t word, std::uint32_t other) {
   PHYSIM_ASSERT(right_at(word) == right_at(other));
   due_[word] = std::min(due_[word], due_[other]);
+  clock_[word] = {};
 }
 
 void WaitingRows::add(std::uint32_t word) {
   if (word == right_at_.size()) {
     right_at_.push_back(0), due_.push_back(0), look_.push_back(0), reach_.push_back(0), failed_.push_back(0);
+    clock_.emplace_back();
   }
   PHYSIM_ASSERT(word < right_at_.size());
   right_at_[word] = now_;
@@ -72,26 +76,36 @@ void WaitingRows::add(std::uint32_t word) {
   look_[word] = now_ + kStepsAfterChange;
   reach_[word] = kMostReach - 1;
   failed_[word] = 0;
+  clock_[word] = {};
 }
 
 // ------------------------------------------------------------------------------------------- bringing rows up to date
 namespace {
 
-/// Writes where rows are after `steps` steps into the columns of their positions or of their previous ones.
+/// To find out where rows are after `steps` steps.
 template <class S>
-void place(const Rows& rows, const WaitingRows& waiting, std::uint32_t steps, bool previous, std::uint32_t first,
-           std::uint32_t last) {
+WorldJob<S> job_of(const Rows& rows, const WaitingRows& waiting, std::uint32_t steps) {
   PHYSIM_ASSERT(steps > 0);
   WorldJob<S> job{};
   job.course = &waiting.cohort()->course<S>();
   job.columns = rows.columns<S>();
-  if (!previous) std::ranges::copy(job.columns.position, job.columns.previous);  // kernels write where it says that
   job.fields = rows.layout().fields.data();
   job.field_masks = rows.field_masks().data();
   job.field_count = static_cast<unsigned>(rows.layout().fields.size());
   job.clocked = true;
+  job.clocks = waiting.clocks();
   job.now = static_cast<S>(steps - 1);
   job.h = static_cast<S>(waiting.dt());
+  return job;
+}
+
+/// Writes where rows are after `steps` steps into the columns of their positions or of their previous ones.
+template <class S>
+void place(const Rows& rows, const WaitingRows& waiting, std::uint32_t steps, bool previous, std::uint32_t first,
+           std::uint32_t last) {
+  WorldJob<S> job = job_of<S>(rows, waiting, steps);
+  if (!previous) std::ranges::copy(job.columns.position, job.columns.previous);  // kernels write where it says that
+  job.velocities = true;
   job.first = first;
   job.last = last;
   place_rows_with(world_kernel(), job);
@@ -123,6 +137,30 @@ void Rows::bring_up_words(std::uint32_t first, std::uint32_t last) const {
     word = end;
   }
 }
+
+template <class S>
+std::array<const S*, 3> Rows::positions(std::uint32_t first, std::uint32_t count, PlacedRows<S>& beside) const {
+  PHYSIM_ASSERT(first % kRowsPerWord == 0 && first + count <= size_ && count <= PlacedRows<S>::kMost);
+  const auto word = first / static_cast<std::uint32_t>(kRowsPerWord);
+  bool stale = false;
+  for (std::uint32_t i = 0; i * kRowsPerWord < count; ++i) stale |= waiting_.is_stale(word + i);
+  if (!stale) {
+    const auto& position = columns<S>().position;
+    return {position[0] + first, position[1] + first, position[2] + first};
+  }
+  WorldJob<S> job = job_of<S>(*this, waiting_, waiting_.now());
+  for (const std::uint8_t field : layout_.fields)
+    if (field_masks_[field] != 0) job.columns.field[field] += first;
+  job.columns.born += first;
+  job.columns.offset += first;
+  job.clocks += word;
+  for (std::size_t axis = 0; axis < 3; ++axis) job.columns.previous[axis] = beside.position[axis];
+  job.last = count;
+  place_rows_with(world_kernel(), job);
+  return {beside.position[0], beside.position[1], beside.position[2]};
+}
+template std::array<const float*, 3> Rows::positions(std::uint32_t, std::uint32_t, PlacedRows<float>&) const;
+template std::array<const double*, 3> Rows::positions(std::uint32_t, std::uint32_t, PlacedRows<double>&) const;
 
 void Rows::bring_up_shared(std::uint32_t first, std::uint32_t last) const {
   const IeeeMode mode;  // whoever reads

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include <limits>
 #include <vector>
 
 #include "base/assert.hpp"
@@ -18,6 +19,15 @@ void let_rows_wait(bool may);
 /// Whether the rows of a cohort may, as far as it alone decides: they fly by a closed form, alone, and a step watches
 /// nothing of them that quiet_packs_of() does not bound.
 [[nodiscard]] bool may_wait(const WorldCohort& cohort);
+
+/// What the clocks of a word's rows show, where all of them show the same: see RowColumns.
+struct WordClock {
+  double offset = 0;
+  double born = std::numeric_limits<double>::quiet_NaN();
+
+  /// Else each row has its own.
+  [[nodiscard]] PHYSIM_INLINE bool is_one() const { return born == born; }
+};
 
 /// What is known of the words of one cohort. Steps are counted as rows count them (Clock::now()).
 class WaitingRows {
@@ -45,6 +55,11 @@ class WaitingRows {
     PHYSIM_ASSERT(word < right_at_.size());
     __atomic_store_n(&right_at_[word], step, __ATOMIC_RELEASE);
   }
+  /// The step at hand took it along: its rows may have been launched anew.
+  void set_stepped(std::uint32_t word) {
+    set_right(word, now_ + 1);
+    clock_[word] = {};
+  }
   /// Whether the coming step has to take it along.
   [[nodiscard]] bool is_due(std::uint32_t word) const { return due_[word] <= now_; }
   [[nodiscard]] bool any_due(std::uint32_t first, std::uint32_t last) const;
@@ -57,9 +72,9 @@ class WaitingRows {
 
   /// Whether it is time to ask how long a word that was stepped may wait.
   [[nodiscard]] bool wants_look(std::uint32_t word) const { return look_[word] <= now_ + 1; }
-  /// Asks `quiet(steps)`, whether nothing happens to a word in so many steps after the one at hand.
+  /// Asks `quiet(steps)`, whether nothing happens to a word in so many steps after the one at hand. Whether it waits.
   template <class Quiet>
-  void look(std::uint32_t word, const Quiet& quiet) {
+  bool look(std::uint32_t word, const Quiet& quiet) {
     int reach = reach_[word] < kMostReach ? reach_[word] + 1 : kMostReach;
     while (reach >= 0 && !quiet(steps_of(reach))) --reach;
     if (reach >= 0) {
@@ -72,8 +87,14 @@ class WaitingRows {
       look_[word] = now_ + 1 + (kLeastSteps << failed_[word]);
       if (failed_[word] < kMostFailed) ++failed_[word];
     }
+    return reach >= 0;
   }
-  [[nodiscard]] std::size_t bytes() const { return right_at_.capacity() * (3 * sizeof(std::uint32_t) + 2); }
+  /// Clocks of words that wait, by word; others may be those of each row.
+  [[nodiscard]] const WordClock* clocks() const { return clock_.data(); }
+  void set_clock(std::uint32_t word, const WordClock& clock) { clock_[word] = clock; }
+  [[nodiscard]] std::size_t bytes() const {
+    return right_at_.capacity() * (3 * sizeof(std::uint32_t) + 2 + sizeof(WordClock));
+  }
 
  private:
   /// A wait shorter than that does not pay for the look; waits are so long times a power of four.
@@ -93,6 +114,7 @@ class WaitingRows {
   std::vector<std::uint32_t> look_;   // the first step after which to ask how long it may wait
   std::vector<std::uint8_t> reach_;   // how far the last look reached
   std::vector<std::uint8_t> failed_;  // looks one after the other
+  std::vector<WordClock> clock_;
 };
 
 }  // namespace physim

@@ -131,6 +131,17 @@ void World::columns(std::vector<WorldColumns>& into) const {
   }
 }
 
+void World::read_positions(const std::function<void(const WorldPositions&)>& take) const {
+  const IeeeMode mode;
+  if (!take) return;
+  for (const Rows& rows : impl().state.rows)
+    rows.read_positions([&]<class S>(std::uint32_t first, std::uint32_t count, const std::array<const S*, 3>& from) {
+      if (count == 0) return;
+      const auto column = [&](std::size_t axis) { return std::span(from[axis], count); };
+      take(PositionsOf<S>{{rows.slots() + first, count}, {column(0), column(1), column(2)}});
+    });
+}
+
 ProjectileId World::id_at(std::uint32_t index) const {
   const SlotTable& slots = impl().state.slots;
   return index > 0 && index < slots.size() && slots[index].is(kAlive) ? slots.id_of(index) : ProjectileId{};

@@ -120,9 +120,19 @@ bool move_due(const StepWork& work, const Chunk& chunk, WorldJob<S> job) {
     job.first = word * kWordRows;
     job.last = std::min(end * kWordRows, chunk.last);
     attention = step_rows_with(work.kernel, job) || attention;
-    for (; word < end; ++word) waiting.set_right(word, waiting.now() + 1);
+    for (; word < end; ++word) waiting.set_stepped(word);
   }
   return attention;
+}
+
+/// What the clocks of some rows show.
+template <class S>
+WordClock clock_of(const RowColumns<S>& columns, std::uint32_t first, std::uint32_t last) {
+  PHYSIM_ASSERT(first < last);
+  const S offset = columns.offset[first], born = columns.born[first];
+  for (std::uint32_t row = first + 1; row < last; ++row)
+    if (columns.offset[row] != offset || columns.born[row] != born) return {};
+  return {static_cast<double>(offset), static_cast<double>(born)};
 }
 
 /// Asks how long rows that were stepped may wait now.
@@ -136,7 +146,8 @@ void look_ahead(const StepWork& work, const Chunk& chunk) {
     if (!waiting.is_due(word) || !waiting.wants_look(word)) continue;
     job.first = word * kWordRows;
     job.last = std::min(job.first + kWordRows, chunk.last);
-    waiting.look(word, [&](std::uint32_t steps) { return are_quiet_with(work.kernel, job, steps); });
+    if (waiting.look(word, [&](std::uint32_t steps) { return are_quiet_with(work.kernel, job, steps); }))
+      waiting.set_clock(word, clock_of(job.columns, job.first, job.last));
   }
 }
 
