@@ -1,7 +1,10 @@
 // What the sections about worlds share: the projectiles, and worlds full of them.
 #pragma once
 
+#include <functional>
 #include <span>
+#include <string>
+#include <vector>
 
 #include "physim/world.hpp"
 #include "sections.hpp"
@@ -30,6 +33,23 @@ inline constexpr double kFrame = 1.0 / 240;
 /// Sixteen rungs: two integrators, four models of drag, two of gravity; float.
 [[nodiscard]] std::vector<Fidelity> sixteen_fidelities();
 
+inline constexpr std::size_t kStepped = 100000;  // projectiles of each of the worlds below
+
+/// A world that is stepped again and again, with what else is done in each step.
+struct SteppedWorld {
+  std::string name;
+  World world;
+  std::function<void(World&)> step = [](World& w) { w.step(kFrame); };
+  double events = 0;  // in all steps that were timed
+  std::vector<double> each = {};
+};
+/// A volley that rises and falls: apexes are told.
+[[nodiscard]] SteppedWorld with_apexes(std::string name, const Fidelity& fidelity);
+/// A machine gun: a hundredth of the projectiles lands in every step and as many are spawned.
+[[nodiscard]] SteppedWorld landing(std::string name, const Fidelity& fidelity);
+/// Steps of worlds, by one thread and in turn, beside those of the first, which has a short name.
+[[nodiscard]] Section steps_section(std::vector<SteppedWorld> worlds, const std::string& first, const Options& options);
+
 /// Times for each of `count` things [ns].
 [[nodiscard]] std::vector<double> each_ns(const std::vector<double>& seconds, double count);
 [[nodiscard]] Cell nanoseconds(double value);
@@ -37,6 +57,7 @@ inline constexpr double kFrame = 1.0 / 240;
 
 [[nodiscard]] Section free_flight_section(const Options& options);
 [[nodiscard]] Section rungs_section(const Options& options);
+[[nodiscard]] Section closed_forms_section(const Options& options);
 [[nodiscard]] Section operations_section(const Options& options);
 /// Emitters: births and deaths beside bulk spawns, frames of a million sparks, sixteen at once.
 [[nodiscard]] std::vector<Section> emitter_sections(const Options& options);

@@ -109,7 +109,8 @@ Section operations_section(const Options& options) {
 }
 
 std::vector<Section> world_sections(const Options& options) {
-  std::vector<Section> sections{free_flight_section(options), rungs_section(options), operations_section(options)};
+  std::vector<Section> sections{free_flight_section(options), rungs_section(options), closed_forms_section(options),
+                                operations_section(options)};
   for (Section& section : emitter_sections(options)) sections.push_back(std::move(section));
   return sections;
 }
