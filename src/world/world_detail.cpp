@@ -10,6 +10,13 @@ namespace {
 /// Steps between two looks at a projectile. They are counted from its launch, so that they do not depend on others.
 constexpr std::int64_t kStepsBetweenLooks = 8;
 
+/// std::llround() without a call, which each projectile asks for in each step. The number below 0.5 is added: with 0.5
+/// itself that number would round to 1.
+std::int64_t whole_number(double x) {
+  PHYSIM_ASSERT(x > -4e15 && x < 4e15);
+  return static_cast<std::int64_t>(x + std::copysign(0.49999999999999994, x));
+}
+
 /// The first rung that holds, or the last.
 std::size_t wanted_rung(const DetailRule& rule, double distance, double age) {
   for (std::size_t i = 0; i + 1 < rule.rungs.size(); ++i)
@@ -37,7 +44,7 @@ void WorldImpl::apply_detail() {
     const Slot& slot = state.slots[index];
     if (slot.is(kStill)) return;
     const double age = now - state.slots.birth(index);
-    if (std::llround(age / state.clock.dt) % kStepsBetweenLooks != 0) return;
+    if (whole_number(age / state.clock.dt) % kStepsBetweenLooks != 0) return;
     if ((layers_of(index) & rule.layers) == 0) return;
     const Fidelity& asked = registry.kind(slot.kind).rungs[slot.rung].asked;
     std::size_t current = 0;
