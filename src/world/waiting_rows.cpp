@@ -138,25 +138,35 @@ void Rows::bring_up_words(std::uint32_t first, std::uint32_t last) const {
   }
 }
 
+/// Rows that were just launched anew stand where they were put, which a closed form meets to rounding alone: only words
+/// that wait are computed.
 template <class S>
 std::array<const S*, 3> Rows::positions(std::uint32_t first, std::uint32_t count, PlacedRows<S>& beside) const {
   PHYSIM_ASSERT(first % kRowsPerWord == 0 && first + count <= size_ && count <= PlacedRows<S>::kMost);
-  const auto word = first / static_cast<std::uint32_t>(kRowsPerWord);
-  bool stale = false;
-  for (std::uint32_t i = 0; i * kRowsPerWord < count; ++i) stale |= waiting_.is_stale(word + i);
-  if (!stale) {
-    const auto& position = columns<S>().position;
-    return {position[0] + first, position[1] + first, position[2] + first};
-  }
+  constexpr auto kWord = static_cast<std::uint32_t>(kRowsPerWord);
+  const auto& position = columns<S>().position;
+  const auto waits = [&](std::uint32_t row) { return waiting_.is_stale((first + row) / kWord); };
+  const auto end_of_run = [&](std::uint32_t begin, bool of_waiting) {
+    std::uint32_t end = begin;
+    while (end < count && waits(end) == of_waiting) end += kWord;
+    return std::min(end, count);
+  };
+  if (end_of_run(0, false) == count) return {position[0] + first, position[1] + first, position[2] + first};
   WorldJob<S> job = job_of<S>(*this, waiting_, waiting_.now());
   for (const std::uint8_t field : layout_.fields)
     if (field_masks_[field] != 0) job.columns.field[field] += first;
   job.columns.born += first;
   job.columns.offset += first;
-  job.clocks += word;
-  for (std::size_t axis = 0; axis < 3; ++axis) job.columns.previous[axis] = beside.position[axis];
-  job.last = count;
-  place_rows_with(world_kernel(), job);
+  job.clocks += first / kWord;
+  std::ranges::copy(beside.position, job.columns.previous);
+  while (job.last < count) {
+    const std::uint32_t still = end_of_run(job.last, false);
+    for (std::size_t axis = 0; axis < 3; ++axis)
+      std::copy(position[axis] + first + job.last, position[axis] + first + still, beside.position[axis] + job.last);
+    job.first = still;
+    job.last = end_of_run(still, true);
+    if (job.first < job.last) place_rows_with(world_kernel(), job);
+  }
   return {beside.position[0], beside.position[1], beside.position[2]};
 }
 template std::array<const float*, 3> Rows::positions(std::uint32_t, std::uint32_t, PlacedRows<float>&) const;
