@@ -47,8 +47,10 @@ struct SteppedWorld {
 [[nodiscard]] SteppedWorld with_apexes(std::string name, const Fidelity& fidelity);
 /// A machine gun: a hundredth of the projectiles lands in every step and as many are spawned.
 [[nodiscard]] SteppedWorld landing(std::string name, const Fidelity& fidelity);
-/// Steps of worlds, by one thread and in turn, beside those of the first, which has a short name.
-[[nodiscard]] Section steps_section(std::vector<SteppedWorld> worlds, const std::string& first, const Options& options);
+/// Steps of worlds, by one thread and in turn, beside those of the first. `first` and `what` head the columns: a short
+/// name of that one, and what the names of worlds say.
+[[nodiscard]] Section steps_section(std::vector<SteppedWorld> worlds, const std::string& first, const std::string& what,
+                                    const Options& options);
 
 /// Times for each of `count` things [ns].
 [[nodiscard]] std::vector<double> each_ns(const std::vector<double>& seconds, double count);

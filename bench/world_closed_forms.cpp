@@ -3,7 +3,6 @@
 #include <array>
 #include <cstddef>
 #include <cstring>
-#include <memory>
 #include <variant>
 
 #include "world_bench.hpp"
@@ -45,10 +44,9 @@ WorldDef with_detail_rule() {
 
 /// The volley, and what is asked for after each step: a function of the world that returns something of it.
 SteppedWorld read(std::string name, auto ask) {
-  const auto kept = std::make_shared<double>(0);  // so that nothing is left out
-  return {std::move(name), falling(free_flight()), [ask, kept](World& w) mutable {
+  return {std::move(name), falling(free_flight()), [ask, kept = 0.0](World& w) mutable {
             w.step(kFrame);
-            *kept += static_cast<double>(ask(w));
+            kept += static_cast<double>(ask(w));  // so that nothing is left out
           }};
 }
 
@@ -113,9 +111,8 @@ std::vector<SteppedWorld> worlds() {
 }  // namespace
 
 Section closed_forms_section(const Options& options) {
-  Section s = steps_section(worlds(), "nothing", options);
+  Section s = steps_section(worlds(), "nothing", "in each step", options);
   s.title = "Worlds: closed forms";
-  s.columns[1] = "in each step";
   s.notes = {
       "The arcade preset. Rows wait until somebody reads them or something may happen to them. All positions: "
       "World::read_positions(); from columns: World::columns(), velocities too; by ids: World::render_positions()."};

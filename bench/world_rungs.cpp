@@ -58,9 +58,8 @@ std::vector<SteppedWorld> entries() {
 }  // namespace
 
 Section rungs_section(const Options& options) {
-  Section s = steps_section(entries(), "game", options);
+  Section s = steps_section(entries(), "game", "rung", options);
   s.title = "Worlds: rungs, ground and events";
-  s.columns[1] = "rung";
   s.notes = {
       "Mixed: semi-implicit and explicit Euler, no drag, damping, linear and quadratic, G7 in standard air, "
       "constant gravity and Newton's, float."};

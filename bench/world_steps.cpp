@@ -68,14 +68,15 @@ SteppedWorld landing(std::string name, const Fidelity& fidelity) {
   return {std::move(name), std::move(world), step};
 }
 
-Section steps_section(std::vector<SteppedWorld> worlds, const std::string& first, const Options& options) {
+Section steps_section(std::vector<SteppedWorld> worlds, const std::string& first, const std::string& what,
+                      const Options& options) {
   const std::vector<std::int64_t> allocated = settle(worlds);
   take_times(worlds, options);
   Section s;
   s.intro = "Steps of " + fixed(static_cast<double>(kStepped), 0).text +
             " projectiles by one thread, eight in each turn, beside those of the first world: medians of the ratios "
             "within each round.";
-  s.columns = {"vs " + first, "world", "ns a projectile-step", "quartiles", "events a step", "allocations in 10 steps"};
+  s.columns = {"vs " + first, what, "ns a projectile-step", "quartiles", "events a step", "allocations in 10 steps"};
   for (std::size_t i = 0; i < worlds.size(); ++i) {
     const SteppedWorld& w = worlds[i];
     s.rows.push_back({times(median(ratios(worlds[0].each, w.each))), w.name, nanoseconds(median(w.each)),
