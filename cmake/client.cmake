@@ -23,8 +23,7 @@ function(physim_add_client_tests)
   physim_compile_sooner(physim_client_tests)
   target_include_directories(physim_client_tests PRIVATE tests)
   target_link_libraries(physim_client_tests PRIVATE GTest::gtest_main physim_client_core)
-  gtest_discover_tests(physim_client_tests TEST_PREFIX "client." DISCOVERY_MODE PRE_TEST DISCOVERY_TIMEOUT 60
-                       PROPERTIES TIMEOUT 300)
+  physim_run_tests(physim_client_tests client. 900)
 
   find_program(XVFB Xvfb)
   find_package(X11 QUIET)
@@ -41,8 +40,7 @@ function(physim_add_client_tests)
   target_link_options(physim_window_tests PRIVATE -Wl,--as-needed)
   target_compile_definitions(physim_window_tests PRIVATE PHYSIM_SIMCLIENT="$<TARGET_FILE:simclient>")
   target_link_libraries(physim_window_tests PRIVATE GTest::gtest_main X11::X11 X11::Xtst PkgConfig::CLIENT_LIBRARIES_OF)
-  gtest_discover_tests(physim_window_tests TEST_PREFIX "window." DISCOVERY_MODE PRE_TEST DISCOVERY_TIMEOUT 60 PROPERTIES
-                       TIMEOUT 300)
+  physim_run_tests(physim_window_tests window. 900)
 endfunction()
 
 if(NOT PHYSIM_HAS_CLIENT)

@@ -15,7 +15,7 @@ endif()
 
 set(config_dir ${CMAKE_INSTALL_LIBDIR}/cmake/physim)
 install(EXPORT physim_targets FILE physim-targets.cmake NAMESPACE physim:: DESTINATION ${config_dir})
-if(assimp_FOUND AND TARGET physim_scenario)  # its static library is linked with it
+if(has_assimp AND TARGET physim_scenario)  # its static library is linked with it
   set(needs_assimp "find_dependency(assimp)\n")
 endif()
 file(WRITE ${PROJECT_BINARY_DIR}/physim-config.cmake "include(CMakeFindDependencyMacro)

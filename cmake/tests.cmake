@@ -19,6 +19,15 @@ if(NOT PHYSIM_TESTS)
   return()
 endif()
 
+# The tests of a GoogleTest program become tests of ctest when ctest starts.
+function(physim_run_tests program prefix timeout)
+  set(script ${PROJECT_BINARY_DIR}/${program}_suites.cmake)
+  file(GENERATE OUTPUT ${script} CONTENT "include(${PROJECT_SOURCE_DIR}/cmake/gtest_suites.cmake)
+physim_add_gtests(\"$<TARGET_FILE:${program}>\" \"${prefix}\" ${timeout})
+")
+  set_property(DIRECTORY APPEND PROPERTY TEST_INCLUDE_FILES ${script})
+endfunction()
+
 # Programs that try things at random, with a few things as a test; each has a long form in `./dev`.
 function(physim_add_random_check test program source)
   add_executable(${program} ${source})
@@ -70,8 +79,8 @@ if(TARGET physim_scenario)
   string(TOUPPER "${CMAKE_BUILD_TYPE}" config)
   add_test(NAME install
            COMMAND ${CMAKE_COMMAND} -DBUILD=${PROJECT_BINARY_DIR} -DSOURCE=${PROJECT_SOURCE_DIR} -DGENERATOR=${CMAKE_GENERATOR}
-                   -DCOMPILER=${CMAKE_CXX_COMPILER} "-DFLAGS=${CMAKE_CXX_FLAGS} ${CMAKE_CXX_FLAGS_${config}}" -P
-                   ${PROJECT_SOURCE_DIR}/tests/install/check.cmake)
+                   -DCOMPILER=${CMAKE_CXX_COMPILER} "-DFLAGS=${CMAKE_CXX_FLAGS} ${CMAKE_CXX_FLAGS_${config}}"
+                   -P ${PROJECT_SOURCE_DIR}/tests/install/check.cmake)
   set_tests_properties(install PROPERTIES TIMEOUT 300)
 endif()
 
@@ -83,7 +92,6 @@ endif()
 if(test_sources AND NOT GTest_FOUND)  # the programs build all the same, the tests do not pass
   add_test(NAME GoogleTest_is_missing COMMAND ${CMAKE_COMMAND} -E false)
 elseif(test_sources)
-  include(GoogleTest)
   physim_add_executable(physim_tests ${test_sources})
   physim_compile_sooner(physim_tests)
   target_include_directories(physim_tests PRIVATE tests)
@@ -94,18 +102,14 @@ elseif(test_sources)
     add_dependencies(physim_tests physim_cli)
     target_compile_definitions(physim_tests PRIVATE PHYSIM_CLI="$<TARGET_FILE:physim_cli>")
   endif()
-  if(MPI_CXX_FOUND)
-    target_compile_definitions(physim_tests PRIVATE PHYSIM_MPIRUN="${MPIEXEC_EXECUTABLE}")
-  endif()
-  if(PHYSIM_FOUND_HDF5)
-    set_source_files_properties(tests/cli/study_columns_test.cpp PROPERTIES COMPILE_DEFINITIONS PHYSIM_HAS_HDF5=1
-                                                                            COMPILE_OPTIONS -isystem${HDF5_INCLUDE})
+  if(has_hdf5)
+    set_source_files_properties(tests/cli/study_columns_test.cpp PROPERTIES COMPILE_OPTIONS -isystem${HDF5_INCLUDE})
     target_link_libraries(physim_tests PRIVATE ${HDF5_LIBRARY})
   endif()
   if(TARGET physim_client_core)
     physim_add_client_tests()
   endif()
-  gtest_discover_tests(physim_tests DISCOVERY_MODE PRE_TEST DISCOVERY_TIMEOUT 60 PROPERTIES TIMEOUT 600)
+  physim_run_tests(physim_tests "" 1800)
 endif()
 
 # Tests of additions, which are there in a copy of the sources that tools/additions.py patches.
@@ -119,10 +123,7 @@ endif()
 # The examples are what users read and copy: clean under the warnings that users compile with.
 file(GLOB example_sources CONFIGURE_DEPENDS examples/*.cpp)
 # One of them asks an engine's physics; it is left out where there is none.
-find_path(BULLET_INCLUDE_DIR btBulletDynamicsCommon.h PATH_SUFFIXES bullet)
-find_library(BULLET_BulletCollision BulletCollision)
-find_library(BULLET_LinearMath LinearMath)
-if(NOT (BULLET_INCLUDE_DIR AND BULLET_BulletCollision AND BULLET_LinearMath))
+if(NOT (PHYSIM_OPTIONAL AND BULLET_INCLUDE_DIR AND BULLET_BulletCollision AND BULLET_LinearMath))
   message(STATUS "Bullet is missing (libbullet-dev): the example engine_scene is left out")
   list(FILTER example_sources EXCLUDE REGEX "/engine_scene\\.cpp$")
 endif()

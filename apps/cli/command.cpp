@@ -154,7 +154,7 @@ Result<int> done(const Status& last, int code) { return last ? Result<int>(code)
 int run_program(const Program& program, int argc, char** argv) {
   CLI::App app(program.doc, program.name);
   int exit_code = kExitOk;
-  app.set_version_flag("--version", std::string(program.name) + " " + program.version);
+  app.set_version_flag("--version", program.version);
   app.get_formatter()->column_width(34);
   Command root(app, exit_code);
   root.require_command();

@@ -67,7 +67,7 @@ enum ExitCode : int { kExitOk = 0, kExitCheckMissed = 1, kExitBadInput = 2 };
 struct Program {
   const char* name;
   const char* doc;
-  const char* version;
+  std::string (*version)();  // called if it is asked for
   const char* footer;
   void (*add_commands)(Command& program);
 };

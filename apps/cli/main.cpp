@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "command.hpp"
+#include "libraries.hpp"
 #include "physim/flight.hpp"
 #include "physim/version.hpp"
 #include "scenario/suggest.hpp"
@@ -38,6 +39,8 @@ Status check_kernel() {
                .hint = "this build has on this machine: " + names};
 }
 
+std::string version() { return std::string("physim ") + kVersion + "\n" + build_text(); }
+
 void add_commands(Command& program) {
   add_run_command(program);
   add_compare_command(program);
@@ -59,7 +62,7 @@ int run(int argc, char** argv) {
   }
   return run_program({.name = "physim",
                       .doc = "PhySim: projectile motion with dynamic accuracy, from arcade to check-case.",
-                      .version = kVersion,
+                      .version = version,
                       .footer = kExamples,
                       .add_commands = add_commands},
                      argc, argv);

@@ -11,6 +11,7 @@
 #include "physim/version.hpp"
 #include "report/file.hpp"
 #include "report/study_answer.hpp"
+#include "scenario/libraries.hpp"
 #include "scenario/text_file.hpp"
 
 #if PHYSIM_HAS_HDF5

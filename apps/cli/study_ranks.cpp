@@ -8,6 +8,7 @@
 #include <thread>
 
 #include "base/assert.hpp"
+#include "scenario/libraries.hpp"
 
 #if PHYSIM_HAS_MPI
 #include <mpi.h>

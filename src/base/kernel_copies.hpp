@@ -2,13 +2,7 @@
 #pragma once
 
 #include "base/isa.hpp"
-
-#ifndef PHYSIM_HAVE_AVX2
-#define PHYSIM_HAVE_AVX2 0
-#endif
-#ifndef PHYSIM_HAVE_AVX512
-#define PHYSIM_HAVE_AVX512 0
-#endif
+#include "base/kernel_sets.hpp"  // generated: PHYSIM_HAVE_AVX2, PHYSIM_HAVE_AVX512
 
 #if PHYSIM_HAVE_AVX2
 #define PHYSIM_AVX2_COPY(...) \

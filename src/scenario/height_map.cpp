@@ -5,6 +5,7 @@
 #include "base/assert.hpp"
 #include "base/ieee_mode.hpp"
 #include "physim/mesh_file.hpp"
+#include "scenario/libraries.hpp"
 
 #if PHYSIM_HAS_STB
 #pragma GCC diagnostic push

@@ -5,6 +5,7 @@
 
 #include "base/assert.hpp"
 #include "base/ieee_mode.hpp"
+#include "scenario/libraries.hpp"
 
 #if PHYSIM_HAS_ASSIMP
 #include <assimp/postprocess.h>

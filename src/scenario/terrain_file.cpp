@@ -10,6 +10,7 @@
 
 #include "base/checker.hpp"
 #include "base/ieee_mode.hpp"
+#include "scenario/libraries.hpp"
 
 #if PHYSIM_HAS_GDAL
 #include <dlfcn.h>

@@ -7,6 +7,8 @@
 #include <nlohmann/json.hpp>
 
 #include "cli/program.hpp"
+#include "physim/version.hpp"
+#include "scenario/libraries.hpp"
 
 #ifdef PHYSIM_CLI
 
@@ -46,7 +48,11 @@ void expect_complaint(const Ran& ran, const std::string& part) {
 // ------------------------------------------------------------------------------------------------------ the program
 TEST(Cli, TellsItsVersionAndHelp) {
   EXPECT_EQ(physim({"--version"}).code, 0);
-  EXPECT_TRUE(has(physim({"--version"}).out, "physim 0."));
+  const std::string version = physim({"--version"}).out;
+  EXPECT_EQ(lines_of(version)[0], std::string("physim ") + kVersion);
+  EXPECT_TRUE(has(version, PHYSIM_HAS_ASSIMP ? "with     Assimp   meshes" : "without  Assimp   meshes")) << version;
+  const Ran bare = physim({"--version"}, {"PATH="});
+  EXPECT_TRUE(has(bare.out, "without  gnuplot") && has(bare.out, "gnuplot-nox")) << bare.out;
   for (const std::vector<std::string>& command : std::vector<std::vector<std::string>>{{"--help"},
                                                                                        {"run", "--help"},
                                                                                        {"compare", "--help"},

@@ -6,6 +6,7 @@
 #include <thread>
 
 #include "cli/program.hpp"
+#include "scenario/libraries.hpp"
 
 #ifdef PHYSIM_CLI
 
@@ -35,14 +36,14 @@ TEST(StudyRanks, a_job_is_told_apart_from_a_run_alone) {
   const Folder folder;
   const std::string file = folder.write("rifle.toml", kRifle);
   EXPECT_EQ(physim({"study", file, "--shots", "4096"}).code, 0);
-#ifndef PHYSIM_MPIRUN
+#if !PHYSIM_HAS_MPI
   const Ran ran = physim({"study", file}, {"PMI_SIZE=4", "PATH=/usr/bin"});
   EXPECT_EQ(ran.code, 2);
   EXPECT_TRUE(has(ran.err, "without MPI") && has(ran.err, "--shards")) << ran.err;
 #endif
 }
 
-#ifdef PHYSIM_MPIRUN
+#if PHYSIM_HAS_MPI
 
 /// Runs so many ranks of a program on this machine, without a shell of others, on however few cores, and as whoever
 /// runs the tests.
@@ -152,6 +153,10 @@ TEST(StudyRanks, lose_nothing_when_one_dies) {
   ASSERT_EQ(on.code, 0) << on.err;
   EXPECT_EQ(read(folder / "on.csv"), read(csv));
 }
+
+#else
+
+TEST(StudyRanks, need_mpi) { GTEST_SKIP() << "built without MPI: no job of ranks was run"; }
 
 #endif
 

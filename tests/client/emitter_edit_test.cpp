@@ -2,8 +2,8 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <filesystem>
 
+#include "cli/program.hpp"
 #include "client/support.hpp"
 #include "simclient/core/emitter_edit.hpp"
 #include "simclient/core/scene.hpp"
@@ -56,12 +56,12 @@ TEST(EmitterEdit, a_change_is_flown_to_the_moment_at_hand_and_saved_as_toml) {
   const World& world = client.session.world();
   EXPECT_EQ(world.emitter(world.emitters()[0])->life.size.curve, emitters[0].def.life.size.curve);
 
-  const auto file = std::filesystem::temp_directory_path() / "physim_emitter_edit.toml";
-  ASSERT_TRUE(client.save(file.string()));
-  const Result<Scenario> read = load_scenario(file.string());
+  const testing_cli::Folder folder;
+  const std::string file = folder / "physim_emitter_edit.toml";
+  ASSERT_TRUE(client.save(file));
+  const Result<Scenario> read = load_scenario(file);
   ASSERT_TRUE(read) << read.error().text();
   EXPECT_TRUE(have_same_lines(read->emitters[0].def, emitters[0].def));
-  std::filesystem::remove(file);
 }
 
 TEST(EmitterEdit, what_makes_no_sense_changes_nothing) {

@@ -3,10 +3,10 @@
 
 #include <chrono>
 #include <cmath>
-#include <filesystem>
 #include <nlohmann/json.hpp>
 #include <thread>
 
+#include "cli/program.hpp"
 #include "client/support.hpp"
 #include "simclient/core/actions.hpp"
 #include "simclient/core/layout.hpp"
@@ -155,14 +155,14 @@ TEST(StudyDesk, what_is_asked_changes_and_is_saved) {
             (std::vector<std::string>{"shot.speed = +- 3 m/s", "shot.azimuth = +- 0.2 mrad"}))
       << "one speed alone";
   EXPECT_TRUE(client.has_unsaved_settings());
-  const auto file = std::filesystem::temp_directory_path() / "physim_study_desk.toml";
-  ASSERT_TRUE(client.save(file.string()));
-  const Result<Scenario> read = load_scenario(file.string());
+  const testing_cli::Folder folder;
+  const std::string file = folder / "physim_study_desk.toml";
+  ASSERT_TRUE(client.save(file));
+  const Result<Scenario> read = load_scenario(file);
   ASSERT_TRUE(read) << read.error().text();
   EXPECT_EQ(read->study.inputs, client.study.asked.inputs);
   EXPECT_EQ(read->study.targets, client.study.asked.targets);
   EXPECT_EQ(read->study.at, std::vector<std::string>{"apex: y, time"});
-  std::filesystem::remove(file);
   remove_study_text(client, &ScenarioStudy::inputs, 0);
   remove_study_text(client, &ScenarioStudy::targets, 0);
   remove_study_text(client, &ScenarioStudy::targets, 7);

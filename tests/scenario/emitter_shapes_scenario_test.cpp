@@ -1,10 +1,10 @@
 // Emitters of scenario files: meshes, terrain, rain and trails.
 #include <gtest/gtest.h>
 
-#include <filesystem>
 #include <fstream>
 
 #include "base/archive.hpp"
+#include "cli/program.hpp"
 #include "physim/mesh_file.hpp"
 #include "physim/world_run.hpp"
 #include "scenario/revise.hpp"
@@ -124,19 +124,17 @@ TEST(EmitterShapesScenario, what_is_wrong_is_said_where_it_stands) {
 
 TEST(EmitterShapesScenario, a_mesh_comes_out_of_a_file) {
   if (!reads_mesh_files()) GTEST_SKIP() << "built without Assimp";
-  const std::filesystem::path folder = std::filesystem::temp_directory_path() / "physim_emit_mesh_test";
-  std::filesystem::create_directories(folder);
+  const testing_cli::Folder folder;
   std::ofstream(folder / "cube.obj") << "v -1 -1 -1\nv 1 -1 -1\nv 1 1 -1\nv -1 1 -1\nv -1 -1 1\nv 1 -1 1\nv 1 1 1\n"
                                         "v -1 1 1\nf 1 4 3 2\nf 5 6 7 8\nf 1 2 6 5\nf 2 3 7 6\nf 3 4 8 7\nf 4 1 5 8\n";
   const std::string emitter =
       "[[emitter]]\nshot = \"shot-1\"\nfrom = { shape = \"mesh\", surface = { file = \"cube.obj\" } }\n";
-  const auto read = parse_scenario("physim = 1\n[[shot]]\n[world]\n" + emitter + emitter, (folder / "f.toml").string());
+  const auto read = parse_scenario("physim = 1\n[[shot]]\n[world]\n" + emitter + emitter, folder / "f.toml");
   ASSERT_TRUE(read) << read.error().text();
   const SharedShape &one = read->emitters[0].def.from.surface.shape, &two = read->emitters[1].def.from.surface.shape;
   EXPECT_EQ(one.content(), two.content());
   EXPECT_EQ(std::get<MeshShape>(one.definition()).triangles.size(), 12u);
   EXPECT_NE(scenario_text(*read).find("file = \"cube.obj\""), std::string::npos);
-  std::filesystem::remove_all(folder);
 }
 
 }  // namespace

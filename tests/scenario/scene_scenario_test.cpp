@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <fstream>
 
+#include "cli/program.hpp"
 #include "physim/mesh_file.hpp"
 #include "physim/world_run.hpp"
 #include "scenario/revise.hpp"
@@ -292,8 +293,7 @@ TEST(BadSceneScenario, TellsWhatTheSceneRefuses) {
 
 // -------------------------------------------------------------------------------------------------------- mesh files
 TEST(MeshFile, IsReadOrTheBuildSaysThatItCannot) {
-  const std::filesystem::path folder = std::filesystem::temp_directory_path() / "physim_mesh_test";
-  std::filesystem::create_directories(folder);
+  const testing_cli::Folder folder;
   // A cube of 2 m about the origin, as OBJ has it: with quadrilaterals, from 1.
   std::ofstream(folder / "cube.obj") << "v -1 -1 -1\nv 1 -1 -1\nv 1 1 -1\nv -1 1 -1\nv -1 -1 1\nv 1 -1 1\nv 1 1 1\n"
                                         "v -1 1 1\nf 1 4 3 2\nf 5 6 7 8\nf 1 2 6 5\nf 2 3 7 6\nf 3 4 8 7\nf 4 1 5 8\n";
@@ -301,7 +301,7 @@ TEST(MeshFile, IsReadOrTheBuildSaysThatItCannot) {
   const std::string text =
       "physim = 1\n[[shot]]\n[world]\n[[shape]]\nname = \"cube\"\nmesh = \"cube.obj\"\n"
       "[[thing]]\nshape = \"cube\"\nposition = [5, 0, 0]\n";
-  const auto scenario = parse_scenario(text, (folder / "f.toml").string());
+  const auto scenario = parse_scenario(text, folder / "f.toml");
   if (!reads_mesh_files()) {
     ASSERT_FALSE(scenario);
     EXPECT_NE(scenario.error().message.find("this build reads no meshes from files"), std::string::npos);
@@ -322,16 +322,15 @@ TEST(MeshFile, IsReadOrTheBuildSaysThatItCannot) {
   EXPECT_NE(written.find("mesh = \"cube.obj\""), written.npos) << written;
   EXPECT_EQ(written.find("vertices"), written.npos);
 
-  EXPECT_EQ(read_mesh_file((folder / "none.obj").string()).error().message, "the file cannot be read");
-  EXPECT_FALSE(read_mesh_file((folder / "bad.obj").string()));
+  EXPECT_EQ(read_mesh_file(folder / "none.obj").error().message, "the file cannot be read");
+  EXPECT_FALSE(read_mesh_file(folder / "bad.obj"));
   const std::string missing = "physim = 1\n[[shot]]\n[world]\n[[shape]]\nmesh = \"none.obj\"\n";
   EXPECT_EQ(parse_scenario(missing, "f.toml").error().text(),
             "f.toml:5:8: error: shape.mesh.file: the file cannot be read");
 }
 
 TEST(HeightMap, IsReadOrTheBuildSaysThatItCannot) {
-  const std::filesystem::path folder = std::filesystem::temp_directory_path() / "physim_height_map_test";
-  std::filesystem::create_directories(folder);
+  const testing_cli::Folder folder;
   // 3 columns by 2 rows of 16 bits, from black to white in steps of a fifth, as zlib packs them.
   constexpr unsigned char kPicture[] = {
       0x89, 0x50, 0x4e, 0x47, 0x0d, 0x0a, 0x1a, 0x0a, 0x00, 0x00, 0x00, 0x0d, 0x49, 0x48, 0x44, 0x52,
@@ -346,7 +345,7 @@ TEST(HeightMap, IsReadOrTheBuildSaysThatItCannot) {
       "physim = 1\n[[shot]]\n[world]\n[[shape]]\nname = \"hill\"\n"
       "height_field = { file = \"hill.png\", low = \"100 m\", high = \"150 m\", spacing_x = 10, spacing_z = 20 }\n"
       "[[thing]]\nshape = \"hill\"\n";
-  const auto scenario = parse_scenario(text, (folder / "f.toml").string());
+  const auto scenario = parse_scenario(text, folder / "f.toml");
   if (!reads_height_maps()) {
     ASSERT_FALSE(scenario);
     EXPECT_NE(scenario.error().message.find("this build reads no heights from pictures"), std::string::npos);
@@ -364,9 +363,9 @@ TEST(HeightMap, IsReadOrTheBuildSaysThatItCannot) {
   const std::string written = scenario_text(*scenario);
   EXPECT_NE(written.find("file = \"hill.png\", low = \"100 m\", high = \"150 m\""), written.npos) << written;
   EXPECT_EQ(written.find("heights"), written.npos);
-  EXPECT_EQ(read_height_map((folder / "none.png").string(), 0, 1).error().message, "the file cannot be read");
-  EXPECT_FALSE(read_height_map((folder / "cut.png").string(), 0, 1));
-  EXPECT_FALSE(read_height_map((folder / "f.toml").string(), 0, 1));
+  EXPECT_EQ(read_height_map(folder / "none.png", 0, 1).error().message, "the file cannot be read");
+  EXPECT_FALSE(read_height_map(folder / "cut.png", 0, 1));
+  EXPECT_FALSE(read_height_map(folder / "f.toml", 0, 1));
 }
 
 TEST(BadSceneScenario, TakesAFileOrTheNumbersThatAreInIt) {

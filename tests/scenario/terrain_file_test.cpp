@@ -2,14 +2,13 @@
 #include "physim/terrain_file.hpp"
 
 #include <gtest/gtest.h>
-#include <unistd.h>
 
 #include <bit>
 #include <cmath>
-#include <filesystem>
 #include <fstream>
 #include <functional>
 
+#include "cli/program.hpp"
 #include "physim/frames.hpp"
 #include "physim/mesh_file.hpp"
 #include "physim/scenario.hpp"
@@ -20,10 +19,8 @@ namespace {
 constexpr double kDegree = 3.141592653589793 / 180;
 
 std::string in_folder(const std::string& name) {
-  const std::filesystem::path folder = std::filesystem::temp_directory_path() /
-                                       ("physim_terrain_file_test_" + std::to_string(getpid()));  // tests run at once
-  std::filesystem::create_directories(folder);
-  return (folder / name).string();
+  static const testing_cli::Folder folder;
+  return folder / name;
 }
 
 /// A tile of SRTM, 46 to 47 degrees north and 7 to 8 east: 1201 rows from the north on, two bytes each, high one first.
