@@ -46,10 +46,14 @@ set(PHYSIM_USERS_WARNINGS -Wall -Wextra -Wpedantic -Werror)
 function(physim_flags target)
   target_compile_features(${target} PRIVATE cxx_std_20)
   set_target_properties(${target} PROPERTIES CXX_EXTENSIONS OFF POSITION_INDEPENDENT_CODE ON)
-  target_compile_definitions(${target} PRIVATE PHYSIM_ASSERTS=$<OR:$<BOOL:${PHYSIM_ASSERTS}>,$<CONFIG:Debug>>
+  # Kernels of wide instruction sets have asserts in debug builds alone: those of base check the same code.
+  set(asserts $<AND:$<BOOL:${PHYSIM_ASSERTS}>,$<NOT:$<BOOL:$<TARGET_PROPERTY:PHYSIM_IS_WIDE>>>>)
+  target_compile_definitions(${target} PRIVATE PHYSIM_ASSERTS=$<OR:$<CONFIG:Debug>,${asserts}>
                                                $<$<BOOL:${PHYSIM_SMALL_KERNELS}>:PHYSIM_SMALL_KERNELS>)
   if(CMAKE_CXX_COMPILER_ID MATCHES "GNU|Clang")
     target_compile_options(${target} PRIVATE ${PHYSIM_WARNINGS} "${PHYSIM_IEEE}")
+    # A program keeps the functions that it calls, and no others: --gc-sections, which users of the library link with.
+    target_compile_options(${target} PRIVATE -ffunction-sections -fdata-sections)
     if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
       # Where g++ 12 joins scalars to vectors it fuses alternating sums and differences of products (vfmaddsub),
       # whatever -ffp-contract says, if the whole build is for processors that can.

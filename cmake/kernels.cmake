@@ -100,6 +100,9 @@ function(physim_add_kernels target)
     endif()
     add_library(${kernels} OBJECT ${ARGN})
     physim_flags(${kernels})
+    if(NOT isa STREQUAL base)
+      set_target_properties(${kernels} PROPERTIES PHYSIM_IS_WIDE ON)
+    endif()
     target_compile_definitions(
       ${kernels} PRIVATE PHYSIM_ISA=${isa} PHYSIM_PACKS_ALONE=$<STREQUAL:${isa},avx512>
                          PHYSIM_BATCH_PACKS=$<IF:$<BOOL:${PHYSIM_SMALL_KERNELS}>,2,4>

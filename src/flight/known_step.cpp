@@ -4,30 +4,12 @@
 #include <iterator>
 #include <utility>
 
-#include "base/kernel_choice.hpp"
-#include "base/kernel_copies.hpp"
 #include "flight/known_stages.hpp"
 #include "solve/dense.hpp"
 
 namespace physim {
 
-PHYSIM_KERNEL_COPIES(KnownStep known_step_on(int rung, Integrator integrator);)
-
 namespace {
-
-struct KnownStepKernel {
-  const char* name;
-  KnownStep (*step_on)(int rung, Integrator integrator);  // without its interpolant
-};
-constexpr KnownStepKernel kKernels[] = {
-#if PHYSIM_HAVE_AVX512
-    {"avx512", avx512::known_step_on},
-#endif
-#if PHYSIM_HAVE_AVX2
-    {"avx2", avx2::known_step_on},
-#endif
-    {"base", base::known_step_on},
-};
 
 PHYSIM_INLINE void copy_state(const State<double>& from, State<double>& to) {
   copy_vector(from.x, to.x);
@@ -86,7 +68,7 @@ KnownStep known_step(const Conditions<double>& c) {
   if (integrator != Integrator::tsit5 && integrator != Integrator::rk43) return {};
   const auto rung = std::ranges::find_if(kKnownRungs, [&](const PlainRungs& rungs) { return is_plain(c, rungs); });
   if (rung == std::end(kKnownRungs)) return {};
-  KnownStep step = copy_in_use(kKernels).step_on(static_cast<int>(rung - kKnownRungs), integrator);
+  KnownStep step = known_step_on(static_cast<int>(rung - kKnownRungs), integrator);
   if (integrator == Integrator::tsit5) step.interpolate = interpolate_tsit5;
   return step;
 }

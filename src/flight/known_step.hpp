@@ -1,5 +1,4 @@
-// Steps on the rungs that most single flights stand on, known at compile time (flight/known_stages.hpp), by the kernels
-// of the instruction set in use.
+// Steps on the rungs that most single flights stand on, known at compile time (flight/known_stages.hpp).
 #pragma once
 
 #include <array>
@@ -78,6 +77,9 @@ void interpolate_kept(const KeptStep& kept, const Node& n0, const Node& n1, Stat
 
 /// The step of what flies under some conditions; none where no known rung matches.
 [[nodiscard]] KnownStep known_step(const Conditions<double>& c);
+
+/// The step, without its interpolant, of kKnownRungs[rung] by Tsit5 or RK4(3) (flight/known_loop.cpp).
+[[nodiscard]] KnownStep known_step_on(int rung, Integrator integrator);
 
 /// A step of any rung, for kernels that know few: all integrators and models are long, and few steps get above the
 /// first layer of the air.

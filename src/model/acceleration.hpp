@@ -260,11 +260,12 @@ PHYSIM_INLINE Vec3<R> acceleration(const Conditions<S>& c, const Body<R>& b, con
 
 /// As acceleration(), behind one call, so that twelve stages do not become twelve copies of all models.
 template <class R, class S>
-PHYSIM_NOINLINE void evaluate(const Conditions<S>& c, const Body<R>& b, const R& t, const State<R>& s, Vec3<R>& a) {
+PHYSIM_FLAT PHYSIM_NOINLINE void evaluate(const Conditions<S>& c, const Body<R>& b, const R& t, const State<R>& s,
+                                          Vec3<R>& a) {
   a = acceleration(c, b, t, s);
 }
 template <class R, class S>
-PHYSIM_INLINE Vec3<R> evaluated(const Conditions<S>& c, const Body<R>& b, const R& t, const State<R>& s) {
+PHYSIM_INLINE_ALWAYS Vec3<R> evaluated(const Conditions<S>& c, const Body<R>& b, const R& t, const State<R>& s) {
   Vec3<R> a;
   evaluate(c, b, t, s, a);
   return a;
@@ -272,8 +273,8 @@ PHYSIM_INLINE Vec3<R> evaluated(const Conditions<S>& c, const Body<R>& b, const 
 
 /// The acceleration of what turns, behind one call.
 template <class R, class S>
-PHYSIM_NOINLINE void evaluate(const Conditions<S>& c, const Body<R>& b, const Rotor<R>& rotor, const R& t,
-                              const State<R>& s, const Turn<R>& turn, Vec3<R>& a, Turn<R>& slope) {
+PHYSIM_FLAT PHYSIM_NOINLINE void evaluate(const Conditions<S>& c, const Body<R>& b, const Rotor<R>& rotor, const R& t,
+                                          const State<R>& s, const Turn<R>& turn, Vec3<R>& a, Turn<R>& slope) {
   Sum<R> sum;
   sum_effects(c, b, rotor, t, s, turn, slope, sum);
   a = sum.total;
@@ -281,8 +282,8 @@ PHYSIM_NOINLINE void evaluate(const Conditions<S>& c, const Body<R>& b, const Ro
 
 /// The slopes at a time and state of what turns: that of its Turn, and the acceleration by value.
 template <class R, class S>
-PHYSIM_INLINE Vec3<R> evaluated(const Conditions<S>& c, const Body<R>& b, const Rotor<R>& rotor, const R& t,
-                                const State<R>& y, const Turn<R>& turn, Turn<R>& slope) {
+PHYSIM_INLINE_ALWAYS Vec3<R> evaluated(const Conditions<S>& c, const Body<R>& b, const Rotor<R>& rotor, const R& t,
+                                       const State<R>& y, const Turn<R>& turn, Turn<R>& slope) {
   Vec3<R> a;
   evaluate(c, b, rotor, t, y, turn, a, slope);
   return a;

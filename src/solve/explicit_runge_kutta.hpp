@@ -184,7 +184,7 @@ concept HasDensePolynomials = requires {
 &&!HasDenseStages<Method>;
 
 /// Calls f with the method of an integrator, a type: the one place that says which tableau belongs to which name.
-PHYSIM_INLINE auto with_method(Integrator integrator, const auto& f) {
+PHYSIM_INLINE_ALWAYS auto with_method(Integrator integrator, const auto& f) {
   switch (integrator) {
     case Integrator::classic: return f(ClassicLoop{});
     case Integrator::explicit_euler: return f(ExplicitEuler{});
@@ -199,23 +199,23 @@ PHYSIM_INLINE auto with_method(Integrator integrator, const auto& f) {
 }
 
 /// Number of the slope at the end of a step, which is the first slope of the next one.
-PHYSIM_INLINE int end_slope(Integrator integrator) {
+PHYSIM_INLINE_ALWAYS int end_slope(Integrator integrator) {
   return with_method(integrator, [](auto method) PHYSIM_INLINE_LAMBDA { return method.kStages; });
 }
 
 /// The error of a flight falls with this power of a fixed step, and the estimate of an adaptive step's error with this
 /// power of its length.
-PHYSIM_INLINE int order_of(Integrator integrator) {
+PHYSIM_INLINE_ALWAYS int order_of(Integrator integrator) {
   return with_method(integrator, [](auto method) PHYSIM_INLINE_LAMBDA { return method.kOrder; });
 }
 
-PHYSIM_INLINE bool is_adaptive(Integrator integrator) {
+PHYSIM_INLINE_ALWAYS bool is_adaptive(Integrator integrator) {
   return with_method(integrator, [](auto method) PHYSIM_INLINE_LAMBDA { return Adaptive<decltype(method)>; });
 }
 
 /// Calls f with 0, 1, ... N - 1 as compile-time constants.
 template <int N, class F>
-PHYSIM_INLINE void static_for(F&& f) {
+PHYSIM_INLINE_ALWAYS void static_for(F&& f) {
   [&]<int... I>(std::integer_sequence<int, I...>) PHYSIM_INLINE_LAMBDA { (f(std::integral_constant<int, I>{}), ...); }
   (std::make_integer_sequence<int, N>{});
 }
@@ -230,7 +230,7 @@ constexpr int first_nonzero() {
 /// sum over j < N of weight(j) * slope[j], without the terms whose weight is zero. `Weights::at(j)` is constexpr. Y is
 /// State or Turn.
 template <class Weights, int N, template <class> class Y, class R>
-PHYSIM_INLINE Y<R> weighted_sum(const Y<R>* slope) {
+PHYSIM_INLINE_ALWAYS Y<R> weighted_sum(const Y<R>* slope) {
   Y<R> sum{};
   static_for<N>([&](auto j) PHYSIM_INLINE_LAMBDA {
     constexpr double w = Weights::at(j);
@@ -249,7 +249,7 @@ PHYSIM_INLINE Y<R> weighted_sum(const Y<R>* slope) {
 /// h times that, with h in the weights: who waits for the last slope waits for a product and a sum less. `first` is
 /// what the sum begins with, if anything.
 template <class Weights, int N, template <class> class Y, class R, class... First>
-PHYSIM_INLINE Y<R> step_sum(const Y<R>* slope, const R& h, const First&... first) {
+PHYSIM_INLINE_ALWAYS Y<R> step_sum(const Y<R>* slope, const R& h, const First&... first) {
   Y<R> sum{};
   static_for<N>([&](auto j) PHYSIM_INLINE_LAMBDA {
     constexpr double w = Weights::at(j);
@@ -278,12 +278,12 @@ struct RowWeights {
 /// The state of stage `Stage` from the slopes of those before it; `s` is a Step or its TurnStep. A rounding for each
 /// slope, of which the step's end, summed up before it is added, feels only what the slopes do.
 template <class Tableau, int Stage, class AnyStep, class R>
-PHYSIM_INLINE auto stage_state(const AnyStep& s, const R& h) {
+PHYSIM_INLINE_ALWAYS auto stage_state(const AnyStep& s, const R& h) {
   return step_sum<RowWeights<Tableau::a, Stage>, Stage>(s.slope.item, h, s.start);
 }
 /// The state at the end from the slopes of all stages.
 template <class Tableau, class AnyStep, class R>
-PHYSIM_INLINE auto end_state(const AnyStep& s, const R& h) {
+PHYSIM_INLINE_ALWAYS auto end_state(const AnyStep& s, const R& h) {
   return s.start + step_sum<Weights<Tableau::b>, Tableau::kStages>(s.slope.item, h);
 }
 
@@ -294,7 +294,7 @@ PHYSIM_INLINE auto end_state(const AnyStep& s, const R& h) {
 /// A stage waits for the one before: for a square root, a table look-up, and a chain of sums. The steps do not wait for
 /// each other, so the processor fills one's waiting with the other's work.
 template <class Tableau, bool kTurns, class R, class F>
-PHYSIM_INLINE void runge_kutta_ends(Step<R>* const* steps, int count, const F& f) {
+PHYSIM_INLINE_ALWAYS void runge_kutta_ends(Step<R>* const* steps, int count, const F& f) {
   static_assert(Tableau::kStages < kMaxSlopes, "a Step has no room for the slopes of this method");
   static_for<Tableau::kStages - 1>([&](auto before) {
     constexpr int stage = before + 1;

@@ -8,21 +8,21 @@
 PHYSIM_ISA_BEGIN
 
 /// Where a stage lies in its step, 0..1 [-].
-PHYSIM_INLINE double stage_place(Integrator integrator, int stage) {
+PHYSIM_INLINE_ALWAYS double stage_place(Integrator integrator, int stage) {
   PHYSIM_ASSERT(stage >= 0 && stage < end_slope(integrator));
   return with_method(integrator, [&](auto method) PHYSIM_INLINE_LAMBDA { return double(method.c[stage]); });
 }
 
 /// When a stage is [s].
 template <class R>
-PHYSIM_INLINE R stage_time(Integrator integrator, int stage, const Step<R>& s) {
+PHYSIM_INLINE_ALWAYS R stage_time(Integrator integrator, int stage, const Step<R>& s) {
   return s.t + s.h * constant<R>(stage_place(integrator, stage));
 }
 
 /// The state of a stage after the first, from the slopes before it; with all slopes there, the end of the step. `s` is
 /// a Step or its TurnStep. Methods without a tableau have no such stage.
 template <class AnyStep, class R>
-PHYSIM_INLINE auto next_stage(Integrator integrator, int stage, const AnyStep& s, const R& h) {
+PHYSIM_INLINE_ALWAYS auto next_stage(Integrator integrator, int stage, const AnyStep& s, const R& h) {
   PHYSIM_ASSERT(stage >= 1 && stage <= end_slope(integrator));
   auto y = s.start;
   with_method(integrator, [&](auto method) PHYSIM_INLINE_LAMBDA {
@@ -44,7 +44,7 @@ PHYSIM_INLINE auto next_stage(Integrator integrator, int stage, const AnyStep& s
 /// Goes on from a stage to the next: the slope of the stage, then the state of the next one, or the end of the step.
 /// The state of the stage is where the step starts, or step.end.
 template <class R, class S>
-PHYSIM_INLINE void advance_stage(const Conditions<S>& c, int stage, Flyer<R>& l) {
+PHYSIM_INLINE_ALWAYS void advance_stage(const Conditions<S>& c, int stage, Flyer<R>& l) {
   const Integrator integrator = c.fidelity.integrator;
   PHYSIM_ASSERT(stage >= 0 && stage < end_slope(integrator) && c.fidelity.motion != Motion::closed_form);
   Step<R>& s = l.step;

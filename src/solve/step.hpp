@@ -38,7 +38,7 @@ struct Step {
 /// What the models read of a projectile, and its step under way. R is a number, or a pack: one projectile per lane.
 template <class R>
 struct Flyer {
-  PHYSIM_INLINE Flyer() = default;  // a call would be code that kernels share
+  PHYSIM_INLINE_ALWAYS Flyer() = default;  // a call would be code that kernels share
 
   Body<R> body;
   Unset<Rotor<R>> rotor;  // of rungs that turn
@@ -52,43 +52,43 @@ PHYSIM_ISA_BEGIN
 /// Calls f with steps, and with what they do to the rotation where that is flown. `whole` are Steps, or what else has a
 /// `turn` with members of the same names.
 template <class F, class... Whole>
-PHYSIM_INLINE void for_parts(const Fidelity& granted, const F& f, Whole&... whole) {
+PHYSIM_INLINE_ALWAYS void for_parts(const Fidelity& granted, const F& f, Whole&... whole) {
   f(whole...);
   if (turns(granted)) f(*whole.turn...);
 }
 /// Calls f with the rotors of flyers whose rotation is flown.
 template <class F, class... Flyers>
-PHYSIM_INLINE void for_rotors(const Fidelity& granted, const F& f, Flyers&... flyers) {
+PHYSIM_INLINE_ALWAYS void for_rotors(const Fidelity& granted, const F& f, Flyers&... flyers) {
   if (turns(granted)) f(*flyers.rotor...);
 }
 
 template <class R>
-PHYSIM_INLINE State<R> operator+(const State<R>& a, const State<R>& b) {
+PHYSIM_INLINE_ALWAYS State<R> operator+(const State<R>& a, const State<R>& b) {
   return {a.x + b.x, a.v + b.v};
 }
 template <class R>
-PHYSIM_INLINE State<R> operator-(const State<R>& a, const State<R>& b) {
+PHYSIM_INLINE_ALWAYS State<R> operator-(const State<R>& a, const State<R>& b) {
   return {a.x - b.x, a.v - b.v};
 }
 template <class R>
-PHYSIM_INLINE State<R> operator*(const State<R>& a, const R& s) {
+PHYSIM_INLINE_ALWAYS State<R> operator*(const State<R>& a, const R& s) {
   return {a.x * s, a.v * s};
 }
 template <class R>
-PHYSIM_INLINE void add_scaled(State<R>& sum, const State<R>& a, const R& s) {
+PHYSIM_INLINE_ALWAYS void add_scaled(State<R>& sum, const State<R>& a, const R& s) {
   add_scaled(sum.x, a.x, s);
   add_scaled(sum.v, a.v, s);
 }
 template <class R, class Mask>
-PHYSIM_INLINE Vec3<R> select(const Mask& mask, const Vec3<R>& a, const Vec3<R>& b) {
+PHYSIM_INLINE_ALWAYS Vec3<R> select(const Mask& mask, const Vec3<R>& a, const Vec3<R>& b) {
   return {select(mask, a.x, b.x), select(mask, a.y, b.y), select(mask, a.z, b.z)};
 }
 template <class R, class Mask>
-PHYSIM_INLINE State<R> select(const Mask& mask, const State<R>& a, const State<R>& b) {
+PHYSIM_INLINE_ALWAYS State<R> select(const Mask& mask, const State<R>& a, const State<R>& b) {
   return {select(mask, a.x, b.x), select(mask, a.v, b.v)};
 }
 template <class R, class Mask>
-PHYSIM_INLINE Turn<R> select(const Mask& mask, const Turn<R>& a, const Turn<R>& b) {
+PHYSIM_INLINE_ALWAYS Turn<R> select(const Mask& mask, const Turn<R>& a, const Turn<R>& b) {
   return {select(mask, a.w, b.w), select(mask, a.u, b.u), select(mask, a.h, b.h)};
 }
 

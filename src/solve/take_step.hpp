@@ -12,7 +12,7 @@
 PHYSIM_ISA_BEGIN
 
 /// Closed forms and adaptive integrators choose their steps; the others need one given.
-PHYSIM_INLINE bool steps_itself(const Fidelity& granted) {
+PHYSIM_INLINE_ALWAYS bool steps_itself(const Fidelity& granted) {
   return granted.motion == Motion::closed_form || is_adaptive(granted.integrator);
 }
 
@@ -29,14 +29,14 @@ PHYSIM_NOINLINE void classic_frame(const Conditions<S>& c, const Body<R>& b, Ste
 
 /// Semi-implicit Euler: positions move with the new velocity.
 template <class R>
-PHYSIM_INLINE void semi_implicit_end(Step<R>& s) {
+PHYSIM_INLINE_ALWAYS void semi_implicit_end(Step<R>& s) {
   s.end.v = s.start.v + s.slope[0].v * s.h;
   s.end.x = s.start.x + s.end.v * s.h;
 }
 
 /// Semi-implicit Euler of a rotation: what points is turned by the new rates.
 template <class R, class S>
-PHYSIM_INLINE void semi_implicit_turn(const Conditions<S>& c, const Rotor<R>& rotor, Step<R>& s) {
+PHYSIM_INLINE_ALWAYS void semi_implicit_turn(const Conditions<S>& c, const Rotor<R>& rotor, Step<R>& s) {
   TurnStep<R>& t = *s.turn;
   t.end = t.start + t.slope[0] * s.h;
   if (is_in_repose(c.fidelity)) return;
@@ -49,14 +49,14 @@ PHYSIM_INLINE void semi_implicit_turn(const Conditions<S>& c, const Rotor<R>& ro
 
 /// A semi-implicit Euler step of all that is flown, but for the length of what points.
 template <class R, class S>
-PHYSIM_INLINE void take_semi_implicit_step(const Conditions<S>& c, Flyer<R>& l) {
+PHYSIM_INLINE_ALWAYS void take_semi_implicit_step(const Conditions<S>& c, Flyer<R>& l) {
   semi_implicit_end(l.step);
   if (turns(c.fidelity)) semi_implicit_turn(c, *l.rotor, l.step);
 }
 
 /// The error comes last, behind the last slope: what it is measured by is known before, and is divided by then.
 template <class R, class S>
-PHYSIM_INLINE R squared_ratio(const Vec3<R>& error, const Vec3<R>& value, S relative, S absolute) {
+PHYSIM_INLINE_ALWAYS R squared_ratio(const Vec3<R>& error, const Vec3<R>& value, S relative, S absolute) {
   return length_squared(error) * (S(1) / (absolute * absolute + relative * relative * length_squared(value)));
 }
 
@@ -68,18 +68,18 @@ struct ErrorPair {
   R second;
 };
 template <class R, class S>
-PHYSIM_INLINE ErrorPair<R> squared_errors(const State<R>& e, const State<R>& end, S relative, S absolute) {
+PHYSIM_INLINE_ALWAYS ErrorPair<R> squared_errors(const State<R>& e, const State<R>& end, S relative, S absolute) {
   return {squared_ratio(e.x, end.x, relative, absolute), squared_ratio(e.v, end.v, relative, absolute)};
 }
 /// The errors of what points, a unit vector or quaternion, and of what turns. The roll of the axis form is only shown.
 template <class R, class S>
-PHYSIM_INLINE ErrorPair<R> squared_errors(const Turn<R>& e, const Turn<R>& end, S relative, S absolute) {
+PHYSIM_INLINE_ALWAYS ErrorPair<R> squared_errors(const Turn<R>& e, const Turn<R>& end, S relative, S absolute) {
   return {squared_ratio(e.u, end.u, relative, absolute), squared_ratio(e.h, end.h, relative, absolute)};
 }
 
 /// The larger of two errors; one that is not a number, with which no step is accepted, is the worst of all.
 template <class R>
-PHYSIM_INLINE R worse(const R& a, const R& b) {
+PHYSIM_INLINE_ALWAYS R worse(const R& a, const R& b) {
   return select((a > b) | (a != a), a, b);
 }
 
@@ -95,7 +95,7 @@ PHYSIM_NOINLINE R embedded_error_squared(const AnyStep& s, const R& h, S relativ
 
 /// The estimates of orders 5 and 3 combined: e5^2 / sqrt(e5^2 + 0.01 e3^2) (Hairer, Norsett and Wanner, sec. II.10).
 template <class R>
-PHYSIM_INLINE R combined_error_squared(const R& e5, const R& e3) {
+PHYSIM_INLINE_ALWAYS R combined_error_squared(const R& e5, const R& e3) {
   using S = ScalarOf<R>;
   const R sum = e5 + S(0.01) * e3;
   return select(sum > R(S(0)), e5 * e5 / max(sum, R(S(1e-37))), sum);
@@ -113,7 +113,7 @@ PHYSIM_NOINLINE R two_errors_squared(const AnyStep& s, const R& h, S relative, S
 
 /// The estimated error of an adaptive integrator's step over tolerance, squared; zero of the others.
 template <class AnyStep, class R, class S>
-PHYSIM_INLINE R error_squared(Integrator integrator, const AnyStep& s, const R& h, S relative, S absolute) {
+PHYSIM_INLINE_ALWAYS R error_squared(Integrator integrator, const AnyStep& s, const R& h, S relative, S absolute) {
   return with_method(integrator, [&](auto method) PHYSIM_INLINE_LAMBDA -> R {
     using Method = decltype(method);
     if constexpr (HasErrorWeights<Method>) return embedded_error_squared<Method>(s, h, relative, absolute);
@@ -130,9 +130,9 @@ struct FlyerSet {
   Step<R>* steps[kMostSets];
   int count;
 
-  PHYSIM_INLINE explicit FlyerSet(Flyer<R>& alone) : count(0) { add(alone); }
-  PHYSIM_INLINE FlyerSet() : count(0) {}
-  PHYSIM_INLINE void add(Flyer<R>& f) {
+  PHYSIM_INLINE_ALWAYS explicit FlyerSet(Flyer<R>& alone) : count(0) { add(alone); }
+  PHYSIM_INLINE_ALWAYS FlyerSet() : count(0) {}
+  PHYSIM_INLINE_ALWAYS void add(Flyer<R>& f) {
     PHYSIM_ASSERT(count >= 0 && count < kMostSets);
     flyer[count] = &f;
     steps[count++] = &f.step;
@@ -141,7 +141,7 @@ struct FlyerSet {
 
 /// Sets what points at the end of a step back to length one, where the rotation is flown.
 template <class R>
-PHYSIM_INLINE void set_unit_length(const Fidelity& f, Step<R>& s) {
+PHYSIM_INLINE_ALWAYS void set_unit_length(const Fidelity& f, Step<R>& s) {
   if (turns(f)) s.turn->end = on_unit_length(f, s.turn->end);
 }
 
@@ -169,7 +169,7 @@ PHYSIM_NOINLINE void reach_turning_ends(const Conditions<S>& c, const FlyerSet<R
 /// Takes some steps of a cohort side by side, each from its start at t to its end at t_end = t + h, without the slopes
 /// there; slope[0] is given.
 template <class R, class S>
-PHYSIM_INLINE void reach_ends(const Conditions<S>& c, const FlyerSet<R>& w) {
+PHYSIM_INLINE_ALWAYS void reach_ends(const Conditions<S>& c, const FlyerSet<R>& w) {
   if (turns(c.fidelity)) return reach_turning_ends(c, w);
   if (c.fidelity.motion == Motion::closed_form) {
     for (int i = 0; i < w.count; ++i) w.steps[i]->end = closed_form(c, w.flyer[i]->body, w.steps[i]->t_end);
@@ -191,7 +191,7 @@ PHYSIM_INLINE void reach_ends(const Conditions<S>& c, const FlyerSet<R>& w) {
 
 /// The slope at a time, as slope[place]: place 0 where the step starts, else at the state that it has come to.
 template <class R, class S>
-PHYSIM_INLINE void set_slope(const Conditions<S>& c, Flyer<R>& l, int place, const R& t) {
+PHYSIM_INLINE_ALWAYS void set_slope(const Conditions<S>& c, Flyer<R>& l, int place, const R& t) {
   PHYSIM_ASSERT(place >= 0 && place < kMaxSlopes);
   Step<R>& s = l.step;
   const State<R>& y = place == 0 ? s.start : s.end;
@@ -204,13 +204,13 @@ PHYSIM_INLINE void set_slope(const Conditions<S>& c, Flyer<R>& l, int place, con
   }
 }
 template <class R, class S>
-PHYSIM_INLINE void set_slope(const Conditions<S>& c, Flyer<R>& l, int place) {
+PHYSIM_INLINE_ALWAYS void set_slope(const Conditions<S>& c, Flyer<R>& l, int place) {
   set_slope(c, l, place, place == 0 ? l.step.t : l.step.t_end);
 }
 
 /// As reach_ends(), with the slope at the end; adaptive integrators also leave the error, squared.
 template <class R, class S>
-PHYSIM_INLINE void take_steps(const Conditions<S>& c, const FlyerSet<R>& w, S relative, S absolute) {
+PHYSIM_INLINE_ALWAYS void take_steps(const Conditions<S>& c, const FlyerSet<R>& w, S relative, S absolute) {
   reach_ends(c, w);
   const bool closed = c.fidelity.motion == Motion::closed_form;
   const Integrator integrator = c.fidelity.integrator;
@@ -227,7 +227,7 @@ PHYSIM_INLINE void take_steps(const Conditions<S>& c, const FlyerSet<R>& w, S re
 
 /// Takes one step; see take_steps().
 template <class R, class S>
-PHYSIM_INLINE void take_step(const Conditions<S>& c, Flyer<R>& flyer, S relative, S absolute) {
+PHYSIM_INLINE_ALWAYS void take_step(const Conditions<S>& c, Flyer<R>& flyer, S relative, S absolute) {
   take_steps(c, FlyerSet<R>(flyer), relative, absolute);
 }
 

@@ -1,5 +1,5 @@
 # Installs what was built into a folder of its own, builds a project against it and runs that.
-# Given: BUILD, SOURCE, GENERATOR, COMPILER, FLAGS.
+# Given: BUILD, SOURCE, GENERATOR, COMPILER, FLAGS; SIZES: whether programs are as small as in an optimised build.
 set(folder ${BUILD}/install_check)
 file(REMOVE_RECURSE ${folder})
 
@@ -23,5 +23,19 @@ endif()
 execute_process(COMMAND ${folder}/build/stranger OUTPUT_VARIABLE printed COMMAND_ERROR_IS_FATAL ANY)
 if(NOT printed STREQUAL "landed flown\n")
   message(FATAL_ERROR "the project printed: ${printed}")
+endif()
+
+# Programs hold what they use: at most this many bytes, stripped, with a shared C++ library and the kernels of one machine.
+function(check_size program most)
+  execute_process(COMMAND strip -o ${folder}/small ${folder}/build/${program} COMMAND_ERROR_IS_FATAL ANY)
+  file(SIZE ${folder}/small bytes)
+  message(STATUS "${program}: ${bytes} bytes")
+  if(bytes GREATER most)
+    message(FATAL_ERROR "${program} has ${bytes} bytes, and may have ${most}")
+  endif()
+endfunction()
+if(SIZES)
+  check_size(one_flight 1500000)
+  check_size(one_world 5000000)
 endif()
 file(REMOVE_RECURSE ${folder})
