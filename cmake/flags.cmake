@@ -83,10 +83,9 @@ function(physim_compile_sooner target)
   target_compile_options(${target} PRIVATE $<$<CONFIG:Release>:-O1>)
 endfunction()
 
-# Many files at a time are compiled as one, so that their headers are read once: half of the time that they take. Names
-# of a file's own must not meet those of its neighbours then; builds one file at a time see that each includes what it
-# needs.
-option(PHYSIM_UNITY "Compile files of the library and the command line together, in half of the time" OFF)
+# Many files are compiled as one, so that their headers are read once: half of the time. Names of a file's own must then
+# differ from those of its neighbours. Debug builds compile one file at a time: each must include what it needs.
+option(PHYSIM_UNITY "Compile many files as one, in half of the time" ON)
 function(physim_compile_together target files)
   set_target_properties(${target} PROPERTIES UNITY_BUILD ${PHYSIM_UNITY} UNITY_BUILD_BATCH_SIZE ${files})
 endfunction()

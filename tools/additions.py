@@ -119,9 +119,8 @@ def build_and_test():
     tree, wanted = copy_sources()
     fill(tree, wanted)
     subprocess.run(["cmake", "-S", str(tree), "-B", str(COPY / "build"), "-G", "Ninja", "-DCMAKE_BUILD_TYPE=Debug",
-                    "-DCMAKE_CXX_FLAGS_DEBUG=-O0", "-DPHYSIM_ISAS=base", "-DPHYSIM_SMALL_KERNELS=ON", "-DPHYSIM_UNITY=ON",
-                    "-DPHYSIM_WERROR=ON",
-                    *[f"-DCMAKE_DISABLE_FIND_PACKAGE_{name}=ON" for name in ("assimp", "MPI")]],
+                    "-DCMAKE_CXX_FLAGS_DEBUG=-O0", "-DPHYSIM_ISAS=base", "-DPHYSIM_SMALL_KERNELS=ON", "-DPHYSIM_WERROR=ON",
+                    "-DPHYSIM_OPTIONAL=OFF"],
                    check=True, stdout=subprocess.DEVNULL)
     if failure := build():
         print(failure, file=sys.stderr)

@@ -329,6 +329,17 @@ def check_comments(name, lines):
             find(name, number, "this comment leans on what stands before it; name what it speaks of")
 
 
+APART = re.compile(r"tests/(?!additions|client|fast_math|fuzz|golden|hits|install|soak|window)(\w+)/(\w+)\.cpp")
+
+
+def check_test_namespace(name, lines):
+    """Tests are compiled together: names of two files must not meet."""
+    match = APART.fullmatch(name)
+    for number, line in enumerate(lines, 1):
+        if match and line == "namespace {":
+            find(name, number, f"tests are compiled together; name it: namespace {match[1]}_{match[2]} {{")
+
+
 def check_counts(texts):
     """Counts over the whole house; texts: name -> text of each C++ file."""
     casts = {n: t.count("reinterpret_cast<") for n, t in texts.items() if n.startswith(("include/", "src/", "apps/"))}
@@ -406,6 +417,7 @@ def main():
         check_client_core(name, lines)
         check_source_named(name, lines)
         check_size(name, lines)
+        check_test_namespace(name, lines)
         check_enumerators(name, text, enums)
         check_functions(name, text)
         check_comments(name, lines)

@@ -5,7 +5,7 @@
 #include <cstdint>
 
 namespace physim {
-namespace {
+namespace base_append_test {
 
 struct Item {
   std::uint32_t number;
@@ -38,5 +38,5 @@ TEST(Append, takes_memory_once_for_many) {
   EXPECT_EQ(list.back(), 102);
 }
 
-}  // namespace
+}  // namespace base_append_test
 }  // namespace physim

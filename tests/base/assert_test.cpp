@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace {
+namespace base_assert_test {
 
 TEST(Assert, EndsTheProgramWithTheConditionAndItsPlace) {
 #if PHYSIM_ASSERTS
@@ -15,4 +15,4 @@ TEST(Assert, EndsTheProgramWithTheConditionAndItsPlace) {
 
 TEST(Assert, PassesWhatHolds) { PHYSIM_ASSERT(2 + 2 == 4); }
 
-}  // namespace
+}  // namespace base_assert_test

@@ -8,7 +8,7 @@
 #include "physim/physim.hpp"
 
 namespace physim {
-namespace {
+namespace base_documented_style_test {
 
 TEST(DocumentedStyle, LeavesOutWhatHasADefault) {
   const ProjectileDef bullet{.mass = 0.01, .drag = {.table = DragTable::g7}, .inertia = {.moments = {1, 2, 3}}};
@@ -44,5 +44,5 @@ TEST(DocumentedStyle, ResultsArePointedInto) {
   EXPECT_EQ((*result).range, 4);
 }
 
-}  // namespace
+}  // namespace base_documented_style_test
 }  // namespace physim

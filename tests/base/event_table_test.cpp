@@ -10,7 +10,7 @@
 #include "physim/names.hpp"
 
 namespace physim {
-namespace {
+namespace base_event_table_test {
 
 TEST(EventTable, names_are_told_apart_and_read_back) {
   std::set<std::string_view> names;
@@ -44,5 +44,5 @@ TEST(EventTable, the_guide_to_worlds_names_all_that_worlds_tell) {
   }
 }
 
-}  // namespace
+}  // namespace base_event_table_test
 }  // namespace physim

@@ -7,7 +7,7 @@
 #include "physim/recording.hpp"
 
 namespace physim {
-namespace {
+namespace base_members_test {
 
 enum class Letter { a, b };
 struct Inner {
@@ -51,12 +51,12 @@ struct Twin {
   Vec3<S> vector;
 };
 
-}  // namespace
+}  // namespace base_members_test
 
 template <class S>
-inline constexpr std::size_t kMemberCount<Twin<S>> = 4;
+inline constexpr std::size_t kMemberCount<base_members_test::Twin<S>> = 4;
 
-namespace {
+namespace base_members_test {
 
 TEST(Members, are_cast_to_their_twins) {
   const Twin<double> from{0.1, {0.2, 0.3}, 7, {1, 2, 0.7}};
@@ -87,5 +87,5 @@ TEST(Members, of_recorded_structs_make_the_recording_format) {
   EXPECT_EQ(bytes_of(Environment{.wind = {.profile = {{}}}}), 138u);
 }
 
-}  // namespace
+}  // namespace base_members_test
 }  // namespace physim

@@ -7,7 +7,7 @@
 #include <tuple>
 
 namespace physim {
-namespace {
+namespace base_names_test {
 
 template <class Enum>
 class NamesTest : public testing::Test {};
@@ -102,5 +102,5 @@ TEST(FidelityPresets, SayWhatTheyPromise) {
   EXPECT_EQ(Fidelity::classic().drag, DragModel::damping);
 }
 
-}  // namespace
+}  // namespace base_names_test
 }  // namespace physim

@@ -6,7 +6,7 @@
 #include <cstdint>
 
 namespace physim {
-namespace {
+namespace base_near_list_test {
 
 struct Item {
   std::uint64_t number;
@@ -62,5 +62,5 @@ TEST(NearList, what_resize_adds_stays_as_it_is) {
   EXPECT_EQ(list.back(), Item());
 }
 
-}  // namespace
+}  // namespace base_near_list_test
 }  // namespace physim

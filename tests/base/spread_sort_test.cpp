@@ -5,7 +5,7 @@
 #include <random>
 
 namespace physim {
-namespace {
+namespace base_spread_sort_test {
 
 struct Item {
   double place;
@@ -47,5 +47,5 @@ TEST(SpreadSort, sorts_places_at_the_ends_of_numbers) {
   expect_sorted(list);
 }
 
-}  // namespace
+}  // namespace base_spread_sort_test
 }  // namespace physim

@@ -6,7 +6,7 @@
 #include <limits>
 
 namespace physim {
-namespace {
+namespace base_text_test {
 
 TEST(Text, ShortTextReadsBack) {
   EXPECT_EQ(short_text(1000), "1000");
@@ -35,5 +35,5 @@ TEST(Text, LengthsHaveTheUnitThatSuitsThem) {
   EXPECT_EQ(length_text(std::numeric_limits<double>::infinity()), "inf m");
 }
 
-}  // namespace
+}  // namespace base_text_test
 }  // namespace physim

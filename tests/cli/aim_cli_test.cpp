@@ -10,7 +10,7 @@
 #ifdef PHYSIM_CLI
 
 namespace physim::testing_cli {
-namespace {
+namespace cli_aim_cli_test {
 
 constexpr double kG = 10;
 constexpr double kDegree = 3.14159265358979323846 / 180;
@@ -304,7 +304,7 @@ TEST(CliCompare, ShowsWhatCheapestWithinChooses) {
   EXPECT_TRUE(has(ran.out, "cheapest within 0.05 m")) << ran.out;
 }
 
-}  // namespace
+}  // namespace cli_aim_cli_test
 }  // namespace physim::testing_cli
 
 #endif

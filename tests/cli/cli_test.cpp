@@ -13,7 +13,7 @@
 #ifdef PHYSIM_CLI
 
 namespace physim::testing_cli {
-namespace {
+namespace cli_cli_test {
 
 constexpr const char* kBall = R"(physim = 1
 title = "A ball, it's {x} \"thrown\""
@@ -480,7 +480,7 @@ TEST(CliList, SettingsAsMarkdown) {
   EXPECT_TRUE(has(ran.out, "| `shot.mass` |"));
 }
 
-}  // namespace
+}  // namespace cli_cli_test
 }  // namespace physim::testing_cli
 
 #endif  // PHYSIM_CLI

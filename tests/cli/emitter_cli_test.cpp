@@ -8,7 +8,7 @@
 #ifdef PHYSIM_CLI
 
 namespace physim::testing_cli {
-namespace {
+namespace cli_emitter_cli_test {
 
 constexpr const char* kEmitters = R"(physim = 1
 [environment]
@@ -139,7 +139,7 @@ TEST(CliEmitter, SaysWhereAFileIsWrong) {
   EXPECT_TRUE(has(physim({"list", "settings"}).out, "emitter.start.lifetime"));
 }
 
-}  // namespace
+}  // namespace cli_emitter_cli_test
 }  // namespace physim::testing_cli
 
 #endif

@@ -12,7 +12,7 @@
 #ifdef PHYSIM_CLI
 
 namespace physim::testing_cli {
-namespace {
+namespace cli_every_scenario_test {
 
 std::vector<std::string> shipped() {
   std::vector<std::string> names;
@@ -145,7 +145,7 @@ std::string name_of(const testing::TestParamInfo<std::string>& given) { return g
 INSTANTIATE_TEST_SUITE_P(Shipped, EveryScenario, testing::ValuesIn(shipped()), name_of);
 INSTANTIATE_TEST_SUITE_P(Shipped, EveryFlight, testing::ValuesIn(flights()), name_of);
 
-}  // namespace
+}  // namespace cli_every_scenario_test
 }  // namespace physim::testing_cli
 
 #endif

@@ -6,7 +6,7 @@
 #ifdef PHYSIM_CLI
 
 namespace physim::testing_cli {
-namespace {
+namespace cli_first_users_test {
 
 constexpr const char* kBullet = R"(physim = 1
 [[shot]]
@@ -135,7 +135,7 @@ TEST(FirstUsers, AMotorOfACollectionIsReadThoughOthersAreFaulty) {
   EXPECT_TRUE(has(refused.err, "all.eng:3")) << refused.err;
 }
 
-}  // namespace
+}  // namespace cli_first_users_test
 }  // namespace physim::testing_cli
 
 #endif

@@ -7,7 +7,7 @@
 #include "report/format.hpp"
 
 namespace physim::testing_cli {
-namespace {
+namespace cli_format_cli_test {
 
 using namespace report;
 
@@ -81,5 +81,5 @@ TEST(FormatOptions, RangeCardsAreWrittenInEveryFormatOfRecords) {
   }
 }
 
-}  // namespace
+}  // namespace cli_format_cli_test
 }  // namespace physim::testing_cli

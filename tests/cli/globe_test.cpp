@@ -11,7 +11,7 @@
 #ifdef PHYSIM_CLI
 
 namespace physim {
-namespace {
+namespace cli_globe_test {
 
 using nlohmann::json;
 
@@ -157,7 +157,7 @@ TEST(Globe, a_flat_earth_is_on_no_globe) {
   EXPECT_NE(refused.err.find("shot.fidelity.earth=ellipsoid"), std::string::npos) << refused.err;
 }
 
-}  // namespace
+}  // namespace cli_globe_test
 }  // namespace physim
 
 #endif  // PHYSIM_CLI

@@ -8,7 +8,7 @@
 #if defined(PHYSIM_CLI) && !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)
 
 namespace physim::testing_cli {
-namespace {
+namespace cli_large_output_test {
 
 constexpr const char* kMany = R"(physim = 1
 [[shot]]
@@ -72,7 +72,7 @@ TEST(CliLarge, AFileThatFindsNoRoomLeavesNothing) {
   EXPECT_EQ(physim({"run", file, "--interval", "4 s", "--steps", "20", "--events", "/dev/full"}).code, 2);
 }
 
-}  // namespace
+}  // namespace cli_large_output_test
 }  // namespace physim::testing_cli
 
 #endif

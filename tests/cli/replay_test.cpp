@@ -11,7 +11,7 @@
 #ifdef PHYSIM_CLI
 
 namespace physim::testing_cli {
-namespace {
+namespace cli_replay_test {
 
 Ran replay(std::vector<std::string> arguments) {
   arguments.insert(arguments.begin(), "replay");
@@ -160,7 +160,7 @@ TEST(RecordingFile, SavesWhatIsInMemory) {
   EXPECT_EQ(folder.names().size(), 1u);
 }
 
-}  // namespace
+}  // namespace cli_replay_test
 }  // namespace physim::testing_cli
 
 #endif

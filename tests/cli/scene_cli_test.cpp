@@ -11,7 +11,7 @@
 #ifdef PHYSIM_CLI
 
 namespace physim::testing_cli {
-namespace {
+namespace cli_scene_cli_test {
 
 constexpr double kDegree = 3.14159265358979323846 / 180;
 const std::string kMortar = PHYSIM_SOURCE_DIR "/scenarios/mortar_over_hill.toml";
@@ -166,7 +166,7 @@ TEST(CliScene, DangerSpaceOnTheSlopeOfTheHill) {
   EXPECT_TRUE(has(bare.err, "--terrain: error: the scenario has nothing to stand on")) << bare.err;
 }
 
-}  // namespace
+}  // namespace cli_scene_cli_test
 }  // namespace physim::testing_cli
 
 #endif

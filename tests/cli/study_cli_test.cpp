@@ -10,7 +10,7 @@
 #ifdef PHYSIM_CLI
 
 namespace physim::testing_cli {
-namespace {
+namespace cli_study_cli_test {
 
 TEST(StudyCli, tells_figures_that_are_known) {
   const Folder folder;
@@ -346,7 +346,7 @@ TEST(StudyCli, bad_input_says_what_is_wrong) {
   EXPECT_TRUE(has(refusal({"--resume", folder / "no/folder"}), "folder"));
 }
 
-}  // namespace
+}  // namespace cli_study_cli_test
 }  // namespace physim::testing_cli
 
 #endif

@@ -15,7 +15,7 @@
 #ifdef PHYSIM_CLI
 
 namespace physim::testing_cli {
-namespace {
+namespace cli_study_columns_test {
 
 #if PHYSIM_HAS_HDF5
 
@@ -102,7 +102,7 @@ TEST(StudyColumns, need_hdf5) { GTEST_SKIP() << "built without HDF5: no file of 
 
 #endif
 
-}  // namespace
+}  // namespace cli_study_columns_test
 }  // namespace physim::testing_cli
 
 #endif

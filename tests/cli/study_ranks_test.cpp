@@ -11,7 +11,7 @@
 #ifdef PHYSIM_CLI
 
 namespace physim::testing_cli {
-namespace {
+namespace cli_study_ranks_test {
 
 constexpr const char* kRifle = R"(physim = 1
 title = "A rifle"
@@ -160,7 +160,7 @@ TEST(StudyRanks, need_mpi) { GTEST_SKIP() << "built without MPI: no job of ranks
 
 #endif
 
-}  // namespace
+}  // namespace cli_study_ranks_test
 }  // namespace physim::testing_cli
 
 #endif

@@ -14,7 +14,7 @@
 
 #ifdef PHYSIM_CLI
 
-namespace {
+namespace cli_validate_test {
 namespace fs = std::filesystem;
 
 struct Outcome {
@@ -226,6 +226,6 @@ TEST(Validate, ReportIsWrittenAndSaysHowItWasMade) {
   EXPECT_NE(text.str().find("- `vacuum_parabola.csv`: g=9.80665"), std::string::npos) << text.str();
 }
 
-}  // namespace
+}  // namespace cli_validate_test
 
 #endif  // PHYSIM_CLI

@@ -10,7 +10,7 @@
 #ifdef PHYSIM_CLI
 
 namespace physim::testing_cli {
-namespace {
+namespace cli_world_cli_test {
 
 constexpr const char* kWorld = R"(physim = 1
 title = "A burst, it's {x}"
@@ -160,7 +160,7 @@ TEST(CliWorld, ListsPresets) {
   for (const char* part : {"small_arms", "rifle_bullet", "tennis_ball", "artillery"}) EXPECT_TRUE(has(ran.out, part));
 }
 
-}  // namespace
+}  // namespace cli_world_cli_test
 }  // namespace physim::testing_cli
 
 #endif

@@ -7,7 +7,7 @@
 #include "physim/task_runner.hpp"
 
 namespace physim {
-namespace {
+namespace collide_cast_batch_test {
 
 using namespace test;
 using namespace test_crowd;
@@ -105,5 +105,5 @@ TEST(SceneBatch, batches_of_any_length_are_as_one_by_one) {
   }
 }
 
-}  // namespace
+}  // namespace collide_cast_batch_test
 }  // namespace physim

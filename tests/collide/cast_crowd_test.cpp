@@ -8,7 +8,7 @@
 #include "physim/flight.hpp"
 
 namespace physim {
-namespace {
+namespace collide_cast_crowd_test {
 
 using namespace test;
 using namespace test_crowd;
@@ -98,5 +98,5 @@ TEST(CastCrowd, a_clear_part_reaches_the_box_of_a_triangle) {
   for (const collide::ClearQuery& query : queries) EXPECT_EQ(query.part, parts.clear_part(towards, {}));
 }
 
-}  // namespace
+}  // namespace collide_cast_crowd_test
 }  // namespace physim

@@ -6,7 +6,7 @@
 #include "support.hpp"
 
 namespace physim {
-namespace {
+namespace collide_clearance_test {
 
 using namespace test;
 
@@ -182,5 +182,5 @@ TEST(SceneClearance, does_not_depend_on_how_the_scene_came_to_be) {
   }
 }
 
-}  // namespace
+}  // namespace collide_clearance_test
 }  // namespace physim

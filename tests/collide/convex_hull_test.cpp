@@ -10,7 +10,7 @@
 #include "support.hpp"
 
 namespace physim {
-namespace {
+namespace collide_convex_hull_test {
 
 using namespace test;
 using collide::GridPoint;
@@ -226,5 +226,5 @@ TEST(ConvexHull, what_is_none_is_refused) {
   EXPECT_EQ(place({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1e-9}}), "none") << "thin, and a body";
 }
 
-}  // namespace
+}  // namespace collide_convex_hull_test
 }  // namespace physim

@@ -10,7 +10,7 @@
 #include "support.hpp"
 
 namespace physim {
-namespace {
+namespace collide_engine_test {
 
 using test::answered_by;
 using test::Random;
@@ -257,5 +257,5 @@ TEST(Engine, saves_hold_the_skin_and_want_the_function_again) {
     EXPECT_FALSE(Scene::load(std::span(save).first(cut), floor_off_by(0)));
 }
 
-}  // namespace
+}  // namespace collide_engine_test
 }  // namespace physim

@@ -7,7 +7,7 @@
 #include "physim/flight.hpp"
 
 namespace physim {
-namespace {
+namespace collide_height_field_test {
 
 using namespace test;
 
@@ -294,5 +294,5 @@ TEST(HeightField, many_segments_meet_it_where_each_does_alone_whatever_the_kerne
   EXPECT_GT(some, 2000);
 }
 
-}  // namespace
+}  // namespace collide_height_field_test
 }  // namespace physim

@@ -7,7 +7,7 @@
 #include "support.hpp"
 
 namespace physim {
-namespace {
+namespace collide_impact_input_test {
 
 using test::kNan;
 
@@ -154,5 +154,5 @@ TEST(ImpactInput, extreme_numbers_give_numbers) {
             }
 }
 
-}  // namespace
+}  // namespace collide_impact_input_test
 }  // namespace physim

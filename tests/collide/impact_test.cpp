@@ -10,7 +10,7 @@
 #include "support.hpp"
 
 namespace physim {
-namespace {
+namespace collide_impact_test {
 
 using test::kDegree;
 using test::near;
@@ -344,5 +344,5 @@ TEST(Impact, the_bits_are_the_same_everywhere) {
   EXPECT_EQ(hash.value(), 3930440734917941278u);
 }
 
-}  // namespace
+}  // namespace collide_impact_test
 }  // namespace physim

@@ -8,7 +8,7 @@
 #include "support.hpp"
 
 namespace physim {
-namespace {
+namespace collide_motion_test {
 
 using namespace test;
 
@@ -378,5 +378,5 @@ TEST(SceneMotion, bad_input_is_refused_with_its_place) {
   EXPECT_TRUE(scene.overlaps({}, 1, {}, kInfinity).empty());
 }
 
-}  // namespace
+}  // namespace collide_motion_test
 }  // namespace physim

@@ -11,7 +11,7 @@
 #include "random_shots.hpp"
 
 namespace physim {
-namespace {
+namespace collide_order_test {
 
 using test::Random;
 
@@ -78,5 +78,5 @@ TEST(OrderByPlace, changes_no_answer) {
   EXPECT_GT(some, 1000);
 }
 
-}  // namespace
+}  // namespace collide_order_test
 }  // namespace physim

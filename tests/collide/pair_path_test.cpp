@@ -7,7 +7,7 @@
 #include <vector>
 
 namespace physim::collide {
-namespace {
+namespace collide_pair_path_test {
 
 /// The cubic of a leg by Hermite's own polynomials.
 Vec3d place(const Leg& leg, double time) {
@@ -136,5 +136,5 @@ TEST_F(PairPaths, wild_ones_and_those_without_numbers_end) {
   EXPECT_FALSE(first_touch(none, rests, 1, Touch::comes_near, 0)) << "and meet nothing";
 }
 
-}  // namespace
+}  // namespace collide_pair_path_test
 }  // namespace physim::collide

@@ -10,7 +10,7 @@
 #include "support.hpp"
 
 namespace physim {
-namespace {
+namespace collide_part_material_test {
 
 using namespace test;
 
@@ -204,5 +204,5 @@ TEST(PartMaterials, are_drawn) {
   EXPECT_EQ(sheet.of, (std::vector<std::pair<MaterialId, int>>{{wood, 12}, {steel, 2}, {own, 12}}));
 }
 
-}  // namespace
+}  // namespace collide_part_material_test
 }  // namespace physim

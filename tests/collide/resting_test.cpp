@@ -8,7 +8,7 @@
 #include "random_shots.hpp"
 
 namespace physim {
-namespace {
+namespace collide_resting_test {
 
 using test::Random;
 
@@ -77,5 +77,5 @@ TEST(RestingThings, things_in_a_row_make_no_tree_that_is_too_deep) {
   EXPECT_EQ(seen, 3000);
 }
 
-}  // namespace
+}  // namespace collide_resting_test
 }  // namespace physim

@@ -8,7 +8,7 @@
 #include "support.hpp"
 
 namespace physim {
-namespace {
+namespace collide_scene_draw_test {
 
 using namespace test;
 
@@ -120,5 +120,5 @@ TEST(SceneDraw, what_is_asked_for_is_drawn) {
   EXPECT_TRUE(none.triangles.empty());
 }
 
-}  // namespace
+}  // namespace collide_scene_draw_test
 }  // namespace physim

@@ -9,7 +9,7 @@
 #include "support.hpp"
 
 namespace physim {
-namespace {
+namespace collide_scene_input_test {
 
 using namespace test;
 
@@ -169,5 +169,5 @@ TEST(Scene, odd_motions_and_times_do_no_harm) {
   EXPECT_GT(hits, 60);
 }
 
-}  // namespace
+}  // namespace collide_scene_input_test
 }  // namespace physim

@@ -7,7 +7,7 @@
 #include "support.hpp"
 
 namespace physim {
-namespace {
+namespace collide_scene_save_test {
 
 using namespace test;
 
@@ -160,5 +160,5 @@ TEST(SceneSave, what_is_no_save_is_refused) {
   EXPECT_NE(Scene::load(later).error().text().find("format 99"), std::string::npos);
 }
 
-}  // namespace
+}  // namespace collide_scene_save_test
 }  // namespace physim

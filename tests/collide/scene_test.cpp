@@ -11,7 +11,7 @@
 #include "support.hpp"
 
 namespace physim {
-namespace {
+namespace collide_scene_test {
 
 using namespace test;
 
@@ -455,5 +455,5 @@ TEST(Scene, nearest_tells_the_primitive_and_the_material_that_a_hit_there_has) {
       << "inside of a part";
 }
 
-}  // namespace
+}  // namespace collide_scene_test
 }  // namespace physim

@@ -6,7 +6,7 @@
 #include "support.hpp"
 
 namespace physim {
-namespace {
+namespace collide_terrain_test {
 
 using namespace test;
 
@@ -70,5 +70,5 @@ TEST(Terrain, what_is_no_grid_is_refused) {
   EXPECT_EQ(refusal([](GeodeticGrid& g) { g.heights[17] = kNan; }), "grid.heights[17]");
 }
 
-}  // namespace
+}  // namespace collide_terrain_test
 }  // namespace physim

@@ -7,7 +7,7 @@
 #include "collide/scene_by_motion.hpp"
 
 namespace physim {
-namespace {
+namespace collide_tube_casts_test {
 
 using namespace test_crowd;
 using collide::TubeCasts;
@@ -162,5 +162,5 @@ TEST(ClearParts, of_many_ways_are_those_of_each) {
   }
 }
 
-}  // namespace
+}  // namespace collide_tube_casts_test
 }  // namespace physim

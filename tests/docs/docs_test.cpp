@@ -15,7 +15,7 @@
 #include "physim/world_run.hpp"
 
 namespace physim {
-namespace {
+namespace docs_docs_test {
 
 namespace fs = std::filesystem;
 
@@ -220,5 +220,5 @@ TEST(Scenarios, AllMeetTheirExpectations) {
   }
 }
 
-}  // namespace
+}  // namespace docs_docs_test
 }  // namespace physim

@@ -7,7 +7,7 @@
 #include "support.hpp"
 
 namespace physim {
-namespace {
+namespace emit_check_test {
 
 using test::kInfinity;
 using test::kNan;
@@ -265,5 +265,5 @@ TEST(EmitterInput, the_rest_is_looked_at) {
   expect_refused([](EmitterDef& d) { d.subs.resize(1001); }, "emitter.subs");
 }
 
-}  // namespace
+}  // namespace emit_check_test
 }  // namespace physim

@@ -8,7 +8,7 @@
 #include "support.hpp"
 
 namespace physim {
-namespace {
+namespace emit_drawn_test {
 
 using test::near;
 using test::parabola;
@@ -199,5 +199,5 @@ TEST(DrawnColour, gradients_of_many_are_straight_between_any_keys) {
   }
 }
 
-}  // namespace
+}  // namespace emit_drawn_test
 }  // namespace physim

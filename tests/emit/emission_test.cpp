@@ -15,7 +15,7 @@
 #include "support.hpp"
 
 namespace physim {
-namespace {
+namespace emit_emission_test {
 
 using test::kInfinity;
 using test::near;
@@ -398,5 +398,5 @@ TEST(Emission, newborns_of_a_pack_are_those_of_each) {
   EXPECT_GT(compared, 250 * kPack);
 }
 
-}  // namespace
+}  // namespace emit_emission_test
 }  // namespace physim

@@ -5,7 +5,7 @@
 #include "support.hpp"
 
 namespace physim {
-namespace {
+namespace emit_emit_shape_test {
 
 using test::evenly;
 using test::evenly_together;
@@ -250,5 +250,5 @@ TEST(EmitShape, randomise_turns_directions_a_part_of_the_way) {
   }
 }
 
-}  // namespace
+}  // namespace emit_emit_shape_test
 }  // namespace physim

@@ -8,7 +8,7 @@
 #include "support.hpp"
 
 namespace physim {
-namespace {
+namespace emit_emit_surface_test {
 
 using test::as_expected;
 using test::evenly;
@@ -283,5 +283,5 @@ TEST(EmitSurface, what_is_no_surface_is_refused) {
   EXPECT_EQ(place(def), "emitter.from.surface.low_z");
 }
 
-}  // namespace
+}  // namespace emit_emit_surface_test
 }  // namespace physim

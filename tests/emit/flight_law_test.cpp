@@ -11,7 +11,7 @@
 #include "support.hpp"
 
 namespace physim {
-namespace {
+namespace emit_flight_law_test {
 
 const Curve kFalling{{0, 1}, {1, 0}};
 
@@ -165,5 +165,5 @@ TEST(FlightLaw, of_a_pack_is_that_of_each) {
   }
 }
 
-}  // namespace
+}  // namespace emit_flight_law_test
 }  // namespace physim

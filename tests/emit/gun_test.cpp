@@ -9,7 +9,7 @@
 #include "support.hpp"
 
 namespace physim {
-namespace {
+namespace emit_gun_test {
 
 using test::kInfinity;
 using test::near;
@@ -172,5 +172,5 @@ TEST(Gun, rounds_come_out_of_the_shape_at_their_barrel) {
   }
 }
 
-}  // namespace
+}  // namespace emit_gun_test
 }  // namespace physim

@@ -11,7 +11,7 @@
 #include "support.hpp"
 
 namespace physim {
-namespace {
+namespace emit_particle_kernels_test {
 
 using test::same_bits;
 using Column = std::array<double, kColumn>;
@@ -129,5 +129,5 @@ TEST(ParticleKernels, a_life_is_lived_from_birth_to_the_end_of_its_span) {
   });
 }
 
-}  // namespace
+}  // namespace emit_particle_kernels_test
 }  // namespace physim

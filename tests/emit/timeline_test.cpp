@@ -12,7 +12,7 @@
 #include "support.hpp"
 
 namespace physim {
-namespace {
+namespace emit_timeline_test {
 
 using test::kInfinity;
 using test::near;
@@ -329,5 +329,5 @@ TEST(Timeline, steady_moments_taken_together_are_those_taken_one_by_one) {
   }
 }
 
-}  // namespace
+}  // namespace emit_timeline_test
 }  // namespace physim

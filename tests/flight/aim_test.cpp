@@ -4,7 +4,7 @@
 #include "support.hpp"
 
 namespace physim {
-namespace {
+namespace flight_aim_test {
 
 using namespace test;
 
@@ -459,5 +459,5 @@ TEST(Aim, what_is_aimed_at_is_in_nobodys_way) {
   EXPECT_EQ(bad.error().place, "options.contact.collision.radius");
 }
 
-}  // namespace
+}  // namespace flight_aim_test
 }  // namespace physim

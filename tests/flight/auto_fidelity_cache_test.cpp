@@ -7,7 +7,7 @@
 #include "support.hpp"
 
 namespace physim {
-namespace {
+namespace flight_auto_fidelity_cache_test {
 
 using namespace test;
 
@@ -173,5 +173,5 @@ TEST(AutoFidelityCache, LaunchesBetweenTheCornersKeepTheWord) {
   }
 }
 
-}  // namespace
+}  // namespace flight_auto_fidelity_cache_test
 }  // namespace physim

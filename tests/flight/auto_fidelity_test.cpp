@@ -7,7 +7,7 @@
 #include "support.hpp"
 
 namespace physim {
-namespace {
+namespace flight_auto_fidelity_test {
 
 using namespace test;
 
@@ -354,5 +354,5 @@ TEST(AutoFidelity, LandingCountsWhereItHappens) {
   EXPECT_LT(choice->time, 0.6);
 }
 
-}  // namespace
+}  // namespace flight_auto_fidelity_test
 }  // namespace physim

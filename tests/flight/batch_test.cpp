@@ -8,7 +8,7 @@
 #include "physim/presets.hpp"
 
 namespace physim {
-namespace {
+namespace flight_batch_test {
 
 using namespace test;
 
@@ -473,5 +473,5 @@ TEST_F(BatchTest, what_was_granted_is_told) {
   EXPECT_FALSE(batch.fidelity_in_use.notes.empty());
 }
 
-}  // namespace
+}  // namespace flight_batch_test
 }  // namespace physim

@@ -7,7 +7,7 @@
 #include "processor_mode.hpp"
 
 namespace physim {
-namespace {
+namespace flight_batch_threads_test {
 
 using namespace test;
 
@@ -151,5 +151,5 @@ TEST(BatchThreads, a_result_is_used_again) {
   }
 }
 
-}  // namespace
+}  // namespace flight_batch_threads_test
 }  // namespace physim

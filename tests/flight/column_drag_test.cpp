@@ -4,7 +4,7 @@
 #include "physim/task_runner.hpp"
 
 namespace physim {
-namespace {
+namespace flight_column_drag_test {
 
 using namespace test;
 
@@ -172,5 +172,5 @@ TEST(ColumnDrag, bad_drag_is_refused_alone_and_bad_columns_together) {
   EXPECT_EQ(ends.time[0], 7) << "nothing is written";
 }
 
-}  // namespace
+}  // namespace flight_column_drag_test
 }  // namespace physim

@@ -4,7 +4,7 @@
 #include "physim/task_runner.hpp"
 
 namespace physim {
-namespace {
+namespace flight_columns_test {
 
 using namespace test;
 
@@ -231,5 +231,5 @@ TEST(Columns, bad_columns_refuse_all_and_write_nothing) {
   EXPECT_EQ(fly_columns(bullet_308(), {}, {}, Fidelity::game(), {}, {}, {}).refused, 0U) << "no shots";
 }
 
-}  // namespace
+}  // namespace flight_columns_test
 }  // namespace physim

@@ -6,7 +6,7 @@
 #include <cmath>
 
 namespace physim {
-namespace {
+namespace flight_compare_test {
 
 const ProjectileDef kBall{
     .mass = 0.145, .diameter = 0.074, .drag = {.table = DragTable::constant, .coefficient = 0.35}};
@@ -89,5 +89,5 @@ TEST(Compare, SaysWhatCannotBeMeasured) {
   EXPECT_EQ(refused.error().place, "projectile.mass");
 }
 
-}  // namespace
+}  // namespace flight_compare_test
 }  // namespace physim

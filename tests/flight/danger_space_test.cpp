@@ -8,7 +8,7 @@
 #include "physim/scene.hpp"
 
 namespace physim {
-namespace {
+namespace flight_danger_space_test {
 
 constexpr double kG = 9.80665, kDegree = 3.14159265358979323846 / 180;
 
@@ -109,5 +109,5 @@ TEST(DangerSpaceOverGround, RefusesWhatHasNone) {
   EXPECT_FALSE(danger_space(flight, 1e6, 2, nothing));
 }
 
-}  // namespace
+}  // namespace flight_danger_space_test
 }  // namespace physim

@@ -8,7 +8,7 @@
 #include "support.hpp"
 
 namespace physim {
-namespace {
+namespace flight_edge_cases_test {
 
 constexpr double kG = 9.80665;
 
@@ -223,5 +223,5 @@ TEST(EdgeCases, what_is_left_out_is_said) {
   EXPECT_TRUE(said);
 }
 
-}  // namespace
+}  // namespace flight_edge_cases_test
 }  // namespace physim

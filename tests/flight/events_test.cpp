@@ -6,7 +6,7 @@
 #include "support.hpp"
 
 namespace physim {
-namespace {
+namespace flight_events_test {
 
 using namespace test;
 
@@ -228,5 +228,5 @@ TEST(Events, no_place_falls_between_two_steps) {
         }
 }
 
-}  // namespace
+}  // namespace flight_events_test
 }  // namespace physim

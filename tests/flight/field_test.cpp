@@ -9,7 +9,7 @@
 #include "support.hpp"
 
 namespace physim {
-namespace {
+namespace flight_field_test {
 
 using namespace test;
 
@@ -444,5 +444,5 @@ TEST(Field, auto_fidelity_measures_against_it) {
   EXPECT_EQ((*another)->fidelity.motion, Motion::closed_form);
 }
 
-}  // namespace
+}  // namespace flight_field_test
 }  // namespace physim

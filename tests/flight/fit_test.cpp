@@ -5,7 +5,7 @@
 #include "support.hpp"
 
 namespace physim {
-namespace {
+namespace flight_fit_test {
 
 using namespace test;
 
@@ -170,5 +170,5 @@ TEST(Fit, what_makes_no_sense_is_refused_with_its_place) {
   EXPECT_EQ(fit_drag(bad, {.speed = 800}, {}, {}, good).error().place, "projectile.mass");
 }
 
-}  // namespace
+}  // namespace flight_fit_test
 }  // namespace physim

@@ -4,7 +4,7 @@
 #include "support.hpp"
 
 namespace physim {
-namespace {
+namespace flight_flight_test {
 
 using namespace test;
 
@@ -246,5 +246,5 @@ TEST(Flight, copies_share_their_record) {
   EXPECT_EQ(a.events().data(), b.events().data());
 }
 
-}  // namespace
+}  // namespace flight_flight_test
 }  // namespace physim

@@ -8,7 +8,7 @@
 #include "support.hpp"
 
 namespace physim::test {
-namespace {
+namespace flight_known_pack_steps_test {
 
 struct Rung {
   const char* name;
@@ -148,5 +148,5 @@ TEST(KnownPackSteps, are_not_for_what_is_special) {
   EXPECT_EQ(steps_of<double>(cohorts.in<double>()), (take_any_steps<double, double>)) << "a number alone waits anyway";
 }
 
-}  // namespace
+}  // namespace flight_known_pack_steps_test
 }  // namespace physim::test

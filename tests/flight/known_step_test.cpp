@@ -5,7 +5,7 @@
 #include "support.hpp"
 
 namespace physim::test {
-namespace {
+namespace flight_known_step_test {
 
 class KnownStepTest : public testing::TestWithParam<std::string> {
  protected:
@@ -314,5 +314,5 @@ TEST_P(KnownStepTest, AnswersInsideItsStepsAsAllRungsDo) {
   }
 }
 
-}  // namespace
+}  // namespace flight_known_step_test
 }  // namespace physim::test

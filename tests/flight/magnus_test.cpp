@@ -9,7 +9,7 @@
 #include "support.hpp"
 
 namespace physim {
-namespace {
+namespace flight_magnus_test {
 
 using namespace test;
 
@@ -341,5 +341,5 @@ TEST(Magnus, bad_input_is_refused) {
   EXPECT_EQ(fly(trochoid_ball(), launch).error()->place, "launch.spin.sidespin");
 }
 
-}  // namespace
+}  // namespace flight_magnus_test
 }  // namespace physim

@@ -9,7 +9,7 @@
 #include "physim/motor.hpp"
 
 namespace physim {
-namespace {
+namespace flight_motor_test {
 
 using namespace test;
 
@@ -453,5 +453,5 @@ TEST(Motor, bad_input_is_refused_with_its_place) {
   }
 }
 
-}  // namespace
+}  // namespace flight_motor_test
 }  // namespace physim

@@ -6,7 +6,7 @@
 #include "support.hpp"
 
 namespace physim {
-namespace {
+namespace flight_outcome_test {
 
 using namespace test;
 
@@ -152,5 +152,5 @@ TEST(Outcome, huge_steps_end) {
       }
 }
 
-}  // namespace
+}  // namespace flight_outcome_test
 }  // namespace physim

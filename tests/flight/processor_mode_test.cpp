@@ -5,7 +5,7 @@
 #include "support.hpp"
 
 namespace physim {
-namespace {
+namespace flight_processor_mode_test {
 
 using test::Bits;
 
@@ -201,5 +201,5 @@ TEST(ProcessorMode, OfTheCallerChangesNoPlaceNorAir) {
   });
 }
 
-}  // namespace
+}  // namespace flight_processor_mode_test
 }  // namespace physim

@@ -7,7 +7,7 @@
 #include "flight/motor_support.hpp"
 
 namespace physim {
-namespace {
+namespace flight_rail_test {
 
 using namespace test;
 
@@ -83,5 +83,5 @@ TEST(Rail, falling_past_its_end_is_free) {
   EXPECT_NEAR(flight.duration(), 60 / kG, 1e-9);
 }
 
-}  // namespace
+}  // namespace flight_rail_test
 }  // namespace physim

@@ -6,7 +6,7 @@
 #include "solve/problems.hpp"
 
 namespace physim {
-namespace {
+namespace flight_rigid_body_test {
 
 using namespace test;
 
@@ -327,5 +327,5 @@ TEST(RigidBody, worlds_turn_as_flights_do) {
     }
 }
 
-}  // namespace
+}  // namespace flight_rigid_body_test
 }  // namespace physim

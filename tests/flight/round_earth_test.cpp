@@ -5,7 +5,7 @@
 #include "support.hpp"
 
 namespace physim {
-namespace {
+namespace flight_round_earth_test {
 
 using namespace test;
 
@@ -351,5 +351,5 @@ TEST(RoundEarth, batches_give_the_numbers_of_single_flights) {
   }
 }
 
-}  // namespace
+}  // namespace flight_round_earth_test
 }  // namespace physim

@@ -6,7 +6,7 @@
 #include "scene_support.hpp"
 
 namespace physim {
-namespace {
+namespace flight_scene_flight_test {
 
 using test::same_bits;
 using namespace test_scene;
@@ -288,5 +288,5 @@ TEST(SceneFlight, what_meets_nothing_flies_as_without_a_scene) {
   }
 }
 
-}  // namespace
+}  // namespace flight_scene_flight_test
 }  // namespace physim

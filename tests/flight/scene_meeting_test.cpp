@@ -5,7 +5,7 @@
 #include "scene_support.hpp"
 
 namespace physim {
-namespace {
+namespace flight_scene_meeting_test {
 
 using namespace test_scene;
 
@@ -387,5 +387,5 @@ TEST(MeetingFlight, random_flights_keep_what_is_promised) {
   EXPECT_GT(contacts, 500);
 }
 
-}  // namespace
+}  // namespace flight_scene_meeting_test
 }  // namespace physim

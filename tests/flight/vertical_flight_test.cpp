@@ -8,7 +8,7 @@
 #include "support.hpp"
 
 namespace physim::test {
-namespace {
+namespace flight_vertical_flight_test {
 
 /// Of each kind of flight; PHYSIM_BODIES=1000 takes some minutes.
 const int kBodies = std::getenv("PHYSIM_BODIES") != nullptr ? std::atoi(std::getenv("PHYSIM_BODIES")) : 40;
@@ -171,5 +171,5 @@ TEST(VerticalFlight, frames_stay_bounded_and_halve_their_error_with_the_step) {
   }
 }
 
-}  // namespace
+}  // namespace flight_vertical_flight_test
 }  // namespace physim::test

@@ -6,7 +6,7 @@
 #include "physim/task_runner.hpp"
 
 namespace physim {
-namespace {
+namespace flight_weather_test {
 
 using namespace test;
 
@@ -362,5 +362,5 @@ TEST(Weather, bad_days_are_refused_alone_and_bad_columns_together) {
   EXPECT_EQ(thin.shots[1].outcome, Outcome::landed);
 }
 
-}  // namespace
+}  // namespace flight_weather_test
 }  // namespace physim

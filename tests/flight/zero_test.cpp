@@ -4,7 +4,7 @@
 #include "support.hpp"
 
 namespace physim {
-namespace {
+namespace flight_zero_test {
 
 using namespace test;
 
@@ -139,5 +139,5 @@ TEST(PilotStep, is_not_flown_where_a_step_is_given_or_none_is_needed) {
   EXPECT_EQ(fly(bullet_308(), {.position = {0, 1, 0}, .speed = 800}, {}, f).step(), 0);
 }
 
-}  // namespace
+}  // namespace flight_zero_test
 }  // namespace physim

@@ -10,7 +10,7 @@
 #include "physim/drag_curve.hpp"
 
 namespace physim {
-namespace {
+namespace math_interpolation_test {
 
 constexpr Interpolation kAll[] = {Interpolation::linear, Interpolation::pchip, Interpolation::cubic};
 
@@ -172,5 +172,5 @@ TEST(Interpolation, equal_cells_do_not_move_points_that_nearly_fit) {
   for (double at = 0; at < 2; at += 0.001) ASSERT_NEAR(evaluate(*uniform, at), curve(at), 1e-12);
 }
 
-}  // namespace
+}  // namespace math_interpolation_test
 }  // namespace physim

@@ -6,7 +6,7 @@
 #include "physim/vec3.hpp"
 
 namespace physim {
-namespace {
+namespace math_numbers_test {
 
 template <class R>
 struct Five {
@@ -59,5 +59,5 @@ TEST(Numbers, are_cast_all_lanes_at_a_time) {
   EXPECT_EQ(lane_of(wide.place.y, 0), double(0.2f));
 }
 
-}  // namespace
+}  // namespace math_numbers_test
 }  // namespace physim

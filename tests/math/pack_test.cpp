@@ -10,7 +10,7 @@
 #include <vector>
 
 namespace physim {
-namespace {
+namespace math_pack_test {
 
 template <class P>
 class PackTest : public testing::Test {
@@ -241,5 +241,5 @@ TYPED_TEST(PackTest, WorksOnBits) {
   }
 }
 
-}  // namespace
+}  // namespace math_pack_test
 }  // namespace physim

@@ -4,7 +4,7 @@
 #include <gtest/gtest.h>
 
 namespace physim {
-namespace {
+namespace math_quat_test {
 
 constexpr double kPi = 3.141592653589793;
 
@@ -97,5 +97,5 @@ TYPED_TEST(QuatTest, YawPitchRollTurnTheNoseRightUpAndTheRightSideDown) {
                     Vec3<T>{0, T(0.5), T(0.8660254037844386)});
 }
 
-}  // namespace
+}  // namespace math_quat_test
 }  // namespace physim

@@ -11,7 +11,7 @@
 #include <vector>
 
 namespace physim {
-namespace {
+namespace math_root_test {
 
 struct Counted {
   double root;
@@ -147,5 +147,5 @@ TEST(FindRoot, finds_in_the_lanes_of_a_pack_what_it_finds_alone) {
   }
 }
 
-}  // namespace
+}  // namespace math_root_test
 }  // namespace physim

@@ -9,7 +9,7 @@
 #include "support.hpp"
 
 namespace physim {
-namespace {
+namespace math_rough_power_test {
 
 template <class S>
 class RoughPower : public testing::Test {};
@@ -62,5 +62,5 @@ TYPED_TEST(RoughPower, packs_give_the_bits_of_numbers) {
   }
 }
 
-}  // namespace
+}  // namespace math_rough_power_test
 }  // namespace physim

@@ -4,7 +4,7 @@
 #include <gtest/gtest.h>
 
 namespace physim {
-namespace {
+namespace math_vec3_test {
 
 template <class T>
 class Vec3Test : public testing::Test {};
@@ -122,5 +122,5 @@ TYPED_TEST(Vec3Test, ConvertsBetweenNumberTypes) {
   EXPECT_EQ(vec_cast<double>(v), (Vec3d{1, -2, 3}));
 }
 
-}  // namespace
+}  // namespace math_vec3_test
 }  // namespace physim

@@ -10,7 +10,7 @@
 #include "support.hpp"
 
 namespace physim {
-namespace {
+namespace model_acceleration_test {
 
 using namespace test;
 
@@ -214,5 +214,5 @@ TEST(Ledger, of_a_world_is_what_its_steps_feel) {
       }
 }
 
-}  // namespace
+}  // namespace model_acceleration_test
 }  // namespace physim

@@ -9,7 +9,7 @@
 #include "rigid.hpp"
 
 namespace physim {
-namespace {
+namespace model_aero_test {
 
 using namespace test;
 
@@ -310,5 +310,5 @@ TEST(Aero, lanes_that_hold_no_flight_read_no_table) {
   use_kernel("");
 }
 
-}  // namespace
+}  // namespace model_aero_test
 }  // namespace physim

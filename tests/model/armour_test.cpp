@@ -7,7 +7,7 @@
 #include "support.hpp"
 
 namespace physim {
-namespace {
+namespace model_armour_test {
 
 using test::near;
 
@@ -105,5 +105,5 @@ TEST(DeMarre, a_plate_of_a_given_quality_is_met_aslant) {
   EXPECT_EQ(de_marre_thickness(1, 0.1, 10, 0, 1), 0);
 }
 
-}  // namespace
+}  // namespace model_armour_test
 }  // namespace physim

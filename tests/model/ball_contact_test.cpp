@@ -9,7 +9,7 @@
 #include "support.hpp"
 
 namespace physim {
-namespace {
+namespace model_ball_contact_test {
 
 using test::near;
 
@@ -155,5 +155,5 @@ TEST(BallContact, a_ball_that_nothing_spins_is_the_point_of_the_ground) {
   }
 }
 
-}  // namespace
+}  // namespace model_ball_contact_test
 }  // namespace physim

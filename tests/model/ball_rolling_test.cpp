@@ -6,7 +6,7 @@
 #include "support.hpp"
 
 namespace physim {
-namespace {
+namespace model_ball_rolling_test {
 
 using test::near;
 
@@ -42,5 +42,5 @@ TEST(BallRolling, on_a_slope_it_rolls_or_slides) {
   EXPECT_TRUE(near(slides.motion.spin, {0, 0, -0.8 / (0.4 * 0.1)}, 1e-12));
 }
 
-}  // namespace
+}  // namespace model_ball_rolling_test
 }  // namespace physim

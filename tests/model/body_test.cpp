@@ -8,7 +8,7 @@
 #include "model/closed_form.hpp"
 
 namespace physim {
-namespace {
+namespace model_body_test {
 
 using test::kNan;
 using test::Random;
@@ -80,5 +80,5 @@ TEST(BodyParts, of_other_rungs_are_not_carried) {
   EXPECT_EQ(parts_read(f, {}), PartSet());
 }
 
-}  // namespace
+}  // namespace model_body_test
 }  // namespace physim

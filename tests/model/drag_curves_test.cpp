@@ -10,7 +10,7 @@
 #include "support.hpp"
 
 namespace physim {
-namespace {
+namespace model_drag_curves_test {
 
 using test::near;
 using test::Prepared;
@@ -193,5 +193,5 @@ TEST(DragCurves, curves_are_the_same_where_all_bits_of_their_points_are) {
   EXPECT_FALSE(same_points(one, {{-0.0, 0.2}, {1, 0.4}}));
 }
 
-}  // namespace
+}  // namespace model_drag_curves_test
 }  // namespace physim

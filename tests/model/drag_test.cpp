@@ -8,7 +8,7 @@
 #include "support.hpp"
 
 namespace physim {
-namespace {
+namespace model_drag_test {
 
 using test::near;
 using test::Prepared;
@@ -237,5 +237,5 @@ TEST(Drag, falls_through_exponential_air) {
   }
 }
 
-}  // namespace
+}  // namespace model_drag_test
 }  // namespace physim

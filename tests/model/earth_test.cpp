@@ -7,7 +7,7 @@
 #include "support.hpp"
 
 namespace physim {
-namespace {
+namespace model_earth_test {
 
 using test::kDegree;
 using test::near;
@@ -128,5 +128,5 @@ TEST(Acceleration, applied_force_ends_in_time) {
   EXPECT_TRUE(near(flight.duration(), 6 + std::sqrt(18.0), 1e-9));
 }
 
-}  // namespace
+}  // namespace model_earth_test
 }  // namespace physim

@@ -8,7 +8,7 @@
 #include "support.hpp"
 
 namespace physim {
-namespace {
+namespace model_exit_spread_test {
 
 using test::near;
 
@@ -60,5 +60,5 @@ TEST(ExitSpread, turns_about_a_direction_are_spread_evenly) {
   EXPECT_NEAR(dot(first, d), 0, 1e-15);
 }
 
-}  // namespace
+}  // namespace model_exit_spread_test
 }  // namespace physim

@@ -10,7 +10,7 @@
 #include "support.hpp"
 
 namespace physim {
-namespace {
+namespace model_force_laws_test {
 
 using test::kInfinity;
 using test::kNan;
@@ -276,5 +276,5 @@ TEST(ForceLaws, thrust_points_along_its_direction_or_along_the_velocity) {
   EXPECT_EQ(thrust_direction({}, {}), (Vec3d{})) << "at rest";
 }
 
-}  // namespace
+}  // namespace model_force_laws_test
 }  // namespace physim

@@ -5,7 +5,7 @@
 #include "support.hpp"
 
 namespace physim::test {
-namespace {
+namespace model_frames_test {
 
 double degrees(int whole, int minutes, double seconds) { return (whole + minutes / 60.0 + seconds / 3600) * kDegree; }
 
@@ -53,5 +53,5 @@ TEST(GroundDistance, heights_do_not_count_and_short_ways_keep_their_digits) {
   }
 }
 
-}  // namespace
+}  // namespace model_frames_test
 }  // namespace physim::test

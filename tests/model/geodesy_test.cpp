@@ -9,7 +9,7 @@
 #include "support.hpp"
 
 namespace physim {
-namespace {
+namespace model_geodesy_test {
 
 using namespace test;
 
@@ -178,5 +178,5 @@ TEST(Heights, are_finite_at_the_antipode) {
   }
 }
 
-}  // namespace
+}  // namespace model_geodesy_test
 }  // namespace physim

@@ -6,7 +6,7 @@
 #include "support.hpp"
 
 namespace physim {
-namespace {
+namespace model_gravity_test {
 
 using test::near;
 using test::Prepared;
@@ -150,5 +150,5 @@ TEST(Gravity, radial_fall) {
     }
 }
 
-}  // namespace
+}  // namespace model_gravity_test
 }  // namespace physim

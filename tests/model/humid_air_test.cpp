@@ -6,7 +6,7 @@
 #include "support.hpp"
 
 namespace physim {
-namespace {
+namespace model_humid_air_test {
 
 using test::near;
 
@@ -87,5 +87,5 @@ TEST(HumidAir, sound_speed_agrees_with_cramers_within_the_real_gas_effects_left_
       }
 }
 
-}  // namespace
+}  // namespace model_humid_air_test
 }  // namespace physim

@@ -10,7 +10,7 @@
 #include "solve/explicit_runge_kutta.hpp"
 
 namespace physim {
-namespace {
+namespace model_ladder_test {
 
 template <class Enum>
 concept Ordered = requires(Enum a, Enum b) {
@@ -83,5 +83,5 @@ TEST(Ladder, the_truest_integrator_has_the_highest_order) {
     EXPECT_LE(order_of(integrator), order_of(all_rungs<Integrator>().back()));
 }
 
-}  // namespace
+}  // namespace model_ladder_test
 }  // namespace physim

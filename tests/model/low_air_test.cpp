@@ -10,7 +10,7 @@
 #include "support.hpp"
 
 namespace physim {
-namespace {
+namespace model_low_air_test {
 
 constexpr long double kG0 = 9.80665L, kGas = 8314.32L, kMolar = 28.9644L, kR0 = 6356766.0L;
 constexpr long double kBases[] = {0, 11000, 20000, 32000, 47000, 51000, 71000};
@@ -140,5 +140,5 @@ TEST(LowAir, each_lane_of_a_pack_gets_its_own_polynomial) {
   }
 }
 
-}  // namespace
+}  // namespace model_low_air_test
 }  // namespace physim

@@ -4,7 +4,7 @@
 #include "rigid.hpp"
 
 namespace physim {
-namespace {
+namespace model_modified_point_mass_test {
 
 using namespace test;
 
@@ -238,5 +238,5 @@ TEST(ModifiedPointMass, a_yaw_beyond_thirty_degrees_is_held_there) {
   EXPECT_LT(largest, 0.5236);
 }
 
-}  // namespace
+}  // namespace model_modified_point_mass_test
 }  // namespace physim

@@ -8,7 +8,7 @@
 #include "support.hpp"
 
 namespace physim {
-namespace {
+namespace model_normal_gravity_test {
 
 using namespace test;
 
@@ -138,5 +138,5 @@ TEST(NormalGravity, floats_are_as_good_as_floats) {
   }
 }
 
-}  // namespace
+}  // namespace model_normal_gravity_test
 }  // namespace physim

@@ -7,7 +7,7 @@
 #include "support.hpp"
 
 namespace physim {
-namespace {
+namespace model_poncelet_test {
 
 using test::near;
 
@@ -141,5 +141,5 @@ TEST(Poncelet, little_inertia_comes_to_the_limit_of_none) {
   EXPECT_TRUE(near(poncelet_speed(bore, 500, 0.5 * depth), speed, 1e-10));
 }
 
-}  // namespace
+}  // namespace model_poncelet_test
 }  // namespace physim

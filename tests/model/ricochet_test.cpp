@@ -10,7 +10,7 @@
 #include "support.hpp"
 
 namespace physim {
-namespace {
+namespace model_ricochet_test {
 
 using test::kDegree;
 using test::near;
@@ -112,5 +112,5 @@ TEST(Ricochet, the_flatter_the_more_speed_is_kept) {
   }
 }
 
-}  // namespace
+}  // namespace model_ricochet_test
 }  // namespace physim

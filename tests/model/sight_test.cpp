@@ -6,7 +6,7 @@
 #include "support.hpp"
 
 namespace physim {
-namespace {
+namespace model_sight_test {
 
 using test::kDegree;
 using test::near;
@@ -98,5 +98,5 @@ TEST(Sight, range_drop_and_windage_are_coordinates_along_the_sight) {
   EXPECT_NEAR(muzzle.windage, -0.06 * std::sin(0.2), 1e-15);
 }
 
-}  // namespace
+}  // namespace model_sight_test
 }  // namespace physim

@@ -7,7 +7,7 @@
 #include "support.hpp"
 
 namespace physim {
-namespace {
+namespace model_spin_drift_test {
 
 using test::near;
 
@@ -165,5 +165,5 @@ TEST(SpinDrift, bad_input_has_no_stability_factor) {
   EXPECT_FALSE(stability_factor(p, {.speed = 800}, {}));
 }
 
-}  // namespace
+}  // namespace model_spin_drift_test
 }  // namespace physim

@@ -9,7 +9,7 @@
 #include "support.hpp"
 
 namespace physim {
-namespace {
+namespace model_standard_atmosphere_test {
 
 using test::near;
 
@@ -221,5 +221,5 @@ TEST(StandardAtmosphere, goes_on_above_its_top) {
   }
 }
 
-}  // namespace
+}  // namespace model_standard_atmosphere_test
 }  // namespace physim

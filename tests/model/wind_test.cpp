@@ -9,7 +9,7 @@
 #include "support.hpp"
 
 namespace physim {
-namespace {
+namespace model_wind_test {
 
 using test::near;
 
@@ -136,5 +136,5 @@ TEST(Wind, adaptive_steps_end_at_the_points_of_a_profile) {
   }
 }
 
-}  // namespace
+}  // namespace model_wind_test
 }  // namespace physim

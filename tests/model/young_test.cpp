@@ -7,7 +7,7 @@
 #include "support.hpp"
 
 namespace physim {
-namespace {
+namespace model_young_test {
 
 using test::near;
 
@@ -53,5 +53,5 @@ TEST(Young, speeds_are_found_back_from_depths) {
   EXPECT_EQ(young_speed(reach, 0.95 * young_depth(reach, 61)), 61);
 }
 
-}  // namespace
+}  // namespace model_young_test
 }  // namespace physim

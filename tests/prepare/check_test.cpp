@@ -9,7 +9,7 @@
 #include "support.hpp"
 
 namespace physim {
-namespace {
+namespace prepare_check_test {
 
 using namespace test;
 
@@ -397,5 +397,5 @@ TEST(Check, numbers_that_float32_cannot_hold_are_found_wherever_they_stand) {
   EXPECT_TRUE(check_fits({2 * kMost, 0, 0}, {}, Precision::float64));
 }
 
-}  // namespace
+}  // namespace prepare_check_test
 }  // namespace physim

@@ -5,7 +5,7 @@
 #include "support.hpp"
 
 namespace physim {
-namespace {
+namespace prepare_grant_test {
 
 using namespace test;
 
@@ -223,5 +223,5 @@ TEST(Grant, fidelity_changes_how_and_data_stay) {
   EXPECT_NEAR(game, simulation, 0.4 * simulation);
 }
 
-}  // namespace
+}  // namespace prepare_grant_test
 }  // namespace physim

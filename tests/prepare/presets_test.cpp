@@ -6,7 +6,7 @@
 #include "physim/world.hpp"
 
 namespace physim {
-namespace {
+namespace prepare_presets_test {
 
 TEST(Presets, AreNamedDescribedAndSpawn) {
   World world;
@@ -37,5 +37,5 @@ TEST(Presets, ArtilleryFliesAsTheOriginals) {
   EXPECT_EQ(world[id].status(), LifeStatus::expired);  // 5 m below
 }
 
-}  // namespace
+}  // namespace prepare_presets_test
 }  // namespace physim

@@ -9,7 +9,7 @@
 #include "prepare/conditions.hpp"
 
 namespace physim {
-namespace {
+namespace prepare_watch_list_test {
 
 std::vector<EventKind> kinds_of(const WatchList& watch) {
   std::vector<EventKind> kinds;
@@ -55,5 +55,5 @@ TEST(WatchList, what_waits_for_no_value_waits_for_zero) {
   EXPECT_EQ(watch.item[1].spec.value, 7);
 }
 
-}  // namespace
+}  // namespace prepare_watch_list_test
 }  // namespace physim

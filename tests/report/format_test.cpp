@@ -13,7 +13,7 @@
 #include "report/pictures.hpp"
 
 namespace physim::report {
-namespace {
+namespace report_format_test {
 
 constexpr const char* kRoundShot =
     "physim = 1\n[[shot]]\nname = \"a, b\"\nmass = \"1 kg\"\ndiameter = \"5 cm\"\nspeed = \"100 m/s\"\n"
@@ -180,5 +180,5 @@ TEST(Records, CsvDoublesQuotes) {
   EXPECT_EQ(whole(csv_text(records)), "name, count\n\"\"\"b\"\"\nc\", 3\n");
 }
 
-}  // namespace
+}  // namespace report_format_test
 }  // namespace physim::report

@@ -14,7 +14,7 @@
 #include "report/json.hpp"
 
 namespace physim::report {
-namespace {
+namespace report_json_stream_test {
 
 using Json = nlohmann::ordered_json;
 
@@ -154,5 +154,5 @@ TEST(Texts, of_a_file_that_fails_leave_what_was_there) {
   std::filesystem::remove(path);
 }
 
-}  // namespace
+}  // namespace report_json_stream_test
 }  // namespace physim::report

@@ -7,7 +7,7 @@
 #include <sstream>
 
 namespace physim::report {
-namespace {
+namespace report_scene_section_test {
 
 using Row = std::vector<double>;
 
@@ -106,5 +106,5 @@ TEST(SceneSection, GoesOnStraightAtBothEnds) {
   for (std::size_t i = 1; i < track.size(); ++i) EXPECT_LT(track[i].across - track[i - 1].across, 6.0 / 799);
 }
 
-}  // namespace
+}  // namespace report_scene_section_test
 }  // namespace physim::report

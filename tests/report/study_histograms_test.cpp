@@ -5,7 +5,7 @@
 #include "study/study_support.hpp"
 
 namespace physim {
-namespace {
+namespace report_study_histograms_test {
 
 using namespace test;
 using report::FlownStudy;
@@ -63,5 +63,5 @@ TEST(HistogramsText, has_digits_for_narrow_bars) {
   }
 }
 
-}  // namespace
+}  // namespace report_study_histograms_test
 }  // namespace physim

@@ -5,7 +5,7 @@
 #include "report/world_log.hpp"
 
 namespace physim::report {
-namespace {
+namespace report_world_paths_test {
 
 /// 1000 a second from a muzzle that moves along z at 10 m/s: where a path begins tells when.
 const std::string kMoving = R"(physim = 1
@@ -63,5 +63,5 @@ TEST(WorldPaths, AreAllThereWhereTheyAreFew) {
   EXPECT_EQ(log.paths.size(), 301u);
 }
 
-}  // namespace
+}  // namespace report_world_paths_test
 }  // namespace physim::report

@@ -5,7 +5,7 @@
 #include "physim/world_run.hpp"
 
 namespace physim {
-namespace {
+namespace scenario_ask_hits_scenario_test {
 
 constexpr const char* kFile = R"(physim = 1
 [[shot]]
@@ -35,5 +35,5 @@ TEST(AskHitsScenario, nor_can_a_run) {
   EXPECT_EQ(scenario_text(*scenario).find("\"ask\""), std::string::npos);
 }
 
-}  // namespace
+}  // namespace scenario_ask_hits_scenario_test
 }  // namespace physim

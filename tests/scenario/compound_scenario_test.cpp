@@ -12,7 +12,7 @@
 #include "support.hpp"
 
 namespace physim {
-namespace {
+namespace scenario_compound_scenario_test {
 
 using test::kDegree;
 
@@ -366,5 +366,5 @@ TEST(CompoundScenario, lets_no_particles_out) {
   EXPECT_EQ(scenario.error().message, "emitter.from.surface.of: is neither a mesh nor a height field");
 }
 
-}  // namespace
+}  // namespace scenario_compound_scenario_test
 }  // namespace physim

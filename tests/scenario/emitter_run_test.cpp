@@ -9,7 +9,7 @@
 #include "scenario/slope_scene.hpp"
 
 namespace physim {
-namespace {
+namespace scenario_emitter_run_test {
 
 constexpr double kGravity = 9.80665;
 
@@ -245,5 +245,5 @@ TEST(EmitterRun, AnExpectationOfEmittersNeedsOne) {
   EXPECT_EQ(value.error().text(), "f.toml:9:1: error: \"gun\" is no emitter; name one as expect.shot");
 }
 
-}  // namespace
+}  // namespace scenario_emitter_run_test
 }  // namespace physim

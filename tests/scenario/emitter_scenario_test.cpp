@@ -6,7 +6,7 @@
 #include "scenario/revise.hpp"
 
 namespace physim {
-namespace {
+namespace scenario_emitter_scenario_test {
 
 constexpr double kDegreeOfEmitters = 3.14159265358979323846 / 180;
 
@@ -482,5 +482,5 @@ TEST(BadEmitter, ItsFiguresNeedOne) {
             "expect.shot");
 }
 
-}  // namespace
+}  // namespace scenario_emitter_scenario_test
 }  // namespace physim

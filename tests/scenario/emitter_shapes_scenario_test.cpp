@@ -10,7 +10,7 @@
 #include "scenario/revise.hpp"
 
 namespace physim {
-namespace {
+namespace scenario_emitter_shapes_scenario_test {
 
 const std::string kHillScenario = R"(physim = 1
 [[shot]]
@@ -137,5 +137,5 @@ TEST(EmitterShapesScenario, a_mesh_comes_out_of_a_file) {
   EXPECT_NE(scenario_text(*read).find("file = \"cube.obj\""), std::string::npos);
 }
 
-}  // namespace
+}  // namespace scenario_emitter_shapes_scenario_test
 }  // namespace physim

@@ -4,7 +4,7 @@
 #include "physim/scenario.hpp"
 
 namespace physim {
-namespace {
+namespace scenario_errors_test {
 
 struct Bad {
   std::string text;
@@ -303,5 +303,5 @@ INSTANTIATE_TEST_SUITE_P(
             "--set shot.name=x: error: shot.name: two shots are named \"x\"; the first is at --set shot.name=x"},
         Bad{"title=\xFF", "--set title=\xFF: error: title: the text is not UTF-8"}));
 
-}  // namespace
+}  // namespace scenario_errors_test
 }  // namespace physim

@@ -11,7 +11,7 @@
 #include "support.hpp"
 
 namespace physim {
-namespace {
+namespace scenario_flight_hits_test {
 
 constexpr double kG = 9.80665, kPi = 3.14159265358979323846;
 
@@ -228,5 +228,5 @@ INSTANTIATE_TEST_SUITE_P(
         BadFlight{"[[shot]]\n[[thing]]\nshape = \"b\"",
                   "f.toml:10:9: error: thing.shape: no shape is named \"b\"; shapes: a"}));
 
-}  // namespace
+}  // namespace scenario_flight_hits_test
 }  // namespace physim

@@ -4,7 +4,7 @@
 #include "physim/scenario.hpp"
 
 namespace physim {
-namespace {
+namespace scenario_fly_shot_test {
 
 Scenario bullet(const std::string& fidelity, const std::string& until, const std::string& more = "") {
   const Result<Scenario> scenario = parse_scenario(
@@ -49,5 +49,5 @@ TEST(FlyShot, RefusalsSayWhy) {
   EXPECT_EQ(flight.error()->place, "purpose.error");
 }
 
-}  // namespace
+}  // namespace scenario_fly_shot_test
 }  // namespace physim

@@ -8,7 +8,7 @@
 #include "scenario/revise.hpp"
 
 namespace physim {
-namespace {
+namespace scenario_joint_scenario_test {
 
 const std::string kJoined = R"(physim = 1
 [environment]
@@ -123,5 +123,5 @@ TEST(JointScenario, bad_joints_are_refused_where_they_stand) {
   EXPECT_EQ(run.error().place, "f.toml: joint \"joint-1\": joint.length");
 }
 
-}  // namespace
+}  // namespace scenario_joint_scenario_test
 }  // namespace physim

@@ -6,7 +6,7 @@
 #include "physim/scenario.hpp"
 
 namespace physim {
-namespace {
+namespace scenario_measure_test {
 
 constexpr double kGravity = 9.80665, kSpeed = 100;
 const double kSide = kSpeed * std::sqrt(0.5);  // both components of 45 degrees
@@ -68,5 +68,5 @@ TEST(Measure, SaysWhyThereIsNothing) {
   EXPECT_NE(error_of(refused, {.quantity = "x"}), "no error");
 }
 
-}  // namespace
+}  // namespace scenario_measure_test
 }  // namespace physim

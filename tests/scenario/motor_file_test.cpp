@@ -6,7 +6,7 @@
 #include "physim/scenario.hpp"
 
 namespace physim {
-namespace {
+namespace scenario_motor_file_test {
 
 constexpr const char* kTwo = R"(; two motors
 A8 18 70 3-5 0.00312 0.01642 Estes
@@ -165,5 +165,5 @@ TEST(MotorSettings, mistakes_name_their_place) {
   EXPECT_NE(no_rail.error().message.find("needs a rail"), std::string::npos);
 }
 
-}  // namespace
+}  // namespace scenario_motor_file_test
 }  // namespace physim

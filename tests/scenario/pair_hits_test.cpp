@@ -5,7 +5,7 @@
 #include "support.hpp"
 
 namespace physim {
-namespace {
+namespace scenario_pair_hits_test {
 
 TEST(PairHits, the_cradle_meets_its_expectations) {
   const Result<Scenario> scenario = load_scenario(PHYSIM_SOURCE_DIR "/scenarios/newtons_cradle.toml");
@@ -37,5 +37,5 @@ TEST(PairHits, others_are_read_and_refused_by_their_place) {
   EXPECT_NE(refused.error().text().find("f.toml:6:"), std::string::npos) << refused.error().text();
 }
 
-}  // namespace
+}  // namespace scenario_pair_hits_test
 }  // namespace physim

@@ -12,7 +12,7 @@
 #include "support.hpp"
 
 namespace physim {
-namespace {
+namespace scenario_part_materials_test {
 
 using test::kDegree;
 
@@ -228,5 +228,5 @@ ground = "none"
   }
 }
 
-}  // namespace
+}  // namespace scenario_part_materials_test
 }  // namespace physim

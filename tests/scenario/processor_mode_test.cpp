@@ -6,7 +6,7 @@
 #include "physim/world_run.hpp"
 
 namespace physim {
-namespace {
+namespace scenario_processor_mode_test {
 
 using test::Bits;
 
@@ -73,5 +73,5 @@ TEST(ProcessorMode, OfTheCallerChangesNoScenario) {
   });
 }
 
-}  // namespace
+}  // namespace scenario_processor_mode_test
 }  // namespace physim

@@ -11,7 +11,7 @@
 #include "physim/units.hpp"
 
 namespace physim {
-namespace {
+namespace scenario_scenario_test {
 
 using namespace physim::units;
 
@@ -336,5 +336,5 @@ TEST_F(ScenarioFile, FailuresHaveNames) {
             empty + ":1:1: error: the format version is missing; write physim = 1 at the top");
 }
 
-}  // namespace
+}  // namespace scenario_scenario_test
 }  // namespace physim

@@ -12,7 +12,7 @@
 #include "support.hpp"
 
 namespace physim {
-namespace {
+namespace scenario_scene_scenario_test {
 
 constexpr double kDegreeOfScene = 3.14159265358979323846 / 180;
 
@@ -376,5 +376,5 @@ TEST(BadSceneScenario, TakesAFileOrTheNumbersThatAreInIt) {
             "f.toml:5:17");
 }
 
-}  // namespace
+}  // namespace scenario_scene_scenario_test
 }  // namespace physim

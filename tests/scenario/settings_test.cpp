@@ -12,7 +12,7 @@
 #include "scenario/suggest.hpp"
 
 namespace physim {
-namespace {
+namespace scenario_settings_test {
 
 /// One of every list, so that settings of list elements can be reached.
 const std::string kOneOfEach = R"(physim = 1
@@ -406,5 +406,5 @@ TEST(Suggestions, ShortenLongQuotes) {
   EXPECT_EQ(shortened, "\"" + std::string(59, 'x') + "...\"") << "no half characters";
 }
 
-}  // namespace
+}  // namespace scenario_settings_test
 }  // namespace physim

@@ -7,7 +7,7 @@
 #include "physim/scenario.hpp"
 
 namespace physim {
-namespace {
+namespace scenario_study_text_test {
 
 Distribution distribution_of(const char* text) {
   const auto input = parse_study_input(text);
@@ -321,5 +321,5 @@ TEST(StudyText, places) {
   EXPECT_NE(refused(": y").find("is no place"), std::string::npos);
 }
 
-}  // namespace
+}  // namespace scenario_study_text_test
 }  // namespace physim

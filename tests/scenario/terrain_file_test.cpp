@@ -14,7 +14,7 @@
 #include "physim/scenario.hpp"
 
 namespace physim {
-namespace {
+namespace scenario_terrain_file_test {
 
 constexpr double kDegree = 3.141592653589793 / 180;
 
@@ -314,5 +314,5 @@ TEST_F(TerrainFile, OfScenariosIsRefusedAtItsLine) {
       << refusal("mesh = { terrain = \"N46E007.hgt\" }", round);
 }
 
-}  // namespace
+}  // namespace scenario_terrain_file_test
 }  // namespace physim

@@ -9,7 +9,7 @@
 #include "support.hpp"
 
 namespace physim {
-namespace {
+namespace scenario_thing_hits_test {
 
 constexpr double kG = 9.80665;
 
@@ -296,5 +296,5 @@ TEST(ThingHits, AreOfTheSceneThatASaveIsOf) {
   EXPECT_FALSE(WorldRun::load(other, *bytes));
 }
 
-}  // namespace
+}  // namespace scenario_thing_hits_test
 }  // namespace physim

@@ -10,7 +10,7 @@
 #include "physim/units.hpp"
 
 namespace physim {
-namespace {
+namespace scenario_units_test {
 
 using namespace physim::units;
 
@@ -179,5 +179,5 @@ TEST(Quantities, AdvertisedUnitsAreAccepted) {
   }
 }
 
-}  // namespace
+}  // namespace scenario_units_test
 }  // namespace physim

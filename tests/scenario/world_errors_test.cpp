@@ -4,7 +4,7 @@
 #include "physim/world_run.hpp"
 
 namespace physim {
-namespace {
+namespace scenario_world_errors_test {
 
 struct Bad {
   std::string text, error;
@@ -135,5 +135,5 @@ TEST(BadWorld, AnImpossibleLaunchNamesItsShot) {
   EXPECT_TRUE(run.error().place.starts_with("f.toml: shot \"slow\"")) << run.error().text();
 }
 
-}  // namespace
+}  // namespace scenario_world_errors_test
 }  // namespace physim

@@ -10,7 +10,7 @@
 #include "scenario/volley.hpp"
 
 namespace physim {
-namespace {
+namespace scenario_world_rocket_test {
 
 const std::string kRocket = PHYSIM_SOURCE_DIR "/scenarios/model_rocket.toml";
 
@@ -79,5 +79,5 @@ TEST(WorldRocket, IsComparedWithItsOwnPath) {
   EXPECT_LT(compared->flights[0].largest_distance, 5);
 }
 
-}  // namespace
+}  // namespace scenario_world_rocket_test
 }  // namespace physim

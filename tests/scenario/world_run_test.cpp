@@ -9,7 +9,7 @@
 #include "scenario/volley.hpp"
 
 namespace physim {
-namespace {
+namespace scenario_world_run_test {
 
 Scenario parsed(const std::string& text, const std::vector<std::string>& overrides = {}) {
   const Result<Scenario> scenario = parse_scenario("physim = 1\n" + text, "f.toml", overrides);
@@ -325,5 +325,5 @@ TEST(WorldRun, GoesBackToASnapshotWithItsLaunchesAndCounts) {
   EXPECT_FALSE(run.restore(RunSnapshot{}));
 }
 
-}  // namespace
+}  // namespace scenario_world_run_test
 }  // namespace physim

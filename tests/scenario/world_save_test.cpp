@@ -8,7 +8,7 @@
 #include "physim/world_run.hpp"
 
 namespace physim {
-namespace {
+namespace scenario_world_save_test {
 
 Scenario parsed(const std::string& text, const std::vector<std::string>& overrides = {}) {
   return parse_scenario("physim = 1\n" + text, "f.toml", overrides).value();
@@ -111,5 +111,5 @@ TEST(WorldRun, every_launch_of_a_large_volley_is_counted) {
   EXPECT_EQ(run->groups()[0].retired, 200'000u - 30);
 }
 
-}  // namespace
+}  // namespace scenario_world_save_test
 }  // namespace physim

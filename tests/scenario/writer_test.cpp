@@ -7,7 +7,7 @@
 #include "scenario/revise.hpp"
 
 namespace physim {
-namespace {
+namespace scenario_writer_test {
 
 class WrittenScenario : public testing::TestWithParam<std::string> {};
 
@@ -214,5 +214,5 @@ TEST(RevisedText, IsNothingWhereTheTextCannotSayIt) {
   EXPECT_EQ(revised_text(kCommented, "a.toml", now), std::nullopt) << "a shot is gone";
 }
 
-}  // namespace
+}  // namespace scenario_writer_test
 }  // namespace physim

@@ -6,7 +6,7 @@
 #include "solve/problems.hpp"
 
 namespace physim {
-namespace {
+namespace solve_battery_test {
 
 using namespace test;
 
@@ -295,5 +295,5 @@ TEST(Classic, frame_is_position_then_velocity_then_damping_then_next_acceleratio
   }
 }
 
-}  // namespace
+}  // namespace solve_battery_test
 }  // namespace physim

@@ -8,7 +8,7 @@
 #include <random>
 
 namespace physim {
-namespace {
+namespace solve_quiet_watch_test {
 
 void watch_for(WatchList& watch, EventKind kind, double value, Crossing direction = Crossing::any) {
   watch.item[watch.count++] = {{kind, value, direction, false}, Outcome::event};
@@ -113,5 +113,5 @@ TEST(QuietWatch, what_is_no_number_does_not_pass) {
   EXPECT_NE(quiet.may_cross(lane.c, lane.flyer.body, nan, {{0.2, 0.1, 0}, {1, 0.4, 0}}, {0, -1, 0}), 0u);
 }
 
-}  // namespace
+}  // namespace solve_quiet_watch_test
 }  // namespace physim

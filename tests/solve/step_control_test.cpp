@@ -11,7 +11,7 @@
 #include "support.hpp"
 
 namespace physim {
-namespace {
+namespace solve_step_control_test {
 
 using namespace test;
 
@@ -277,5 +277,5 @@ TEST(Corners, the_end_of_a_burn_is_met_exactly) {
   }
 }
 
-}  // namespace
+}  // namespace solve_step_control_test
 }  // namespace physim

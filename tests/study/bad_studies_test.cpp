@@ -2,7 +2,7 @@
 #include "study_support.hpp"
 
 namespace physim {
-namespace {
+namespace study_bad_studies_test {
 
 using namespace test;
 
@@ -191,5 +191,5 @@ TEST(BadStudies, damaged_bytes_are_refused) {
   }
 }
 
-}  // namespace
+}  // namespace study_bad_studies_test
 }  // namespace physim

@@ -4,7 +4,7 @@
 #include "study_support.hpp"
 
 namespace physim {
-namespace {
+namespace study_by_distance_test {
 
 using namespace test;
 
@@ -115,5 +115,5 @@ TEST(StudyByDistance, refuses_what_has_no_distance) {
   EXPECT_EQ(refused("shot.drag.curve.N"), "list: shot.drag.curve.7 names no point of its list");
 }
 
-}  // namespace
+}  // namespace study_by_distance_test
 }  // namespace physim

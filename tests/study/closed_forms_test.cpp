@@ -2,7 +2,7 @@
 #include "study_support.hpp"
 
 namespace physim {
-namespace {
+namespace study_closed_forms_test {
 
 using namespace test;
 
@@ -185,5 +185,5 @@ TEST(StudyClosedForms, occasions_and_rounds) {
   EXPECT_NEAR(run.spreads[0].mean.value, 2.4088, 0.01) << "as of one round's scatter";
 }
 
-}  // namespace
+}  // namespace study_closed_forms_test
 }  // namespace physim

@@ -5,7 +5,7 @@
 #include "study_support.hpp"
 
 namespace physim::test {
-namespace {
+namespace study_compass_test {
 
 Study in_wind() {
   Study study;
@@ -151,5 +151,5 @@ TEST(StudyPlaces, that_cannot_be_are_refused_shot_by_shot) {
   EXPECT_EQ(run->quantities[0].cells.count() + run->refused, 16U);
 }
 
-}  // namespace
+}  // namespace study_compass_test
 }  // namespace physim::test

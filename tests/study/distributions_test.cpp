@@ -7,7 +7,7 @@
 #include "support.hpp"
 
 namespace physim {
-namespace {
+namespace study_distributions_test {
 
 using test::near;
 
@@ -85,5 +85,5 @@ TEST(Distributions, bad_ones_are_refused) {
   EXPECT_TRUE(std::isnan(quantile_of(NormalDistribution{}, 1)));
 }
 
-}  // namespace
+}  // namespace study_distributions_test
 }  // namespace physim

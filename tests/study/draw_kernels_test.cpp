@@ -9,7 +9,7 @@
 #include "support.hpp"
 
 namespace physim {
-namespace {
+namespace study_draw_kernels_test {
 
 using test::same_bits;
 
@@ -62,5 +62,5 @@ TEST(DrawKernels, normal_numbers) {
   });
 }
 
-}  // namespace
+}  // namespace study_draw_kernels_test
 }  // namespace physim

@@ -2,7 +2,7 @@
 #include "study_support.hpp"
 
 namespace physim {
-namespace {
+namespace study_drawn_shots_test {
 
 using namespace test;
 
@@ -45,5 +45,5 @@ TEST(DrawnShots, are_those_of_their_shards) {
   }
 }
 
-}  // namespace
+}  // namespace study_drawn_shots_test
 }  // namespace physim

@@ -4,7 +4,7 @@
 #include "study_support.hpp"
 
 namespace physim {
-namespace {
+namespace study_errors_test {
 
 using namespace test;
 
@@ -328,5 +328,5 @@ TEST(StudyCells, quantiles_are_exact_to_their_stated_error) {
   EXPECT_TRUE(std::isnan(CountedCells{}.quantile(0.5)));
 }
 
-}  // namespace
+}  // namespace study_errors_test
 }  // namespace physim

@@ -4,7 +4,7 @@
 #include "study_support.hpp"
 
 namespace physim {
-namespace {
+namespace study_histogram_test {
 
 using namespace test;
 
@@ -84,5 +84,5 @@ TEST(StudyHistograms, of_few_values_have_their_bars) {
   EXPECT_EQ(run.quantities[1].cells.histogram(0), run.quantities[1].cells.histogram(3)) << "fewer are none";
 }
 
-}  // namespace
+}  // namespace study_histogram_test
 }  // namespace physim

@@ -6,7 +6,7 @@
 #include "study_support.hpp"
 
 namespace physim {
-namespace {
+namespace study_impacts_test {
 
 using namespace test;
 
@@ -234,5 +234,5 @@ TEST(StudyImpacts, are_refused_where_there_can_be_none) {
   EXPECT_TRUE(has(short_of_time, "0 arrived") && has(short_of_time, "no impact")) << short_of_time;
 }
 
-}  // namespace
+}  // namespace study_impacts_test
 }  // namespace physim

@@ -4,7 +4,7 @@
 #include "study_support.hpp"
 
 namespace physim {
-namespace {
+namespace study_over_inputs_test {
 
 using namespace test;
 
@@ -143,5 +143,5 @@ TEST(StudyOverInputs, bad_input) {
   EXPECT_NE(refusal([](Study& s) { s.targets.clear(); }).find("no target"), std::string::npos);
 }
 
-}  // namespace
+}  // namespace study_over_inputs_test
 }  // namespace physim

@@ -7,7 +7,7 @@
 #include "study_support.hpp"
 
 namespace physim {
-namespace {
+namespace study_places_test {
 
 using namespace test;
 using Q = StudyQuantity;
@@ -313,5 +313,5 @@ TEST(StudyPlaces, bad_input) {
   EXPECT_TRUE(says(plan_study(study, on_the_way).error().text(), "at[1].quantities", "function"));
 }
 
-}  // namespace
+}  // namespace study_places_test
 }  // namespace physim

@@ -5,7 +5,7 @@
 #include "study_support.hpp"
 
 namespace physim {
-namespace {
+namespace study_points_test {
 
 using namespace test;
 
@@ -292,5 +292,5 @@ TEST(StudyPoints, rows_have_numbers_of_their_own) {
   EXPECT_EQ(told->path, "shot.motor.thrust.7");
 }
 
-}  // namespace
+}  // namespace study_points_test
 }  // namespace physim

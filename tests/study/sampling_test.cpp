@@ -11,7 +11,7 @@
 #include "support.hpp"
 
 namespace physim {
-namespace {
+namespace study_sampling_test {
 
 constexpr Sampling kSamplings[] = {Sampling::random, Sampling::latin_hypercube, Sampling::sobol};
 
@@ -182,5 +182,5 @@ TEST(Correlation, what_is_none_is_refused_by_its_entries) {
   EXPECT_NE(refusal({1, test::kNan, 0, test::kNan, 1, 0, 0, 0, 1}).find("not between"), std::string::npos);
 }
 
-}  // namespace
+}  // namespace study_sampling_test
 }  // namespace physim

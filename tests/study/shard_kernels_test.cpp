@@ -12,7 +12,7 @@
 #include "support.hpp"
 
 namespace physim {
-namespace {
+namespace study_shard_kernels_test {
 
 using namespace test;
 
@@ -270,5 +270,5 @@ TEST(WorstShots, are_kept_one_by_one_as_all_at_once) {
     EXPECT_TRUE(kept[i].shot == all[i].shot && kept[i].distance == all[i].distance) << i;
 }
 
-}  // namespace
+}  // namespace study_shard_kernels_test
 }  // namespace physim

@@ -9,7 +9,7 @@
 #include "study/study_support.hpp"
 
 namespace physim::test {
-namespace {
+namespace study_shard_memory_test {
 
 TEST(ShardMemory, is_taken_again) {
   SpareMemory spare;
@@ -46,5 +46,5 @@ TEST(ShardMemory, of_one_shard_does_not_show_in_another) {
   EXPECT_LE(plan->record().spare->count(), 4u);
 }
 
-}  // namespace
+}  // namespace study_shard_memory_test
 }  // namespace physim::test

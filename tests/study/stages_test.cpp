@@ -2,7 +2,7 @@
 #include "study_support.hpp"
 
 namespace physim {
-namespace {
+namespace study_stages_test {
 
 using namespace test;
 
@@ -103,5 +103,5 @@ TEST(StudyShots, fly_in_profiles_of_wind_of_their_own) {
   EXPECT_NE(refused.error().text().find("added"), std::string::npos) << refused.error().text();
 }
 
-}  // namespace
+}  // namespace study_stages_test
 }  // namespace physim

@@ -6,7 +6,7 @@
 #include "study_support.hpp"
 
 namespace physim {
-namespace {
+namespace study_study_test {
 
 using namespace test;
 
@@ -315,5 +315,5 @@ TEST(Study, ends_when_a_figure_is_known) {
   EXPECT_FALSE(run_study(study)->width_reached) << "there are not so many";
 }
 
-}  // namespace
+}  // namespace study_study_test
 }  // namespace physim

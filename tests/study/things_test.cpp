@@ -5,7 +5,7 @@
 #include "study_support.hpp"
 
 namespace physim {
-namespace {
+namespace study_things_test {
 
 using namespace test;
 
@@ -137,5 +137,5 @@ TEST(StudyThings, bad_input) {
   EXPECT_TRUE(has(plan.error().text(), "function")) << plan.error().text();
 }
 
-}  // namespace
+}  // namespace study_things_test
 }  // namespace physim

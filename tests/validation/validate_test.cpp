@@ -4,7 +4,7 @@
 #include <gtest/gtest.h>
 
 namespace physim::validation {
-namespace {
+namespace validation_validate_test {
 
 const std::filesystem::path kData = PHYSIM_DATA_DIR "/validation";
 
@@ -47,5 +47,5 @@ TEST(Figure, PassesWithinItsGate) {
   EXPECT_TRUE(std::isinf(figure.badness()));
 }
 
-}  // namespace
+}  // namespace validation_validate_test
 }  // namespace physim::validation

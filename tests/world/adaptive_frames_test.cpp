@@ -6,7 +6,7 @@
 #include "world_support.hpp"
 
 namespace physim {
-namespace {
+namespace world_adaptive_frames_test {
 
 using namespace test;
 
@@ -116,5 +116,5 @@ TEST(AdaptiveFrames, are_divided_for_each_row_alone) {
     }
 }
 
-}  // namespace
+}  // namespace world_adaptive_frames_test
 }  // namespace physim

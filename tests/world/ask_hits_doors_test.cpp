@@ -6,7 +6,7 @@
 #include "world/random_session.hpp"
 
 namespace physim {
-namespace {
+namespace world_ask_hits_doors_test {
 
 using namespace test_ask;
 
@@ -295,5 +295,5 @@ TEST(AskHitsDoors, who_begins_inside_stays) {
   }
 }
 
-}  // namespace
+}  // namespace world_ask_hits_doors_test
 }  // namespace physim

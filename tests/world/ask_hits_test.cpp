@@ -7,7 +7,7 @@
 #include "world/ask_support.hpp"
 
 namespace physim {
-namespace {
+namespace world_ask_hits_test {
 
 using namespace test_ask;
 using test::Random;
@@ -323,5 +323,5 @@ TEST(AskHits, what_passes_meets_what_stands_behind) {
   }
 }
 
-}  // namespace
+}  // namespace world_ask_hits_test
 }  // namespace physim

@@ -6,7 +6,7 @@
 #include <vector>
 
 namespace physim {
-namespace {
+namespace world_change_key_test {
 
 Change change_of(std::uint32_t slot, Change::Kind kind) {
   Change change;
@@ -33,5 +33,5 @@ TEST(ChangeKey, orders_by_slot_then_kind_then_as_they_were_told) {
   EXPECT_EQ(order, (std::vector<std::size_t>{2, 4, 1, 3, 0}));
 }
 
-}  // namespace
+}  // namespace world_change_key_test
 }  // namespace physim

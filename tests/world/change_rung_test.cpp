@@ -4,7 +4,7 @@
 #include "physim/physim.hpp"
 
 namespace physim {
-namespace {
+namespace world_change_rung_test {
 
 TEST(World, a_rung_of_another_interpolation_reads_its_own_curves) {
   World world;
@@ -29,5 +29,5 @@ TEST(World, a_rung_of_another_interpolation_reads_its_own_curves) {
   EXPECT_EQ(world[changed].state(), world[from_start].state());
 }
 
-}  // namespace
+}  // namespace world_change_rung_test
 }  // namespace physim

@@ -5,7 +5,7 @@
 #include "world/world_support.hpp"
 
 namespace physim {
-namespace {
+namespace world_closed_form_law_test {
 
 constexpr double kG = 9.80665;
 constexpr double kStep = 1.0 / 64;
@@ -161,5 +161,5 @@ TEST(ClosedFormLaw, starts_anew_where_it_stood_still) {
   }
 }
 
-}  // namespace
+}  // namespace world_closed_form_law_test
 }  // namespace physim

@@ -7,7 +7,7 @@
 #include "world/world_support.hpp"
 
 namespace physim {
-namespace {
+namespace world_doors_test {
 
 // ------------------------------------------------------------------------------------------- events that are kept
 TEST(Doors, events_stay_readable_while_the_world_is_changed) {
@@ -402,5 +402,5 @@ TEST(Doors, a_flight_that_was_moved_away_is_a_refused_one) {
   EXPECT_EQ(third.outcome(), Outcome::refused);
 }
 
-}  // namespace
+}  // namespace world_doors_test
 }  // namespace physim

@@ -6,7 +6,7 @@
 #include "world/emitter_support.hpp"
 
 namespace physim {
-namespace {
+namespace world_emitter_edges_test {
 
 World empty_world() { return make_world({.ground = {.mode = GroundMode::none}}); }
 
@@ -217,5 +217,5 @@ TEST(EmitterEdges, what_no_numbers_can_hold_is_refused) {
   EXPECT_FALSE(world.add_emitter(def));  // too few
 }
 
-}  // namespace
+}  // namespace world_emitter_edges_test
 }  // namespace physim

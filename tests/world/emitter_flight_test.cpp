@@ -10,7 +10,7 @@
 #include "world/emitter_support.hpp"
 
 namespace physim {
-namespace {
+namespace world_emitter_flight_test {
 
 constexpr double kBorn = 0.0123;  // within a frame at any rate below
 
@@ -434,5 +434,5 @@ TEST(EmitterFlight, predictions_go_where_the_world_does) {
   for (std::size_t i = 0; i < ids.size(); ++i) EXPECT_EQ(flights[i].at(1).position, world[ids[i]].position()) << i;
 }
 
-}  // namespace
+}  // namespace world_emitter_flight_test
 }  // namespace physim

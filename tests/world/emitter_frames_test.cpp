@@ -6,7 +6,7 @@
 #include "world/emitter_support.hpp"
 
 namespace physim {
-namespace {
+namespace world_emitter_frames_test {
 
 constexpr double kEnd = 2;
 
@@ -259,5 +259,5 @@ TEST(EmitterFrames, who_follows_a_closed_form_is_where_it_is) {
   }
 }
 
-}  // namespace
+}  // namespace world_emitter_frames_test
 }  // namespace physim

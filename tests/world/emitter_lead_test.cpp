@@ -7,7 +7,7 @@
 #include "world/emitter_support.hpp"
 
 namespace physim {
-namespace {
+namespace world_emitter_lead_test {
 
 constexpr double kEnd = 1.6;
 const MotionKey kCorners[] = {{.time = 0, .position = {1, 2, 3}},      {.time = 0.13, .position = {3, 2, 3}},
@@ -238,5 +238,5 @@ TEST(EmitterLead, bad_input_is_refused_with_its_place) {
   EXPECT_TRUE(world.lead_emitter(id, {}, 1.5));
 }
 
-}  // namespace
+}  // namespace world_emitter_lead_test
 }  // namespace physim

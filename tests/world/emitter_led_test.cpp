@@ -6,7 +6,7 @@
 #include "world/emitter_support.hpp"
 
 namespace physim {
-namespace {
+namespace world_emitter_led_test {
 
 constexpr double kG = 9.80665;
 
@@ -170,5 +170,5 @@ TEST(EmitterLed, who_is_thrown_straight_up_counts_the_way_up_and_down) {
   }
 }
 
-}  // namespace
+}  // namespace world_emitter_led_test
 }  // namespace physim

@@ -4,7 +4,7 @@
 #include "world/emitter_support.hpp"
 
 namespace physim {
-namespace {
+namespace world_emitter_past_test {
 
 TEST(EmitterPast, one_that_is_prewarmed_is_as_if_it_had_waited) {
   for (const ProjectileDef& projectile :
@@ -84,5 +84,5 @@ TEST(EmitterPast, the_past_of_a_prewarmed_one_sets_off_too) {
   for (const auto& [number, state] : now) EXPECT_LT(length(then.at(number).position - state.position), 1e-10) << number;
 }
 
-}  // namespace
+}  // namespace world_emitter_past_test
 }  // namespace physim

@@ -4,7 +4,7 @@
 #include "world/emitter_support.hpp"
 
 namespace physim {
-namespace {
+namespace world_emitter_pushed_test {
 
 struct Place {
   Vec3d position, previous, velocity;
@@ -126,5 +126,5 @@ TEST(EmitterPushed, what_happens_to_some_happens_as_on_all_rungs) {
   }
 }
 
-}  // namespace
+}  // namespace world_emitter_pushed_test
 }  // namespace physim

@@ -8,7 +8,7 @@
 #include "world/emitter_support.hpp"
 
 namespace physim {
-namespace {
+namespace world_emitter_rain_test {
 
 constexpr Vec3d kBox{20, 12, 16};  // [m]
 constexpr double kDensity = 1;     // [1/m^3]
@@ -259,5 +259,5 @@ TEST(EmitterRain, what_makes_no_sense_is_refused) {
   EXPECT_EQ(world.jump_emitter(stands, {.position = {std::nan(""), 0, 0}}).error().place, "to");
 }
 
-}  // namespace
+}  // namespace world_emitter_rain_test
 }  // namespace physim

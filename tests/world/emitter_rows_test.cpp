@@ -9,7 +9,7 @@
 #include "world/emitter_support.hpp"
 
 namespace physim {
-namespace {
+namespace world_emitter_rows_test {
 
 /// What a show is made of, before it begins: an emitter in front of a wall, and one that fires where something happens
 /// to its particles.
@@ -178,5 +178,5 @@ INSTANTIATE_TEST_SUITE_P(Playing, EmitterWorldRow, testing::ValuesIn(kPlaying), 
 INSTANTIATE_TEST_SUITE_P(Places, EmitterWorldRow, testing::ValuesIn(kPlaces), row_name);
 INSTANTIATE_TEST_SUITE_P(Subs, EmitterWorldRow, testing::ValuesIn(kSubs), row_name);
 
-}  // namespace
+}  // namespace world_emitter_rows_test
 }  // namespace physim

@@ -6,7 +6,7 @@
 #include "world/emitter_support.hpp"
 
 namespace physim {
-namespace {
+namespace world_emitter_shape_test {
 
 /// A grid of triangles over the floor, one side by one, wavy.
 MeshShape waves(std::uint32_t side) {
@@ -153,5 +153,5 @@ TEST(EmitterShape, a_damaged_shape_in_a_save_is_refused) {
   }
 }
 
-}  // namespace
+}  // namespace world_emitter_shape_test
 }  // namespace physim

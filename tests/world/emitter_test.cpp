@@ -8,7 +8,7 @@
 #include "world/emitter_support.hpp"
 
 namespace physim {
-namespace {
+namespace world_emitter_test {
 
 /// A shell that is thrown up, bursts after a while, and whose stars burst again where they land.
 struct Fireworks {
@@ -419,5 +419,5 @@ TEST(Emitter, one_that_fires_itself_is_cut) {
   EXPECT_EQ(c.born, 3u * 33u);
 }
 
-}  // namespace
+}  // namespace world_emitter_test
 }  // namespace physim

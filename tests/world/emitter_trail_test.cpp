@@ -6,7 +6,7 @@
 #include "world/emitter_support.hpp"
 
 namespace physim {
-namespace {
+namespace world_emitter_trail_test {
 
 World airless() { return make_world({.ground = {.mode = GroundMode::none}}); }
 
@@ -306,5 +306,5 @@ TEST(EmitterSeek, times_that_are_none_are_refused) {
   EXPECT_EQ(world.seek_emitter({}, 1).error().place, "emitter");
 }
 
-}  // namespace
+}  // namespace world_emitter_trail_test
 }  // namespace physim

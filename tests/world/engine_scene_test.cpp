@@ -14,7 +14,7 @@
 #include "world/world_support.hpp"
 
 namespace physim {
-namespace {
+namespace world_engine_scene_test {
 
 using test::answered_by;
 using test::answers_of;
@@ -328,5 +328,5 @@ TEST(EngineScene, flights_and_predictions_meet_it_too) {
   }
 }
 
-}  // namespace
+}  // namespace world_engine_scene_test
 }  // namespace physim

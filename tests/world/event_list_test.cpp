@@ -9,7 +9,7 @@
 #include "random_shots.hpp"
 
 namespace physim {
-namespace {
+namespace world_event_list_test {
 
 /// A plain one, in numbers that float32 holds or not, or one that says more.
 Event random_event(test::Random& r, std::uint32_t told) {
@@ -129,5 +129,5 @@ TEST(EventList, keeps_plain_ones_in_few_bytes) {
   EXPECT_LT(list.bytes(), 1000 * 2 * 64 + 4096);
 }
 
-}  // namespace
+}  // namespace world_event_list_test
 }  // namespace physim

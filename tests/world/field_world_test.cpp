@@ -8,7 +8,7 @@
 #include "world/world_support.hpp"
 
 namespace physim {
-namespace {
+namespace world_field_world_test {
 
 using namespace test;
 using Bytes = std::vector<std::byte>;
@@ -418,5 +418,5 @@ TEST(FieldWorld, hashes_tell_worlds_with_functions_from_others) {
   EXPECT_NE(make_world(open_world(both())).hash(), make_world(open_world({})).hash());
 }
 
-}  // namespace
+}  // namespace world_field_world_test
 }  // namespace physim

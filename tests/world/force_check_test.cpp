@@ -7,7 +7,7 @@
 #include "world/force_eval.hpp"
 
 namespace physim {
-namespace {
+namespace world_force_check_test {
 
 using test::kInfinity;
 using test::kNan;
@@ -123,5 +123,5 @@ TEST(ForceCheck, bad_targets_and_times_are_refused) {
   }
 }
 
-}  // namespace
+}  // namespace world_force_check_test
 }  // namespace physim

@@ -12,7 +12,7 @@
 #include "world/kind_drag.hpp"
 
 namespace physim {
-namespace {
+namespace world_force_eval_test {
 
 using test::kNan;
 using test::near;
@@ -390,5 +390,5 @@ TEST(ForceEval, a_steady_step_gathers_into_the_same_memory) {
   EXPECT_EQ(seen, b.position.data() + 5) << "rows side by side are not copied at all";
 }
 
-}  // namespace
+}  // namespace world_force_eval_test
 }  // namespace physim

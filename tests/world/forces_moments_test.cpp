@@ -7,7 +7,7 @@
 #include "world/force_support.hpp"
 
 namespace physim {
-namespace {
+namespace world_forces_moments_test {
 
 using test::kInfinity;
 using test::kNan;
@@ -160,5 +160,5 @@ TEST(WorldForces, refuse_what_makes_no_sense) {
   EXPECT_EQ(world.force_count(), 1u);
 }
 
-}  // namespace
+}  // namespace world_forces_moments_test
 }  // namespace physim

@@ -9,7 +9,7 @@
 #include "world/force_support.hpp"
 
 namespace physim {
-namespace {
+namespace world_forces_test {
 
 using test::kInfinity;
 using test::kNan;
@@ -398,5 +398,5 @@ TEST(WorldForces, rules_and_apexes_are_seen) {
   EXPECT_EQ(events[1].reason, Reason::farther);
 }
 
-}  // namespace
+}  // namespace world_forces_test
 }  // namespace physim

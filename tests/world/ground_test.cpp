@@ -5,7 +5,7 @@
 #include "world/world_support.hpp"
 
 namespace physim {
-namespace {
+namespace world_ground_test {
 
 constexpr double kG = 9.80665;
 
@@ -305,5 +305,5 @@ TEST(Ground, a_step_of_minutes_keeps_light_things_where_they_fall) {
   EXPECT_GE(world[id].position().y, 0);
 }
 
-}  // namespace
+}  // namespace world_ground_test
 }  // namespace physim

@@ -6,7 +6,7 @@
 #include "support.hpp"
 
 namespace physim::test {
-namespace {
+namespace world_height_crossings_test {
 
 constexpr Integrator kByHeights[] = {Integrator::explicit_euler, Integrator::semi_implicit_euler, Integrator::heun,
                                      Integrator::rk4, Integrator::rk43};
@@ -110,5 +110,5 @@ TEST(HeightCrossings, AreNotForInterpolantsOfTheirOwnOrARoundEarth) {
   EXPECT_FALSE(holds(Integrator::dop853));
 }
 
-}  // namespace
+}  // namespace world_height_crossings_test
 }  // namespace physim::test

@@ -9,7 +9,7 @@
 #include "world/world_support.hpp"
 
 namespace physim {
-namespace {
+namespace world_independence_test {
 
 std::vector<Fidelity> rungs() {
   Fidelity float_isa = Fidelity::artillery();
@@ -285,5 +285,5 @@ TEST(Detail, moves_between_rungs_with_hysteresis) {
   EXPECT_EQ(world[id].fidelity_in_use().fidelity.integrator, Integrator::rk4);
 }
 
-}  // namespace
+}  // namespace world_independence_test
 }  // namespace physim

@@ -4,7 +4,7 @@
 #include "world/joints_support.hpp"
 
 namespace physim {
-namespace {
+namespace world_joints_contacts_test {
 
 using namespace test_joints;
 using test::near;
@@ -113,5 +113,5 @@ TEST(JointContacts, nets_that_fly_about_in_a_room_stay_in_it) {
     }
 }
 
-}  // namespace
+}  // namespace world_joints_contacts_test
 }  // namespace physim

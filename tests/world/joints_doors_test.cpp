@@ -6,7 +6,7 @@
 #include "world/random_session.hpp"
 
 namespace physim {
-namespace {
+namespace world_joints_doors_test {
 
 using namespace test_joints;
 using test::near;
@@ -314,5 +314,5 @@ TEST(JointDoors, a_world_without_joints_has_the_hash_it_had) {
   EXPECT_NE(world.hash(), other.hash());  // the next id will be another one
 }
 
-}  // namespace
+}  // namespace world_joints_doors_test
 }  // namespace physim

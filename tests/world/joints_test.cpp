@@ -2,7 +2,7 @@
 #include "world/joints_support.hpp"
 
 namespace physim {
-namespace {
+namespace world_joints_test {
 
 using namespace test_joints;
 using test::near;
@@ -383,5 +383,5 @@ TEST(Joints, a_rod_that_turns_too_fast_for_the_step_loses_energy) {
   EXPECT_TRUE(near(momentum(world, both), {0, 100, 0}, 1e-12));
 }
 
-}  // namespace
+}  // namespace world_joints_test
 }  // namespace physim

@@ -5,7 +5,7 @@
 #include "world/world_support.hpp"
 
 namespace physim {
-namespace {
+namespace world_kinds_test {
 
 ProjectileDef stone_of(double mass) {
   ProjectileDef p = stone();
@@ -179,5 +179,5 @@ TEST(Kinds, recordings_replay_whatever_is_let_go) {
   EXPECT_FALSE(report->difference) << report->difference->what;
 }
 
-}  // namespace
+}  // namespace world_kinds_test
 }  // namespace physim

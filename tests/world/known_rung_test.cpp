@@ -5,7 +5,7 @@
 #include "physim/world.hpp"
 
 namespace physim {
-namespace {
+namespace world_known_rung_test {
 
 std::vector<Fidelity> known_rungs() {
   std::vector<Fidelity> list;
@@ -85,5 +85,5 @@ TEST(KnownRungs, agree_with_any_rung_and_with_flights) {
   }
 }
 
-}  // namespace
+}  // namespace world_known_rung_test
 }  // namespace physim

@@ -7,7 +7,7 @@
 #include "world/world_support.hpp"
 
 namespace physim {
-namespace {
+namespace world_life_test {
 
 constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
 constexpr double kInf = std::numeric_limits<double>::infinity();
@@ -374,5 +374,5 @@ TEST(Time, a_change_of_step_keeps_clocks) {
   EXPECT_NEAR(world[id].position().y, 1000 + 20 * t - 0.5 * 9.80665 * t * t, 1e-9);
 }
 
-}  // namespace
+}  // namespace world_life_test
 }  // namespace physim

@@ -7,7 +7,7 @@
 #include "world_support.hpp"
 
 namespace physim {
-namespace {
+namespace world_live_test {
 
 const Launch kHigh{.position = {0, 100, 0}, .velocity = Vec3d{10, 0, 5}};
 
@@ -170,5 +170,5 @@ TEST(Live, each_part_has_a_flag_of_its_own_and_is_off_for_a_plain_body) {
   EXPECT_EQ(seen, kOwn);
 }
 
-}  // namespace
+}  // namespace world_live_test
 }  // namespace physim

@@ -6,7 +6,7 @@
 #include "world/random_session.hpp"
 
 namespace physim {
-namespace {
+namespace world_moments_test {
 
 World made(const WorldDef& def = {}) { return std::move(World::create(def).value()); }
 
@@ -192,5 +192,5 @@ TEST(Moments, the_order_of_free_slots_is_in_the_hash) {
   EXPECT_NE(a.hash(), b.hash());
 }
 
-}  // namespace
+}  // namespace world_moments_test
 }  // namespace physim

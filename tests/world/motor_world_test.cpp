@@ -6,7 +6,7 @@
 #include "world/world_support.hpp"
 
 namespace physim {
-namespace {
+namespace world_motor_world_test {
 
 using namespace test;
 
@@ -219,5 +219,5 @@ TEST(WorldMotor, a_rocket_at_rest_without_a_rail_is_refused) {
   EXPECT_EQ(id.error().place, "launch.rail_length");
 }
 
-}  // namespace
+}  // namespace world_motor_world_test
 }  // namespace physim

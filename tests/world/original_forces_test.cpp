@@ -6,7 +6,7 @@
 #include "world/force_support.hpp"
 
 namespace physim {
-namespace {
+namespace world_original_forces_test {
 
 using test::kInfinity;
 using test::near;
@@ -94,5 +94,5 @@ TEST(OriginalForces, the_originals_test_6_approaches_terminal_velocity) {
   }
 }
 
-}  // namespace
+}  // namespace world_original_forces_test
 }  // namespace physim

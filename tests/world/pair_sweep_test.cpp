@@ -7,7 +7,7 @@
 #include <set>
 
 namespace physim {
-namespace {
+namespace world_pair_sweep_test {
 
 using Pairs = std::set<std::pair<std::uint32_t, std::uint32_t>>;
 
@@ -66,5 +66,5 @@ TEST_F(Sweep, finds_who_is_beside_one_that_has_another_path) {
   }
 }
 
-}  // namespace
+}  // namespace world_pair_sweep_test
 }  // namespace physim

@@ -6,7 +6,7 @@
 #include "world/pairs_support.hpp"
 
 namespace physim {
-namespace {
+namespace world_pairs_rules_test {
 
 using namespace test_pairs;
 
@@ -162,5 +162,5 @@ TEST(Pairs, snapshots_saves_and_recordings_go_on_alike) {
   EXPECT_TRUE(report->complete);
 }
 
-}  // namespace
+}  // namespace world_pairs_rules_test
 }  // namespace physim

@@ -5,7 +5,7 @@
 #include "world/pairs_support.hpp"
 
 namespace physim {
-namespace {
+namespace world_pairs_test {
 
 using namespace test_pairs;
 
@@ -341,5 +341,5 @@ TEST(Pairs, every_rung_keeps_momentum_and_parts) {
     }
 }
 
-}  // namespace
+}  // namespace world_pairs_test
 }  // namespace physim

@@ -10,7 +10,7 @@
 #include "world/world_support.hpp"
 
 namespace physim {
-namespace {
+namespace world_predict_test {
 
 using test::near;
 
@@ -344,5 +344,5 @@ TEST(SpawnFlight, refuses_what_is_not_on_its_way) {
   EXPECT_EQ(world.counters().refused, 3u);
 }
 
-}  // namespace
+}  // namespace world_predict_test
 }  // namespace physim

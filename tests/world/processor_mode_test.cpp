@@ -6,7 +6,7 @@
 #include "world/world_support.hpp"
 
 namespace physim {
-namespace {
+namespace world_processor_mode_test {
 
 using test::Bits;
 
@@ -101,5 +101,5 @@ TEST(ProcessorMode, OfTheCallerChangesNoReplay) {
                           }}});
 }
 
-}  // namespace
+}  // namespace world_processor_mode_test
 }  // namespace physim

@@ -11,7 +11,7 @@
 #include "world/recording_bytes.hpp"
 
 namespace physim {
-namespace {
+namespace world_recording_test {
 
 using test::Bytes;
 using test::Places;
@@ -364,5 +364,5 @@ TEST(Recording, a_snapshot_from_before_ends_it) {
   EXPECT_FALSE(world.stop_recording());
 }
 
-}  // namespace
+}  // namespace world_recording_test
 }  // namespace physim

@@ -6,7 +6,7 @@
 #include "world/world_support.hpp"
 
 namespace physim {
-namespace {
+namespace world_rigid_world_test {
 
 using namespace test;
 
@@ -163,5 +163,5 @@ TEST(RigidWorld, snapshots_hold_it_and_the_hash_sees_it) {
   EXPECT_NE(world.hash(), hash);
 }
 
-}  // namespace
+}  // namespace world_rigid_world_test
 }  // namespace physim

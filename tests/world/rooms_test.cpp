@@ -12,7 +12,7 @@
 #include "world/slots.hpp"
 
 namespace physim {
-namespace {
+namespace world_rooms_test {
 
 std::uint32_t spawn(SlotTable& slots) {
   const std::uint32_t index = slots.take();
@@ -148,5 +148,5 @@ TEST(Clock, time_is_counted_in_steps_of_one_length) {
   EXPECT_EQ(clock.steps, 11u);
 }
 
-}  // namespace
+}  // namespace world_rooms_test
 }  // namespace physim

@@ -6,7 +6,7 @@
 #include "physim/world.hpp"
 
 namespace physim {
-namespace {
+namespace world_round_world_test {
 
 Environment windy_north() {
   Environment e;
@@ -52,5 +52,5 @@ TEST(RoundWorld, agrees_with_flight_bit_for_bit) {
     }
 }
 
-}  // namespace
+}  // namespace world_round_world_test
 }  // namespace physim

@@ -5,7 +5,7 @@
 #include "world/fields.hpp"
 
 namespace physim {
-namespace {
+namespace world_rows_test {
 
 constexpr std::uint32_t kOwn = ~0u;
 
@@ -119,5 +119,5 @@ TEST_F(SharedNumbers, rows_that_change_hands_are_noted_once) {
   EXPECT_EQ(changes_of(rows), (std::vector<std::uint32_t>{96}));
 }
 
-}  // namespace
+}  // namespace world_rows_test
 }  // namespace physim

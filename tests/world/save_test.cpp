@@ -10,7 +10,7 @@
 #include "world/world_support.hpp"
 
 namespace physim {
-namespace {
+namespace world_save_test {
 
 using Bytes = std::vector<std::byte>;
 
@@ -249,5 +249,5 @@ TEST(Save, fuzzed_ones_are_refused_or_make_a_sound_world) {
   EXPECT_GT(made, 100);
 }
 
-}  // namespace
+}  // namespace world_save_test
 }  // namespace physim

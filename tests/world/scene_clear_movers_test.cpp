@@ -6,7 +6,7 @@
 #include "world/newcomers.hpp"
 
 namespace physim {
-namespace {
+namespace world_scene_clear_movers_test {
 
 using namespace test_clear;
 
@@ -332,5 +332,5 @@ TEST(SceneClear, boxes_far_from_each_other_are_not_put_together) {
   for (const auto& group : few.groups()) EXPECT_LT(group.about.high.x - group.about.low.x, 120);
 }
 
-}  // namespace
+}  // namespace world_scene_clear_movers_test
 }  // namespace physim

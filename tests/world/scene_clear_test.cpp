@@ -2,7 +2,7 @@
 #include "world/clear_support.hpp"
 
 namespace physim {
-namespace {
+namespace world_scene_clear_test {
 
 using namespace test_clear;
 
@@ -28,5 +28,5 @@ TEST(SceneClear, what_is_known_to_be_clear_changes_no_answer) {
   EXPECT_GT(hits, 1500u);
 }
 
-}  // namespace
+}  // namespace world_scene_clear_test
 }  // namespace physim

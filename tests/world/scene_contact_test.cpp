@@ -7,7 +7,7 @@
 #include "world/world_support.hpp"
 
 namespace physim {
-namespace {
+namespace world_scene_contact_test {
 
 constexpr double kG = 9.80665;
 
@@ -288,5 +288,5 @@ TEST(SceneContact, a_ball_skips_off_water_and_a_steep_one_does_not) {
   }
 }
 
-}  // namespace
+}  // namespace world_scene_contact_test
 }  // namespace physim

@@ -6,7 +6,7 @@
 #include "world/world_support.hpp"
 
 namespace physim {
-namespace {
+namespace world_scene_moments_test {
 
 /// Balls that bounce in a trough, beside a plank that moves to and fro.
 World trough() {
@@ -331,5 +331,5 @@ TEST(SceneMoments, bad_collisions_are_refused_with_their_place) {
   EXPECT_EQ(why({.radius = 1, .inertia = 2.0 / 3}), "");
 }
 
-}  // namespace
+}  // namespace world_scene_moments_test
 }  // namespace physim

@@ -8,7 +8,7 @@
 #include "world/thing_support.hpp"
 
 namespace physim {
-namespace {
+namespace world_scene_parts_test {
 
 using test::Random;
 using namespace test_things;
@@ -386,5 +386,5 @@ TEST(SceneParts, are_held_by_saves_snapshots_and_recordings) {
   EXPECT_EQ(other.hash(), whole.hash());
 }
 
-}  // namespace
+}  // namespace world_scene_parts_test
 }  // namespace physim

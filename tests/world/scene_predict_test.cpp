@@ -7,7 +7,7 @@
 #include "world/world_support.hpp"
 
 namespace physim {
-namespace {
+namespace world_scene_predict_test {
 
 using test::Random;
 
@@ -123,5 +123,5 @@ TEST(ScenePredict, another_scene_is_refused) {
   EXPECT_EQ(flight.error()->place, "until.scene");
 }
 
-}  // namespace
+}  // namespace world_scene_predict_test
 }  // namespace physim

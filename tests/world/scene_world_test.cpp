@@ -11,7 +11,7 @@
 #include "world/world_support.hpp"
 
 namespace physim {
-namespace {
+namespace world_scene_world_test {
 
 using test::Random;
 using test_scene::kG;
@@ -421,5 +421,5 @@ TEST(SceneWorld, threads_and_kernels_change_nothing) {
   EXPECT_EQ(hashes[0], hashes[2]);
 }
 
-}  // namespace
+}  // namespace world_scene_world_test
 }  // namespace physim

@@ -7,7 +7,7 @@
 #include <tuple>
 
 namespace physim {
-namespace {
+namespace world_schedule_test {
 
 std::tuple<double, std::uint32_t> key(const Due& due) { return {due.time, due.id.index}; }
 
@@ -120,5 +120,5 @@ TEST(Schedule, PassesOverThoseThatAreGone) {
   EXPECT_FALSE(schedule.take(1e9, slots));
 }
 
-}  // namespace
+}  // namespace world_schedule_test
 }  // namespace physim

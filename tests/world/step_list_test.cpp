@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 namespace physim {
-namespace {
+namespace world_step_list_test {
 
 /// Fills it with so many, and empties it, step after step.
 template <class List>
@@ -44,5 +44,5 @@ TEST(StepList, KeepsWhatIsNotWorthGivingBack) {
   EXPECT_GE(list.capacity(), 1000u);
 }
 
-}  // namespace
+}  // namespace world_step_list_test
 }  // namespace physim

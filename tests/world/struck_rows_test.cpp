@@ -8,7 +8,7 @@
 #include "world/world_support.hpp"
 
 namespace physim::test {
-namespace {
+namespace world_struck_rows_test {
 
 struct Crowd {
   WorldDef def;
@@ -226,5 +226,5 @@ TEST(StruckRows, DoSoInPacksOfAllWidths) {
   use_kernel("");
 }
 
-}  // namespace
+}  // namespace world_struck_rows_test
 }  // namespace physim::test

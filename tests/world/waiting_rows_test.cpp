@@ -10,7 +10,7 @@
 #include "world/world_support.hpp"
 
 namespace physim {
-namespace {
+namespace world_waiting_rows_test {
 
 /// Runs f for a world whose rows wait, or never do.
 template <class F>
@@ -346,5 +346,5 @@ TEST(WaitingRows, are_read_one_by_one_at_any_time) {
   EXPECT_EQ(waits.hash(), steps.hash());
 }
 
-}  // namespace
+}  // namespace world_waiting_rows_test
 }  // namespace physim

@@ -4,7 +4,7 @@
 #include "physim/world.hpp"
 
 namespace physim {
-namespace {
+namespace world_world_size_test {
 
 WorldDef small_def() {
   WorldDef def;
@@ -106,5 +106,5 @@ TEST(WorldSize, calls_for_many_do_what_calls_for_each_do) {
   EXPECT_EQ(many.set_fidelity(some, Fidelity::game()), 0u);  // they are gone
 }
 
-}  // namespace
+}  // namespace world_world_size_test
 }  // namespace physim

@@ -10,7 +10,7 @@
 #include "world/world_support.hpp"
 
 namespace physim {
-namespace {
+namespace world_world_test {
 
 Environment windy() {
   Environment e;
@@ -88,5 +88,5 @@ TEST(World, agrees_with_flight_bit_for_bit) {
   }
 }
 
-}  // namespace
+}  // namespace world_world_test
 }  // namespace physim
