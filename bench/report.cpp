@@ -106,8 +106,7 @@ std::string as_text(const Report& report) {
 }
 
 std::string as_markdown(const Report& report, const std::string& command) {
-  std::string out = "# Benchmarks\n\nMade by `" + command +
-                    "`; do not edit. [Where the time goes](where_time_goes.md) of a flight and of an event.\n\n";
+  std::string out = "# Benchmarks\n\nMade by `" + command + "`; do not edit.\n\n";
   for (const auto& [name, value] : report.facts) out += "- " + name + ": " + value + "\n";
   for (const Section& s : report.sections) {
     out += "\n## " + s.title + "\n\n";

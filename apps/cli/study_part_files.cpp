@@ -36,8 +36,7 @@ Result<StudyPart> flown_before(const std::vector<std::string>& merge, const std:
     const auto part = read_part(file);
     if (!part) return part.error();
     if (part->shards() > 0 && part->record().hash != plan.record().hash)
-      return Error{"the part is of another study, or of another version", file,
-                   "join parts of this study alone, with all of its options"};
+      return Error{"the part is of another study", file, "join parts of this study alone, with all of its options"};
     auto merged = physim::merge(all, *part);
     if (!merged) return Error{merged.error().message, file, merged.error().hint};
     all = *std::move(merged);

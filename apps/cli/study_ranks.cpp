@@ -158,8 +158,8 @@ void Ranks::take_in(Round& round, int from, std::span<const std::byte> bytes) {
   const bool is_ours = flown && flown->record().hash == round.part.hash && flown->record().nodes.size() == 1;
   if (is_ours) return keep(round, *flown);
   round.stopped = true;
-  failed_ = Error{"rank " + std::to_string(from) + " flies another study, or is of another version", "mpirun",
-                  "give all nodes the same files and the same physim"};
+  failed_ = Error{"rank " + std::to_string(from) + (flown ? " flies another study" : ": " + flown.error().message),
+                  "mpirun", "give all nodes the same files and the same physim"};
 }
 
 /// One message, where there is one.

@@ -224,7 +224,7 @@ class StudyPart {
 /// Joins parts of one study; an error where both have a shard, or they are of different studies. In whatever order
 /// parts are joined, the bits of the result are the same.
 [[nodiscard]] Result<StudyPart> merge(const StudyPart& a, const StudyPart& b);
-/// A part as bytes, and back, with all its bits; an error for what is no part, or is damaged.
+/// A part as bytes, and back, with all its bits; an error if it is none, damaged, or flown by another version.
 [[nodiscard]] std::vector<std::byte> save_part(const StudyPart& part);
 [[nodiscard]] Result<StudyPart> load_part(std::span<const std::byte> bytes);
 

@@ -1,11 +1,13 @@
 // Saves of scenes: what they hold as bytes, and back.
 //
-// A save is its magic and format, the length of what follows (8 bytes), that, and a check sum of it (8).
+// A save is its magic and format, the length of what follows (8 bytes), that, and a check sum of it (8). What follows
+// begins with the version that wrote it.
 #include <cstring>
 #include <string>
 
 #include "base/archive.hpp"
 #include "base/ieee_mode.hpp"
+#include "base/written_by.hpp"
 #include "collide/content.hpp"
 #include "physim/impact.hpp"
 #include "physim/scene.hpp"
@@ -16,8 +18,9 @@ namespace collide {
 namespace {
 
 constexpr char kSceneMagic[8] = {'P', 'H', 'Y', 'S', 'I', 'M', 'C', '\n'};
-constexpr std::uint32_t kSceneFormat = 3;
-constexpr std::uint32_t kEngineFormat = 4;  // likewise, with the skin of an engine behind it
+constexpr std::uint32_t kSceneFormat = 5;
+constexpr std::uint32_t kEngineFormat = 6;     // likewise, with the skin of an engine behind it
+constexpr std::uint32_t kNamelessFormats = 2;  // lower by so much: the same without a version; they are read, too
 constexpr std::size_t kSceneHead = sizeof kSceneMagic + sizeof kSceneFormat + 8, kSceneSum = 8;
 
 struct SavedShape {
@@ -129,6 +132,11 @@ class SceneLoading {
 struct SceneBytes {
   std::span<const std::byte> content;
   std::uint64_t format = 0;
+
+  [[nodiscard]] bool has_version() const { return format >= kSceneFormat; }
+  [[nodiscard]] bool has_engine() const {
+    return format == kEngineFormat || format + kNamelessFormats == kEngineFormat;
+  }
 };
 Result<SceneBytes> scene_bytes(std::span<const std::byte> save) {
   if (save.size() < sizeof kSceneMagic || std::memcmp(save.data(), kSceneMagic, sizeof kSceneMagic) != 0)
@@ -137,9 +145,8 @@ Result<SceneBytes> scene_bytes(std::span<const std::byte> save) {
   std::uint64_t format = 0, length = 0, sum = 0;
   head.number(format, sizeof kSceneFormat);
   head.number(length, 8);
-  if (head.good() && format != kSceneFormat && format != kEngineFormat)
-    return not_a_scene("the save is of format " + std::to_string(format) + "; this library reads format " +
-                       std::to_string(kSceneFormat));
+  if (head.good() && (format + kNamelessFormats < kSceneFormat || format > kEngineFormat))
+    return of_other_format("save", "save", format, kSceneFormat, version_at(save.subspan(kSceneHead)));
   if (save.size() < kSceneHead + kSceneSum || length != save.size() - kSceneHead - kSceneSum)
     return not_a_scene("the save was cut, or something follows it");
   const auto content = save.subspan(kSceneHead, static_cast<std::size_t>(length));
@@ -164,7 +171,7 @@ std::vector<std::byte> Scene::save() const {
     saved.shapes.push_back(
         {slot.generation, slot.shape ? std::optional(collide::definition_of(*slot.shape)) : std::nullopt});
   std::vector<std::byte> content, bytes;
-  Writer(content).write(saved);
+  Writer(content).write(std::string(kVersion), saved);
   if (impl_->engine) Writer(content).write(skin());
   for (const char c : collide::kSceneMagic) bytes.push_back(static_cast<std::byte>(c));
   Writer writer(bytes);
@@ -179,13 +186,15 @@ Result<Scene> Scene::load(std::span<const std::byte> save, const EngineQuery& qu
   const IeeeMode mode;
   const auto bytes = collide::scene_bytes(save);
   if (!bytes) return bytes.error();
-  const bool has_engine = bytes->format == collide::kEngineFormat;
+  const bool has_engine = bytes->has_engine();
   collide::SavedScene saved;
   EngineScene engine{has_engine ? query : EngineQuery{}};
+  std::string made_by;
   Reader reader(bytes->content);
+  if (bytes->has_version()) reader(made_by);
   reader(saved);
   if (has_engine) reader(engine.skin);
-  if (!reader.complete()) return collide::not_a_scene("the save makes no sense");
+  if (!reader.complete()) return collide::not_a_scene("the save makes no sense" + by_another_version(made_by));
   if (has_engine && !query)
     return Error{"the scene has an engine, and no function was given", "query", "no file holds functions: give it"};
   Scene scene;

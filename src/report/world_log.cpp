@@ -408,7 +408,11 @@ Result<WorldLog> run_world(const Scenario& scenario, const LogOptions& options, 
   if (!saved) return saved.error();
   Result<WorldRun> made = options.load.empty() ? WorldRun::create(scenario, options.record)
                                                : WorldRun::load(scenario, *saved, options.record);
-  if (!made) return made.error();
+  if (!made) {
+    Error error = made.error();
+    if (error.place == "save") error.place = options.load;
+    return error;
+  }
   WorldRun& run = *made;
   Logger logger(run, options);
   if (Status status = logger.run(progress); !status) return status.error();

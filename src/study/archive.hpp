@@ -6,11 +6,8 @@
 
 namespace physim {
 
-/// Raised whenever the results of shards, or the bytes of parts, change.
-inline constexpr std::uint32_t kStudyFormat = 2;
-/// The format of parts that have hits over inputs behind all else, as they were once written.
-inline constexpr std::uint32_t kStudyFormatOverInputs = 3;
-/// The format of parts that have more behind all else: hits over inputs, distances of replicates, places.
-inline constexpr std::uint32_t kStudyFormatMore = 4;
+/// Raised whenever the bytes of parts change. Results of shards may differ between versions without it: parts name the
+/// version that flew them, and others refuse them.
+inline constexpr std::uint32_t kStudyFormat = 5;
 
 }  // namespace physim

@@ -6,6 +6,7 @@
 
 #include "base/archive.hpp"
 #include "base/ieee_mode.hpp"
+#include "base/written_by.hpp"
 #include "study/archive.hpp"
 #include "study/estimates.hpp"
 #include "study/shard.hpp"
@@ -28,6 +29,7 @@ struct SavedNode {
 struct SavedPart {
   std::string what;
   std::uint32_t format = 0;
+  std::string made_by;  // version of the library
   std::uint64_t hash = 0;
   std::vector<SavedNode> nodes;
 };
@@ -140,15 +142,23 @@ ShardSums sums_of(const CommonSums& common, const SavedMore& more) {
   return sums;
 }
 
-/// Reads what a format has behind all else: of each node; nothing where there is none.
-std::vector<SavedMore> read_more(Reader& reader, std::uint32_t format) {
-  std::vector<SavedMore> more;
-  if (format == kStudyFormatMore) reader(more);
-  if (format != kStudyFormatOverInputs) return more;
-  std::vector<std::vector<PartSums>> over_inputs;
-  reader(over_inputs);
-  for (std::vector<PartSums>& of : over_inputs) more.push_back({{std::move(of), {}}, {}});
-  return more;
+/// Reads the head and checks the sum. A part of another version is refused: what it flew may differ in last digits.
+Status read_head(std::span<const std::byte> bytes, Reader& reader, SavedPart& saved) {
+  reader(saved.what, saved.format);
+  if (!reader.good() || saved.what != kWhat) return not_a_part("they begin otherwise");
+  const std::size_t head = sizeof(std::uint32_t) + saved.what.size() + sizeof saved.format;
+  const std::string version = version_at(bytes.subspan(head));
+  if (saved.format != kStudyFormat) return of_other_format("part", "part", saved.format, kStudyFormat, version);
+  std::uint64_t sum = 0;
+  if (bytes.size() < sizeof sum) return not_a_part("they end too early");
+  const auto content = bytes.first(bytes.size() - sizeof sum);
+  Reader(bytes.last(sizeof sum)).number(sum, sizeof sum);
+  if (sum != hash_of(std::vector<std::byte>(content.begin(), content.end()))) return not_a_part("they are damaged");
+  reader(saved.made_by);
+  if (saved.made_by == kVersion) return {};
+  return Error{"the part is" + (version.empty() ? " of another version" : " of PhySim " + version) +
+                   ", and this is PhySim " + kVersion,
+               "part", "join it with the version that flew it, or fly it again"};
 }
 
 }  // namespace
@@ -242,7 +252,7 @@ Result<StudyPart> merge(const StudyPart& a, const StudyPart& b) {
   if (b.record().nodes.empty()) return a;
   if (a.record().nodes.empty()) return b;
   if (a.record().hash != b.record().hash)
-    return Error{"the parts are of different studies", "part", "join parts of one study, flown by one version"};
+    return Error{"the parts are of different studies", "part", "join parts of one study"};
   auto all = std::make_shared<StudyPartRecord>(a.record());
   for (const auto& [first, node] : b.record().nodes) {
     for (const auto& [known, other] : a.record().nodes)
@@ -257,18 +267,16 @@ Result<StudyPart> merge(const StudyPart& a, const StudyPart& b) {
 }
 
 std::vector<std::byte> save_part(const StudyPart& part) {
-  SavedPart saved{kWhat, kStudyFormat, part.record().hash, {}};
+  SavedPart saved{kWhat, kStudyFormat, kVersion, part.record().hash, {}};
   std::vector<SavedMore> more;
   for (const auto& [first, node] : part.record().nodes) {
     saved.nodes.push_back({first, node.count, *node.sums});
     if (SavedMore of = more_of(*node.sums); !of.empty()) more.push_back(std::move(of));
   }
   PHYSIM_ASSERT(more.empty() || more.size() == saved.nodes.size());
-  if (!more.empty()) saved.format = kStudyFormatMore;
   std::vector<std::byte> bytes;
   Writer writer(bytes);
-  writer.write(saved);
-  if (!more.empty()) writer.write(more);
+  writer.write(saved, more);
   const std::uint64_t sum = hash_of(bytes);
   writer.write(sum);
   PHYSIM_ASSERT(writer.good());
@@ -279,18 +287,10 @@ Result<StudyPart> load_part(std::span<const std::byte> bytes) {
   SavedPart saved;
   std::uint64_t sum = 0;
   Reader reader(bytes);
-  reader(saved.what, saved.format);
-  if (!reader.good() || saved.what != kWhat) return not_a_part("they begin otherwise");
-  if (saved.format < kStudyFormat || saved.format > kStudyFormatMore)
-    return Error{
-        "the part has format " + std::to_string(saved.format) + ", this version " + std::to_string(kStudyFormatMore),
-        "part", "join it with the version that flew it"};
-  reader(saved.hash, saved.nodes);
-  std::vector<SavedMore> more = read_more(reader, saved.format);
-  reader(sum);
+  if (const Status status = read_head(bytes, reader, saved); !status) return status.error();
+  std::vector<SavedMore> more;
+  reader(saved.hash, saved.nodes, more, sum);
   if (!reader.complete()) return not_a_part("they end too early, or too late");
-  const auto content = bytes.first(bytes.size() - sizeof(sum));
-  if (sum != hash_of(std::vector<std::byte>(content.begin(), content.end()))) return not_a_part("they are damaged");
   auto part = std::make_shared<StudyPartRecord>();
   part->hash = saved.hash;
   std::uint64_t end = 0;
@@ -311,7 +311,7 @@ Result<StudyPart> load_part(std::span<const std::byte> bytes) {
 Result<StudyResult> result_of(const StudyPlan& plan, const StudyPart& part, std::uint64_t shards) {
   const IeeeMode mode;
   if (part.shards() > 0 && part.record().hash != plan.record().hash)
-    return Error{"the part is of another study, or of another version", "part", "fly this study"};
+    return Error{"the part is of another study", "part", "fly this study"};
   const auto sums = part.record().first_shards(shards);
   if (!sums) return sums.error();
   return figures_of(plan.record(), **sums);

@@ -32,27 +32,18 @@ void fill_quantities(Study& study) {
 void add_member(Hasher& hasher, const std::shared_ptr<const Scene>& scene) {
   if (scene) hasher.add(scene->hash());
 }
-void add_member(Hasher& hasher, const std::optional<std::uint32_t>& over_inputs) {
-  if (over_inputs) hasher.add(*over_inputs);
-}
-void add_member(Hasher& hasher, const std::vector<StudyPlace>& at) {
-  if (!at.empty()) hasher.add(at);
-}
 template <class T>
 void add_member(Hasher& hasher, const T& member) {
   hasher.add(member);
 }
 
-/// What belongs to the results of shards: not how many there are. What is not asked for is left out where hashes were
-/// without it before: parts that were flown then are gone on with. Those that need replicates have distances in them
-/// since kStudyFormatMore.
+/// What belongs to the results of shards: not how many there are.
 std::uint64_t hash_of_study(const StudyPlanRecord& plan) {
   Study study = plan.study;
   study.shots = 0;
   study.until_width.reset();
   Hasher hasher;
   hasher.add(kStudyFormat);
-  if (!plan.is_plain()) hasher.add(kStudyFormatMore);
   with_members(study, [&](const auto&... members) { (add_member(hasher, members), ...); });
   return hasher.value();
 }

@@ -79,7 +79,7 @@ std::uint64_t next_judged(std::uint64_t count) {
 
 Status check_same(const StudyPlanRecord& plan, const StudyPart& so_far) {
   if (so_far.shards() == 0 || so_far.record().hash == plan.hash) return {};
-  return Error{"what was flown before is of another study, or of another version", "so_far", "start anew"};
+  return Error{"what was flown before is of another study", "so_far", "start anew"};
 }
 
 }  // namespace

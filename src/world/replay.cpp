@@ -6,6 +6,7 @@
 #include <cstring>
 #include <utility>
 
+#include "base/written_by.hpp"
 #include "physim/recording.hpp"
 #include "world/recorder.hpp"
 #include "world/save.hpp"
@@ -67,10 +68,10 @@ Status check_head(std::span<const std::byte> bytes) {
   Reader reader(bytes.subspan(known));
   reader.number(format, sizeof kRecordingFormat);
   if (!reader.good()) return Error{"the recording ends in its head", "byte " + std::to_string(bytes.size()), ""};
-  if (format != kRecordingFormat)
-    return Error{"the recording is of format " + std::to_string(format), "byte " + std::to_string(known),
-                 "this library reads format " + std::to_string(kRecordingFormat)};
-  return {};
+  if (format == kRecordingFormat) return {};
+  const std::size_t begin = std::min(bytes.size(), kHead + kFrameHead);  // the first frame begins with the version
+  return of_other_format("recording", "byte " + std::to_string(known), format, kRecordingFormat,
+                         version_at(bytes.subspan(begin)));
 }
 
 /// What is known of a recording before it is played.
@@ -173,7 +174,8 @@ struct Replay::Impl {
 Status Replay::Impl::read_begin(const Frame& frame) {
   Reader reader(frame.content, options);
   reader(report.made_by, record.hash_every, def, save);
-  if (frame.call != Call::begin || !reader.complete()) return damaged(frame.place, "the recording has no beginning");
+  if (frame.call != Call::begin || !reader.complete())
+    return damaged(frame.place, "the recording has no beginning" + by_another_version(report.made_by));
   begun_with = reader.functions_used();
   if (!save.empty()) {
     const Result<FunctionCounts> found = functions_of(save);
@@ -203,7 +205,8 @@ Status Replay::Impl::survey() {
       continue;
     }
     const bool known = handler.check ? handler.check(f.content, found) : f.call != Call::begin;
-    if (!known || report.complete) return damaged(f.place, "what stands here makes no sense");
+    if (!known || report.complete)
+      return damaged(f.place, "what stands here makes no sense" + by_another_version(report.made_by));
     report.complete = f.call == Call::end;
     end = f.next();
   }

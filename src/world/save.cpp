@@ -8,7 +8,7 @@
 #include "base/archive.hpp"
 #include "base/checker.hpp"
 #include "base/ieee_mode.hpp"
-#include "physim/version.hpp"
+#include "base/written_by.hpp"
 #include "prepare/check.hpp"
 #include "prepare/grant.hpp"
 #include "world/check.hpp"
@@ -40,9 +40,8 @@ Result<std::span<const std::byte>> content_of(std::span<const std::byte> save) {
   std::uint64_t format = 0, length = 0, sum = 0;
   head.number(format, sizeof kSaveFormat);
   head.number(length, 8);
-  if (head.good() && format != kSaveFormat)
-    return not_a_save("the save is of format " + std::to_string(format) + "; this library reads format " +
-                      std::to_string(kSaveFormat));
+  if (head.good() && format != kSaveFormat)  // the content begins with the version, whatever the format
+    return of_other_format("save", "save", format, kSaveFormat, version_at(save.subspan(kSaveHead)));
   if (save.size() < kSaveHead + kSumBytes || length != save.size() - kSaveHead - kSumBytes)
     return not_a_save("the save was cut, or something follows it");
   const auto content = save.subspan(kSaveHead, static_cast<std::size_t>(length));
@@ -51,13 +50,16 @@ Result<std::span<const std::byte>> content_of(std::span<const std::byte> save) {
   return content;
 }
 
+/// An error about a save, with the version that wrote it if that was another one.
+Error told(Error error, const SavedWorld& saved) { return error.message += by_another_version(saved.made_by), error; }
+
 /// A saved world as it stands in its bytes, and how many functions it has.
 Result<FunctionCounts> read(std::span<const std::byte> save, const LoadOptions& options, SavedWorld& into) {
   const auto content = content_of(save);
   if (!content) return content.error();
   Reader reader(*content, options);
   reader(into);
-  if (!reader.complete()) return makes_no_sense("its bytes");
+  if (!reader.complete()) return told(makes_no_sense("its bytes"), into);
   FunctionCounts functions = reader.functions_used();
   functions.hit_function =
       std::ranges::any_of(into.kinds, [](const SavedKind& kind) { return kind.body.collision.on_hit == OnHit::ask; });
@@ -476,7 +478,8 @@ Result<std::shared_ptr<WorldImpl>> loaded(std::span<const std::byte> save, const
   if (!functions) return functions.error();
   if (Status status = check_given(*functions, options, "the save"); !status) return status.error();
   Result<std::shared_ptr<WorldImpl>> made = Loading(saved).run(options.threading);
-  if (made) (*made)->hit_asking.set_function(options.hit_function);
+  if (!made) return told(made.error(), saved);
+  (*made)->hit_asking.set_function(options.hit_function);
   return made;
 }
 

@@ -92,7 +92,7 @@ struct SavedJoint {
 };
 
 struct SavedWorld {
-  std::string made_by;  // version of the library
+  std::string made_by;  // version of the library; first in every format, so that a refusal can name it
   WorldDef def;
   std::vector<Environment> environments;
   std::vector<Grown> growth;

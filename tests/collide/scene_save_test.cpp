@@ -1,9 +1,12 @@
 // Saves of scenes: the same bytes, ids and answers come back, and what is no save is refused.
 #include <gtest/gtest.h>
 
+#include <cstring>
+
 #include "base/archive.hpp"
 #include "collide/scene_support.hpp"
 #include "physim/scene.hpp"
+#include "physim/version.hpp"
 #include "support.hpp"
 
 namespace physim {
@@ -129,6 +132,28 @@ std::vector<std::byte> with_a_good_sum(std::vector<std::byte> save) {
   hash.add(std::span(save).subspan(kHead, save.size() - kHead - kSum));
   for (std::size_t i = 0; i < kSum; ++i) save[save.size() - kSum + i] = static_cast<std::byte>(hash.value() >> (8 * i));
   return save;
+}
+
+TEST(SceneSave, of_another_version_is_read_or_refused_by_name) {
+  constexpr std::size_t kFormat = 8, kContent = 12, kVersionPlace = 24;
+  const Scene scene = lived_in();
+  std::vector<std::byte> save = scene.save();
+  save[kVersionPlace] = std::byte{'7'};
+  ASSERT_TRUE(Scene::load(with_a_good_sum(save)));
+  save[kFormat] = std::byte{99};
+  const std::string now = std::string("; this is PhySim ") + kVersion + ", which reads format 5";
+  EXPECT_EQ(Scene::load(save).error().message,
+            "the save is of format 99, written by PhySim 7" + std::string(kVersion).substr(1) + now);
+  // Format 3 has no version; it is read, too.
+  const std::size_t length = std::strlen(kVersion);
+  save.erase(save.begin() + 20, save.begin() + kVersionPlace + static_cast<long>(length));
+  save[kFormat] = std::byte{3};
+  for (unsigned i = 0; i < 8; ++i) save[kContent + i] = static_cast<std::byte>((save.size() - 28) >> (8 * i));
+  const auto loaded = Scene::load(with_a_good_sum(save));
+  ASSERT_TRUE(loaded) << loaded.error().text();
+  EXPECT_EQ(loaded->hash(), scene.hash());
+  save[kFormat] = std::byte{2};
+  EXPECT_EQ(Scene::load(save).error().message, "the save is of format 2, written by an older version of PhySim" + now);
 }
 
 TEST(SceneSave, what_is_no_save_is_refused) {

@@ -47,7 +47,7 @@ std::vector<fs::path> files_with(const char* ending, const fs::path& folder) {
 
 std::vector<fs::path> pages() {
   std::vector<fs::path> all = files_with(".md", kRoot / "docs");
-  for (const char* page : {"README.md", "CHANGELOG.md"}) all.push_back(kRoot / page);
+  for (const char* page : {"README.md", "CHANGELOG.md", "CONTRIBUTING.md", "SECURITY.md"}) all.push_back(kRoot / page);
   return all;
 }
 
@@ -121,6 +121,19 @@ TEST(Docs, QuotedOutputIsWhatTheProgramPrints) {
     for (const Block& block : blocks_of(content_of(page))) {
       if (!block.comment.starts_with("output of physim ")) continue;
       expect_printed(lines_of(block.text), output_of(block.comment.substr(17)), page, block);
+    }
+}
+
+/// Lines of a table whose last columns differ from machine to machine: each quoted line begins a printed one.
+TEST(Docs, QuotedBeginningsOfLinesArePrinted) {
+  const std::string kind = "beginnings of lines of physim ";
+  for (const fs::path& page : pages())
+    for (const Block& block : blocks_of(content_of(page))) {
+      if (!block.comment.starts_with(kind)) continue;
+      const auto printed = lines_of(output_of(block.comment.substr(kind.size())));
+      for (const std::string& line : lines_of(block.text))
+        EXPECT_TRUE(std::any_of(printed.begin(), printed.end(), [&](const auto& own) { return own.starts_with(line); }))
+            << page.filename() << ":" << block.line << ": not printed: " << line;
     }
 }
 

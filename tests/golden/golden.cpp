@@ -22,7 +22,7 @@ namespace {
 /// What this version of the library must print. A change of the physics or the numerics changes it: say so in the
 /// commit.
 using Sums = std::array<std::uint64_t, 5>;
-constexpr Sums kExpectedSums = {0xc9cb65d6928c7669, 0xd20ff1f210e79092, 0xc715002c033ba288, 0x766c7aac23e2d7b0,
+constexpr Sums kExpectedSums = {0xc9cb65d6928c7669, 0xd20ff1f210e79092, 0xe65c0e68dd573af0, 0x766c7aac23e2d7b0,
                                 0x390afcbea25aaa19};
 
 void print(std::FILE* file, const Sums& sums) {

@@ -20,7 +20,7 @@ execute_process(COMMAND ${CMAKE_COMMAND} --build ${folder}/build OUTPUT_VARIABLE
 if(failed)
   message(FATAL_ERROR "the project does not build against what was installed:\n${log}")
 endif()
-execute_process(COMMAND ${folder}/build/stranger OUTPUT_VARIABLE printed COMMAND_ERROR_IS_FATAL ANY)
+execute_process(COMMAND ${folder}/build/my_game OUTPUT_VARIABLE printed COMMAND_ERROR_IS_FATAL ANY)
 if(NOT printed STREQUAL "landed flown\n")
   message(FATAL_ERROR "the project printed: ${printed}")
 endif()

@@ -2,9 +2,12 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cstring>
 #include <filesystem>
 
+#include "base/hash.hpp"
 #include "physim/recording.hpp"
+#include "physim/version.hpp"
 #include "physim/world_run.hpp"
 
 namespace physim {
@@ -90,6 +93,38 @@ TEST(WorldSave, of_another_scenario_is_refused) {
     EXPECT_FALSE(WorldRun::load(parsed(kGun), damaged)) << i;
     EXPECT_FALSE(WorldRun::load(parsed(kGun), std::span(save).first(i))) << i;
   }
+}
+
+/// A save with other bytes and the check sum that goes with them.
+std::vector<std::byte> with_sum(std::vector<std::byte> save) {
+  constexpr std::size_t kHead = 12, kSum = 8;
+  Hash hash;
+  hash.add(std::span(save).subspan(kHead, save.size() - kHead - kSum));
+  for (std::size_t i = 0; i < kSum; ++i) save[save.size() - kSum + i] = std::byte(hash.value() >> (8 * i));
+  return save;
+}
+
+TEST(WorldSave, of_another_version_is_read_or_refused_by_name) {
+  WorldRun run = WorldRun::create(parsed(kGun)).value();
+  for (int i = 0; i < 90; ++i) run.step();
+  std::vector<std::byte> save = run.save().value();
+  constexpr std::size_t kFormat = 8, kLength = 12, kVersionPlace = 16;
+  save[kVersionPlace] = std::byte{'7'};
+  EXPECT_TRUE(WorldRun::load(parsed(kGun), with_sum(save))) << "it has the same format";
+  save[kFormat] = std::byte{99};
+  const Error error = WorldRun::load(parsed(kGun), save).error();
+  EXPECT_EQ(error.place, "save");
+  EXPECT_NE(error.message.find("is of format 99, written by PhySim 7" + std::string(kVersion).substr(1) +
+                               "; this is PhySim " + kVersion + ", which reads format "),
+            std::string::npos)
+      << error.message;
+  // Format 5 has no version: it is that of 0.1.0, which goes on.
+  save[kFormat] = std::byte{5};
+  save.erase(save.begin() + kLength, save.begin() + kVersionPlace + static_cast<long>(std::strlen(kVersion)));
+  EXPECT_TRUE(WorldRun::load(parsed(kGun), with_sum(save)));
+  save[kFormat] = std::byte{4};
+  EXPECT_NE(WorldRun::load(parsed(kGun), save).error().message.find("format 4, written by an older version of PhySim;"),
+            std::string::npos);
 }
 
 TEST(WorldRun, one_that_would_never_end_is_refused) {

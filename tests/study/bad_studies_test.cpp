@@ -1,4 +1,6 @@
 // What studies refuse, and with which words.
+#include "base/archive.hpp"
+#include "physim/version.hpp"
 #include "study_support.hpp"
 
 namespace physim {
@@ -176,6 +178,39 @@ TEST(BadStudies, parts_that_do_not_fit) {
   EXPECT_NE(words(run_study(*other, nullptr, {.so_far = *both})).find("another study"), std::string::npos);
   EXPECT_TRUE(result_of(*plan, *both, 1));
   EXPECT_FALSE(result_of(*plan, StudyPart(), 1));
+}
+
+/// A part with other bytes and the check sum that goes with them.
+std::vector<std::byte> with_sum(std::vector<std::byte> bytes) {
+  bytes.resize(bytes.size() - 8);
+  const std::uint64_t sum = hash_of(bytes);
+  for (unsigned i = 0; i < 8; ++i) bytes.push_back(static_cast<std::byte>(sum >> (8 * i)));
+  return bytes;
+}
+
+std::string why_not(const Result<StudyPart>& part) { return part ? "" : part.error().text(); }
+
+TEST(BadStudies, parts_of_another_version_are_refused_by_name) {
+  const auto plan = plan_study(throw_of());
+  std::vector<std::byte> bytes = save_part(run_shard(*plan, 0));
+  ASSERT_TRUE(load_part(with_sum(bytes)));
+  constexpr std::size_t kFormat = 21, kVersionPlace = 29;  // behind "physim study part" with its length; format, length
+  const std::string other = "PhySim 7" + std::string(kVersion).substr(1), own = std::string("PhySim ") + kVersion;
+  bytes[kVersionPlace] = std::byte{'7'};
+  EXPECT_EQ(why_not(load_part(with_sum(bytes))), "part: error: the part is of " + other + ", and this is " + own +
+                                                     "; join it with the version that flew it, or fly it again");
+  bytes[kFormat] = std::byte{99};
+  EXPECT_NE(why_not(load_part(bytes)).find("the part is of format 99, written by " + other + "; this is " + own),
+            std::string::npos);
+  for (const int older : {2, 3, 4}) {  // they have the hash of the study where the version stands now
+    bytes[kFormat] = static_cast<std::byte>(older);
+    for (std::size_t i = 0; i < 8; ++i) bytes[kFormat + 4 + i] = std::byte(0x9e * (i + 1));
+    EXPECT_NE(why_not(load_part(bytes))
+                  .find("the part is of format " + std::to_string(older) +
+                        ", written by an older version of PhySim; this is " + own),
+              std::string::npos)
+        << why_not(load_part(bytes));
+  }
 }
 
 TEST(BadStudies, damaged_bytes_are_refused) {

@@ -110,7 +110,7 @@ TEST(StudyOverInputs, have_the_same_bits_however_they_are_flown) {
   EXPECT_EQ(result_of(plan, all, 48)->over_inputs, run_study(plan)->over_inputs);
 }
 
-/// Parts of studies that do not ask for it have the bytes that they always had, and are no parts of those that do.
+/// Parts of studies that do not ask for it are smaller, and are no parts of those that do.
 TEST(StudyOverInputs, are_told_apart_from_studies_without) {
   Study study = circle();
   study.shard_shots = 64;

@@ -7,6 +7,7 @@
 #include <set>
 
 #include "physim/recording_file.hpp"
+#include "physim/version.hpp"
 #include "world/random_session.hpp"
 #include "world/recording_bytes.hpp"
 
@@ -239,7 +240,18 @@ TEST(Recording, other_files_and_formats_are_refused) {
   EXPECT_NE(error_of({}).find("byte 0: error: this is not a recording"), std::string::npos);
   EXPECT_NE(error_of(Bytes(100)).find("this is not a recording"), std::string::npos);
   bytes[8] = std::byte{99};
-  EXPECT_EQ(error_of(bytes), "byte 8: error: the recording is of format 99; this library reads format 11");
+  const std::string known = "; this is PhySim " + std::string(kVersion) + ", which reads format " +
+                            std::to_string(kRecordingFormat) + "; read it with the version that wrote it";
+  constexpr std::size_t kVersionPlace = 21;  // behind the heads of the file and of its first frame, and a length
+  bytes[kVersionPlace] = std::byte{'7'};
+  EXPECT_EQ(error_of(bytes), "byte 8: error: the recording is of format 99, written by PhySim 7" +
+                                 std::string(kVersion).substr(1) + known);
+  bytes[8] = std::byte{1};
+  bytes[kVersionPlace] = std::byte{0};
+  const std::string older = "byte 8: error: the recording is of format 1, written by an older version of PhySim";
+  EXPECT_EQ(error_of(bytes), older + known);
+  bytes.resize(12);
+  EXPECT_EQ(error_of(bytes), older + known);
   bytes = small_recording();
   bytes.push_back({});
   EXPECT_NE(error_of(bytes).find("something follows"), std::string::npos);

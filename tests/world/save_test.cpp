@@ -6,6 +6,7 @@
 
 #include "base/hash.hpp"
 #include "physim/recording.hpp"
+#include "physim/version.hpp"
 #include "world/random_session.hpp"
 #include "world/world_support.hpp"
 
@@ -210,9 +211,6 @@ TEST(Save, what_is_no_save_is_refused) {
   Bytes longer = save;
   longer.push_back({});
   EXPECT_FALSE(World::load(longer));
-  Bytes later = save;
-  later[8] = std::byte{99};
-  EXPECT_NE(World::load(later).error().message.find("format 99"), std::string::npos);
 }
 
 /// A save with other bytes and the check sum that goes with them.
@@ -222,6 +220,37 @@ Bytes with_sum(Bytes save) {
   hash.add(std::span(save).subspan(kHead, save.size() - kHead - 8));
   for (unsigned i = 0; i < 8; ++i) save[save.size() - 8 + i] = static_cast<std::byte>(hash.value() >> (8 * i));
   return save;
+}
+
+constexpr std::size_t kVersionPlace = 24;  // behind the head and the length of the version
+
+TEST(Save, of_another_format_is_refused_with_the_version_that_wrote_it) {
+  Bytes save = save_of(World());
+  save[kVersionPlace] = std::byte{'7'};
+  save[8] = std::byte{99};
+  const Error error = World::load(save).error();
+  const std::string version = "7" + std::string(kVersion).substr(1);
+  EXPECT_EQ(error.message, "the save is of format 99, written by PhySim " + version + "; this is PhySim " + kVersion +
+                               ", which reads format " + std::to_string(kSaveFormat));
+  EXPECT_EQ(error.place, "save");
+  EXPECT_EQ(error.hint, "read it with the version that wrote it");
+  save[kVersionPlace] = std::byte{0xff};
+  EXPECT_NE(World::load(save).error().message.find("written by a newer version of PhySim;"), std::string::npos);
+  save[8] = std::byte{1};
+  EXPECT_NE(World::load(save).error().message.find("written by an older version of PhySim;"), std::string::npos);
+}
+
+TEST(Save, of_another_version_is_read_and_named_where_it_makes_no_sense) {
+  World world;
+  ASSERT_TRUE(world.spawn(stone(), {.position = {0, 9, 0}}));
+  Bytes save = save_of(world);
+  save[kVersionPlace] = std::byte{'7'};
+  const auto loaded = World::load(with_sum(save));
+  ASSERT_TRUE(loaded) << loaded.error().text();
+  expect_same(*loaded, world);
+  save[save.size() - 9] = std::byte{0xff};  // the last of its content: a list that is longer than what follows
+  const std::string why = ": PhySim 7" + std::string(kVersion).substr(1) + " wrote it, and this is PhySim " + kVersion;
+  EXPECT_EQ(World::load(with_sum(save)).error().message, "its bytes make no sense" + why);
 }
 
 TEST(Save, fuzzed_ones_are_refused_or_make_a_sound_world) {
