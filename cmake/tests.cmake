@@ -40,6 +40,7 @@ function(physim_add_random_check test program source)
 endfunction()
 physim_add_random_check(soak physim_soak tests/soak/soak.cpp 1e6 2000)  # a crowded world in which everything changes
 physim_add_random_check(scene_soak physim_scene_soak tests/soak/scene_soak.cpp 5e5 1000)  # and things move
+physim_add_random_check(calls_soak physim_calls_soak tests/soak/calls_soak.cpp 30)  # programs of calls, played in several ways
 physim_add_random_check(fuzz physim_fuzz tests/fuzz/aim_fuzz.cpp 500)  # questions to aim()
 physim_add_random_check(world_fuzz physim_world_fuzz tests/fuzz/world_fuzz.cpp 100)  # calls of the whole interface
 file(GLOB hits_sources CONFIGURE_DEPENDS tests/hits/*.cpp)

@@ -140,9 +140,11 @@ class PairSearch {
   return {path[leg], path[leg + 1]};
 }
 
-/// When two paths come within a distance of each other for the first time, or part from it, from a time on.
+/// When two paths come within a distance of each other for the first time, or part from it, from a time on. Nothing
+/// comes within a distance that is not above 0.
 [[nodiscard]] inline std::optional<double> first_touch(std::span<const Knot> a, std::span<const Knot> b,
                                                        double distance, Touch touch, double from) {
+  if (touch == Touch::comes_near && !(distance > 0)) return std::nullopt;
   std::size_t i = leg_at(a, from), j = leg_at(b, from);
   for (;;) {
     const Leg one = leg_of(a, i), other = leg_of(b, j);

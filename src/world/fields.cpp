@@ -1,9 +1,27 @@
 #include "world/fields.hpp"
 
+#include <algorithm>
+#include <array>
+#include <iterator>
+
 #include "base/assert.hpp"
 #include "model/attitude.hpp"
 
 namespace physim {
+namespace {
+
+/// Numbers of a Body that follow from the kind and the rung. Among them are all that name a place in a table.
+constexpr auto kOfKind = [] {
+  std::array<bool, kNumbers<Body>> of_kind{};
+  const NumberRuns parts =
+      PartSet::of<DampingPart, AreaPart, CurvePart, SpherePart, BandPart, AppliedPart, MotorPart>().runs();
+  for (unsigned k = 0; k < parts.count; ++k)
+    for (unsigned i = parts.run[k].first; i < parts.run[k].end; ++i) of_kind[i] = true;
+  for (unsigned i = kBodyNumber.spin_decay; i <= kBodyNumber.magnus_table; ++i) of_kind[i] = true;
+  return of_kind;
+}();
+
+}  // namespace
 
 RowLayout layout_of(const Fidelity& granted, const Features& features, bool launch_place, bool meets) {
   const PartSet read = parts_read(granted, features);
@@ -18,6 +36,8 @@ RowLayout layout_of(const Fidelity& granted, const Features& features, bool laun
   add(read & kPlane);
   add(read & kBehind);
   PHYSIM_ASSERT(layout.fields.size() == read.runs().numbers());
+  std::ranges::copy_if(layout.fields, std::back_inserter(layout.own), [](std::uint8_t i) { return !kOfKind[i]; });
+  layout.burning = std::ranges::find(layout.fields, kBodyNumber.burn_piece) != layout.fields.end();
   const bool closed = granted.motion == Motion::closed_form;
   layout.float32 = granted.precision == Precision::float32;
   layout.clocked = closed || features.has_applied || features.has_motor || features.has_rail ||

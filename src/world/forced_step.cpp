@@ -133,9 +133,11 @@ class ForcedStep {
       }
       if (!has_generators_) keep_ends(group);  // else others see these rows as they were
     }
-    // Landings and the like lie on the dense output, which needs the slope at the end.
+    // Landings and the like lie on the dense output, which needs the slope at the end; and who meets another one flies
+    // the rest of its step between the pushes at both ends.
     part_ = {0, longest(group)};
-    if (attention && group.integrator != Integrator::classic) push(group, end_slope(group.integrator), 1);
+    if ((attention || context_.pairs) && group.integrator != Integrator::classic)
+      push(group, end_slope(group.integrator), 1);
   }
   template <class S>
   void advance(ForcedRun& r, int stage, bool is_drag) {

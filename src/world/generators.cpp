@@ -79,10 +79,12 @@ std::size_t Generators::bytes() const {
   return bytes + named_.size() * 32;
 }
 
-void Generators::add_to(Hash& hash) const {
+void Generators::add_to(Hash& hash, const Kinds& kinds) const {
   for (const std::uint32_t index : order_) {
     const Generator& g = all_[index];
-    hash.add(hash_of(index, g.begun, g.start, g.end, g.def, g.except));
+    const ForceDef& def = g.def;
+    hash.add(hash_of(index, g.begun, g.start, g.end, def.law, def.target.ids, def.target.layers, g.except));
+    hash.add(kinds.hash_of(def.target.kind));
   }
   for (const Generator& g : all_) hash.add(std::uint64_t{g.generation});
   for (const std::uint32_t index : free_) hash.add(std::uint64_t{index});

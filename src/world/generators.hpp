@@ -8,6 +8,7 @@
 #include "base/hash.hpp"
 #include "physim/forces.hpp"
 #include "physim/world_def.hpp"
+#include "world/kinds.hpp"
 
 namespace physim {
 
@@ -66,8 +67,8 @@ class Generators {
     if (in_group) groups_.push_back(index);
   }
   [[nodiscard]] std::size_t bytes() const;
-  /// In the order in which they act, and that in which their places are used again.
-  void add_to(Hash& hash) const;
+  /// In the order in which they act, and that in which their places are used again; kinds by what they are.
+  void add_to(Hash& hash, const Kinds& kinds) const;
 
  private:
   std::vector<Generator> all_{1};  // 0 is none

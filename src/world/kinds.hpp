@@ -79,6 +79,11 @@ class Kinds {
     const auto at = by_number_.find(id.index);
     return at == by_number_.end() ? 0 : at->second;
   }
+  /// The hash of the definitions of a kind; 0 where its number means nothing.
+  [[nodiscard]] std::uint64_t hash_of(KindId id) const {
+    const std::uint32_t index = find(id);
+    return index == 0 ? 0 : (*this)[index].hash;
+  }
   /// The index of a kind of equal definitions; 0 where there is none.
   [[nodiscard]] std::uint32_t find(std::uint64_t hash, const ProjectileDef& projectile, const BodyDef& body) const;
   [[nodiscard]] bool is(std::uint32_t index, const ProjectileDef& projectile, const BodyDef& body) const {

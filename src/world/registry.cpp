@@ -105,24 +105,11 @@ void Registry::add_saved_kind(Kind saved) {
   }
 }
 
-void Registry::grow(const std::vector<Grown>& growth) {
-  for (const Grown& each : growth) {
-    const ProjectileDef flown = with_drag_scaled(each.projectile, each.drag_scale).value();
-    // Granted once more, as it may come from a save: an environment changes no table.
-    const Fidelity granted = grant(each.granted, flown, Environment{}).fidelity;
-    Conditions<double> probe = prepare_conditions(Environment{}, granted);
-    TablePool& pool = tables(granted.interpolation);
-    const Body<double> body = prepare_body(flown, Launch{}, 0, pool, probe);
-    if (turns(granted)) static_cast<void>(prepare_rotor(flown, Launch{}, 0, body, pool, probe));
-  }
-  growth_ = growth;
-}
-
 std::size_t Registry::bytes() const {
   std::size_t numbers = 0;
   for (const TablePool& pool : tables_) numbers += pool.size();
   return kinds.bytes() + cohorts_.size() * sizeof(WorldCohort) + numbers * sizeof(double) +
-         growth_.capacity() * sizeof(Grown) + environments_.capacity() * sizeof(Environment);
+         environments_.capacity() * sizeof(Environment);
 }
 
 std::optional<std::uint16_t> Registry::rung(std::uint32_t index, const Fidelity& asked, const FidelityNote* why) {
@@ -158,10 +145,8 @@ void Registry::prepare(Kind& k, Prepared& r) {
   r.rotor = nullptr;
   if (turns(granted))
     r.rotor = std::make_unique<Rotor<double>>(prepare_rotor(k.flown, Launch{}, 0, r.body, pool, probe));
-  if (pool.size() != size_before) {
-    growth_.push_back({k.projectile, k.body.drag_scale, granted});
+  if (pool.size() != size_before)
     for (WorldCohort& cohort : cohorts_) point_to_tables(cohort);
-  }
   const bool equivalent = granted.drag == DragModel::linear_quadratic && k.flown.drag.k1 == 0 && k.flown.drag.k2 == 0;
   auto& curves = equivalent_[static_cast<unsigned>(granted.interpolation)];
   if (!curves) curves = std::make_shared<TablePool>();

@@ -72,13 +72,6 @@ struct WorldCohort {
 /// A projectile with so many times the drag, on every rung.
 [[nodiscard]] Result<ProjectileDef> with_drag_scaled(ProjectileDef projectile, double scale);
 
-/// What tables were made for: a projectile, with so many times its drag, on a rung.
-struct Grown {
-  ProjectileDef projectile;
-  double drag_scale = 1;
-  Fidelity granted;
-};
-
 class Registry {
  public:
   explicit Registry(const WorldDef& def) : def_(def), environments_{def.environment} {}
@@ -113,9 +106,6 @@ class Registry {
   [[nodiscard]] bool has_environment_of(const Kind& k) const { return k.body.environment < environments_.size(); }
   [[nodiscard]] const std::vector<Environment>& environments() const { return environments_; }
   [[nodiscard]] bool is_new() const { return kinds.is_new(); }
-  /// What was prepared when the tables grew, in order: a world that prepares the same has equal tables.
-  [[nodiscard]] const std::vector<Grown>& growth() const { return growth_; }
-  void grow(const std::vector<Grown>& growth);
   [[nodiscard]] std::size_t bytes() const;
   /// The tables of one interpolation, shared by all cohorts.
   [[nodiscard]] const TablePool& tables(Interpolation i) const { return tables_[static_cast<unsigned>(i)]; }
@@ -136,7 +126,6 @@ class Registry {
   std::uint32_t last_given_ = 0;  // number of the kind that was found last
   std::deque<WorldCohort> cohorts_;
   TablePool tables_[3];
-  std::vector<Grown> growth_;
   std::shared_ptr<TablePool> equivalent_[3];  // of EquivalentDrags, by interpolation
 };
 

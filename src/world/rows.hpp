@@ -29,6 +29,8 @@ struct RowLayout {
   bool turning = false;              // a Turn and RotorConstants
   bool meeting = false;              // what is clear of the things of the scene about it
   std::vector<std::uint8_t> fields;  // members of Body that the models read, as indices of its numbers
+  std::vector<std::uint8_t> own;     // those of them that do not follow from the kind and the rung
+  bool burning = false;              // a motor: which piece of its table a projectile is in is its own, too
 
   bool operator==(const RowLayout&) const = default;
 };

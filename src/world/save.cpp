@@ -106,11 +106,6 @@ class Loading {
 
   Status kinds() {
     Registry& registry = world_->registry;
-    for (const auto& each : saved_.growth)
-      if (!check(each.projectile) || !(each.drag_scale >= 0) || !with_drag_scaled(each.projectile, each.drag_scale) ||
-          !check(Tolerance{}, each.granted))
-        return makes_no_sense("its tables");
-    registry.grow(saved_.growth);
     if (saved_.kinds.size() > kMostKinds) return makes_no_sense("its kinds");
     for (const SavedKind& each : saved_.kinds) {
       const bool fits = each.number > 0 && each.number <= saved_.last_number && !registry.has_kind({each.number}) &&
@@ -419,7 +414,6 @@ SavedWorld saved_world(const WorldImpl& world) {
   saved.made_by = kVersion;
   saved.def = world.def;
   saved.environments = world.registry.environments();
-  saved.growth = world.registry.growth();
   for (const Kind* kind : world.registry.kinds.known()) saved.kinds.push_back(saved_kind(*kind));
   saved.last_number = world.registry.kinds.last_number();
   saved.idle = world.registry.kinds.idle_numbers();

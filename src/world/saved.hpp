@@ -95,7 +95,6 @@ struct SavedWorld {
   std::string made_by;  // version of the library; first in every format, so that a refusal can name it
   WorldDef def;
   std::vector<Environment> environments;
-  std::vector<Grown> growth;
   std::vector<SavedKind> kinds;
   std::uint32_t last_number = 0;
   std::vector<std::uint32_t> idle;  // kinds, by number

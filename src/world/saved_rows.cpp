@@ -1,6 +1,4 @@
 // Rows in saves: the numbers of a projectile that do not follow from its kind and its rung.
-#include <algorithm>
-#include <array>
 #include <cmath>
 
 #include "solve/stops.hpp"
@@ -8,18 +6,6 @@
 
 namespace physim {
 namespace {
-
-/// Numbers of a Body that are those of the kind. Among them are all that name a place in a table: no save decides
-/// those.
-constexpr auto kOfKind = [] {
-  std::array<bool, kNumbers<Body>> of_kind{};
-  const NumberRuns parts =
-      PartSet::of<DampingPart, AreaPart, CurvePart, SpherePart, BandPart, AppliedPart, MotorPart>().runs();
-  for (unsigned k = 0; k < parts.count; ++k)
-    for (unsigned i = parts.run[k].first; i < parts.run[k].end; ++i) of_kind[i] = true;
-  for (unsigned i = kBodyNumber.spin_decay; i <= kBodyNumber.magnus_table; ++i) of_kind[i] = true;
-  return of_kind;
-}();
 
 /// Hands every number of a row that a save holds to f, as a reference to its column's, and whether it must be finite:
 /// what the original's loop carries over need not be, where it retires its projectile in the next step.
@@ -33,10 +19,6 @@ void each_number(const RowLayout& layout, const RowColumns<S>& c, std::uint32_t 
   if (layout.launched) each(c.launch, 3);
   if (layout.clocked) f(c.offset[row], true), f(c.born[row], true);
   if (layout.turning) each(c.turn, kNumbers<Turn>);
-}
-
-[[nodiscard]] bool has_burn(const RowLayout& layout) {
-  return std::ranges::find(layout.fields, kBodyNumber.burn_piece) != layout.fields.end();
 }
 
 /// Gives a body the piece of its motor's table that comes so many after its first.
@@ -68,13 +50,12 @@ std::vector<double> Placement::saved_numbers(std::uint32_t index) const {
   rows.bring_up(slot.row);
   rows.read_fixed([&](const auto& c) {
     each_number(layout, c, slot.row, [&](auto& number, bool) { numbers.push_back(static_cast<double>(number)); });
-    for (const std::uint8_t field : layout.fields)
-      if (!kOfKind[field]) numbers.push_back(static_cast<double>(c.field[field][slot.row]));
+    for (const std::uint8_t field : layout.own) numbers.push_back(static_cast<double>(c.field[field][slot.row]));
   });
   // The motor is told by the piece of its table, counted from the first.
   const Body<double> body = body_of(slot);
   const double first = registry_.kind(slot.kind).rungs[slot.rung].body.burn_piece;
-  if (has_burn(layout)) numbers.push_back(body.burn_piece - first);
+  if (layout.burning) numbers.push_back(body.burn_piece - first);
   return numbers;
 }
 
@@ -94,9 +75,8 @@ bool Placement::put_saved(std::uint32_t index, const std::vector<double>& number
     });
   });
   Body<double> body = rung.body;
-  for (const std::uint8_t field : layout.fields)
-    if (!kOfKind[field]) good = !std::isnan(physim::numbers(body)[field] = next()) && good;
-  if (has_burn(layout)) good = put_burn(c, next(), body) && good;
+  for (const std::uint8_t field : layout.own) good = !std::isnan(physim::numbers(body)[field] = next()) && good;
+  if (layout.burning) good = put_burn(c, next(), body) && good;
   good = good && constrains(c, body);
   state_.rows_of(slot).write_fields(slot.row, body);
   if (layout.turning) rows.put_rotor(slot.row, *rung.rotor);

@@ -56,7 +56,9 @@ Status WorldImpl::refuses(const EmitterDef& asked) const {
 
 void WorldImpl::equip(Emitter& emitter, const EmitterDef& asked, std::uint64_t seed) const {
   emitter.emission = std::make_shared<const Emission>(asked, seed);
-  emitter.hash = hash_of(asked, seed);
+  EmitterDef named = asked;  // kinds are told by what they are: a number tells how many came before
+  named.kind = named.gun.tracer = {};
+  emitter.hash = hash_of(named, seed, registry.kinds.hash_of(asked.kind), registry.kinds.hash_of(asked.gun.tracer));
   emitter.drives = emitter.emission->flight().acts();
   if (std::holds_alternative<AtRest>(asked.motion)) return;
   if (auto path = collide::Path::make(asked.motion, {asked.position, asked.rotation, 1}))

@@ -66,18 +66,19 @@ void add_vector(Hash& h, S* const (&column)[3], std::uint32_t row, S fourth) {
   h.add(column[2][row], fourth);
 }
 
-/// What a row holds that decides its future. The previous position does not: it is only shown.
+/// What a row holds that decides its future and does not follow from its kind and rung; `first` is the first piece of
+/// its motor's table. The previous position does not: it is only shown.
 template <class S>
-void add_row(Hash& h, const RowLayout& layout, const RowColumns<S>& c, std::uint32_t row, S now) {
+void add_row(Hash& h, const RowLayout& layout, const RowColumns<S>& c, std::uint32_t row, S now, S first) {
   add_vector(h, c.position, row, c.velocity[0][row]);
   h.add(c.velocity[1][row], c.velocity[2][row]);
   if (layout.carried) add_vector(h, c.carried, row, S(0));
   if (layout.launched) add_vector(h, c.launch, row, S(0));
   if (layout.clocked) h.add(c.offset[row], now - c.born[row]);
-  const std::size_t fields = layout.fields.size();
-  for (std::size_t i = 0; i + 1 < fields; i += 2)
-    h.add(c.field[layout.fields[i]][row], c.field[layout.fields[i + 1]][row]);
-  if (fields % 2 != 0) h.add(c.field[layout.fields[fields - 1]][row], S(0));
+  const std::size_t fields = layout.own.size();
+  for (std::size_t i = 0; i + 1 < fields; i += 2) h.add(c.field[layout.own[i]][row], c.field[layout.own[i + 1]][row]);
+  if (fields % 2 != 0) h.add(c.field[layout.own[fields - 1]][row], S(0));
+  if (layout.burning) h.add(c.field[kBodyNumber.burn_piece][row] - first, S(0));
   if (!layout.turning) return;
   for (unsigned i = 0; i < kNumbers<Turn>; ++i) h.add(c.turn[i][row], S(0));
 }
@@ -95,11 +96,12 @@ std::uint64_t sum_of_rows(const WorldState& s, const Kinds& kinds) {
         const Slot& slot = s.slots[index];
         PHYSIM_ASSERT(slot.rung < kinds[slot.kind].rungs.size());
         const Rest& rest = s.slots.rest(index);
-        Hash h(kinds[slot.kind].rungs[slot.rung].hash);
+        const Prepared& rung = kinds[slot.kind].on(slot.rung);
+        Hash h(rung.hash);
         h.add(index, slot.generation);
         h.add(slot.flags, std::bit_cast<std::uint32_t>(rest.step + 1 == last_step ? rest.time : 0.0f));
         h.add(s.slots.birth(index));  // pending launches and the ends of old ages follow from it
-        add_row(h, rows.layout(), c, row, now);
+        add_row(h, rows.layout(), c, row, now, static_cast<S>(rung.body.burn_piece));
         sum += h.value();
       }
     });
@@ -143,7 +145,7 @@ std::uint64_t WorldImpl::hash() const {
   h.add(sum_of_few(state));
   add_free_slots(h, state);
   state.pools.add_to(h);
-  state.generators.add_to(h);
+  state.generators.add_to(h, registry.kinds);
   state.emitters.add_to(h, state.slots);
   state.joints.add_to(h);
   h.add(hash_of(state.observer, state.detail, registry.environments()));

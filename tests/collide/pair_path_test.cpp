@@ -136,5 +136,14 @@ TEST_F(PairPaths, wild_ones_and_those_without_numbers_end) {
   EXPECT_FALSE(first_touch(none, rests, 1, Touch::comes_near, 0)) << "and meet nothing";
 }
 
+/// Where one of two is so far away that its numbers are rounded by more than both are large, nobody knows when they
+/// touch: what is left of the distance is below 0.
+TEST_F(PairPaths, nothing_comes_nearer_than_no_distance) {
+  const std::vector<Knot> rests{{0, {}, {}}, {1, {}, {}}},
+      comes{{0, {2, 0, 0}, {-4, 0, 0}}, {1, {-2, 0, 0}, {-4, 0, 0}}};
+  for (const double distance : {0.0, -1.0, -400.0})
+    EXPECT_FALSE(first_touch(comes, rests, distance, Touch::comes_near, 0)) << distance;
+}
+
 }  // namespace collide_pair_path_test
 }  // namespace physim::collide

@@ -288,6 +288,26 @@ class Odd : public Random {
     if (one_in(4)) d.detail = detail();
     return d;
   }
+  /// A law of a generator; `some` gives the other end of a spring, `own` is the custom one.
+  template <class Some>
+  ForceLaw law(const Some& some, const CustomForce& own) {
+    switch (below(15)) {
+      case 0: return ConstantForce{vector3(9)};
+      case 1: return ConstantAcceleration{vector3(9)};
+      case 2: return GravityForce{vector3(9)};
+      case 3: return LinearQuadraticDragForce{number(0, 0.1), number(0, 0.1), vector3(5)};
+      case 4: return AnchoredSpring{vector3(9), number(0, 9), number(0, 2), number(0, 1)};
+      case 5: return Spring{some(), number(0, 9), number(0, 2), number(0, 1)};
+      case 6: return Bungee{some(), vector3(9), number(0, 9), number(0, 2), number(0, 1)};
+      case 7: return Buoyancy{number(-1, 3), number(0, 1), number(0, 1), number(1, 1000), number(0, 1), number(0, 10)};
+      case 8: return PointAttractor{vector3(9), number(-50, 50), number(0, 1)};
+      case 9: return WindZone{vector3(9), vector3(30), vector3(30), number(0, 2)};
+      case 10: return Explosion{vector3(9), number(0, 90), number(0, 30)};
+      case 11: return Thrust{{{number(0, 0.1), number(0, 9)}, {number(0.1, 1), number(0, 9)}}, vector3(1)};
+      case 12: return CustomForce{};
+      default: return own;
+    }
+  }
   AimOptions aim_options() { return {any<Arc>(), number(0.001, 1), maybe(-10, 0), number(1, 30), tolerance()}; }
   Purpose purpose() {
     return {.error = number(0.1, 10),

@@ -22,53 +22,50 @@ inline void answer_oddly(const HitBatch& batch) {
 
 class OddScene {
  public:
-  explicit OddScene(Odd& r) : r_(r) {}
-
   /// One random call.
-  void act(World& w) {
-    if (w.scene() == nullptr && !r_.one_in(6)) {
+  void act(World& w, Odd& r) {
+    if (w.scene() == nullptr && !r.one_in(6)) {
       Scene scene;
-      static_cast<void>(scene.add_material(r_.material()));
-      if (auto shape = scene.add_shape(r_.shape()))
-        static_cast<void>(scene.add({.shape = *shape, .transform = r_.transform(), .sensor = r_.one_in(5)}));
+      static_cast<void>(scene.add_material(r.material()));
+      if (auto shape = scene.add_shape(r.shape()))
+        static_cast<void>(scene.add({.shape = *shape, .transform = r.transform(), .sensor = r.one_in(5)}));
       return void(w.set_scene(scene));
     }
-    switch (r_.below(10)) {
-      case 0: return void(r_.one_in(5) && w.remove_scene());
-      case 1: return void(w.add_material(r_.material()));
+    switch (r.below(10)) {
+      case 0: return void(r.one_in(5) && w.remove_scene());
+      case 1: return void(w.add_material(r.material()));
       case 2:
       case 3:
-        if (auto shape = w.add_shape(r_.shape())) shapes_.push_back(*shape);
+        if (auto shape = w.add_shape(r.shape())) shapes_.push_back(*shape);
         return;
-      case 4: return void(w.remove_shape(some_shape()));
-      case 5: return void(w.remove_instance(some_thing()));
-      case 6: return void(w.move_instance(some_thing(), r_.transform()));
-      case 7: return void(w.set_instance_motion(some_thing(), r_.motion()));
-      case 8: return void(w.set_instance_layers(some_thing(), r_.count(3)));
+      case 4: return void(w.remove_shape(some_shape(r)));
+      case 5: return void(w.remove_instance(some_thing(r)));
+      case 6: return void(w.move_instance(some_thing(r), r.transform()));
+      case 7: return void(w.set_instance_motion(some_thing(r), r.motion()));
+      case 8: return void(w.set_instance_layers(some_thing(r), r.count(3)));
       default:
-        if (auto added = w.add_instance(thing())) things_.push_back(*added);
+        if (auto added = w.add_instance(thing(r))) things_.push_back(*added);
     }
   }
 
  private:
-  [[nodiscard]] ShapeId some_shape() {
-    return shapes_.empty() ? ShapeId{r_.count(3), 1} : shapes_[static_cast<std::size_t>(r_.below(int(shapes_.size())))];
+  [[nodiscard]] ShapeId some_shape(Odd& r) {
+    return shapes_.empty() ? ShapeId{r.count(3), 1} : shapes_[static_cast<std::size_t>(r.below(int(shapes_.size())))];
   }
-  [[nodiscard]] InstanceId some_thing() {
-    return things_.empty() ? InstanceId{r_.count(3), 1}
-                           : things_[static_cast<std::size_t>(r_.below(int(things_.size())))];
+  [[nodiscard]] InstanceId some_thing(Odd& r) {
+    return things_.empty() ? InstanceId{r.count(3), 1}
+                           : things_[static_cast<std::size_t>(r.below(int(things_.size())))];
   }
-  [[nodiscard]] InstanceDef thing() {
-    return {.shape = some_shape(),
-            .transform = r_.transform(),
-            .material = {r_.count(2)},
-            .layers = r_.count(3),
-            .sensor = r_.one_in(4),
-            .name = r_.text(),
-            .motion = r_.one_in(3) ? r_.motion() : SceneMotion{}};
+  [[nodiscard]] InstanceDef thing(Odd& r) {
+    return {.shape = some_shape(r),
+            .transform = r.transform(),
+            .material = {r.count(2)},
+            .layers = r.count(3),
+            .sensor = r.one_in(4),
+            .name = r.text(),
+            .motion = r.one_in(3) ? r.motion() : SceneMotion{}};
   }
 
-  Odd& r_;
   std::vector<ShapeId> shapes_;
   std::vector<InstanceId> things_;
 };

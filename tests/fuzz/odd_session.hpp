@@ -7,6 +7,7 @@
 #include <stdexcept>
 
 #include "base/hash.hpp"
+#include "fuzz/odd_change.hpp"
 #include "fuzz/odd_input.hpp"
 #include "fuzz/odd_scene.hpp"
 #include "fuzz/verdict.hpp"
@@ -70,7 +71,7 @@ class Session {
     if (world_ == nullptr) return;
     switch (r_.below(18)) {
       case 16:
-      case 17: return scene_.act(*world_);
+      case 17: return scene_.act(*world_, r_);
       case 0:
       case 1:
       case 2: return spawn();
@@ -317,25 +318,7 @@ class Session {
     }};
   }
   ForceLaw law() {
-    switch (r_.below(15)) {
-      case 0: return ConstantForce{r_.vector3(9)};
-      case 1: return ConstantAcceleration{r_.vector3(9)};
-      case 2: return GravityForce{r_.vector3(9)};
-      case 3: return LinearQuadraticDragForce{r_.number(0, 0.1), r_.number(0, 0.1), r_.vector3(5)};
-      case 4: return AnchoredSpring{r_.vector3(9), r_.number(0, 9), r_.number(0, 2), r_.number(0, 1)};
-      case 5: return Spring{some(), r_.number(0, 9), r_.number(0, 2), r_.number(0, 1)};
-      case 6: return Bungee{some(), r_.vector3(9), r_.number(0, 9), r_.number(0, 2), r_.number(0, 1)};
-      case 7:
-        return Buoyancy{r_.number(-1, 3),   r_.number(0, 1), r_.number(0, 1),
-                        r_.number(1, 1000), r_.number(0, 1), r_.number(0, 10)};
-      case 8: return PointAttractor{r_.vector3(9), r_.number(-50, 50), r_.number(0, 1)};
-      case 9: return WindZone{r_.vector3(9), r_.vector3(30), r_.vector3(30), r_.number(0, 2)};
-      case 10: return Explosion{r_.vector3(9), r_.number(0, 90), r_.number(0, 30)};
-      case 11:
-        return Thrust{{{r_.number(0, 0.1), r_.number(0, 9)}, {r_.number(0.1, 1), r_.number(0, 9)}}, r_.vector3(1)};
-      case 12: return CustomForce{};
-      default: return custom();
-    }
+    return r_.law([this] { return some(); }, custom());
   }
   void force() {
     const ForceId known = forces_.empty() || r_.one_in(9)
@@ -366,35 +349,7 @@ class Session {
     if (r_.coin()) return void(world_->despawn(list));
     world_->set_fidelity(list, r_.fidelity());
   }
-  void change() {
-    const Projectile p = (*world_)[some()];
-    Projectile q = p;
-    switch (r_.below(18)) {
-      case 0: return void(q.despawn());
-      case 1: return void(q.set_position(r_.vector3(30)));
-      case 2: return void(q.set_velocity(r_.vector3(90)));
-      case 3: return void(q.set_state({r_.vector3(30), r_.vector3(90)}));
-      case 4: return void(q.apply_impulse(r_.vector3(3)));
-      case 5: return void(q.set_angular_velocity(r_.vector3(30)));
-      case 6: return void(q.set_fidelity(r_.fidelity()));
-      case 7: {
-        BodyDef body = r_.one_in(5) ? r_.body() : p.body();
-        body.gravity_scale = r_.number(0, 2), body.frozen = r_.axes(), body.kinematic = r_.one_in(3),
-        body.smoothing = r_.any<Smoothing>();
-        return void(q.set_body(body));
-      }
-      case 8: return void(q.set_gravity_scale(r_.number(0, 2)));
-      case 9: return void(q.set_use_gravity(r_.coin()));
-      case 10: return void(q.set_kinematic(r_.one_in(3)));
-      case 11: return void(q.set_frozen(r_.axes(), r_.axes()));
-      case 12: return void(q.set_can_sleep(r_.coin()));
-      case 13: return void(r_.coin() ? q.sleep() : q.wake());
-      case 14: return void(q.set_smoothing(r_.any<Smoothing>()));
-      case 15: return void(q.set_user_data(r_.bits()));
-      case 16: return void(r_.coin() ? q.set_layers(r_.count(7)) : q.set_colour(r_.bits()));
-      default: return void(q.set_label(r_.text()));
-    }
-  }
+  void change() { change_oddly((*world_)[some()], r_); }
   /// What is held of events stays as it is, whatever is changed.
   void events() {
     const std::span<const Event> held = world_->events();
@@ -483,7 +438,7 @@ class Session {
   std::vector<ProjectileId> ids_;
   std::vector<KindId> kinds_;
   std::vector<ForceId> forces_;
-  OddScene scene_{r_};
+  OddScene scene_;
   std::vector<std::pair<Snapshot, std::uint64_t>> snapshots_;
   bool is_inside_ = false;
 };

@@ -62,6 +62,95 @@ TEST(Moments, rolled_back_worlds_equal_those_that_were_not) {
   EXPECT_EQ(predicts.hash(), knows.hash());
 }
 
+/// What a wrong guess spawned, and what turned out to be.
+struct Guess {
+  const char* name;
+  ProjectileDef wrong, right;
+};
+
+std::vector<Guess> guesses() {
+  const auto rocket = [](double thrust) {
+    ProjectileDef p = ball();
+    p.motor.thrust = {{0, thrust}, {0.05, 2 * thrust}, {1, 0}};
+    p.motor.propellant_mass = 0.1;
+    return p;
+  };
+  const auto curve = [](double drag) {
+    ProjectileDef p = ball();
+    p.fidelity = Fidelity::sport_ball();
+    p.drag = {.table = DragTable::custom, .curve = {{0, drag}, {1, 0.5}, {3, 0.4}}};
+    return p;
+  };
+  const auto spinning = [](double lift) {
+    ProjectileDef p = ball();
+    p.fidelity.rotation = RotationModel::magnus;
+    p.magnus.table = {{0, 0, 0.1, 0.2}, {0, 1, 0.2, 0.3}, {50, 0, 0.1, lift}, {50, 1, 0.2, 0.3}};
+    return p;
+  };
+  return {{"motors", rocket(20), rocket(30)},
+          {"drag curves", curve(0.3), curve(0.25)},
+          {"balls that spin", spinning(0.2), spinning(0.25)}};
+}
+
+/// Where its tables lie tells how a world came here, not what it is.
+TEST(Moments, the_tables_of_a_guess_are_not_in_the_hash) {
+  for (const Guess& guess : guesses()) {
+    World knows = made(), predicts = made();
+    const Launch up{.position = {0, 10, 0}, .speed = 50, .elevation = 1, .spin = {10, 20, 30}};
+    const Snapshot before = predicts.snapshot();
+    ASSERT_TRUE(predicts.spawn(guess.wrong, up)) << guess.name;
+    predicts.single_step();
+    ASSERT_TRUE(predicts.restore(before));
+    for (World* w : {&knows, &predicts}) {
+      ASSERT_TRUE(w->spawn(guess.right, up));
+      for (int i = 0; i < 10; ++i) w->single_step();
+    }
+    EXPECT_EQ(knows.hash(), predicts.hash()) << guess.name;
+    EXPECT_EQ(World::load(*predicts.save())->hash(), knows.hash()) << guess.name;
+  }
+}
+
+/// Nor are rungs that a rule of a guess asked for.
+TEST(Moments, the_rule_of_a_guess_is_not_in_the_hash) {
+  ProjectileDef shell = ball();
+  shell.drag.table = DragTable::g7;
+  World knows = made(), predicts = made();
+  const auto fire = [&shell](World& w) { return w.spawn(shell, {.position = {0, 10, 0}, .speed = 50}).ok(); };
+  ASSERT_TRUE(fire(knows) && fire(predicts));
+  const Snapshot before = predicts.snapshot();
+  Fidelity smooth = Fidelity::sport_ball();
+  smooth.interpolation = Interpolation::linear;
+  const DragDef other{.table = DragTable::custom, .curve = {{0, 0.2}, {2, 0.4}}};
+  ASSERT_TRUE(predicts.spawn({.drag = other, .fidelity = smooth}, {}));
+  ASSERT_TRUE(predicts.set_detail({{{smooth, 1000}, {Fidelity::game()}}}));
+  predicts.single_step();
+  ASSERT_TRUE(predicts.restore(before));
+  for (World* w : {&knows, &predicts}) {
+    ASSERT_TRUE(w->set_detail({{{smooth, 1000}, {Fidelity::game()}}}));
+    for (int i = 0; i < 10; ++i) w->single_step();
+  }
+  EXPECT_EQ(knows.hash(), predicts.hash());
+}
+
+/// A kind is named by its number, which tells how many there were before; a hash tells which it is.
+TEST(Moments, numbers_of_kinds_are_not_in_the_hash) {
+  const auto use = [](World& w, const ProjectileDef& p) {
+    const KindId kind = *w.add_kind(p);
+    ForceDef force{.law = ConstantForce{{1, 0, 0}}, .target = {{}, kind, 0}};
+    EmitterDef emitter{.kind = kind, .per_second = {100}};
+    emitter.seed = 3, emitter.gun.rounds_per_minute = 600, emitter.gun.tracer_every = 2, emitter.gun.tracer = kind;
+    ASSERT_TRUE(w.add_force(force) && w.add_emitter(emitter));
+    for (int i = 0; i < 10; ++i) w.single_step();
+  };
+  World plain = made(), after_others = made(), of_another = made();
+  ASSERT_TRUE(after_others.add_kind({.mass = 3}));
+  ProjectileDef heavy = ball();
+  heavy.mass = 0.5;
+  use(plain, ball()), use(after_others, ball()), use(of_another, heavy);
+  EXPECT_EQ(plain.hash(), after_others.hash());
+  EXPECT_NE(plain.hash(), of_another.hash());
+}
+
 TEST(Moments, snapshots_belong_to_their_world) {
   Snapshot stale;
   {
