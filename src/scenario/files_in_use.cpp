@@ -72,7 +72,7 @@ std::vector<std::string> FilesInUse::inputs() const {
 Status FilesInUse::check(const Input& input, const Output& output) const {
   const bool is_free = output.path == kStandardOutput || (!output.replaces.empty() && output.replaces == input.kind);
   if (is_free || !is_same_file(input.path, output.path)) return {};
-  return Error{output.option + " cannot write: it is the " + input.kind + " itself", output.path,
+  return Error{output.option + " cannot write: it is the " + input.kind + " itself, " + input.path, output.path,
                "name another file with " + output.option};
 }
 
@@ -90,7 +90,7 @@ Status FilesInUse::write(const std::string& path) const {
   const std::string replaces = output == outputs_.end() ? "" : output->replaces;
   for (const Input& input : inputs_)
     if ((replaces.empty() || replaces != input.kind) && is_same_file(input.path, path))
-      return Error{"cannot write: it is the " + input.kind + " itself", path, "name another file"};
+      return Error{"cannot write: it is the " + input.kind + " itself, " + input.path, path, "name another file"};
   return {};
 }
 

@@ -49,7 +49,8 @@ Status begin_reading_measurements(const Scenario& scenario) {
     const std::string_view file = file_of_column(scenario.study.inputs[i]);
     if (file.empty()) continue;
     Status begun = begin_reading(beside_scenario(scenario, std::string(file)), kMeasurements);
-    if (!begun) return Error{begun.error().message, "study.inputs[" + std::to_string(i) + ']', begun.error().hint};
+    const std::string place = scenario.file + ": study.inputs[" + std::to_string(i) + ']';
+    if (!begun) return Error{begun.error().message, place, begun.error().hint};
   }
   return {};
 }

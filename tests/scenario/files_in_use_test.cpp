@@ -47,14 +47,13 @@ TEST(FilesInUse, refuses_whichever_comes_second) {
   FilesInUse files;
   ASSERT_TRUE(files.add_output(folder / "a.csv", "--csv").ok());
   const Status read_second = begin_reading(file, "scenario");
-  EXPECT_EQ(read_second.error().text(), folder / "a.csv" +
-                                            ": error: --csv cannot write: it is the scenario itself; "
-                                            "name another file with --csv");
+  EXPECT_EQ(read_second.error().text(), folder / "a.csv" + ": error: --csv cannot write: it is the scenario itself, " +
+                                            file + "; name another file with --csv");
   const std::string data = folder.write("d.csv", "1");
   ASSERT_TRUE(begin_reading(data, "table of measurements").ok());
   EXPECT_EQ(files.add_output(data, "--json").error().message,
-            "--json cannot write: it is the table of measurements itself");
-  EXPECT_EQ(begin_writing(data).error().message, "cannot write: it is the table of measurements itself");
+            "--json cannot write: it is the table of measurements itself, " + data);
+  EXPECT_EQ(begin_writing(data).error().message, "cannot write: it is the table of measurements itself, " + data);
   EXPECT_TRUE(begin_writing(folder / "new").ok());
   EXPECT_EQ(files.inputs(), std::vector{data});
 }
