@@ -230,6 +230,23 @@ def check_source_named(name, lines):
             find(name, 1, "a model names its source; add `// Source: author, title, equation` to the head comment")
 
 
+OPENS = re.compile(r"\b(i|o)?fstream\b\s+\w|\b(i|o)fstream\b\s*[({]|\bfopen\s*\(|\bstbi_write_\w+\s*\((?!append)")
+GUARDED = re.compile(r"\bbegin_(reading|writing)\s*\(")
+NOT_GUARDED = {"apps/simclient/app.hpp",  # opened in app.cpp, announced in main.cpp
+               "apps/simclient/core/recent_files.cpp"}  # a list of its own
+
+
+def check_guarded(name, lines):
+    """What opens a file asks whether it is an output of the work that reads it, or the other way round."""
+    if not name.startswith(("include/", "src/", "apps/")) or name in NOT_GUARDED:
+        return
+    if any(GUARDED.search(line) for line in lines):
+        return
+    for number, line in enumerate(lines, 1):
+        if OPENS.search(line.split("//")[0]):
+            find(name, number, "opens a file; call begin_reading() or begin_writing() of scenario/files_in_use.hpp first")
+
+
 def check_size(name, lines):
     if name.startswith(("src/", "include/", "apps/", "tests/")):
         most = MAX_TEST_LINES if name.startswith("tests/") else MAX_LINES
@@ -416,6 +433,7 @@ def main():
         check_apart(name, text)
         check_client_core(name, lines)
         check_source_named(name, lines)
+        check_guarded(name, lines)
         check_size(name, lines)
         check_test_namespace(name, lines)
         check_enumerators(name, text, enums)

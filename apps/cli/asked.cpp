@@ -22,7 +22,7 @@ void add_question_options(Command& command, Question& question, bool json) {
   add_scenario_options(command, question.input);
   command.add_option("--shot", question.shot, "NAME", "Which shot; without it the first");
   if (json)
-    command.add_option("--json", question.json, "FILE",
+    command.add_output("--json", question.json, "FILE",
                        "Write the answer as JSON; - is the standard output, and then nothing else goes there");
 }
 

@@ -7,6 +7,7 @@
 #include <string_view>
 #include <utility>
 
+#include "scenario/files_in_use.hpp"
 #include "scenario/suggest.hpp"
 #include "terminal.hpp"
 
@@ -95,6 +96,31 @@ Option& Option::one_value_each() {
   return *this;
 }
 
+/// The output options of a command.
+struct Command::Outputs {
+  struct Each {
+    std::string option;
+    const std::string& path;
+    OutputKind kind;
+  };
+  std::vector<Each> list;
+
+  [[nodiscard]] Status announce(FilesInUse& files) const {
+    for (const Each& each : list) {
+      if (each.path.empty()) continue;
+      Status status = each.kind.is_folder ? files.add_folder(each.path, each.option)
+                                          : files.add_output(each.path, each.option, each.kind.replaces);
+      if (status && *each.kind.incomplete != 0)
+        status = files.add_output(each.path + each.kind.incomplete, each.option);
+      if (!status) return status;
+    }
+    return {};
+  }
+};
+
+Command::Command(CLI::App& app, int& exit_code)
+    : app_(app), exit_code_(exit_code), outputs_(std::make_shared<Outputs>()) {}
+
 Command Command::add_command(const char* name, const char* doc) {
   return {*app_.add_subcommand(name, doc), exit_code_};
 }
@@ -127,6 +153,12 @@ Option Command::add_option(const char* name, std::vector<std::string>& values, c
   return add_nonempty(app_, name, values, type, doc);
 }
 
+Option Command::add_output(const char* name, std::string& path, const char* type, const char* doc,
+                           const OutputKind& kind) {
+  outputs_->list.push_back({name, path, kind});
+  return add_option(name, path, type, doc);
+}
+
 Option Command::add_option(const char* name, std::optional<std::uint32_t>& value, const char* doc) {
   return Option(*app_.add_option(name, value, doc));
 }
@@ -142,8 +174,10 @@ void Command::require_command() { app_.require_subcommand(1); }
 void Command::footer(const char* text) { app_.footer(text); }
 
 void Command::action(std::function<Result<int>()> run) {
-  app_.callback([run = std::move(run), &exit_code = exit_code_] {
-    const Result<int> result = run();
+  app_.callback([run = std::move(run), outputs = outputs_, &exit_code = exit_code_] {
+    FilesInUse files;
+    const Status announced = outputs->announce(files);
+    const Result<int> result = announced ? run() : announced.error();
     if (!result) print_error(result.error());
     exit_code = result ? *result : kExitBadInput;
   });

@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <functional>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -35,10 +36,17 @@ class Option {
   CLI::Option& option_;
 };
 
+/// What is special about the file of an output option.
+struct OutputKind {
+  const char* replaces = "";    ///< the kind of input that it may replace, as of a run that is gone on with
+  const char* incomplete = "";  ///< ending of its name until it is complete
+  bool is_folder = false;       ///< a directory that files are written into
+};
+
 /// A command, or the program itself. Values are stored where the references lead, before the action is called.
 class Command {
  public:
-  Command(CLI::App& app, int& exit_code) : app_(app), exit_code_(exit_code) {}
+  Command(CLI::App& app, int& exit_code);
 
   Command add_command(const char* name, const char* doc);
   /// A name without dashes is that of an argument, which is known by its position.
@@ -47,6 +55,11 @@ class Command {
   /// With what help shows for the value; refuses an empty one, as from a shell variable that is not set.
   Option add_option(const char* name, std::string& value, const char* type, const char* doc);
   Option add_option(const char* name, std::vector<std::string>& values, const char* type, const char* doc);
+  /// A file that the command writes; `type` begins with FILE or DIR. Before the action is called, a directory in its
+  /// place is refused, and a file that another output option names. From then on each file that is read is compared
+  /// with it: the reader refuses what would be replaced.
+  Option add_output(const char* name, std::string& path, const char* type, const char* doc,
+                    const OutputKind& kind = {});
   Option add_option(const char* name, std::optional<std::uint32_t>& value, const char* doc);
   Option add_option(const char* name, std::optional<std::uint64_t>& value, const char* doc);
   void add_flag(const char* name, bool& value, const char* doc);
@@ -58,8 +71,11 @@ class Command {
   void action(std::function<Result<int>()> run);
 
  private:
+  struct Outputs;
+
   CLI::App& app_;
   int& exit_code_;
+  std::shared_ptr<Outputs> outputs_;
 };
 
 enum ExitCode : int { kExitOk = 0, kExitCheckMissed = 1, kExitBadInput = 2 };

@@ -16,7 +16,7 @@ struct CompareOptions {
 };
 
 Status compare(const CompareOptions& options) {
-  if (Status status = check(options.outputs, "the scenario", options.question.input.file); !status) return status;
+  if (Status status = check(options.outputs); !status) return status;
   const Result<AskedShot> asked = ask_without_things(options.question, "a comparison");
   if (!asked) return asked.error();
   const Result<Ladder> ladder = climb(asked->scenario, asked->shot(), progress_bar("comparing"));

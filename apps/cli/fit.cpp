@@ -9,6 +9,8 @@
 #include <memory>
 
 #include "asked.hpp"
+#include "scenario/files_in_use.hpp"
+#include "scenario/measured_column.hpp"
 #include "scenario/suggest.hpp"
 #include "scenario/units.hpp"
 #include "terminal.hpp"
@@ -59,6 +61,7 @@ class Reader {
   explicit Reader(const std::string& file) : file_(file) {}
 
   Result<FitData> read() {
+    if (Status begun = begin_reading(file_, kMeasurements); !begun) return begun.error();
     std::ifstream in(file_);
     if (!in) return Error{.message = "the file cannot be read", .place = file_};
     std::string line;

@@ -3,25 +3,16 @@
 #include <algorithm>
 #include <filesystem>
 
+#include "base/assert.hpp"
 #include "command.hpp"
 #include "report/file.hpp"
 #include "report/gnuplot.hpp"
+#include "scenario/files_in_use.hpp"
 #include "terminal.hpp"
 
 namespace physim::cli {
 namespace {
 namespace fs = std::filesystem;
-
-// Do two paths lead to one file? A device may well be written to twice.
-bool is_same_file(const std::string& a, const std::string& b) {
-  if (a.empty() || b.empty()) return false;
-  if (a == "-" || b == "-") return a == b;
-  std::error_code failure;
-  const fs::path first = fs::weakly_canonical(fs::absolute(a), failure);
-  if (failure || fs::is_character_file(first, failure)) return false;
-  const fs::path second = fs::weakly_canonical(fs::absolute(b), failure);
-  return first == second || fs::equivalent(first, second, failure);
-}
 
 std::string type_name_of(const Format& format) {
   if (!format.is_picture) return "FILE";
@@ -60,32 +51,29 @@ void add_output_options(Command& command, Outputs& outputs, const std::string& w
   for (std::size_t i = 0; i < formats().size(); ++i) {
     const Format& format = formats()[i];
     if (std::ranges::none_of(subjects, [&](Subject subject) { return can_write(format, subject); })) continue;
-    command.add_option(option_of(format).c_str(), outputs.paths[i], type_name_of(format).c_str(),
+    command.add_output(option_of(format).c_str(), outputs.paths[i], type_name_of(format).c_str(),
                        help_of(format, what, subjects).c_str());
   }
 }
 
-Status check(const Outputs& outputs, const std::string& what, const std::string& input_file) {
-  struct Asked {
-    std::string option, path;
-    bool is_picture;
-  };
-  std::vector<Asked> all;
+Status check(const Outputs& outputs) {
+  for (const bool are_pictures : {false, true})  // which need gnuplot, too
+    for (const Format* each : outputs.asked())
+      if (const std::string& path = outputs.path_of(*each); each->is_picture == are_pictures)
+        if (Status status = are_pictures ? check_plot(path) : check_output(path); !status) return status;
+  return outputs.record.empty() ? Status() : check_writable(outputs.record);
+}
+
+Status announce(const Outputs& outputs, const std::string& option) {
   for (const Format* each : outputs.asked())
-    all.push_back({option_of(*each), outputs.path_of(*each), each->is_picture});
-  if (!outputs.record.empty()) all.push_back({"--record", outputs.record, false});
-  for (std::size_t i = 0; i < all.size(); ++i) {
-    const std::string& path = all[i].path;
-    if (is_same_file(path, input_file))
-      return Error{.message = "cannot write: it is " + what + " itself", .place = path};
-    for (std::size_t k = 0; k < i; ++k)
-      if (is_same_file(path, all[k].path))
-        return Error{.message = all[k].option + " and " + all[i].option + " cannot both go to " + path};
-  }
-  std::stable_partition(all.begin(), all.end(), [](const Asked& each) { return !each.is_picture; });
-  for (const Asked& each : all)
-    if (Status status = each.is_picture ? check_plot(each.path) : check_output(each.path); !status) return status;
+    if (Status status = announce(outputs.path_of(*each), option); !status) return status;
   return {};
+}
+
+Status announce(const std::string& file, const std::string& option) {
+  FilesInUse* const files = FilesInUse::current();
+  PHYSIM_ASSERT(files != nullptr);  // of the command's action
+  return files->add_output(file, option);
 }
 
 Status check_subject(const Outputs& outputs, Subject subject, const std::string& why, const std::string& hint) {

@@ -31,9 +31,11 @@ struct Outputs {
 /// An option for each format that can write one of the subjects. `what` is written: "the trajectories".
 void add_output_options(Command& command, Outputs& outputs, const std::string& what, std::span<const Subject> subjects);
 
-/// What can be told before there is anything to write: places that cannot be written, the same place asked for twice,
-/// and the file that is read: "the scenario".
-[[nodiscard]] Status check(const Outputs& outputs, const std::string& what, const std::string& input_file);
+/// Places that cannot be written, as far as can be told before there is anything to write.
+[[nodiscard]] Status check(const Outputs& outputs);
+/// Announces the files that an option writes beside those that options name (FilesInUse).
+[[nodiscard]] Status announce(const Outputs& outputs, const std::string& option);
+[[nodiscard]] Status announce(const std::string& file, const std::string& option);
 /// An error where a format was asked for that cannot write the subject.
 [[nodiscard]] Status check_subject(const Outputs& outputs, Subject subject, const std::string& why,
                                    const std::string& hint);

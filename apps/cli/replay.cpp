@@ -15,7 +15,7 @@ struct ReplayCommand {
 };
 
 Result<int> play(const ReplayCommand& command) {
-  if (Status status = check(command.outputs, "the recording", command.file); !status) return status.error();
+  if (Status status = check(command.outputs); !status) return status.error();
   const Result<ReplayLog> log = play_recording(command.file, {.threading = {.threads = command.threads.value_or(0)}});
   if (!log) return log.error();
   if (!log->report.complete)

@@ -16,6 +16,7 @@
 #include "report/summary.hpp"
 #include "report/table.hpp"
 #include "report/world_log.hpp"
+#include "scenario/new_file.hpp"
 #include "terminal.hpp"
 
 namespace physim::cli {
@@ -66,25 +67,37 @@ Outputs outputs_in_folder(const RunOptions& options, const FlownScenario& flown)
   return outputs;
 }
 
-/// A picture for each shot, where there are several.
-Status draw_each(const std::string& folder, const FlownScenario& flown) {
-  if (flown.shots.size() == 1) return {};
-  const std::size_t count = std::min(flown.shots.size(), kMostShotPlots);
-  if (count < flown.shots.size())
-    print_warning("only the first " + std::to_string(count) + " shots get their own plot");
+/// Files in the folder for pictures of single shots, of the first ones where there are several.
+std::vector<std::string> shot_plots(const std::string& folder, const FlownScenario& flown) {
+  std::vector<std::string> paths;
+  if (folder.empty() || flown.shots.size() == 1) return paths;
   const std::string stem = file_part(std::filesystem::path(flown.scenario.file).stem().string());
-  const Progress bar = progress_bar("drawing");
   std::set<std::string> names;
-  for (std::size_t i = 0; i < count; ++i) {
+  for (std::size_t i = 0; i < std::min(flown.shots.size(), kMostShotPlots); ++i) {
     std::string name = stem + "_" + file_part(flown.shots[i].name);
     if (!names.insert(name).second) name += "_" + std::to_string(i + 1);
-    const std::string path = (std::filesystem::path(folder) / (name + ".png")).string();
+    paths.push_back((std::filesystem::path(folder) / (name + ".png")).string());
+  }
+  return paths;
+}
+
+Status draw_each(const std::vector<std::string>& paths, const FlownScenario& flown) {
+  if (!paths.empty() && paths.size() < flown.shots.size())
+    print_warning("only the first " + std::to_string(paths.size()) + " shots get their own plot");
+  const Progress bar = progress_bar("drawing");
+  for (std::size_t i = 0; i < paths.size(); ++i) {
     const Picture picture =
         shots_picture(title_of(flown.scenario), {&flown.shots[i], 1}, flown.scene ? &*flown.scene : nullptr);
-    if (Status status = draw(path, picture); !status) return status;
-    bar(i + 1, count);
+    if (Status status = draw(paths[i], picture); !status) return status;
+    bar(i + 1, paths.size());
   }
   return {};
+}
+
+Status announce_all(const Outputs& in_folder, const std::vector<std::string>& plots) {
+  Status status = announce(in_folder, "--out");
+  for (std::size_t i = 0; i < plots.size() && status; ++i) status = announce(plots[i], "--out");
+  return status;
 }
 
 Status write_all(const RunOptions& options, const FlownScenario& flown, std::optional<double> interval) {
@@ -92,6 +105,8 @@ Status write_all(const RunOptions& options, const FlownScenario& flown, std::opt
     if (Status status = format->check != nullptr ? format->check(flown) : Status(); !status)
       return Error{status.error().message, status.error().place, "--set " + status.error().hint};
   const Outputs in_folder = outputs_in_folder(options, flown);
+  const std::vector<std::string> plots = shot_plots(options.folder, flown);
+  if (Status status = announce_all(in_folder, plots); !status) return status;
   LogParts parts;
   for (const Outputs* each : {&options.outputs, &in_folder})
     for (const Format* format : each->asked()) parts.add(format->world_parts);
@@ -100,9 +115,8 @@ Status write_all(const RunOptions& options, const FlownScenario& flown, std::opt
   const Flights flights{flown, *times};
   const auto make = [&](const Format& format) { return content_of(format, flights); };
   if (!options.folder.empty()) {
-    Status status = in_turn([&] { return make_folder(options.folder); },
-                            [&] { return check(in_folder, "the scenario", options.input.file); },
-                            [&] { return write(in_folder, make); }, [&] { return draw_each(options.folder, flown); });
+    Status status = in_turn([&] { return make_folder(options.folder); }, [&] { return check(in_folder); },
+                            [&] { return write(in_folder, make); }, [&] { return draw_each(plots, flown); });
     if (!status) return status;
   }
   return write(options.outputs, make);
@@ -202,6 +216,7 @@ Result<int> run_world(const RunOptions& options, Scenario scenario, std::optiona
   if (options.threads) scenario.world.def.threading.threads = *options.threads;
   warn_of_size(scenario);
   const Outputs in_folder = world_outputs_in_folder(options, scenario);
+  if (Status status = announce(in_folder, "--out"); !status) return status.error();
   LogOptions log_options{.parts = {},
                          .interval = interval,
                          .steps = options.steps,
@@ -215,8 +230,8 @@ Result<int> run_world(const RunOptions& options, Scenario scenario, std::optiona
   if (!log) return log.error();
   const auto make = [&](const Format& format) { return content_of(format, *log); };
   Status status = in_turn([&] { return options.folder.empty() ? Status() : make_folder(options.folder); },
-                          [&] { return check(in_folder, "the scenario", scenario.file); },
-                          [&] { return write(in_folder, make); }, [&] { return write(options.outputs, make); });
+                          [&] { return check(in_folder); }, [&] { return write(in_folder, make); },
+                          [&] { return write(options.outputs, make); });
   if (!status) return status.error();
   warn_of_refusals(log->groups);
   const int code = std::ranges::count(log->checks, false, &Check::met) > 0 ? kExitCheckMissed : kExitOk;
@@ -237,7 +252,9 @@ constexpr const char* kNoWorld = "the scenario has no [world]";
 constexpr const char* kForWorlds = "it is for worlds only";
 
 Result<int> run(const RunOptions& options) {
-  if (Status status = check(options.outputs, "the scenario", options.input.file); !status) return status.error();
+  if (Status status = check(options.outputs); !status) return status.error();
+  if (!options.save.empty())
+    if (Status status = check_writable(options.save); !status) return status.error();
   if (!options.folder.empty())
     if (Status status = check_gnuplot(); !status) return status.error();
   const auto interval = interval_of(options);
@@ -270,14 +287,17 @@ void add_run_command(Command& program) {
   add_scenario_options(command, options->input);
   constexpr Subject kSubjects[] = {Subject::flights, Subject::world};
   add_output_options(command, options->outputs, "the trajectories", kSubjects);
-  command.add_option("--out", options->folder, "DIR", "Write all of these into a directory, with a plot for each shot");
+  command.add_output("--out", options->folder, "DIR", "Write all of these into a directory, with a plot for each shot",
+                     {.is_folder = true});
   command.add_option("--interval", options->interval, "TIME",
                      "Time between samples in files, as \"10 ms\"; without it 200 to 500 samples a shot");
-  command.add_option("--record", options->outputs.record, "FILE", "Worlds: record the run, for physim replay");
+  command.add_output("--record", options->outputs.record, "FILE", "Worlds: record the run, for physim replay",
+                     {.incomplete = kIncomplete});
   command.add_option("--steps", options->steps, "Worlds: take so many steps instead of world.duration")
       .type_name("N")
       .within(1u, 1'000'000'000u);
-  command.add_option("--save", options->save, "FILE", "Worlds: save the run, to go on with --load");
+  command.add_output("--save", options->save, "FILE",
+                     "Worlds: save the run, to go on with --load; both may name one file", {.replaces = kSavedRun});
   command.add_option("--save-at", options->save_at, "TIME", "Worlds: save at this time instead of at the end");
   command.add_option("--load", options->load, "FILE", "Worlds: go on with a run of this scenario that was saved");
   command.add_option("--threads", options->threads, "Worlds: instead of world.threads; results do not depend on it")

@@ -332,6 +332,20 @@ Status draw_all(const std::string& file, const std::string& title, const FlownSt
   return status && ranges.size() > 1 ? draw(beside(file, "ranges"), ranges_picture(title, ranges)) : status;
 }
 
+/// Announces the pictures that may stand beside the one that was asked for.
+Status announce_pictures(const StudyCommand& command, const ScenarioStudy& texts) {
+  if (command.plot.empty() || !command.ranges.empty()) return {};
+  std::vector<std::string> files = {command.plot};
+  for (std::size_t i = 0; i < texts.at.size(); ++i)
+    files.push_back(beside(command.plot, "at-" + std::to_string(i + 1)));
+  if (texts.over_inputs > 0 && texts.histograms > 0)
+    for (std::size_t i = files.size(); i-- > 0;) files.push_back(beside(files[i], "histograms"));
+  if (!texts.at.empty()) files.push_back(beside(command.plot, "ranges"));
+  for (std::size_t i = 1; i < files.size(); ++i)
+    if (Status status = announce(files[i], "--plot"); !status) return status;
+  return {};
+}
+
 Status write_files(const StudyCommand& command, const AskedShot& asked, const FlownStudy& flown, TaskRunner& threads) {
   if (!command.hdf5.empty())
     if (Status status = write_columns(command.hdf5, title_of_shot(asked), flown.plan, flown.result.shards, threads);
@@ -386,6 +400,7 @@ Result<int> run(StudyCommand command) {
   const auto all = ask_study(command);
   if (!all) return all.error();
   const auto& [asked, study] = *all;
+  if (Status status = announce_pictures(command, asked.scenario.study); !status) return status.error();
   if (asked.scenario.world.given) warn_of_things(asked.scenario, "a study of a scenario with a [world]");
   const auto threads = make_thread_pool(command.threads.value_or(0));
   if (command.fly) return fly_again(command, asked, study);
@@ -399,8 +414,9 @@ Result<int> run(StudyCommand command) {
 }
 
 void add_part_options(Command& command, StudyCommand& options) {
-  command.add_option("--resume", options.resume, "FILE",
-                     "Keep what is flown in this file, and go on with what it has: a run that dies loses a second");
+  command.add_output("--resume", options.resume, "FILE",
+                     "Keep what is flown in this file, and go on with what it has: a run that dies loses a second",
+                     {.replaces = kResumedPart});
   command.add_option("--shards", options.shards, "K/N",
                      "Fly the K-th of N parts alone into the file of --resume, for arrays of jobs");
   command
@@ -410,16 +426,16 @@ void add_part_options(Command& command, StudyCommand& options) {
 }
 
 void add_file_options(Command& command, StudyCommand& options) {
-  command.add_option("--csv", options.csv, "FILE", "Write all figures as CSV; - is the standard output");
-  command.add_option(
+  command.add_output("--csv", options.csv, "FILE", "Write all figures as CSV; - is the standard output");
+  command.add_output(
       "--plot", options.plot, "FILE.png|svg",
       "Draw it: impacts with ellipses and targets, what each input does, how the figure settles; with "
       "--ranges hits over range, with --over-inputs hits over each input, with --histograms these; with --at a picture "
       "of each place beside it");
-  command.add_option(
+  command.add_output(
       "--kml", options.kml, "FILE",
       "Write a map of where shots come down, for globes: ellipses, safety zone, shots; - is the standard output");
-  command.add_option(
+  command.add_output(
       "--hdf5", options.hdf5, "FILE",
       "Write each shot as columns of an HDF5 file, what it drew, where it ended and what it hit; they are "
       "flown again for it");

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cerrno>
-#include <cstdio>
 #include <cstring>
 #include <utility>
 #include <vector>
@@ -12,11 +11,11 @@
 #include "report/file.hpp"
 #include "report/study_answer.hpp"
 #include "scenario/libraries.hpp"
+#include "scenario/new_file.hpp"
 #include "scenario/text_file.hpp"
 
 #if PHYSIM_HAS_HDF5
 #include <hdf5.h>
-#include <unistd.h>
 #endif
 
 namespace physim::cli {
@@ -220,8 +219,9 @@ Status write_columns(const std::string& file, const std::string& title, const St
                      TaskRunner& threads) {
   if (Status status = check_columns_file(file); !status) return status;
   const Study& study = plan.study();
-  const std::string target = target_of(file), temporary = target + ".tmp-" + std::to_string(::getpid());
-  ColumnsFile columns(temporary, shards * study.shard_shots, study.shard_shots);
+  NewFile place(file);
+  if (Status status = place.open(); !status) return status;
+  ColumnsFile columns(place.written(), shards * study.shard_shots, study.shard_shots);
   if (columns.good()) {
     columns.say("title", title);
     columns.say("physim", std::string(kVersion));
@@ -232,11 +232,8 @@ Status write_columns(const std::string& file, const std::string& title, const St
     write_shards(columns, plan, shards, threads);
     columns.finish();
   }
-  int error_number = columns.error_number();
-  const bool moved = columns.good() && std::rename(temporary.c_str(), target.c_str()) == 0;
-  if (columns.good() && !moved) error_number = errno;
-  if (moved) return {};
-  ::unlink(temporary.c_str());
+  if (columns.good()) return place.complete();
+  const int error_number = columns.error_number();
   return Error{"cannot write: " + std::string(error_number == 0 ? "HDF5 failed" : std::strerror(error_number)), file,
                "is there room for " + std::to_string(shards * study.shard_shots) + " shots?"};
 }

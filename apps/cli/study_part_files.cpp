@@ -1,24 +1,24 @@
 #include "study_part_files.hpp"
 
 #include <cstddef>
+#include <cstdint>
 #include <filesystem>
-#include <fstream>
-#include <iterator>
-#include <span>
 #include <string_view>
 
 #include "report/file.hpp"
+#include "scenario/text_file.hpp"
 #include "study/part.hpp"
 #include "study/plan.hpp"
 
 namespace physim::cli {
 namespace {
 
-Result<StudyPart> read_part(const std::string& file) {
-  std::ifstream in(file, std::ios::binary);
-  if (!in) return Error{"the file cannot be read", file, ""};
-  const std::string text{std::istreambuf_iterator<char>(in), {}};
-  auto part = load_part(std::as_bytes(std::span(text)));
+constexpr std::uintmax_t kLargestPart = std::uintmax_t{4} << 30;  // [bytes]
+
+Result<StudyPart> read_part(const std::string& file, const char* kind) {
+  const auto bytes = read_bytes(file, kLargestPart, kind);
+  if (!bytes) return bytes.error();
+  auto part = load_part(*bytes);
   if (part) return part;
   Error error = part.error();
   error.place = file;
@@ -29,11 +29,16 @@ Result<StudyPart> read_part(const std::string& file) {
 
 Result<StudyPart> flown_before(const std::vector<std::string>& merge, const std::string& resume,
                                const StudyPlan& plan) {
-  std::vector<std::string> files = merge;
-  if (!resume.empty() && std::filesystem::exists(resume)) files.push_back(resume);
+  struct PartFile {
+    const std::string& path;
+    const char* kind;
+  };
+  std::vector<PartFile> files;
+  for (const std::string& file : merge) files.push_back({file, "part to be merged"});
+  if (!resume.empty() && std::filesystem::exists(resume)) files.push_back({resume, kResumedPart});
   StudyPart all;
-  for (const std::string& file : files) {
-    const auto part = read_part(file);
+  for (const auto& [file, kind] : files) {
+    const auto part = read_part(file, kind);
     if (!part) return part.error();
     if (part->shards() > 0 && part->record().hash != plan.record().hash)
       return Error{"the part is of another study", file, "join parts of this study alone, with all of its options"};

@@ -9,6 +9,9 @@
 
 namespace physim::cli {
 
+/// The kind of a file that is gone on with, in errors.
+inline constexpr const char* kResumedPart = "part of the study";
+
 /// What was flown before: in the file that is gone on with, where there is one, and in those to be joined.
 [[nodiscard]] Result<StudyPart> flown_before(const std::vector<std::string>& merge, const std::string& resume,
                                              const StudyPlan& plan);

@@ -85,7 +85,7 @@ void add_table_command(Command& program) {
   std::string names;
   for (const std::string& name : card_formats()) names += (names.empty() ? "" : ", ") + name;
   command.add_option("--format", options->format, names.c_str()).one_of(card_formats()).type_name("FORMAT");
-  command.add_option("--to", options->to, "FILE", "Write it into a file; - is the standard output");
+  command.add_output("--to", options->to, "FILE", "Write it into a file; - is the standard output");
   command.footer(
       "Drop is above the line of sight and windage right of it, with their angles; wind columns are the shift by that "
       "wind alone,\nspin columns that by the projectile's spin.\n\n"

@@ -73,7 +73,7 @@ void add_validate_command(Command& program) {
   command.add_option("--data", options->data, "folder with figures of one suite, or with a folder per suite")
       .type_name("DIR");
   command.add_flag("--json", options->json, "print results as JSON");
-  command.add_option("--report", options->report, "write a Markdown report").type_name("FILE.md");
+  command.add_output("--report", options->report, "FILE.md", "write a Markdown report");
   command.add_flag("--all,-v", options->every_figure, "print every figure, not the worst of each case");
   command.action([options] { return run(*options); });
 }

@@ -66,6 +66,7 @@ struct Expectation {
 /// A whole scenario.
 struct Scenario {
   std::string file{};                       ///< path it was read from [-]
+  std::vector<std::string> files{};         ///< paths of all files it comes from: itself, motors, meshes, ... [-]
   std::string title{};                      ///< [-]
   std::string source{};                     ///< where its figures come from [-]
   Environment environment{};                ///< [-]

@@ -139,7 +139,7 @@ class RunSnapshot {
 class WorldRun {
  public:
   /// An error where the scenario has no [world], or where the world refuses part of it. With a path the run is recorded
-  /// into that file (record_to_file()).
+  /// into that file (record_to_file()), which must be none of Scenario::files.
   [[nodiscard]] static Result<WorldRun> create(Scenario scenario, const std::string& recording = "");
   WorldRun(WorldRun&&) noexcept;
   WorldRun& operator=(WorldRun&&) noexcept;

@@ -13,7 +13,8 @@ namespace physim::report {
 [[nodiscard]] Status write_file(const std::string& path, const Text& text);
 [[nodiscard]] Status write_file(const std::string& path, std::string_view content);
 
-/// An error where a file of this path could not be written: a folder, or a place in no folder.
+/// An error if a file of this path could not be written: a folder, a place in no folder, or a file that is read
+/// (FilesInUse).
 [[nodiscard]] Status check_writable(const std::string& path);
 
 /// Makes a folder and those above it.

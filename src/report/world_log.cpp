@@ -15,12 +15,14 @@
 #include "report/trajectory.hpp"
 #include "report/world_hits.hpp"
 #include "scenario/expectation.hpp"
+#include "scenario/text_file.hpp"
 
 namespace physim::report {
 namespace {
 
-constexpr std::uint64_t kSamplesOfRun = 200;  // over the run
-constexpr std::uint64_t kPathPoints = 900;    // over the run, of each path
+constexpr std::uintmax_t kLargestSave = std::uintmax_t{4} << 30;  // [bytes]
+constexpr std::uint64_t kSamplesOfRun = 200;                      // over the run
+constexpr std::uint64_t kPathPoints = 900;                        // over the run, of each path
 constexpr std::size_t kMostPaths = 400;       // of all groups together, evenly out of their launches
 constexpr std::size_t kMostImpacts = 20'000;  // of each group, drawn; and of those alive at the end
 
@@ -404,7 +406,7 @@ Json event_json(const WorldLog& log, const LoggedEvent& event) {
 
 Result<WorldLog> run_world(const Scenario& scenario, const LogOptions& options, const Progress& progress) {
   Result<std::vector<std::byte>> saved = std::vector<std::byte>();
-  if (!options.load.empty()) saved = load_recording(options.load);
+  if (!options.load.empty()) saved = read_bytes(options.load, kLargestSave, kSavedRun);
   if (!saved) return saved.error();
   Result<WorldRun> made = options.load.empty() ? WorldRun::create(scenario, options.record)
                                                : WorldRun::load(scenario, *saved, options.record);

@@ -11,6 +11,9 @@
 
 namespace physim::report {
 
+/// The kind of file that a run is saved in, in errors.
+inline constexpr const char* kSavedRun = "save";
+
 /// What is kept of a run.
 struct LogParts {
   bool samples = false, events = false, paths = false, hits = false;

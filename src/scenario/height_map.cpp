@@ -5,6 +5,7 @@
 #include "base/assert.hpp"
 #include "base/ieee_mode.hpp"
 #include "physim/mesh_file.hpp"
+#include "scenario/files_in_use.hpp"
 #include "scenario/libraries.hpp"
 
 #if PHYSIM_HAS_STB
@@ -28,6 +29,7 @@ Result<HeightFieldShape> read_height_map(const std::string& file, double low, do
   const IeeeMode mode;
   constexpr int kGrey = 1;
   constexpr double kWhite = 65535, kMostPoints = 1e8;
+  if (Status begun = begin_reading(file, "height map"); !begun) return begun.error();
   const std::unique_ptr<std::FILE, int (*)(std::FILE*)> in(std::fopen(file.c_str(), "rb"), &std::fclose);
   if (!in) return Error{"the file cannot be read", file, ""};
   int columns = 0, rows = 0, channels = 0;

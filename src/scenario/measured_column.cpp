@@ -78,7 +78,7 @@ Result<double> number_of(const std::string& field, const std::string& unit, Quan
 
 Result<std::vector<double>> read_measured_column(const std::string& file, std::string_view column, Quantity quantity,
                                                  Measured measured) {
-  const auto text = read_text_file(file, kLargestFile, "table of measurements");
+  const auto text = read_text_file(file, kLargestFile, kMeasurements);
   if (!text) return text.error();
   std::vector<double> numbers;
   std::optional<CsvColumn> wanted;
@@ -106,6 +106,15 @@ Result<std::vector<double>> read_measured_column(const std::string& file, std::s
   }
   if (numbers.empty()) return Error{"the column " + in_quotes(column) + " has no numbers", file, ""};
   return numbers;
+}
+
+std::string_view file_of_column(std::string_view input) {
+  constexpr std::string_view kOf = " of ", kPerOccasion = "per occasion";
+  const std::size_t of = input.find(kOf, input.find("column "));
+  if (of == input.npos) return {};
+  std::string_view file = trimmed(input.substr(of + kOf.size()));
+  if (file.ends_with(kPerOccasion)) file.remove_suffix(kPerOccasion.size());
+  return trimmed(file);
 }
 
 }  // namespace physim

@@ -13,6 +13,9 @@
 
 namespace physim {
 
+/// The kind of file, in errors.
+inline constexpr const char* kMeasurements = "table of measurements";
+
 /// What a column is read by.
 enum class Measured {
   values,
@@ -21,5 +24,7 @@ enum class Measured {
 /// The numbers of a column [SI unit of the quantity].
 [[nodiscard]] Result<std::vector<double>> read_measured_column(const std::string& file, std::string_view column,
                                                                Quantity quantity, Measured measured);
+/// FILE of an input "PATH = column NAME of FILE"; empty: it names no file.
+[[nodiscard]] std::string_view file_of_column(std::string_view input);
 
 }  // namespace physim

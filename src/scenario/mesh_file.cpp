@@ -5,9 +5,11 @@
 
 #include "base/assert.hpp"
 #include "base/ieee_mode.hpp"
+#include "scenario/files_in_use.hpp"
 #include "scenario/libraries.hpp"
 
 #if PHYSIM_HAS_ASSIMP
+#include <assimp/DefaultIOSystem.h>
 #include <assimp/postprocess.h>
 #include <assimp/scene.h>
 
@@ -35,6 +37,24 @@ Status check_mesh_file(const std::string& file) {
   return {};
 }
 
+/// Opens what Assimp reads: the file itself, and files that it names, such as buffers of glTF.
+class MeshFiles : public Assimp::DefaultIOSystem {
+ public:
+  /// `status` becomes that of the first file that cannot be read.
+  explicit MeshFiles(Status& status) : status_(status) {}
+
+  Assimp::IOStream* Open(const char* file, const char* mode) override {
+    if (Status begun = begin_reading(file, "mesh"); !begun) {
+      if (status_) status_ = begun;
+      return nullptr;
+    }
+    return Assimp::DefaultIOSystem::Open(file, mode);
+  }
+
+ private:
+  Status& status_;
+};
+
 void add_mesh(MeshShape& to, const aiMesh& from) {
   const auto first = static_cast<std::uint32_t>(to.vertices.size());
   for (unsigned i = 0; i < from.mNumVertices; ++i)
@@ -53,7 +73,9 @@ void add_mesh(MeshShape& to, const aiMesh& from) {
 Result<MeshShape> read_mesh_file(const std::string& file) {
   const IeeeMode mode;
   if (const Status status = check_mesh_file(file); !status) return status.error();
+  Status files;
   Assimp::Importer importer;
+  importer.SetIOHandler(new MeshFiles(files));  // owned by the importer
   // Corners are joined where they differ in nothing but what is not read.
   importer.SetPropertyInteger(AI_CONFIG_PP_RVC_FLAGS, aiComponent_NORMALS | aiComponent_TANGENTS_AND_BITANGENTS |
                                                           aiComponent_COLORS | aiComponent_TEXCOORDS |
@@ -62,6 +84,7 @@ Result<MeshShape> read_mesh_file(const std::string& file) {
                                                           aiComponent_CAMERAS | aiComponent_MATERIALS);
   const aiScene* scene = importer.ReadFile(file, aiProcess_RemoveComponent | aiProcess_Triangulate |
                                                      aiProcess_PreTransformVertices | aiProcess_JoinIdenticalVertices);
+  if (!files) return files.error();
   if (scene == nullptr) return Error{"Assimp: " + std::string(importer.GetErrorString()), file, ""};
   MeshShape mesh;
   for (unsigned i = 0; i < scene->mNumMeshes; ++i) add_mesh(mesh, *scene->mMeshes[i]);

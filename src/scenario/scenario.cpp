@@ -6,7 +6,9 @@
 #include "base/assert.hpp"
 #include "base/ieee_mode.hpp"
 #include "scenario/checks.hpp"
+#include "scenario/files_in_use.hpp"
 #include "scenario/in_place.hpp"
+#include "scenario/measured_column.hpp"
 #include "scenario/overrides.hpp"
 #include "scenario/reader.hpp"
 #include "scenario/text_file.hpp"
@@ -41,11 +43,24 @@ void complete(Scenario& scenario, const Value& document) {
     scenario.expect[i].place = element(document, "expect", i).place.text();
 }
 
+/// Tables of measurements that the study names are files of the scenario, though only a study reads them.
+Status begin_reading_measurements(const Scenario& scenario) {
+  for (std::size_t i = 0; i < scenario.study.inputs.size(); ++i) {
+    const std::string_view file = file_of_column(scenario.study.inputs[i]);
+    if (file.empty()) continue;
+    Status begun = begin_reading(beside_scenario(scenario, std::string(file)), kMeasurements);
+    const std::string place = scenario.file + ": study.inputs[" + std::to_string(i) + ']';
+    if (!begun) return Error{begun.error().message, place, begun.error().hint};
+  }
+  return {};
+}
+
 }  // namespace
 
 Result<Scenario> parse_scenario(const std::string& text, const std::string& file,
                                 std::span<const std::string> overrides) {
   const IeeeMode mode;
+  const FilesInUse in_use;
   Result<Value> document = parse_document(text, file);
   if (!document) return document.error();
   for (const std::string& override_text : overrides)
@@ -67,13 +82,19 @@ Result<Scenario> parse_scenario(const std::string& text, const std::string& file
   if (Status status = complete_scene(scenario, *document); !status) return status.error();
   if (Status status = complete_emitters(scenario, *document); !status) return status.error();
   if (Status status = check_scenario(scenario, *document); !status) return status.error();
+  if (Status status = begin_reading_measurements(scenario); !status) return status.error();
+  scenario.files = in_use.inputs();
   return scenario;
 }
 
 Result<Scenario> load_scenario(const std::string& file, std::span<const std::string> overrides) {
+  const FilesInUse in_use;
+  if (Status begun = begin_reading(file, "scenario"); !begun) return begun.error();
   const Result<std::string> text = read_text_file(file, kLargestScenario, "scenario file");
   if (!text) return text.error();
-  return parse_scenario(*text, file, overrides);
+  Result<Scenario> scenario = parse_scenario(*text, file, overrides);
+  if (scenario) scenario->files = in_use.inputs();
+  return scenario;
 }
 
 }  // namespace physim

@@ -10,6 +10,7 @@
 
 #include "base/checker.hpp"
 #include "base/ieee_mode.hpp"
+#include "scenario/files_in_use.hpp"
 #include "scenario/libraries.hpp"
 
 #if PHYSIM_HAS_GDAL
@@ -17,6 +18,7 @@
 
 #include <cpl_conv.h>
 #include <cpl_error.h>
+#include <cpl_string.h>
 #include <gdal.h>
 #include <gdalwarper.h>
 #include <ogr_srs_api.h>
@@ -32,9 +34,9 @@ namespace {
 
 // clang-format off
 #define PHYSIM_GDAL_FUNCTIONS(F) \
-  F(CPLGetLastErrorMsg) F(CPLPopErrorHandler) F(CPLPushErrorHandler) F(CPLQuietErrorHandler) \
+  F(CPLGetLastErrorMsg) F(CPLPopErrorHandler) F(CPLPushErrorHandler) F(CPLQuietErrorHandler) F(CSLDestroy) \
   F(GDALAllRegister) F(GDALAutoCreateWarpedVRT) F(GDALClose) F(GDALCreate) F(GDALFillRaster) \
-  F(GDALGetDriverByName) F(GDALGetGeoTransform) F(GDALGetRasterBand) F(GDALGetRasterCount) \
+  F(GDALGetDriverByName) F(GDALGetFileList) F(GDALGetGeoTransform) F(GDALGetRasterBand) F(GDALGetRasterCount) \
   F(GDALGetRasterNoDataValue) F(GDALGetRasterOffset) F(GDALGetRasterScale) F(GDALGetRasterUnitType) \
   F(GDALGetRasterXSize) F(GDALGetRasterYSize) F(GDALGetSpatialRef) F(GDALOpenEx) F(GDALRasterIO) \
   F(GDALReprojectImage) F(GDALSetGeoTransform) F(GDALSetRasterNoDataValue) F(OSRDestroySpatialReference) \
@@ -136,12 +138,14 @@ std::string degrees(double from, double to) { return std::to_string(from) + " to
 class Raster {
  public:
   static Result<Raster> open(const std::string& file) {
+    if (Status begun = begin_reading(file, "terrain"); !begun) return begun.error();
     // Names that are no files mean places on the web and more to GDAL.
     if (!std::ifstream(file)) return Error{"the file cannot be read", file, ""};
     gdal().GDALAllRegister();
     Raster raster(file);
     raster.file_.reset(gdal().GDALOpenEx(file.c_str(), GDAL_OF_RASTER | GDAL_OF_READONLY, nullptr, nullptr, nullptr));
     if (!raster.file_) return Error{"it is no terrain: " + Quiet::words(), file, "GeoTIFF and .hgt are read, and more"};
+    if (Status begun = raster.begin_reading_companions(); !begun) return begun.error();
     if (gdal().GDALGetRasterCount(raster.file_.get()) < 1) return Error{"it holds no raster", file, ""};
     const OGRSpatialReferenceH projection = gdal().GDALGetSpatialRef(raster.file_.get());
     if (!projection) return Error{"it does not say where on the Earth it lies", file, "gdal_edit.py -a_srs adds that"};
@@ -169,6 +173,16 @@ class Raster {
 
  private:
   explicit Raster(std::string file) : file_name_(std::move(file)) {}
+
+  /// Files that GDAL reads beside the file: projections, masks, parts of a mosaic.
+  [[nodiscard]] Status begin_reading_companions() const {
+    char** const list = gdal().GDALGetFileList(file_.get());
+    Status status;
+    for (char** each = list; each != nullptr && *each != nullptr && status; ++each)
+      status = begin_reading(*each, "terrain");
+    gdal().CSLDestroy(list);
+    return status;
+  }
 
   void use(GDALDatasetH dataset) {
     std::array<double, 6> at{};

@@ -13,6 +13,8 @@
 #include "model/sight.hpp"
 #include "physim/recording_file.hpp"
 #include "scenario/checks.hpp"
+#include "scenario/files_in_use.hpp"
+#include "scenario/new_file.hpp"
 #include "scenario/scene_maker.hpp"
 #include "scenario/suggest.hpp"
 #include "scenario/thing_hits.hpp"
@@ -320,11 +322,22 @@ Status prepare(Scenario& scenario) {
   return {};
 }
 
+/// A recording must not replace what the scenario comes from, nor may its name until it is complete.
+Status check_recording(const Scenario& scenario, const std::string& recording) {
+  if (recording.empty()) return {};
+  for (const std::string& file : scenario.files)
+    if (is_same_file(file, recording) || is_same_file(file, recording + kIncomplete))
+      return Error{"cannot record: it would replace " + file + ", which the scenario comes from", recording,
+                   "name another file"};
+  return {};
+}
+
 }  // namespace
 
 Result<WorldRun> WorldRun::create(Scenario scenario, const std::string& recording) {
   const IeeeMode mode;
   if (Status status = prepare(scenario); !status) return status.error();
+  if (Status status = check_recording(scenario, recording); !status) return status.error();
   Result<World> world = World::create(scenario.world.def);
   if (!world) return with_place(world.error(), scenario.file);
   if (!recording.empty())
@@ -344,6 +357,7 @@ Result<std::vector<std::byte>> WorldRun::save() const {
 Result<WorldRun> WorldRun::load(Scenario scenario, std::span<const std::byte> save, const std::string& recording) {
   const IeeeMode mode;
   if (Status status = prepare(scenario); !status) return status.error();
+  if (Status status = check_recording(scenario, recording); !status) return status.error();
   Result<SavedRun> saved = read_run(save);
   if (!saved) return saved.error();
   // As a fresh run names its pools and kinds.

@@ -8,6 +8,7 @@
 
 #include "base/assert.hpp"
 #include "base/text.hpp"
+#include "scenario/files_in_use.hpp"
 #include "scenario/units.hpp"
 
 namespace physim::validation {
@@ -74,6 +75,7 @@ double last_digit_unit(std::string_view text) {
 }
 
 CsvFile CsvFile::read(const std::filesystem::path& path) {
+  if (Status begun = begin_reading(path.string(), "file of figures"); !begun) throw DataError{begun.error()};
   std::ifstream in(path);
   if (!in) throw DataError{{.message = "cannot be read", .place = path.string()}};
   CsvFile file;

@@ -10,6 +10,7 @@
 #include <string>
 
 #include "base/assert.hpp"
+#include "scenario/files_in_use.hpp"
 #include "validation/suite.hpp"
 
 namespace physim::validation {
@@ -25,6 +26,7 @@ class JsonCases {
  public:
   /// Reads a file; throws DataError.
   explicit JsonCases(const std::filesystem::path& path) : path_(path) {
+    if (Status begun = begin_reading(path.string(), "file of figures"); !begun) throw DataError{begun.error()};
     std::ifstream in(path);
     if (!in) throw DataError{{.message = "cannot be read", .place = path.string()}};
     std::stringstream buffer;
