@@ -33,6 +33,7 @@ physim_add_random_check(soak physim_soak tests/soak/soak.cpp 1e6 2000)  # a crow
 physim_add_random_check(scene_soak physim_scene_soak tests/soak/scene_soak.cpp 5e5 1000)  # and things move
 physim_add_random_check(fuzz physim_fuzz tests/fuzz/aim_fuzz.cpp 500)  # questions to aim()
 physim_add_random_check(world_fuzz physim_world_fuzz tests/fuzz/world_fuzz.cpp 100)  # calls of the whole interface
+physim_add_random_check(extreme_fuzz physim_extreme_fuzz tests/fuzz/extreme_fuzz.cpp 300)  # one number far from usual
 file(GLOB hits_sources CONFIGURE_DEPENDS tests/hits/*.cpp)
 physim_add_random_check(hits physim_hits "${hits_sources}" 2000)  # casts, impacts, and what hits set off
 physim_add_random_check(sweep physim_fidelity_sweep tests/fuzz/fidelity_sweep.cpp 60)  # answers of auto fidelity
