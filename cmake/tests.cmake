@@ -43,6 +43,7 @@ physim_add_random_check(scene_soak physim_scene_soak tests/soak/scene_soak.cpp 5
 physim_add_random_check(calls_soak physim_calls_soak tests/soak/calls_soak.cpp 30)  # programs of calls, played in several ways
 physim_add_random_check(fuzz physim_fuzz tests/fuzz/aim_fuzz.cpp 500)  # questions to aim()
 physim_add_random_check(world_fuzz physim_world_fuzz tests/fuzz/world_fuzz.cpp 100)  # calls of the whole interface
+physim_add_random_check(extreme_fuzz physim_extreme_fuzz tests/fuzz/extreme_fuzz.cpp 300)  # one number far from usual
 file(GLOB hits_sources CONFIGURE_DEPENDS tests/hits/*.cpp)
 physim_add_random_check(hits physim_hits "${hits_sources}" 2000)  # casts, impacts, and what hits set off
 physim_add_random_check(sweep physim_fidelity_sweep tests/fuzz/fidelity_sweep.cpp 60)  # answers of auto fidelity

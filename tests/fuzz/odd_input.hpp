@@ -7,6 +7,7 @@
 #include <utility>
 #include <vector>
 
+#include "fuzz/extremes.hpp"
 #include "physim/physim.hpp"
 #include "random_shots.hpp"
 
@@ -41,7 +42,8 @@ class Odd : public Random {
                                std::numeric_limits<double>::denorm_min(),
                                1e-30,
                                1e300};
-    return is_odd() ? kOdd[below(std::size(kOdd))] : in(low, high);
+    if (!is_odd()) return in(low, high);
+    return coin() ? kOdd[below(std::size(kOdd))] : extreme(*this, in(low, high));
   }
   Vec3d vector3(double size) { return {number(-size, size), number(-size, size), number(-size, size)}; }
   std::optional<double> maybe(double low, double high) {
