@@ -36,7 +36,7 @@ class Folder {
   Folder& operator=(const Folder&) = delete;
 
   [[nodiscard]] std::string operator/(const std::string& name) const { return (path_ / name).string(); }
-  [[nodiscard]] std::string write(const std::string& name, const std::string& content) const {
+  std::string write(const std::string& name, const std::string& content) const {
     std::ofstream(path_ / name) << content;
     return *this / name;
   }
