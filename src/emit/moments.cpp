@@ -104,7 +104,7 @@ BurstMoments::BurstMoments(const EmitterDef& def, std::size_t burst, std::uint64
   PHYSIM_ASSERT(in_cycle >= 0 && in_cycle < 1e18);
   per_cycle_ = static_cast<std::uint64_t>(in_cycle);
   const bool never = probability_ == 0 || range_of(def.bursts[burst].count).most < 0.5;
-  if (never) per_cycle_ = 0;
+  if (never || !may_fire()) per_cycle_ = 0;
   moments_ = def.cycle.looping && per_cycle_ > 0 ? kEndless : per_cycle_;
 }
 
@@ -114,14 +114,28 @@ double BurstMoments::time_of(std::uint64_t moment) const {
   return static_cast<double>(moment / per_cycle_) * duration_ + into;
 }
 
+double BurstMoments::phase_of(std::uint64_t moment) const {
+  return (time_ + static_cast<double>(moment % per_cycle_) * interval_) / duration_;
+}
+
+bool BurstMoments::may_fire() const {
+  constexpr std::uint64_t kFew = 4096;  // more are not looked at beforehand
+  if (per_cycle_ > kFew) return true;
+  for (std::uint64_t moment = 0; moment < per_cycle_; ++moment) {
+    const double x = phase_of(moment);
+    const double most = std::max(count_.at(x, [] { return 0.0; }), count_.at(x, [] { return 1.0; }));
+    if (whole_count(most) > 0) return true;
+  }
+  return false;
+}
+
 std::uint32_t BurstMoments::count_of(std::uint64_t moment, std::uint64_t play) const {
   PHYSIM_ASSERT(moment < moments_ && per_cycle_ > 0);
   const bool sure = probability_ == 1;
   PhiloxCounter words{};
   if (!sure || count_.is_drawn()) words = emit_words(seed_, EmitStream::burst, index_, moment, play);
   if (!sure && open_unit(words[0]) >= probability_) return 0;
-  const double x = (time_ + static_cast<double>(moment % per_cycle_) * interval_) / duration_;
-  return whole_count(count_.at(x, [&words] { return open_unit(words[1]); }));
+  return whole_count(count_.at(phase_of(moment), [&words] { return open_unit(words[1]); }));
 }
 
 }  // namespace physim

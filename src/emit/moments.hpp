@@ -67,6 +67,10 @@ class BurstMoments {
   [[nodiscard]] std::uint32_t count_of(std::uint64_t moment, std::uint64_t play) const;
 
  private:
+  [[nodiscard]] double phase_of(std::uint64_t moment) const;
+  /// Whether any moment of a cycle can let something out: a count that follows a curve may be nothing at all of them.
+  [[nodiscard]] bool may_fire() const;
+
   EmitNumber count_;
   double time_, interval_, probability_, duration_;
   std::uint32_t index_;

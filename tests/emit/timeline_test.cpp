@@ -227,6 +227,22 @@ TEST(Timeline, what_never_fires_is_over_at_once) {
   EXPECT_TRUE(Played(def, kInfinity).over);
 }
 
+/// A count that follows a curve may be nothing at the moments of the burst, cycle after cycle: no search finds another.
+TEST(Timeline, a_burst_whose_curve_is_nothing_at_its_moments_is_not_searched) {
+  EmitterDef def = silent();
+  def.cycle.duration = 1;
+  const Curve fades{{0, 1}, {0.5, 0}, {1, 0}};
+  for (const DrawnNumber& count : {DrawnNumber{10, {}, fades}, DrawnNumber{10, 20, fades, fades}}) {
+    def.bursts = {{.time = 0.9, .count = count, .cycles = 2, .interval = 0.05}};
+    const Emission emission(def, 5);
+    const TimelineState state = Timeline(emission).begin(0);
+    EXPECT_FALSE(Timeline(emission).next(state));
+    EXPECT_EQ(state.taken[1], 0U);
+    def.bursts[0].time = 0.4;
+    EXPECT_FALSE(Played(def, 2).over);
+  }
+}
+
 TEST(Timeline, sources_of_one_time_come_in_their_order) {
   EmitterDef def = silent();
   def.per_second = {1};
