@@ -70,7 +70,9 @@ Status record_to_file(World& world, const std::string& path, const RecordOptions
   const auto sink = [file](std::span<const std::byte> bytes) {
     return bytes.empty() ? file->complete() : file->write(bytes);
   };
-  Status status = world.record(sink, options);
+  RecordOptions completed = options;
+  completed.complete_at_end = true;  // the sink owns its file
+  Status status = world.record(sink, completed);
   if (!status) file->give_up();
   return status;
 }
