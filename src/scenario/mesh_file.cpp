@@ -1,14 +1,17 @@
 // The only file that knows Assimp. Its headers warn where ours do not, so they are system headers to the build.
 #include "physim/mesh_file.hpp"
 
-#include <filesystem>
+#include <cstdint>
 
 #include "base/assert.hpp"
 #include "base/ieee_mode.hpp"
+#include "scenario/text_file.hpp"
 
 #if PHYSIM_HAS_ASSIMP
 #include <assimp/postprocess.h>
 #include <assimp/scene.h>
+
+#include <assimp/DefaultIOSystem.h>
 
 #include <assimp/Importer.hpp>
 #endif
@@ -23,16 +26,15 @@ namespace {
 
 constexpr std::uintmax_t kLargestMesh = 256 << 20;  // [bytes]
 
-/// The file is there and of a size that will not fill the memory.
-Status check_mesh_file(const std::string& file) {
-  std::error_code failure;
-  const std::uintmax_t bytes = std::filesystem::file_size(file, failure);
-  if (failure) return Error{"the file cannot be read", file, ""};
-  if (bytes == 0) return Error{"the file is empty", file, ""};
-  if (bytes > kLargestMesh)
-    return Error{"the file has " + std::to_string(bytes >> 20) + " MB", file, "at most 256 MB are read"};
-  return {};
-}
+/// How Assimp opens files: what a mesh names, such as its materials, is a file of a bounded size as well, or is not
+/// there.
+class Files : public Assimp::DefaultIOSystem {
+ public:
+  bool Exists(const char* file) const override { return check_file(file, kLargestMesh, "mesh").ok(); }
+  Assimp::IOStream* Open(const char* file, const char* mode) override {
+    return Exists(file) ? DefaultIOSystem::Open(file, mode) : nullptr;
+  }
+};
 
 void add_mesh(MeshShape& to, const aiMesh& from) {
   const auto first = static_cast<std::uint32_t>(to.vertices.size());
@@ -51,8 +53,9 @@ void add_mesh(MeshShape& to, const aiMesh& from) {
 
 Result<MeshShape> read_mesh_file(const std::string& file) {
   const IeeeMode mode;
-  if (const Status status = check_mesh_file(file); !status) return status.error();
+  if (const Status status = check_file(file, kLargestMesh, "mesh"); !status) return status.error();
   Assimp::Importer importer;
+  importer.SetIOHandler(new Files);  // the importer owns it
   // Corners are joined where they differ in nothing but what is not read.
   importer.SetPropertyInteger(AI_CONFIG_PP_RVC_FLAGS, aiComponent_NORMALS | aiComponent_TANGENTS_AND_BITANGENTS |
                                                           aiComponent_COLORS | aiComponent_TEXCOORDS |

@@ -87,17 +87,7 @@ Status save_recording(const std::string& path, std::span<const std::byte> record
 }
 
 Result<std::vector<std::byte>> load_recording(const std::string& path) {
-  std::error_code failure;
-  const auto status = fs::status(path, failure);
-  if (!fs::exists(status)) return Error{"there is no such file", path, ""};
-  if (fs::is_directory(status)) return Error{"this is a folder", path, "name a recording in it"};
-  const std::uintmax_t size = fs::is_regular_file(status) ? fs::file_size(path, failure) : 0;
-  if (size > kLargestRecording) return Error{"larger than 4 GiB", path, "this cannot be played from memory"};
-  std::ifstream in(path, std::ios::binary);
-  std::vector<std::byte> bytes(static_cast<std::size_t>(size));
-  if (size > 0) in.read(reinterpret_cast<char*>(bytes.data()), static_cast<std::streamsize>(size));
-  if (!in.is_open() || in.fail()) return Error{"the file cannot be read", path, ""};
-  return bytes;
+  return read_byte_file(path, kLargestRecording, "recording");
 }
 
 }  // namespace physim

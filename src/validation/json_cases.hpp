@@ -3,13 +3,12 @@
 
 #include <algorithm>
 #include <filesystem>
-#include <fstream>
 #include <nlohmann/json.hpp>
 #include <optional>
-#include <sstream>
 #include <string>
 
 #include "base/assert.hpp"
+#include "validation/csv.hpp"
 #include "validation/suite.hpp"
 
 namespace physim::validation {
@@ -24,12 +23,7 @@ inline bool is_numbers(const nlohmann::json& list, std::size_t count) {
 class JsonCases {
  public:
   /// Reads a file; throws DataError.
-  explicit JsonCases(const std::filesystem::path& path) : path_(path) {
-    std::ifstream in(path);
-    if (!in) throw DataError{{.message = "cannot be read", .place = path.string()}};
-    std::stringstream buffer;
-    buffer << in.rdbuf();
-    text_ = buffer.str();
+  explicit JsonCases(const std::filesystem::path& path) : path_(path), text_(text_of(path)) {
     try {
       cases_ = nlohmann::json::parse(text_);
     } catch (const nlohmann::json::parse_error& error) {
