@@ -2,27 +2,36 @@
 
 #include <cstddef>
 #include <filesystem>
-#include <fstream>
-#include <iterator>
-#include <span>
 #include <string_view>
+#include <system_error>
 
+#include "file_lock.hpp"
 #include "report/file.hpp"
+#include "scenario/text_file.hpp"
 #include "study/part.hpp"
 #include "study/plan.hpp"
 
 namespace physim::cli {
 namespace {
 
+constexpr std::uintmax_t kLargestPart = std::uintmax_t{4} << 30;  // [bytes]
+
 Result<StudyPart> read_part(const std::string& file) {
-  std::ifstream in(file, std::ios::binary);
-  if (!in) return Error{"the file cannot be read", file, ""};
-  const std::string text{std::istreambuf_iterator<char>(in), {}};
-  auto part = load_part(std::as_bytes(std::span(text)));
+  const auto bytes = read_byte_file(file, kLargestPart, "part of a study");
+  if (!bytes) return bytes.error();
+  auto part = load_part(*bytes);
   if (part) return part;
   Error error = part.error();
   error.place = file;
   return error;
+}
+
+/// What is in the file of --resume; nothing if there is none. It is written to, too, so it must be a file.
+Result<StudyPart> read_kept(const std::string& file) {
+  std::error_code ignored;
+  if (!std::filesystem::exists(file, ignored)) return StudyPart();
+  if (Status status = check_file(file, kLargestPart, "part of a study"); !status) return status.error();
+  return read_part(file);
 }
 
 }  // namespace
@@ -30,10 +39,10 @@ Result<StudyPart> read_part(const std::string& file) {
 Result<StudyPart> flown_before(const std::vector<std::string>& merge, const std::string& resume,
                                const StudyPlan& plan) {
   std::vector<std::string> files = merge;
-  if (!resume.empty() && std::filesystem::exists(resume)) files.push_back(resume);
+  if (!resume.empty()) files.push_back(resume);
   StudyPart all;
   for (const std::string& file : files) {
-    const auto part = read_part(file);
+    const auto part = &file == &files.back() && !resume.empty() ? read_kept(file) : read_part(file);
     if (!part) return part.error();
     if (part->shards() > 0 && part->record().hash != plan.record().hash)
       return Error{"the part is of another study, or of another version", file,
@@ -45,10 +54,17 @@ Result<StudyPart> flown_before(const std::vector<std::string>& merge, const std:
   return all;
 }
 
-Status write_part(const std::string& file, const StudyPart& part) {
-  const std::vector<std::byte> bytes = save_part(part);
+Status PartKeeper::write_together(const StudyPart& part) {
+  const FileLock lock(target_of(file_));
+  if (!lock.status()) return lock.status();
+  const auto there = read_kept(file_);
+  if (!there) return there.error();
+  auto all = united(part, *there);
+  if (!all) return Error{"another study was written into it meanwhile", file_, "give each study a file of its own"};
+  kept_ = *std::move(all);
+  const std::vector<std::byte> bytes = save_part(kept_);
   return report::write_file(
-      file, std::string_view(static_cast<const char*>(static_cast<const void*>(bytes.data())), bytes.size()));
+      file_, std::string_view(static_cast<const char*>(static_cast<const void*>(bytes.data())), bytes.size()));
 }
 
 }  // namespace physim::cli
