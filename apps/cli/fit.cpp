@@ -5,13 +5,14 @@
 #include <array>
 #include <charconv>
 #include <cmath>
-#include <fstream>
 #include <memory>
+#include <sstream>
 
 #include "asked.hpp"
 #include "scenario/files_in_use.hpp"
 #include "scenario/measured_column.hpp"
 #include "scenario/suggest.hpp"
+#include "scenario/text_file.hpp"
 #include "scenario/units.hpp"
 #include "terminal.hpp"
 
@@ -61,9 +62,10 @@ class Reader {
   explicit Reader(const std::string& file) : file_(file) {}
 
   Result<FitData> read() {
-    if (Status begun = begin_reading(file_, kMeasurements); !begun) return begun.error();
-    std::ifstream in(file_);
-    if (!in) return Error{.message = "the file cannot be read", .place = file_};
+    constexpr std::uintmax_t kLargestTable = 64 << 20;  // [bytes]
+    const Result<std::string> text = read_text_file(file_, kLargestTable, kMeasurements);
+    if (!text) return text.error();
+    std::istringstream in(*text);
     std::string line;
     while (std::getline(in, line)) {
       ++line_;
@@ -74,7 +76,6 @@ class Reader {
       const Status status = columns_.empty() ? read_header(line) : read_row(line);
       if (!status) return status.error();
     }
-    if (in.bad()) return Error{.message = "the file cannot be read", .place = file_};
     if (columns_.empty())
       return Error{.message = "there is no header line",
                    .place = file_ + ":1:1",

@@ -243,8 +243,8 @@ Result<int> run_part(const StudyCommand& command, const Study& study, TaskRunner
                                options_of(progress, keeper, *before, as_long_as_it_takes));
   if (!part) return part.error();
   if (!keeper.write(*part)) return keeper.status().error();
-  return done(print(std::to_string(part->shards()) + " of " + std::to_string(plan->shards()) + " shards are in " +
-                    command.resume + "\n"));
+  return done(print(std::to_string(keeper.kept().shards()) + " of " + std::to_string(plan->shards()) +
+                    " shards are in " + command.resume + "\n"));
 }
 
 /// The study at each range. A shot that is zeroed is zeroed there, as a shooter does who knows the range.

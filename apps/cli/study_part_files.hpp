@@ -15,9 +15,8 @@ inline constexpr const char* kResumedPart = "part of the study";
 /// What was flown before: in the file that is gone on with, where there is one, and in those to be joined.
 [[nodiscard]] Result<StudyPart> flown_before(const std::vector<std::string>& merge, const std::string& resume,
                                              const StudyPlan& plan);
-[[nodiscard]] Status write_part(const std::string& file, const StudyPart& part);
 
-/// Keeps what is flown in a file, once a second.
+/// Keeps what is flown in a file, once a second. What other programs have put into it meanwhile stays there.
 class PartKeeper {
  public:
   explicit PartKeeper(std::string file) : file_(std::move(file)) {}
@@ -31,16 +30,21 @@ class PartKeeper {
   }
   bool write(const StudyPart& part) {
     if (file_.empty()) return true;
-    const Status written = write_part(file_, part);
+    const Status written = write_together(part);
     if (status_.ok()) status_ = written;  // the first failure stopped the study
     return status_.ok();
   }
   [[nodiscard]] const Status& status() const { return status_; }
+  /// What the file had when it was last written.
+  [[nodiscard]] const StudyPart& kept() const { return kept_; }
 
  private:
+  [[nodiscard]] Status write_together(const StudyPart& part);
+
   std::string file_;
   std::chrono::steady_clock::time_point last_ = std::chrono::steady_clock::now();
   Status status_;
+  StudyPart kept_;
 };
 
 }  // namespace physim::cli

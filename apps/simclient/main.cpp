@@ -1,9 +1,8 @@
 // simclient: see it fly.
 #include <cstdio>
 #include <exception>
-#include <fstream>
-#include <sstream>
 
+#include "scenario/text_file.hpp"
 #include "simclient/app.hpp"
 
 namespace physim::client {
@@ -11,11 +10,8 @@ namespace {
 
 Result<std::string> script_text(const std::string& option) {
   if (option.empty() || option[0] != '@') return option;
-  const std::string path = option.substr(1);
-  const std::ifstream file(path);
-  std::ostringstream text;
-  if (!file || !(text << file.rdbuf())) return Error{"cannot read the script", path, ""};
-  return text.str();
+  constexpr std::uintmax_t kLargestScript = 16 << 20;  // [bytes]
+  return read_text_file(option.substr(1), kLargestScript, "script");
 }
 
 Status run(const Options& options) {

@@ -52,13 +52,17 @@ struct CohortInfo {
 /// Events of calls between two steps that a world keeps: so many, or twice as many as it has projectiles.
 inline constexpr std::size_t kMostEventsOfCalls = 1u << 16;
 
-/// Takes the bytes of a recording, piece by piece; an empty piece after the last. An error ends the recording. It may
-/// read the world, but not change it (see World).
+/// Takes the bytes of a recording, piece by piece: before and after each step, when 64 KiB have gathered, and in
+/// World::stop_recording(), whose last piece is empty. An error ends the recording. The sink may read the world, but
+/// not change it (see World). The end of its world does not call it, since what it refers to may be gone by then,
+/// unless RecordOptions::complete_at_end says so.
 using RecordSink = std::function<Status(std::span<const std::byte>)>;
 
 struct RecordOptions {
   std::uint32_t hash_every = 1;  ///< steps; 0: no hashes, and a replay compares ids only [-]
   bool from_now = false;         ///< the recording begins with World::save(), and the world need not be new [-]
+  bool complete_at_end = false;  ///< the end of the world completes the recording as stop_recording() does: all that
+                                 ///< the sink refers to must outlive the world [-]
 };
 
 inline constexpr char kSaveMagic[8] = {'P', 'H', 'Y', 'S', 'I', 'M', 'S', '\n'};
@@ -325,9 +329,9 @@ class World {
   [[nodiscard]] static Result<World> load(std::span<const std::byte> save, const LoadOptions& options = {});
 
   // ------------------------------------------------------------------------------------------- recordings
-  /// Every call that changes this world goes to `sink` from now on, until stop_recording() or its end; Replay makes
-  /// them again. For a world to which nothing was done yet, or from a save on (RecordOptions::from_now). Where the sink
-  /// fails the world goes on without.
+  /// Every call that changes this world goes to `sink` from now on, until stop_recording(); Replay makes them again. A
+  /// world that ends before leaves a recording of all up to its last step, without its end. For a world to which
+  /// nothing was done yet, or from a save on (RecordOptions::from_now). Where the sink fails the world goes on without.
   [[nodiscard]] Status record(RecordSink sink, const RecordOptions& options = {});
   /// Completes the recording; an error where part of it was lost.
   [[nodiscard]] Status stop_recording();

@@ -6,6 +6,7 @@
 #include "report/number.hpp"
 #include "report/table.hpp"
 #include "scenario/expectation.hpp"
+#include "scenario/names.hpp"
 #include "scenario/units.hpp"
 
 namespace physim::report {
@@ -58,12 +59,16 @@ Status fly_all(FlownScenario& flown, const Progress& progress) {
     if (progress) progress(flown.shots.size(), scenario.shots.size());
   }
   PHYSIM_ASSERT(hits.size() == flown.shots.size());
-  for (const Expectation& expectation : scenario.expect)
-    for (std::size_t i = 0; i < hits.size(); ++i) {
+  NameIndex names;
+  for (const FlownShot& shot : flown.shots) names.add(shot.name);
+  for (const Expectation& expectation : scenario.expect) {
+    const auto check = [&](std::size_t i) {
       const FlownShot& shot = flown.shots[i];
-      if (expectation.shot.empty() || expectation.shot == shot.name)
-        flown.checks.push_back(judged(expectation, shot.name, measure(shot.flight, hits[i], expectation)));
-    }
+      flown.checks.push_back(judged(expectation, shot.name, measure(shot.flight, hits[i], expectation)));
+    };
+    if (const auto named = names.find(expectation.shot); named && !expectation.shot.empty()) check(*named);
+    for (std::size_t i = 0; expectation.shot.empty() && i < hits.size(); ++i) check(i);
+  }
   return {};
 }
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <nlohmann/json.hpp>
+#include <set>
 
 #include "base/assert.hpp"
 #include "physim/names.hpp"
@@ -15,6 +16,7 @@
 #include "report/trajectory.hpp"
 #include "report/world_hits.hpp"
 #include "scenario/expectation.hpp"
+#include "scenario/names.hpp"
 #include "scenario/text_file.hpp"
 
 namespace physim::report {
@@ -26,10 +28,10 @@ constexpr std::uint64_t kPathPoints = 900;                        // over the ru
 constexpr std::size_t kMostPaths = 400;       // of all groups together, evenly out of their launches
 constexpr std::size_t kMostImpacts = 20'000;  // of each group, drawn; and of those alive at the end
 
-bool asks_about(const Expectation& expectation, const WorldGroup& group) {
+/// Whether a group has what an expectation asks of groups.
+bool has_figure(const Expectation& expectation, const WorldGroup& group) {
   const physim::Figure* figure = find_figure(expectation.quantity);
-  if (figure != nullptr && figure->is_of_emitters && !group.emitter) return false;
-  return expectation.shot.empty() || expectation.shot == group.name;
+  return figure == nullptr || !figure->is_of_emitters || group.emitter;
 }
 
 class Logger {
@@ -84,10 +86,7 @@ class Logger {
     PHYSIM_ASSERT(log_.groups.size() == log_.hits.size());
     if (options_.parts.paths) mark_alive();
     std::erase_if(log_.paths, [](const LoggedPath& path) { return path.points.empty(); });
-    for (const Expectation& expectation : log_.scenario.expect)
-      for (const WorldGroup& group : log_.groups)
-        if (asks_about(expectation, group))
-          log_.checks.push_back(judged(expectation, group.name, measure(group, expectation)));
+    add_checks();
     return std::move(log_);
   }
 
@@ -98,6 +97,21 @@ class Logger {
     std::uint64_t every = 1;             // so manyth of them
     std::vector<std::uint64_t> numbers;  // of those that do
   };
+
+  void add_checks() {
+    NameIndex names;
+    for (const WorldGroup& group : log_.groups) names.add(group.name);
+    for (const Expectation& expectation : log_.scenario.expect) {
+      const auto check = [&](const WorldGroup& group) {
+        if (has_figure(expectation, group))
+          log_.checks.push_back(judged(expectation, group.name, measure(group, expectation)));
+      };
+      if (expectation.shot.empty())
+        for (const WorldGroup& group : log_.groups) check(group);
+      else if (const auto named = names.find(expectation.shot))
+        check(log_.groups[*named]);
+    }
+  }
 
   /// Those that a save brought along.
   void meet_all() {
@@ -334,12 +348,11 @@ std::string alive_table(const std::vector<WorldGroup>& groups, double time) {
 // The rungs of each shot; its groups share them.
 std::string fidelities(const WorldLog& log, const Style& style) {
   std::string out;
-  std::vector<std::size_t> told;
+  std::set<std::size_t> told;
   PHYSIM_ASSERT(log.in_use.size() == log.groups.size());
   for (std::size_t i = 0; i < log.groups.size(); ++i) {
     const std::size_t shot = log.groups[i].shot;
-    if (log.groups[i].spawned == 0 || std::ranges::count(told, shot) > 0) continue;
-    told.push_back(shot);
+    if (log.groups[i].spawned == 0 || !told.insert(shot).second) continue;
     const ProjectileDef& projectile = log.scenario.shots[shot].projectile;
     out += std::string(told.size() == 1 ? "\n" : "") + "  " + style.bold(one_line(projectile.name)) + " " +
            preset_name(projectile.fidelity) + ": " + in_words(log.in_use[i].fidelity) + "\n";
@@ -406,7 +419,7 @@ Json event_json(const WorldLog& log, const LoggedEvent& event) {
 
 Result<WorldLog> run_world(const Scenario& scenario, const LogOptions& options, const Progress& progress) {
   Result<std::vector<std::byte>> saved = std::vector<std::byte>();
-  if (!options.load.empty()) saved = read_bytes(options.load, kLargestSave, kSavedRun);
+  if (!options.load.empty()) saved = read_byte_file(options.load, kLargestSave, kSavedRun);
   if (!saved) return saved.error();
   Result<WorldRun> made = options.load.empty() ? WorldRun::create(scenario, options.record)
                                                : WorldRun::load(scenario, *saved, options.record);

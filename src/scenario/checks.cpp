@@ -1,8 +1,6 @@
 // Checks that need more than one setting.
 #include "scenario/checks.hpp"
 
-#include <map>
-
 #include "base/assert.hpp"
 #include "prepare/check.hpp"
 #include "prepare/grant.hpp"
@@ -82,18 +80,14 @@ Status check_name(const std::string& name, const Value& shot) {
   return {};
 }
 
-using NamesSeen = std::map<std::string_view, std::string>;  // name, place
-
-Status check_shots(const Scenario& scenario, const Value& document, NamesSeen& seen) {
-  PHYSIM_ASSERT(seen.empty());
+Status check_shots(const Scenario& scenario, const ScenarioNames& names, const Value& document) {
   for (std::size_t i = 0; i < scenario.shots.size(); ++i) {
     const ScenarioShot& shot = scenario.shots[i];
     const Value& table = element(document, "shot", i);
     if (Status status = check_name(shot.projectile.name, table); !status) return status;
-    const auto [first, is_new] = seen.emplace(shot.projectile.name, place_of(table, {"name"}));
-    if (!is_new)
+    if (const std::size_t first = *names.shots.find(shot.projectile.name); first != i)
       return Error{"shot.name: two shots are named " + in_quotes(shot.projectile.name), place_of(table, {"name"}),
-                   "the first is at " + first->second};
+                   "the first is at " + place_of(element(document, "shot", first), {"name"})};
     if (Status status = check_direction(shot.launch, table); !status) return status;
     if (Status status = check_drag(shot.projectile.drag, table); !status) return status;
     if (Status status = check_motor(shot, table); !status) return status;
@@ -113,12 +107,12 @@ Status check_wind(const Wind& wind, const Value& document) {
 }
 
 /// Flights have figures of their own, and where there are things, those of hits.
-Status check_hit_expectation(const Scenario& scenario, const Expectation& expect, const Value& table) {
-  const bool has_things = !scenario.things.empty();
+Status check_hit_expectation(const ScenarioNames& names, const Expectation& expect, const Value& table) {
+  const bool has_things = !names.things.all().empty();
   if (!expect.thing.empty() && !has_things)
     return Error{"expect.thing: there is no [world] for it", place_of(table, {"thing"}), ""};
   if (!expect.thing.empty())
-    if (Status status = check_thing_expectation(scenario, expect, table); !status) return status;
+    if (Status status = check_thing_expectation(names, expect, table); !status) return status;
   const Figure* figure = find_figure(expect.quantity);
   PHYSIM_ASSERT(figure != nullptr);  // the reader knows no others
   if (figure->is_of_flights()) return {};
@@ -129,17 +123,14 @@ Status check_hit_expectation(const Scenario& scenario, const Expectation& expect
   return Error{"expect.at: hits are those of the whole flight", place_of(table, {"at"}), "leave it out"};
 }
 
-Status check_expectations(const Scenario& scenario, const Value& document, const NamesSeen& seen) {
+Status check_expectations(const Scenario& scenario, const ScenarioNames& names, const Value& document) {
   for (std::size_t i = 0; i < scenario.expect.size(); ++i) {
     const Value& table = element(document, "expect", i);
     const Expectation& expect = scenario.expect[i];
-    if (!expect.shot.empty() && !seen.contains(expect.shot)) {
-      std::vector<std::string_view> names;
-      for (const auto& [name, place] : seen) names.push_back(name);
-      return Error{"expect.shot: no shot is named " + in_quotes(expect.shot), place_of(table, {"shot"}),
-                   suggestion(expect.shot, names, "shots")};
-    }
-    if (Status status = check_hit_expectation(scenario, expect, table); !status) return status;
+    if (!expect.shot.empty())
+      if (Status status = check_shot_name(names, expect.shot, "expect.shot", place_of(table, {"shot"})); !status)
+        return status;
+    if (Status status = check_hit_expectation(names, expect, table); !status) return status;
     const Value* at = table.find("at");
     if (const Table* places = at ? at->get<Table>() : nullptr; places && places->size() != 1)
       return Error{"expect.at: " + std::to_string(places->size()) + " places", at->place.text(),
@@ -151,11 +142,11 @@ Status check_expectations(const Scenario& scenario, const Value& document, const
 }  // namespace
 
 Status check_scenario(const Scenario& scenario, const Value& document) {
-  NamesSeen seen;
-  if (Status status = check_shots(scenario, document, seen); !status) return status;
+  const ScenarioNames names(scenario);
+  if (Status status = check_shots(scenario, names, document); !status) return status;
   if (Status status = check_wind(scenario.environment.wind, document); !status) return status;
-  if (Status status = check_world(scenario, document); !status) return status;
-  return scenario.world.given ? Status() : check_expectations(scenario, document, seen);
+  if (Status status = check_world(scenario, names, document); !status) return status;
+  return scenario.world.given ? Status() : check_expectations(scenario, names, document);
 }
 
 }  // namespace physim

@@ -1,10 +1,9 @@
 // Checks that need more than one setting; of scenarios with a [world], what its tables cannot say about themselves.
 #pragma once
 
-#include <set>
-
 #include "physim/scenario.hpp"
 #include "scenario/document.hpp"
+#include "scenario/names.hpp"
 
 namespace physim {
 
@@ -12,12 +11,12 @@ namespace physim {
 [[nodiscard]] Status check_scenario(const Scenario& scenario, const Value& document);
 
 /// Contradictions of a [world], or of what there is without one.
-[[nodiscard]] Status check_world(const Scenario& scenario, const Value& document);
+[[nodiscard]] Status check_world(const Scenario& scenario, const ScenarioNames& names, const Value& document);
 
 /// Contradictions of what there is for projectiles to hit; it makes the scene to see whether it can be made.
 [[nodiscard]] Status check_scene(const Scenario& scenario, const Value& document);
 /// Whether there is the thing that an expectation asks about, and a figure of hits on it.
-[[nodiscard]] Status check_thing_expectation(const Scenario& scenario, const Expectation& expect, const Value& table);
+[[nodiscard]] Status check_thing_expectation(const ScenarioNames& names, const Expectation& expect, const Value& table);
 
 /// Default names of a scene's parts, published materials that things name, and meshes out of files.
 [[nodiscard]] Status complete_scene(Scenario& scenario, const Value& document);
@@ -30,26 +29,17 @@ void complete_world(Scenario& scenario, const Value& document);
 /// A file that a scenario names, found from where the scenario is.
 [[nodiscard]] std::string beside_scenario(const Scenario& scenario, const std::string& file);
 
-/// Contradictions of [[emitter]]; the names of shots and volleys that are counted by themselves.
-[[nodiscard]] Status check_emitters(const Scenario& scenario, const Value& document,
-                                    std::vector<std::string_view> counted);
+/// Contradictions of [[emitter]].
+[[nodiscard]] Status check_emitters(const Scenario& scenario, const ScenarioNames& names, const Value& document);
 
 /// Default names of [[joint]], and their contradictions.
 void complete_joints(Scenario& scenario);
-[[nodiscard]] Status check_joints(const Scenario& scenario, const Value& document);
+[[nodiscard]] Status check_joints(const Scenario& scenario, const ScenarioNames& names, const Value& document);
 
-/// Names of all shots.
-[[nodiscard]] std::vector<std::string_view> shot_names(const Scenario& scenario);
-[[nodiscard]] Status check_shot_name(const Scenario& scenario, const std::string& name, const std::string& path,
+[[nodiscard]] Status check_shot_name(const ScenarioNames& names, const std::string& name, const std::string& path,
                                      const std::string& place);
 /// ... of a shot that is fired by itself, so that there is one of it.
-[[nodiscard]] Status check_lone_shot(const Scenario& scenario, const std::string& name, const std::string& path,
+[[nodiscard]] Status check_lone_shot(const ScenarioNames& names, const std::string& name, const std::string& path,
                                      const std::string& place);
-
-/// Names of shots that volleys or emitters fire; all others are fired once, at the start.
-[[nodiscard]] std::set<std::string_view> shots_of_others(const Scenario& scenario);
-
-/// Names of what is counted together: shots that are fired by themselves, volleys and emitters.
-[[nodiscard]] std::vector<std::string_view> group_names(const Scenario& scenario);
 
 }  // namespace physim

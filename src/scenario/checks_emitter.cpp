@@ -41,7 +41,7 @@ Error in_file(const Error& error, const Value& table) {
   return {name + ": " + error.message, value_at(table, path).place.text(), error.hint};
 }
 
-Status check_gun(const Scenario& scenario, const ScenarioEmitter& emitter, const Value& table) {
+Status check_gun(const ScenarioNames& names, const ScenarioEmitter& emitter, const Value& table) {
   const bool has_tracer = !emitter.tracer.empty(), fires_tracers = emitter.def.gun.tracer_every > 0;
   if (fires_tracers && !has_tracer)
     return Error{"emitter.gun.tracer_every: there is no tracer", place_of(table, {"gun", "tracer_every"}),
@@ -49,18 +49,17 @@ Status check_gun(const Scenario& scenario, const ScenarioEmitter& emitter, const
   if (!has_tracer) return {};
   const std::string place = place_of(table, {"gun", "tracer"});
   if (!fires_tracers) return Error{"emitter.gun.tracer: no round is one", place, "say which: tracer_every = 5"};
-  return check_shot_name(scenario, emitter.tracer, "emitter.gun.tracer", place);
+  return check_shot_name(names, emitter.tracer, "emitter.gun.tracer", place);
 }
 
-Status check_subs(const Scenario& scenario, const ScenarioEmitter& emitter, const Value& table) {
-  std::vector<std::string_view> names;
-  for (const ScenarioEmitter& each : scenario.emitters) names.push_back(each.def.name);
+Status check_subs(const Scenario& scenario, const ScenarioNames& names, const ScenarioEmitter& emitter,
+                  const Value& table) {
   for (std::size_t i = 0; i < emitter.subs.size(); ++i) {
     const ScenarioSub& sub = emitter.subs[i];
     const Value& of_sub = element(table, "sub", i);
-    if (std::ranges::count(names, sub.emitter) == 0)
+    if (!names.emitters.has(sub.emitter))
       return Error{"emitter.sub.emitter: no emitter is named " + in_quotes(sub.emitter), place_of(of_sub, {"emitter"}),
-                   suggestion(sub.emitter, names, "emitters")};
+                   suggestion(sub.emitter, names.emitters.all(), "emitters")};
     if (sub.def.on == SubEvent::apex && !scenario.world.def.apex_events)
       return Error{"emitter.sub.on: nobody tells when a particle is at its apex", place_of(of_sub, {"on"}),
                    "write apex_events = true into [world]"};
@@ -69,7 +68,7 @@ Status check_subs(const Scenario& scenario, const ScenarioEmitter& emitter, cons
 }
 
 /// Where it is: with a shot, on a path, or at rest.
-Status check_place(const Scenario& scenario, const ScenarioEmitter& emitter, const Value& table) {
+Status check_place(const ScenarioNames& names, const ScenarioEmitter& emitter, const Value& table) {
   const Value* given = table.find("motion");
   const Value empty{.content = Table{}, .place = table.place, .end = {}, .raw = {}};
   const Value& motion = given != nullptr ? *given : empty;
@@ -80,35 +79,37 @@ Status check_place(const Scenario& scenario, const ScenarioEmitter& emitter, con
   const std::string place = place_of(table, {"follows"});
   if (motion_of(emitter.motion).index() != 0)
     return Error{"emitter.follows: given together with motion", place, "give one of them"};
-  return check_lone_shot(scenario, emitter.follows, "emitter.follows", place);
+  return check_lone_shot(names, emitter.follows, "emitter.follows", place);
 }
 
-Status check_emitter(const Scenario& scenario, const ScenarioEmitter& emitter, const Value& table) {
+Status check_emitter(const Scenario& scenario, const ScenarioNames& names, const ScenarioEmitter& emitter,
+                     const Value& table) {
   const std::string place = place_of(table, {"shot"});
-  if (Status status = check_shot_name(scenario, emitter.shot, "emitter.shot", place); !status) return status;
-  if (Status status = check_place(scenario, emitter, table); !status) return status;
-  if (Status status = check_gun(scenario, emitter, table); !status) return status;
-  if (Status status = check_subs(scenario, emitter, table); !status) return status;
+  if (Status status = check_shot_name(names, emitter.shot, "emitter.shot", place); !status) return status;
+  if (Status status = check_place(names, emitter, table); !status) return status;
+  if (Status status = check_gun(names, emitter, table); !status) return status;
+  if (Status status = check_subs(scenario, names, emitter, table); !status) return status;
   const Status status = check(def_of(emitter));
   return status ? Status() : Status(in_file(status.error(), table));
 }
 
 }  // namespace
 
-Status check_emitters(const Scenario& scenario, const Value& document, std::vector<std::string_view> counted) {
+Status check_emitters(const Scenario& scenario, const ScenarioNames& names, const Value& document) {
   for (std::size_t i = 0; i < scenario.emitters.size(); ++i) {
     const ScenarioEmitter& emitter = scenario.emitters[i];
     PHYSIM_ASSERT(!emitter.def.name.empty());  // given or made up by now
     const Value& table = element(document, "emitter", i);
-    if (std::ranges::count(counted, emitter.def.name) > 0)
-      return Error{"emitter.name: another emitter, volley or shot is named " + in_quotes(emitter.def.name),
+    const std::string& name = emitter.def.name;
+    const bool is_taken = (names.shots.has(name) && names.is_alone(name)) || names.volleys.has(name);
+    if (is_taken || names.emitters.find(name) != i)
+      return Error{"emitter.name: another emitter, volley or shot is named " + in_quotes(name),
                    place_of(table, {"name"}), "give it a name of its own"};
-    counted.push_back(emitter.def.name);
-    if (Status status = check_emitter(scenario, emitter, table); !status) return status;
+    if (Status status = check_emitter(scenario, names, emitter, table); !status) return status;
   }
-  const auto order = order_of_emitters(scenario);
+  const auto order = order_of_emitters(scenario, names.emitters);
   if (order) return {};
-  const Value& table = element(document, "emitter", index_of_emitter(scenario, order.error().place));
+  const Value& table = element(document, "emitter", *names.emitters.find(order.error().place));
   return Error{"emitter.sub: " + order.error().message, place_of(table, {"sub"}), order.error().hint};
 }
 

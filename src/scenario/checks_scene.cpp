@@ -171,11 +171,11 @@ Status check_each(const List& list, const std::string& key, const Value& documen
 
 /// The published materials that things, parts and meshes name, where the scenario has none of that name.
 void bring_published(Scenario& scenario) {
-  std::set<std::string_view> seen;
+  std::set<std::string, std::less<>> seen;  // names of their own: the list of materials grows
+  for (const Material& material : scenario.materials) seen.insert(material.name);
   const auto bring = [&](const std::string& name) {
     if (!seen.insert(name).second) return;
-    const bool is_given = std::ranges::count(scenario.materials, name, &Material::name) > 0;
-    const auto published = is_given ? std::nullopt : published_material(name);
+    const auto published = published_material(name);
     if (published) scenario.materials.push_back(*published), scenario.materials.back().name = name;
   };
   for (const ScenarioThing& thing : scenario.things) bring(thing.material);
@@ -230,13 +230,11 @@ Status check_scene(const Scenario& scenario, const Value& document) {
   return status;
 }
 
-Status check_thing_expectation(const Scenario& scenario, const Expectation& expect, const Value& table) {
+Status check_thing_expectation(const ScenarioNames& names, const Expectation& expect, const Value& table) {
   PHYSIM_ASSERT(!expect.thing.empty());
-  std::vector<std::string_view> names;
-  for (const ScenarioThing& thing : scenario.things) names.push_back(thing.name);
-  if (std::ranges::count(names, expect.thing) == 0)
+  if (!names.things.has(expect.thing))
     return Error{"expect.thing: no thing is named " + in_quotes(expect.thing), place_of(table, {"thing"}),
-                 suggestion(expect.thing, names, "things")};
+                 suggestion(expect.thing, names.things.all(), "things")};
   const Figure* figure = find_figure(expect.quantity);
   PHYSIM_ASSERT(figure != nullptr);  // the reader knows no others
   if (figure->of_hits != nullptr) return {};

@@ -1,7 +1,5 @@
 #include "scenario/checks.hpp"
 
-#include <algorithm>
-
 #include "base/assert.hpp"
 #include "model/force_laws.hpp"
 #include "scenario/expectation.hpp"
@@ -17,18 +15,6 @@ namespace {
 Error in_file(const Error& error, const std::string& path, const Value& where) {
   return {path + (error.place.empty() ? "" : " (" + error.place + ")") + ": " + error.message, where.place.text(),
           error.hint};
-}
-
-bool is_in_volley(const Scenario& scenario, std::string_view shot) {
-  return std::ranges::any_of(scenario.volleys, [&](const Volley& volley) { return volley.shot == shot; });
-}
-
-/// Shots that are fired by themselves.
-std::vector<std::string_view> lone_shots(const Scenario& scenario) {
-  const std::set<std::string_view> others = shots_of_others(scenario);
-  std::vector<std::string_view> names = shot_names(scenario);
-  std::erase_if(names, [&](std::string_view name) { return others.contains(name); });
-  return names;
 }
 
 Error needs_world(const std::string& path, const Value& value) {
@@ -70,22 +56,19 @@ Status check_unused(const Value& document) {
   return {};
 }
 
-Status check_pools(const Scenario& scenario, const Value& document) {
+Status check_pools(const Scenario& scenario, const ScenarioNames& names, const Value& document) {
   const std::vector<PoolDef>& pools = scenario.world.def.pools;
-  std::vector<std::string_view> names;
-  for (std::size_t i = 0; i < pools.size(); ++i) {
-    const Value& table = element(*document.find("world"), "pools", i);
-    if (std::ranges::count(names, pools[i].name) > 0)
-      return Error{"world.pools.name: two pools are named " + in_quotes(pools[i].name), place_of(table, {"name"}), ""};
-    names.push_back(pools[i].name);
-  }
+  for (std::size_t i = 0; i < pools.size(); ++i)
+    if (names.pools.find(pools[i].name) != i)
+      return Error{"world.pools.name: two pools are named " + in_quotes(pools[i].name),
+                   place_of(element(*document.find("world"), "pools", i), {"name"}), ""};
   for (std::size_t i = 0; i < scenario.shots.size(); ++i) {
     const std::string& pool = scenario.shots[i].pool;
-    if (pool.empty() || std::ranges::count(names, pool) > 0) continue;
+    if (pool.empty() || names.pools.has(pool)) continue;
     return Error{"shot.body.pool: no pool is named " + in_quotes(pool),
                  place_of(*element(document, "shot", i).find("body"), {"pool"}),
-                 names.empty() ? "write pools = [{ name = \"...\", maximum = 100 }] into [world]"
-                               : suggestion(pool, names, "pools")};
+                 pools.empty() ? "write pools = [{ name = \"...\", maximum = 100 }] into [world]"
+                               : suggestion(pool, names.pools.all(), "pools")};
   }
   return {};
 }
@@ -101,17 +84,16 @@ Status check_bodies(const Scenario& scenario, const Value& document) {
   return {};
 }
 
-Status check_volleys(const Scenario& scenario, const Value& document) {
-  std::vector<std::string_view> names = lone_shots(scenario);
+Status check_volleys(const Scenario& scenario, const ScenarioNames& names, const Value& document) {
   for (std::size_t i = 0; i < scenario.volleys.size(); ++i) {
     const Volley& volley = scenario.volleys[i];
     const Value& table = element(document, "volley", i);
-    if (Status status = check_shot_name(scenario, volley.shot, "volley.shot", place_of(table, {"shot"})); !status)
+    if (Status status = check_shot_name(names, volley.shot, "volley.shot", place_of(table, {"shot"})); !status)
       return status;
-    if (std::ranges::count(names, volley.name) > 0)
+    const bool is_taken = names.shots.has(volley.name) && names.is_alone(volley.name);
+    if (is_taken || names.volleys.find(volley.name) != i)
       return Error{"volley.name: another volley or shot is named " + in_quotes(volley.name), place_of(table, {"name"}),
                    "give it a name of its own"};
-    names.push_back(volley.name);
     const Value* rate = table.find("rate");
     const std::string* text = rate ? rate->get<std::string>() : nullptr;
     if (rate && !(text && *text == "none") && table.find("interval"))
@@ -137,12 +119,12 @@ std::vector<std::string_view> law_names() {
   return names;
 }
 
-Status check_other(const Scenario& scenario, const ScenarioForce& force, const Member& law) {
+Status check_other(const ScenarioNames& names, const ScenarioForce& force, const Member& law) {
   const std::string path = "force." + law.key + ".other", place = place_of(law.value, {"other"});
-  return check_lone_shot(scenario, force.other, path, place);
+  return check_lone_shot(names, force.other, path, place);
 }
 
-Status check_force(const Scenario& scenario, const ScenarioForce& force, const Value& table) {
+Status check_force(const ScenarioNames& names, const ScenarioForce& force, const Value& table) {
   PHYSIM_ASSERT(!force.name.empty());  // given or made up by now
   const std::vector<const Member*> laws = laws_of(table);
   if (laws.empty())
@@ -151,10 +133,9 @@ Status check_force(const Scenario& scenario, const ScenarioForce& force, const V
     return Error{"force: it has two laws, " + laws[0]->key + " and " + laws[1]->key, laws[1]->key_place.text(),
                  "write a [[force]] for each"};
   for (const std::string& shot : force.shots)
-    if (Status status = check_shot_name(scenario, shot, "force.shots", place_of(table, {"shots"})); !status)
-      return status;
+    if (Status status = check_shot_name(names, shot, "force.shots", place_of(table, {"shots"})); !status) return status;
   if (!force.other.empty() || needs_other_end(force.law))
-    if (Status status = check_other(scenario, force, *laws[0]); !status) return status;
+    if (Status status = check_other(names, force, *laws[0]); !status) return status;
   ForceDef def{.law = force.law, .target = ForceTarget::everything(), .delay = force.delay, .duration = force.duration};
   if (needs_other_end(def.law)) *other_end_of(def.law) = {1, 1};  // somebody
   if (const Status status = check(def); !status)
@@ -162,24 +143,23 @@ Status check_force(const Scenario& scenario, const ScenarioForce& force, const V
   return {};
 }
 
-Status check_group_expectation(const Scenario& scenario, const Expectation& expect, const Value& table) {
-  const std::vector<std::string_view> names = group_names(scenario);
-  if (!expect.shot.empty() && std::ranges::count(names, expect.shot) == 0)
+Status check_group_expectation(const ScenarioNames& names, const Expectation& expect, const Value& table) {
+  const bool is_counted = (names.shots.has(expect.shot) && names.is_alone(expect.shot)) ||
+                          names.volleys.has(expect.shot) || names.emitters.has(expect.shot);
+  if (!expect.shot.empty() && !is_counted)
     return Error{"expect.shot: nothing is counted as " + in_quotes(expect.shot), place_of(table, {"shot"}),
-                 suggestion(expect.shot, names, "there are")};
+                 suggestion(expect.shot, names.groups(), "there are")};
   if (expect.at != ExpectAt::end)
     return Error{"expect.at: a world is looked at when its run is over", place_of(table, {"at"}), "leave it out"};
   const Figure* figure = find_figure(expect.quantity);
   PHYSIM_ASSERT(figure != nullptr);  // the reader knows no others
   if (!expect.thing.empty())
-    if (Status status = check_thing_expectation(scenario, expect, table); !status) return status;
-  const bool has_emitter = std::ranges::any_of(scenario.emitters, [&](const ScenarioEmitter& emitter) {
-    return expect.shot.empty() || emitter.def.name == expect.shot;
-  });
+    if (Status status = check_thing_expectation(names, expect, table); !status) return status;
+  const bool has_any = !names.emitters.all().empty();
+  const bool has_emitter = expect.shot.empty() ? has_any : names.emitters.has(expect.shot);
   if (figure->is_of_emitters && !has_emitter)
     return Error{"expect.quantity: " + in_quotes(expect.quantity) + " is a figure of emitters",
-                 place_of(table, {"quantity"}),
-                 scenario.emitters.empty() ? "there is no [[emitter]]" : "name one as expect.shot"};
+                 place_of(table, {"quantity"}), has_any ? "name one as expect.shot" : "there is no [[emitter]]"};
   if (figure->of_group == nullptr && figure->of_hits == nullptr)
     return Error{"expect.quantity: " + in_quotes(expect.quantity) + " is a figure of single flights",
                  place_of(table, {"quantity"}),
@@ -189,43 +169,21 @@ Status check_group_expectation(const Scenario& scenario, const Expectation& expe
 
 }  // namespace
 
-std::vector<std::string_view> shot_names(const Scenario& scenario) {
-  std::vector<std::string_view> names;
-  for (const ScenarioShot& shot : scenario.shots) names.push_back(shot.projectile.name);
-  return names;
+Status check_shot_name(const ScenarioNames& names, const std::string& name, const std::string& path,
+                       const std::string& place) {
+  if (names.shots.has(name)) return {};
+  return Error{path + ": no shot is named " + in_quotes(name), place, suggestion(name, names.shots.all(), "shots")};
 }
 
-Status check_shot_name(const Scenario& scenario, const std::string& name, const std::string& path,
+Status check_lone_shot(const ScenarioNames& names, const std::string& name, const std::string& path,
                        const std::string& place) {
-  const std::vector<std::string_view> names = shot_names(scenario);
-  if (std::ranges::count(names, name) > 0) return {};
-  return Error{path + ": no shot is named " + in_quotes(name), place, suggestion(name, names, "shots")};
-}
-
-Status check_lone_shot(const Scenario& scenario, const std::string& name, const std::string& path,
-                       const std::string& place) {
-  if (Status status = check_shot_name(scenario, name, path, place); !status) return status;
-  if (is_in_volley(scenario, name))
+  if (Status status = check_shot_name(names, name, path, place); !status) return status;
+  if (names.of_volleys.contains(name))
     return Error{path + ": " + in_quotes(name) + " is fired by a volley", place,
                  "name a shot that no volley fires: there is one of it"};
-  if (!shots_of_others(scenario).contains(name)) return {};
+  if (names.is_alone(name)) return {};
   return Error{path + ": " + in_quotes(name) + " is fired by an emitter", place,
                "name a shot that no emitter fires: there is one of it"};
-}
-
-std::set<std::string_view> shots_of_others(const Scenario& scenario) {
-  std::set<std::string_view> names;
-  for (const Volley& volley : scenario.volleys) names.insert(volley.shot);
-  for (const ScenarioEmitter& emitter : scenario.emitters) names.insert({emitter.shot, emitter.tracer});
-  names.erase("");  // no tracer
-  return names;
-}
-
-std::vector<std::string_view> group_names(const Scenario& scenario) {
-  std::vector<std::string_view> names = lone_shots(scenario);
-  for (const Volley& volley : scenario.volleys) names.push_back(volley.name);
-  for (const ScenarioEmitter& emitter : scenario.emitters) names.push_back(emitter.def.name);
-  return names;
 }
 
 void complete_world(Scenario& scenario, const Value& document) {
@@ -247,7 +205,7 @@ void complete_world(Scenario& scenario, const Value& document) {
   }
 }
 
-Status check_world(const Scenario& scenario, const Value& document) {
+Status check_world(const Scenario& scenario, const ScenarioNames& names, const Value& document) {
   if (!scenario.world.given) {
     if (Status status = check_absence(scenario, document); !status) return status;
     if (Status status = check_bodies(scenario, document); !status) return status;
@@ -256,19 +214,16 @@ Status check_world(const Scenario& scenario, const Value& document) {
   if (Status status = check_unused(document); !status) return status;
   if (const Status status = check(scenario.world.def); !status)
     return in_file(status.error(), "world", *document.find("world"));
-  if (Status status = check_pools(scenario, document); !status) return status;
+  if (Status status = check_pools(scenario, names, document); !status) return status;
   if (Status status = check_bodies(scenario, document); !status) return status;
   if (Status status = check_scene(scenario, document); !status) return status;
-  if (Status status = check_volleys(scenario, document); !status) return status;
+  if (Status status = check_volleys(scenario, names, document); !status) return status;
   for (std::size_t i = 0; i < scenario.forces.size(); ++i)
-    if (Status status = check_force(scenario, scenario.forces[i], element(document, "force", i)); !status)
-      return status;
-  if (Status status = check_joints(scenario, document); !status) return status;
-  std::vector<std::string_view> counted = lone_shots(scenario);
-  for (const Volley& volley : scenario.volleys) counted.push_back(volley.name);
-  if (Status status = check_emitters(scenario, document, std::move(counted)); !status) return status;
+    if (Status status = check_force(names, scenario.forces[i], element(document, "force", i)); !status) return status;
+  if (Status status = check_joints(scenario, names, document); !status) return status;
+  if (Status status = check_emitters(scenario, names, document); !status) return status;
   for (std::size_t i = 0; i < scenario.expect.size(); ++i)
-    if (Status status = check_group_expectation(scenario, scenario.expect[i], element(document, "expect", i)); !status)
+    if (Status status = check_group_expectation(names, scenario.expect[i], element(document, "expect", i)); !status)
       return status;
   return {};
 }

@@ -17,32 +17,31 @@ EmitterDef def_of(const ScenarioEmitter& emitter) {
   return def;
 }
 
-std::size_t index_of_emitter(const Scenario& scenario, const std::string& name) {
-  const auto found =
-      std::ranges::find(scenario.emitters, name, [](const ScenarioEmitter& each) { return each.def.name; });
-  return static_cast<std::size_t>(found - scenario.emitters.begin());
-}
-
-Result<std::vector<std::size_t>> order_of_emitters(const Scenario& scenario) {
+Result<std::vector<std::size_t>> order_of_emitters(const Scenario& scenario, const NameIndex& names) {
   const std::size_t count = scenario.emitters.size();
-  std::vector<std::size_t> order;
-  std::vector<bool> is_in(count);
-  const auto may_come = [&](std::size_t i) {
-    return std::ranges::all_of(scenario.emitters[i].subs, [&](const ScenarioSub& sub) {
-      const std::size_t fires = index_of_emitter(scenario, sub.emitter);
-      PHYSIM_ASSERT(fires < count);  // names are checked before
-      return fires == i || is_in[fires];
-    });
-  };
-  while (order.size() < count) {
-    const std::size_t before = order.size();
-    for (std::size_t i = 0; i < count; ++i)
-      if (!is_in[i] && may_come(i)) order.push_back(i), is_in[i] = true;
-    if (order.size() > before) continue;
-    const auto left = static_cast<std::size_t>(std::ranges::find(is_in, false) - is_in.begin());
+  std::vector<std::vector<std::size_t>> fired_by(count);  // those that wait for an emitter
+  std::vector<std::size_t> waits(count), round(count), order;
+  for (std::size_t i = 0; i < count; ++i)
+    for (const ScenarioSub& sub : scenario.emitters[i].subs) {
+      const std::optional<std::size_t> fires = names.find(sub.emitter);
+      PHYSIM_ASSERT(fires.has_value());  // names are checked before
+      if (*fires != i) fired_by[*fires].push_back(i), ++waits[i];
+    }
+  for (std::size_t i = 0; i < count; ++i)
+    if (waits[i] == 0) order.push_back(i);
+  for (std::size_t k = 0; k < order.size(); ++k)
+    for (const std::size_t i : fired_by[order[k]]) {
+      // In rounds over the list, each takes those that may come by then.
+      round[i] = std::max(round[i], round[order[k]] + (i < order[k] ? 1 : 0));
+      if (--waits[i] == 0) order.push_back(i);
+    }
+  if (order.size() < count) {
+    const auto left =
+        static_cast<std::size_t>(std::ranges::find_if(waits, [](auto n) { return n > 0; }) - waits.begin());
     return Error{"emitters fire each other in a circle", scenario.emitters[left].def.name,
                  "an emitter may fire itself, and those that do not lead back to it"};
   }
+  std::ranges::sort(order, {}, [&](std::size_t i) { return std::pair(round[i], i); });
   return order;
 }
 

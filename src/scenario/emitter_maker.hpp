@@ -4,17 +4,15 @@
 #include <vector>
 
 #include "physim/scenario.hpp"
+#include "scenario/names.hpp"
 
 namespace physim {
 
 /// All of an emitter but what only its world knows: kinds, whom it follows, and the ids of its subs' emitters.
 [[nodiscard]] EmitterDef def_of(const ScenarioEmitter& emitter);
 
-/// Where in Scenario::emitters the one of a name is; their number where there is none.
-[[nodiscard]] std::size_t index_of_emitter(const Scenario& scenario, const std::string& name);
-
 /// The emitters in an order in which each comes after those that its subs name, but for itself, as a world wants them.
 /// An error where several fire each other in a circle; its place is the name of one of them.
-[[nodiscard]] Result<std::vector<std::size_t>> order_of_emitters(const Scenario& scenario);
+[[nodiscard]] Result<std::vector<std::size_t>> order_of_emitters(const Scenario& scenario, const NameIndex& names);
 
 }  // namespace physim

@@ -1,10 +1,10 @@
 // Meshes and terrain that emitters of a scenario let their particles out of.
-#include <algorithm>
 #include <map>
 
 #include "emit/emit_surface.hpp"
 #include "physim/mesh_file.hpp"
 #include "scenario/checks.hpp"
+#include "scenario/names.hpp"
 #include "scenario/suggest.hpp"
 
 namespace physim {
@@ -13,18 +13,17 @@ namespace {
 /// Prepares each shape and each file once, however many emitters name it.
 class Surfaces {
  public:
-  explicit Surfaces(const Scenario& scenario) : scenario_(scenario) {}
+  explicit Surfaces(const Scenario& scenario) : scenario_(scenario) {
+    for (const ScenarioShape& shape : scenario.shapes) shapes_.add(shape.name);
+  }
 
   Result<SharedShape> of(const std::string& name) {
     if (const auto found = by_name_.find(name); found != by_name_.end()) return found->second;
-    const auto shape = std::ranges::find(scenario_.shapes, name, &ScenarioShape::name);
-    if (shape == scenario_.shapes.end()) {
-      std::vector<std::string_view> names;
-      for (const ScenarioShape& each : scenario_.shapes) names.push_back(each.name);
+    const auto number = shapes_.find(name);
+    if (!number)
       return Error{"no shape is named " + in_quotes(name), "",
-                   names.empty() ? "write a [[shape]]" : suggestion(name, names, "shapes")};
-    }
-    return kept(by_name_, name, SharedShape::make(shape->shape));
+                   shapes_.all().empty() ? "write a [[shape]]" : suggestion(name, shapes_.all(), "shapes")};
+    return kept(by_name_, name, SharedShape::make(scenario_.shapes[*number].shape));
   }
   Result<SharedShape> in_file(const std::string& name) {
     if (const auto found = by_file_.find(name); found != by_file_.end()) return found->second;
@@ -41,6 +40,7 @@ class Surfaces {
   }
 
   const Scenario& scenario_;
+  NameIndex shapes_;  // of Scenario::shapes
   Known by_name_, by_file_;
 };
 

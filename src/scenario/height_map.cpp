@@ -1,12 +1,11 @@
 // The only file that knows stb_image.
-#include <cstdio>
 #include <memory>
 
 #include "base/assert.hpp"
 #include "base/ieee_mode.hpp"
 #include "physim/mesh_file.hpp"
-#include "scenario/files_in_use.hpp"
 #include "scenario/libraries.hpp"
+#include "scenario/text_file.hpp"
 
 #if PHYSIM_HAS_STB
 #pragma GCC diagnostic push
@@ -29,17 +28,19 @@ Result<HeightFieldShape> read_height_map(const std::string& file, double low, do
   const IeeeMode mode;
   constexpr int kGrey = 1;
   constexpr double kWhite = 65535, kMostPoints = 1e8;
-  if (Status begun = begin_reading(file, "height map"); !begun) return begun.error();
-  const std::unique_ptr<std::FILE, int (*)(std::FILE*)> in(std::fopen(file.c_str(), "rb"), &std::fclose);
-  if (!in) return Error{"the file cannot be read", file, ""};
+  constexpr std::uintmax_t kLargestPicture = 1 << 30;  // [bytes]
+  const auto bytes = read_byte_file(file, kLargestPicture, "height map");
+  if (!bytes) return bytes.error();
+  const auto* const content = static_cast<const stbi_uc*>(static_cast<const void*>(bytes->data()));
+  const auto size = static_cast<int>(bytes->size());
   int columns = 0, rows = 0, channels = 0;
-  if (stbi_info_from_file(in.get(), &columns, &rows, &channels) == 0)
+  if (stbi_info_from_memory(content, size, &columns, &rows, &channels) == 0)
     return Error{"this is no picture: " + std::string(stbi_failure_reason()), file, "PNG and PGM are read"};
   if (static_cast<double>(columns) * rows > kMostPoints)
     return Error{"has " + std::to_string(columns) + " by " + std::to_string(rows) + " points", file,
                  "at most 1e8 are read"};
   const std::unique_ptr<stbi_us, void (*)(void*)> grey(
-      stbi_load_from_file_16(in.get(), &columns, &rows, &channels, kGrey), &stbi_image_free);
+      stbi_load_16_from_memory(content, size, &columns, &rows, &channels, kGrey), &stbi_image_free);
   if (!grey) return Error{"the picture is damaged: " + std::string(stbi_failure_reason()), file, ""};
   PHYSIM_ASSERT(columns > 0);
   PHYSIM_ASSERT(rows > 0);

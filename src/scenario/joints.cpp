@@ -11,10 +11,10 @@
 namespace physim {
 namespace {
 
-Status check_joint(const Scenario& scenario, const ScenarioJoint& joint, const Value& table) {
-  if (Status status = check_lone_shot(scenario, joint.a, "joint.a", place_of(table, {"a"})); !status) return status;
+Status check_joint(const ScenarioNames& names, const ScenarioJoint& joint, const Value& table) {
+  if (Status status = check_lone_shot(names, joint.a, "joint.a", place_of(table, {"a"})); !status) return status;
   if (!joint.b.empty())
-    if (Status status = check_lone_shot(scenario, joint.b, "joint.b", place_of(table, {"b"})); !status) return status;
+    if (Status status = check_lone_shot(names, joint.b, "joint.b", place_of(table, {"b"})); !status) return status;
   if (joint.a == joint.b)
     return Error{"joint.b: is joint.a too", place_of(table, {"b"}), "a joint holds two different shots"};
   if (!joint.b.empty() && table.find("point"))
@@ -37,18 +37,17 @@ void complete_joints(Scenario& scenario) {
     if (std::string& name = scenario.joints[i].name; name.empty()) name = "joint-" + std::to_string(i + 1);
 }
 
-Status check_joints(const Scenario& scenario, const Value& document) {
+Status check_joints(const Scenario& scenario, const ScenarioNames& names, const Value& document) {
   for (std::size_t i = 0; i < scenario.joints.size(); ++i)
-    if (Status status = check_joint(scenario, scenario.joints[i], element(document, "joint", i)); !status)
-      return status;
+    if (Status status = check_joint(names, scenario.joints[i], element(document, "joint", i)); !status) return status;
   return {};
 }
 
 Status WorldRun::Impl::add_joints() {
   for (const ScenarioJoint& joint : scenario.joints) {
     Joint def = joint.def;
-    def.a = lone[index_of(scenario.shots, joint.a)];
-    if (!joint.b.empty()) def.b = lone[index_of(scenario.shots, joint.b)];
+    def.a = lone[index_of_shot(joint.a)];
+    if (!joint.b.empty()) def.b = lone[index_of_shot(joint.b)];
     if (const Result<JointId> added = world.add_joint(def); !added)
       return with_place(added.error(), scenario.file + ": joint " + in_quotes(joint.name));
   }

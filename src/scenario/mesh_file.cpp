@@ -1,12 +1,13 @@
 // The only file that knows Assimp. Its headers warn where ours do not, so they are system headers to the build.
 #include "physim/mesh_file.hpp"
 
-#include <filesystem>
+#include <cstdint>
 
 #include "base/assert.hpp"
 #include "base/ieee_mode.hpp"
 #include "scenario/files_in_use.hpp"
 #include "scenario/libraries.hpp"
+#include "scenario/text_file.hpp"
 
 #if PHYSIM_HAS_ASSIMP
 #include <assimp/DefaultIOSystem.h>
@@ -26,29 +27,20 @@ namespace {
 
 constexpr std::uintmax_t kLargestMesh = 256 << 20;  // [bytes]
 
-/// The file is there and of a size that will not fill the memory.
-Status check_mesh_file(const std::string& file) {
-  std::error_code failure;
-  const std::uintmax_t bytes = std::filesystem::file_size(file, failure);
-  if (failure) return Error{"the file cannot be read", file, ""};
-  if (bytes == 0) return Error{"the file is empty", file, ""};
-  if (bytes > kLargestMesh)
-    return Error{"the file has " + std::to_string(bytes >> 20) + " MB", file, "at most 256 MB are read"};
-  return {};
-}
-
-/// Opens what Assimp reads: the file itself, and files that it names, such as buffers of glTF.
+/// Opens what Assimp reads: the file itself, and files that it names, such as materials and buffers of glTF. Each is a
+/// regular file of a bounded size, or is not there for Assimp.
 class MeshFiles : public Assimp::DefaultIOSystem {
  public:
-  /// `status` becomes that of the first file that cannot be read.
+  /// `status` becomes that of the first file that may not be read.
   explicit MeshFiles(Status& status) : status_(status) {}
 
+  bool Exists(const char* file) const override { return check_file(file, kLargestMesh, "mesh").ok(); }
   Assimp::IOStream* Open(const char* file, const char* mode) override {
     if (Status begun = begin_reading(file, "mesh"); !begun) {
       if (status_) status_ = begun;
       return nullptr;
     }
-    return Assimp::DefaultIOSystem::Open(file, mode);
+    return Exists(file) ? DefaultIOSystem::Open(file, mode) : nullptr;
   }
 
  private:
@@ -72,10 +64,10 @@ void add_mesh(MeshShape& to, const aiMesh& from) {
 
 Result<MeshShape> read_mesh_file(const std::string& file) {
   const IeeeMode mode;
-  if (const Status status = check_mesh_file(file); !status) return status.error();
+  if (const Status status = check_file(file, kLargestMesh, "mesh"); !status) return status.error();
   Status files;
   Assimp::Importer importer;
-  importer.SetIOHandler(new MeshFiles(files));  // owned by the importer
+  importer.SetIOHandler(new MeshFiles(files));  // the importer owns it
   // Corners are joined where they differ in nothing but what is not read.
   importer.SetPropertyInteger(AI_CONFIG_PP_RVC_FLAGS, aiComponent_NORMALS | aiComponent_TANGENTS_AND_BITANGENTS |
                                                           aiComponent_COLORS | aiComponent_TEXCOORDS |

@@ -19,7 +19,9 @@ Status record_to_file(World& world, const std::string& path, const RecordOptions
   const auto sink = [file](std::span<const std::byte> bytes) {
     return bytes.empty() ? file->complete() : file->write(bytes);
   };
-  Status status = world.record(sink, options);
+  RecordOptions completed = options;
+  completed.complete_at_end = true;  // the sink owns its file
+  Status status = world.record(sink, completed);
   if (!status) file->give_up();
   return status;
 }
@@ -33,7 +35,7 @@ Status save_recording(const std::string& path, std::span<const std::byte> record
 }
 
 Result<std::vector<std::byte>> load_recording(const std::string& path) {
-  return read_bytes(path, kLargestRecording, "recording");
+  return read_byte_file(path, kLargestRecording, "recording");
 }
 
 }  // namespace physim

@@ -105,11 +105,12 @@ Status SceneMaker::add_compound(std::size_t index) {
 
 Result<CompoundShape::Part> SceneMaker::part_of(const ScenarioShape& compound, const ScenarioPart& part) const {
   PHYSIM_ASSERT(compound.is_compound());
-  const auto named = std::ranges::find(scenario_.shapes, part.shape, &ScenarioShape::name);
-  if (named != scenario_.shapes.end() && named->is_compound())
-    return Error{&*named == &compound ? "it names itself" : in_quotes(part.shape) + " is a compound, too", "shape",
+  const auto number = shapes_.find(part.shape);
+  const ScenarioShape* const named = number ? &scenario_.shapes[*number] : nullptr;
+  if (named != nullptr && named->is_compound())
+    return Error{named == &compound ? "it names itself" : in_quotes(part.shape) + " is a compound, too", "shape",
                  "name shapes of other kinds, such as the parts of that one"};
-  if (named != scenario_.shapes.end() && std::holds_alternative<PlaneShape>(named->shape))
+  if (named != nullptr && std::holds_alternative<PlaneShape>(named->shape))
     return Error{in_quotes(part.shape) + " is a plane, which has no end", "shape", "give it a thing of its own"};
   const Result<ShapeId> shape = id_of(shape_ids_, part.shape, "shape", {});
   if (!shape) return shape.error();

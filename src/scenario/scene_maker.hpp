@@ -4,6 +4,7 @@
 #include <map>
 
 #include "physim/scenario.hpp"
+#include "scenario/names.hpp"
 
 namespace physim {
 
@@ -22,7 +23,9 @@ template <class Moving>
 
 class SceneMaker {
  public:
-  explicit SceneMaker(const Scenario& scenario) : scenario_(scenario) {}
+  explicit SceneMaker(const Scenario& scenario) : scenario_(scenario) {
+    for (const ScenarioShape& shape : scenario.shapes) shapes_.add(shape.name);
+  }
 
   // In their order, and in this one: materials, shapes, the compounds among these, things. The place of an error is a
   // path in the table that is wrong: "compound[1].shape".
@@ -48,6 +51,7 @@ class SceneMaker {
   [[nodiscard]] Status keep_shape(const ShapeDef& shape, const std::string& name);
 
   const Scenario& scenario_;
+  NameIndex shapes_;  // of Scenario::shapes
   Scene scene_;
   std::vector<MaterialId> materials_;
   std::vector<InstanceId> things_;

@@ -5,13 +5,13 @@
 #include <array>
 #include <bit>
 #include <cmath>
-#include <fstream>
 #include <memory>
 
 #include "base/checker.hpp"
 #include "base/ieee_mode.hpp"
 #include "scenario/files_in_use.hpp"
 #include "scenario/libraries.hpp"
+#include "scenario/text_file.hpp"
 
 #if PHYSIM_HAS_GDAL
 #include <dlfcn.h>
@@ -138,9 +138,9 @@ std::string degrees(double from, double to) { return std::to_string(from) + " to
 class Raster {
  public:
   static Result<Raster> open(const std::string& file) {
-    if (Status begun = begin_reading(file, "terrain"); !begun) return begun.error();
-    // Names that are no files mean places on the web and more to GDAL.
-    if (!std::ifstream(file)) return Error{"the file cannot be read", file, ""};
+    // Names that are no files mean places on the web and more to GDAL. It reads of large files what it needs.
+    constexpr std::uintmax_t kAnySize = ~std::uintmax_t{0};
+    if (const Status status = check_file(file, kAnySize, "file of terrain"); !status) return status.error();
     gdal().GDALAllRegister();
     Raster raster(file);
     raster.file_.reset(gdal().GDALOpenEx(file.c_str(), GDAL_OF_RASTER | GDAL_OF_READONLY, nullptr, nullptr, nullptr));

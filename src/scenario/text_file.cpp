@@ -1,50 +1,119 @@
 #include "scenario/text_file.hpp"
 
+#include <fcntl.h>
+#include <poll.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <cstring>
 #include <filesystem>
-#include <fstream>
 
 #include "base/assert.hpp"
 #include "scenario/files_in_use.hpp"
 
 namespace physim {
 namespace fs = std::filesystem;
-
 namespace {
 
-/// A file as text or bytes.
-template <class Content>
-Result<Content> read_whole(const std::string& file, std::uintmax_t most_bytes, const std::string& kind) {
-  PHYSIM_ASSERT(!kind.empty());
-  const Error too_large{"larger than " + std::to_string(most_bytes >> 20) + " MiB", file, "this cannot be a " + kind};
-  std::error_code failure;
-  const auto status = fs::status(file, failure);
-  if (!fs::exists(status)) return Error{"there is no such file", file, ""};
-  if (fs::is_directory(status)) return Error{"this is a folder", file, "name a " + kind + " in it"};
-  if (Status begun = begin_reading(file, kind); !begun) return begun.error();
-  const std::uintmax_t size = fs::is_regular_file(status) ? fs::file_size(file, failure) : 0;
-  if (size > most_bytes) return too_large;
-  std::ifstream in(file, std::ios::binary);
-  Content content;
-  content.reserve(static_cast<std::size_t>(size));
-  std::vector<char> block(1 << 16);
-  while (in.good() && content.size() <= most_bytes) {  // a device or a pipe may have no end
-    in.read(block.data(), static_cast<std::streamsize>(block.size()));
-    const auto* const first = reinterpret_cast<const typename Content::value_type*>(block.data());
-    content.insert(content.end(), first, first + in.gcount());
+constexpr int kWaitForWriter = 2'000, kWaitForMore = 60'000;  // on a pipe [ms]
+
+Error unreadable(const std::string& file) { return {"the file cannot be read", file, std::strerror(errno)}; }
+
+Error too_large(const std::string& file, std::uintmax_t most_bytes, const std::string& kind) {
+  const bool is_small = most_bytes >> 20 == 0;
+  const std::string limit =
+      is_small ? std::to_string(most_bytes >> 10) + " KiB" : std::to_string(most_bytes >> 20) + " MiB";
+  return {"larger than " + limit, file, "this cannot be a " + kind};
+}
+
+/// What stands at a path, as far as it is no file. Nothing is opened: to open a device may change it.
+Status check_what_it_is(const std::string& file, const std::string& kind, bool allows_pipe, struct stat& at) {
+  if (file.find('\0') != file.npos || ::stat(file.c_str(), &at) != 0) {
+    const bool is_missing = errno == ENOENT || errno == ENOTDIR || file.find('\0') != file.npos;
+    return is_missing ? Error{"there is no such file", file, ""} : unreadable(file);
   }
-  if (in.bad() || !in.is_open()) return Error{"the file cannot be read", file, ""};
-  if (content.size() > most_bytes) return too_large;
-  return content;
+  if (S_ISDIR(at.st_mode)) return Error{"this is a folder", file, "name a " + kind + " in it"};
+  if (S_ISREG(at.st_mode) || (allows_pipe && S_ISFIFO(at.st_mode))) return {};
+  const char* what = S_ISFIFO(at.st_mode) ? "a pipe" : S_ISSOCK(at.st_mode) ? "a socket" : "a device";
+  return Error{"this is " + std::string(what) + ", which has no end of its own", file, "name a " + kind};
+}
+
+/// A file that is open for reading.
+class Open {
+ public:
+  explicit Open(const std::string& file)
+      : number_(::open(file.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK | O_NOCTTY)) {}
+  ~Open() {
+    if (number_ >= 0) ::close(number_);
+  }
+  Open(const Open&) = delete;
+  Open& operator=(const Open&) = delete;
+
+  [[nodiscard]] int number() const { return number_; }
+  /// Waits until something comes; false if nothing does.
+  [[nodiscard]] bool wait(int milliseconds) const {
+    pollfd waiting{number_, POLLIN, 0};
+    return ::poll(&waiting, 1, milliseconds) != 0;
+  }
+
+ private:
+  int number_;
+};
+
+template <class Bytes>
+Result<Bytes> read(const std::string& file, std::uintmax_t most_bytes, const std::string& kind) {
+  PHYSIM_ASSERT(!kind.empty());
+  struct stat at {};
+  if (Status status = check_what_it_is(file, kind, true, at); !status) return status.error();
+  if (Status begun = begin_reading(file, kind); !begun) return begun.error();
+  const std::uintmax_t size = S_ISREG(at.st_mode) ? static_cast<std::uintmax_t>(at.st_size) : 0;
+  if (size > most_bytes) return too_large(file, most_bytes, kind);
+  const Open in(file);
+  if (in.number() < 0) return unreadable(file);
+  Bytes bytes;
+  bool waited_for_writer = false;
+  for (std::size_t filled = 0;;) {
+    // One more than the file has: its end is found without another block.
+    if (filled == bytes.size()) bytes.resize(std::max<std::size_t>(filled + (1 << 16), size + 1));
+    const ssize_t count = ::read(in.number(), bytes.data() + filled, bytes.size() - filled);
+    if (count > 0) filled += static_cast<std::size_t>(count);
+    if (filled > most_bytes) return too_large(file, most_bytes, kind);
+    if (count > 0 || (count < 0 && errno == EINTR)) continue;
+    if (count < 0 && errno != EAGAIN) return unreadable(file);
+    if (count < 0) {  // a pipe whose writer takes its time
+      if (!in.wait(kWaitForMore))
+        return Error{"nothing came through this pipe for a minute", file, "write a file first"};
+    } else if (S_ISFIFO(at.st_mode) && filled == 0 && !waited_for_writer) {
+      waited_for_writer = true;
+      static_cast<void>(in.wait(kWaitForWriter));
+    } else if (S_ISFIFO(at.st_mode) && filled == 0) {
+      return Error{"nobody writes into this pipe", file, "name a " + kind};
+    } else {
+      bytes.resize(filled);
+      return bytes;
+    }
+  }
 }
 
 }  // namespace
 
 Result<std::string> read_text_file(const std::string& file, std::uintmax_t most_bytes, const std::string& kind) {
-  return read_whole<std::string>(file, most_bytes, kind);
+  return read<std::string>(file, most_bytes, kind);
 }
 
-Result<std::vector<std::byte>> read_bytes(const std::string& file, std::uintmax_t most_bytes, const std::string& kind) {
-  return read_whole<std::vector<std::byte>>(file, most_bytes, kind);
+Result<std::vector<std::byte>> read_byte_file(const std::string& file, std::uintmax_t most_bytes,
+                                              const std::string& kind) {
+  return read<std::vector<std::byte>>(file, most_bytes, kind);
+}
+
+Status check_file(const std::string& file, std::uintmax_t most_bytes, const std::string& kind) {
+  struct stat at {};
+  if (Status status = check_what_it_is(file, kind, false, at); !status) return status;
+  if (Status begun = begin_reading(file, kind); !begun) return begun;
+  if (static_cast<std::uintmax_t>(at.st_size) > most_bytes) return too_large(file, most_bytes, kind);
+  return ::access(file.c_str(), R_OK) == 0 ? Status() : unreadable(file);
 }
 
 std::string target_of(const std::string& path) {

@@ -1,4 +1,5 @@
-// Files that are read whole; errors name every way in which that can fail. Where the files that are written lead.
+// Files: read whole within a limit, with an error for every way in which that can fail. Where the files that are
+// written lead.
 #pragma once
 
 #include <cstddef>
@@ -10,12 +11,18 @@
 
 namespace physim {
 
-/// The text of a file of at most so many bytes; `kind` names what it should be: "scenario file".
+/// The text of a file of at most `most_bytes`; `kind` names in errors what it should be: "scenario file". A pipe is
+/// read to its end within the same limit; it is refused if nobody writes into it, or if nothing comes for a minute.
+/// Folders, devices and sockets are refused.
 [[nodiscard]] Result<std::string> read_text_file(const std::string& file, std::uintmax_t most_bytes,
                                                  const std::string& kind);
-/// The bytes of such a file.
-[[nodiscard]] Result<std::vector<std::byte>> read_bytes(const std::string& file, std::uintmax_t most_bytes,
-                                                        const std::string& kind);
+/// The bytes of a file, read as read_text_file() reads.
+[[nodiscard]] Result<std::vector<std::byte>> read_byte_file(const std::string& file, std::uintmax_t most_bytes,
+                                                            const std::string& kind);
+
+/// An error unless the path leads to a regular file of at most `most_bytes`. For what is read more than once, and for
+/// libraries that open files themselves.
+[[nodiscard]] Status check_file(const std::string& file, std::uintmax_t most_bytes, const std::string& kind);
 
 /// Where a path leads: the file itself behind symbolic links, so that a link is kept and its target replaced.
 [[nodiscard]] std::string target_of(const std::string& path);

@@ -3,9 +3,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <set>
 
 #include "base/archive.hpp"
+#include "base/checker.hpp"
 #include "base/ieee_mode.hpp"
 #include "base/text.hpp"
 #include "flight/zero.hpp"
@@ -13,6 +13,7 @@
 #include "model/sight.hpp"
 #include "physim/recording_file.hpp"
 #include "scenario/checks.hpp"
+#include "scenario/emitter_maker.hpp"
 #include "scenario/files_in_use.hpp"
 #include "scenario/new_file.hpp"
 #include "scenario/scene_maker.hpp"
@@ -44,14 +45,13 @@ std::string WorldRun::Impl::place_of_shot(std::size_t index) const {
 }
 
 Status WorldRun::Impl::load() {
-  const std::set<std::string_view> of_others = shots_of_others(scenario);
   for (std::size_t i = 0; i < scenario.shots.size(); ++i)
-    if (const std::string name = scenario.shots[i].projectile.name; !of_others.contains(name))
+    if (const std::string name = scenario.shots[i].projectile.name; names.is_alone(name))
       if (Status status = add_group(name, i, Volley{}); !status) return status;
   for (const Volley& volley : scenario.volleys)
-    if (Status status = add_group(volley.name, index_of(scenario.shots, volley.shot), volley); !status) return status;
+    if (Status status = add_group(volley.name, index_of_shot(volley.shot), volley); !status) return status;
   for (const ScenarioEmitter& emitter : scenario.emitters)
-    if (Status status = add_group(emitter.def.name, index_of(scenario.shots, emitter.shot)); !status) return status;
+    if (Status status = add_group(emitter.def.name, index_of_shot(emitter.shot)); !status) return status;
   world.set_observer(scenario.world.observer);
   if (Status status = set_scene(); !status) return status;
   // Springs to a shot need it to be there; all other forces are there first, so that what is fired knows of them.
@@ -84,8 +84,8 @@ Status WorldRun::Impl::add_forces(bool to_shots) {
 Result<KindId> WorldRun::Impl::kind_of(std::size_t index) {
   PHYSIM_ASSERT(index < scenario.shots.size());
   ScenarioShot& shot = scenario.shots[index];
-  for (std::uint32_t i = 0; i < scenario.world.def.pools.size() && !shot.pool.empty(); ++i)
-    if (scenario.world.def.pools[i].name == shot.pool) shot.body.pool = i;
+  if (const auto pool = names.pools.find(shot.pool); pool && !shot.pool.empty())
+    shot.body.pool = static_cast<std::uint32_t>(*pool);
   shot.body.cheapest_within = shot.cheapest_within.value_or(0);
   const Result<KindId> kind = world.add_kind(shot.projectile, shot.body);
   return kind ? kind : with_place(kind.error(), place_of_shot(index));
@@ -97,7 +97,7 @@ Status WorldRun::Impl::add_group(const std::string& name, std::size_t index) {
   group.shot = index;
   const Result<KindId> kind = kind_of(index);
   if (!kind) return kind.error();
-  group.kind = *kind;
+  group.kind = kinds[index] = *kind;
   groups.push_back(std::move(group));
   return {};
 }
@@ -114,18 +114,12 @@ Status WorldRun::Impl::add_group(const std::string& name, std::size_t index, con
 Status WorldRun::Impl::add_force(const ScenarioForce& force) {
   ForceDef def{.law = force.law, .target = {}, .delay = force.delay, .duration = force.duration};
   if (ProjectileId* end = other_end_of(def.law); end != nullptr && !force.other.empty())
-    *end = lone[index_of(scenario.shots, force.other)];
+    *end = lone[index_of_shot(force.other)];
   std::vector<ForceTarget> targets;
   if (force.shots.empty() && force.layers == 0) targets.push_back(ForceTarget::everything());
   if (force.layers != 0) targets.push_back({{}, {}, force.layers});
-  for (const std::string& name : force.shots) {
-    const std::size_t shot = index_of(scenario.shots, name);
-    for (const WorldGroup& group : groups)
-      if (group.shot == shot) {  // all groups of a shot are of one kind
-        targets.push_back({{}, group.kind, 0});
-        break;
-      }
-  }
+  for (const std::string& name : force.shots)
+    if (const KindId kind = kinds[index_of_shot(name)]) targets.push_back({{}, kind, 0});
   for (ForceTarget& target : targets) {
     def.target = std::move(target);
     if (const Result<ForceId> added = world.add_force(def); !added) return added.error();
@@ -309,6 +303,35 @@ std::uint64_t hash_of_run(const Scenario& scenario) {
   return hash;
 }
 
+/// Names that lead nowhere and numbers that no enumerator has: a file cannot have them, a program's scenario can.
+Status check_parts(const Scenario& scenario) {
+  const ScenarioNames names(scenario);
+  const std::string& file = scenario.file;
+  Checker c;
+  for (const Volley& volley : scenario.volleys) {
+    c.also(check_shot_name(names, volley.shot, "volley.shot", file));
+    c.named(volley.spread.shape, SpreadShape::uniform, "volley.spread.shape");
+  }
+  for (const ScenarioForce& force : scenario.forces) {
+    for (const std::string& shot : force.shots) c.also(check_shot_name(names, shot, "force.shots", file));
+    if (!force.other.empty()) c.also(check_lone_shot(names, force.other, "force.other", file));
+  }
+  for (const ScenarioJoint& joint : scenario.joints) {
+    c.also(check_lone_shot(names, joint.a, "joint.a", file));
+    if (!joint.b.empty()) c.also(check_lone_shot(names, joint.b, "joint.b", file));
+  }
+  for (const ScenarioEmitter& emitter : scenario.emitters) {
+    c.also(check_shot_name(names, emitter.shot, "emitter.shot", file));
+    if (!emitter.tracer.empty()) c.also(check_shot_name(names, emitter.tracer, "emitter.gun.tracer", file));
+    if (!emitter.follows.empty()) c.also(check_lone_shot(names, emitter.follows, "emitter.follows", file));
+    for (const ScenarioSub& sub : emitter.subs)
+      c.require(names.emitters.has(sub.emitter), "emitter.sub.emitter", "names no emitter");
+  }
+  if (!c.status_so_far()) return c.status();
+  const auto order = order_of_emitters(scenario, names.emitters);
+  return order ? Status() : Status(order.error());
+}
+
 /// The world's definition is that of the scenario; one that would never come to an end is refused.
 Status prepare(Scenario& scenario) {
   constexpr double kMostSteps = 1e12;
@@ -319,7 +342,7 @@ Status prepare(Scenario& scenario) {
   if (!(steps <= kMostSteps))
     return Error{"would take " + rounded_text(steps) + " steps, and a run takes at most 1e12",
                  scenario.file + ": world.duration", "shorten it, or lengthen world.step"};
-  return {};
+  return check_parts(scenario);
 }
 
 /// A recording must not replace what the scenario comes from, nor may its name until it is complete.

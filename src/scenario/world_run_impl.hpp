@@ -4,10 +4,12 @@
 #include <map>
 #include <span>
 #include <string>
+#include <unordered_map>
 #include <vector>
 
 #include "base/assert.hpp"
 #include "physim/world_run.hpp"
+#include "scenario/names.hpp"
 #include "scenario/run_state.hpp"
 
 namespace physim {
@@ -17,26 +19,29 @@ namespace physim {
   return error;
 }
 
-/// Where the shot of a name is, which is there: names are checked when a scenario is read.
-[[nodiscard]] inline std::size_t index_of(const std::vector<ScenarioShot>& shots, const std::string& name) {
-  std::size_t i = 0;
-  while (i < shots.size() && shots[i].projectile.name != name) ++i;
-  PHYSIM_ASSERT(i < shots.size());
-  return i;
-}
-
 struct WorldRun::Impl : RunState {
   Scenario scenario;
+  ScenarioNames names{scenario};
   World world;
   std::vector<MaterialId> materials;  // in the scene of the world
+  std::vector<KindId> kinds;          // of Scenario::shots; none of a shot that has no group
   std::vector<Segment> segments;      // work space
   std::vector<ProjectileId> stopped;  // work space
   // Tracks of those whose index a particle took over in the step whose events are counted: it may be born before they
   // leave.
   std::map<ProjectileId, Track> taken_over;
+  std::unordered_map<std::uint32_t, std::size_t> group_of_emitter;  // by EmitterId::index; made when it is asked for
 
-  Impl(Scenario s, World w) : scenario(std::move(s)), world(std::move(w)) { lone.resize(scenario.shots.size()); }
+  Impl(Scenario s, World w) : scenario(std::move(s)), world(std::move(w)) {
+    lone.resize(scenario.shots.size()), kinds.resize(scenario.shots.size());
+  }
 
+  /// Where the shot of a name is, which is there: names are checked when a scenario is read.
+  [[nodiscard]] std::size_t index_of_shot(const std::string& name) const {
+    const std::optional<std::size_t> found = names.shots.find(name);
+    PHYSIM_ASSERT(found.has_value());
+    return *found;
+  }
   Status load();
   Status set_scene();
   Result<KindId> kind_of(std::size_t shot);
@@ -44,7 +49,9 @@ struct WorldRun::Impl : RunState {
   Status add_group(const std::string& name, std::size_t shot, const Volley& volley);
   Status add_emitters();
   WorldGroup& group_of(std::size_t emitter);
-  Result<EmitterDef> in_world(const ScenarioEmitter& emitter);
+  Result<EmitterDef> in_world(std::size_t emitter);
+  /// The group of an emitter's particles; null if there is none.
+  [[nodiscard]] const std::size_t* group_fired_by(std::uint32_t emitter);
   Track* adopt(const Event& born);
   [[nodiscard]] std::string place_of_shot(std::size_t index) const;
   Status add_forces(bool to_shots);

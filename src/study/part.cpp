@@ -192,6 +192,13 @@ void StudyPartRecord::add(std::uint64_t first, Node node) {
   nodes.emplace(first, std::move(node));
 }
 
+std::map<std::uint64_t, StudyPartRecord::Node>::const_iterator StudyPartRecord::first_in(std::uint64_t first,
+                                                                                         std::uint64_t count) const {
+  auto at = nodes.upper_bound(first);
+  if (at != nodes.begin() && std::prev(at)->second.count > first - std::prev(at)->first) --at;
+  return at != nodes.end() && (at->first <= first || at->first - first < count) ? at : nodes.end();
+}
+
 Error StudyPartRecord::missing_of(std::uint64_t n) const {
   constexpr int kMostRuns = 20;
   std::string text;
@@ -247,20 +254,41 @@ StudyPart run_shard(const StudyPlan& plan, std::uint64_t shard) {
   return StudyPart(std::move(part));
 }
 
+namespace {
+
+const Error kOfDifferentStudies{"the parts are of different studies", "part",
+                                "join parts of one study, flown by one version"};
+
+}  // namespace
+
 Result<StudyPart> merge(const StudyPart& a, const StudyPart& b) {
   const IeeeMode mode;
   if (b.record().nodes.empty()) return a;
   if (a.record().nodes.empty()) return b;
-  if (a.record().hash != b.record().hash)
-    return Error{"the parts are of different studies", "part", "join parts of one study"};
+  if (a.record().hash != b.record().hash) return kOfDifferentStudies;
   auto all = std::make_shared<StudyPartRecord>(a.record());
   for (const auto& [first, node] : b.record().nodes) {
-    for (const auto& [known, other] : a.record().nodes)
-      if (first < known + other.count && known < first + node.count) {
-        const std::uint64_t low = std::max(first, known);
-        const std::uint64_t high = std::min(first + node.count, known + other.count);
-        return Error{"both parts have " + shards_text(low, high - low), "part", "join each shard once"};
-      }
+    if (const auto known = a.record().first_in(first, node.count); known != a.record().nodes.end()) {
+      const std::uint64_t low = std::max(first, known->first);
+      const std::uint64_t high = std::min(first + node.count, known->first + known->second.count);
+      return Error{"both parts have " + shards_text(low, high - low), "part", "join each shard once"};
+    }
+    all->add(first, node);
+  }
+  return StudyPart(std::move(all));
+}
+
+Result<StudyPart> united(const StudyPart& a, const StudyPart& b) {
+  const IeeeMode mode;
+  if (b.record().nodes.empty()) return a;
+  if (a.record().nodes.empty()) return b;
+  if (a.record().hash != b.record().hash) return kOfDifferentStudies;
+  auto all = std::make_shared<StudyPartRecord>(a.record());
+  for (const auto& [first, node] : b.record().nodes) {
+    // Nodes begin at multiples of their power of two: of two that overlap, one lies within the other.
+    auto known = all->first_in(first, node.count);
+    if (known != all->nodes.end() && known->second.count >= node.count) continue;
+    for (; known != all->nodes.end(); known = all->first_in(first, node.count)) all->nodes.erase(known);
     all->add(first, node);
   }
   return StudyPart(std::move(all));

@@ -27,10 +27,16 @@ struct StudyPartRecord {
   [[nodiscard]] std::uint64_t missing_from(std::uint64_t shard) const;
   /// Takes in a node that overlaps none.
   void add(std::uint64_t first, Node node);
+  /// The first node that has one of `count` shards from `first` on; the end if none has.
+  [[nodiscard]] std::map<std::uint64_t, Node>::const_iterator first_in(std::uint64_t first, std::uint64_t count) const;
   /// Says which of the first n shards it does not have.
   [[nodiscard]] Error missing_of(std::uint64_t n) const;
   /// What the first n shards come to.
   [[nodiscard]] Result<std::shared_ptr<const ShardSums>> first_shards(std::uint64_t n) const;
 };
+
+/// The shards that either part has. Those that both have are the same: their bits follow from the study. An error for
+/// parts of different studies.
+[[nodiscard]] Result<StudyPart> united(const StudyPart& a, const StudyPart& b);
 
 }  // namespace physim

@@ -4,11 +4,11 @@
 #include <cctype>
 #include <charconv>
 #include <cmath>
-#include <fstream>
+#include <sstream>
 
 #include "base/assert.hpp"
 #include "base/text.hpp"
-#include "scenario/files_in_use.hpp"
+#include "scenario/text_file.hpp"
 #include "scenario/units.hpp"
 
 namespace physim::validation {
@@ -74,10 +74,15 @@ double last_digit_unit(std::string_view text) {
   return std::pow(10.0, power);
 }
 
+std::string text_of(const std::filesystem::path& path) {
+  constexpr std::uintmax_t kLargestFile = 256 << 20;  // [bytes]
+  Result<std::string> text = read_text_file(path.string(), kLargestFile, "file of figures");
+  if (!text) throw DataError{text.error()};
+  return *std::move(text);
+}
+
 CsvFile CsvFile::read(const std::filesystem::path& path) {
-  if (Status begun = begin_reading(path.string(), "file of figures"); !begun) throw DataError{begun.error()};
-  std::ifstream in(path);
-  if (!in) throw DataError{{.message = "cannot be read", .place = path.string()}};
+  std::istringstream in(text_of(path));
   CsvFile file;
   file.path_ = path;
   std::string line;

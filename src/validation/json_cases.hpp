@@ -3,14 +3,12 @@
 
 #include <algorithm>
 #include <filesystem>
-#include <fstream>
 #include <nlohmann/json.hpp>
 #include <optional>
-#include <sstream>
 #include <string>
 
 #include "base/assert.hpp"
-#include "scenario/files_in_use.hpp"
+#include "validation/csv.hpp"
 #include "validation/suite.hpp"
 
 namespace physim::validation {
@@ -25,13 +23,7 @@ inline bool is_numbers(const nlohmann::json& list, std::size_t count) {
 class JsonCases {
  public:
   /// Reads a file; throws DataError.
-  explicit JsonCases(const std::filesystem::path& path) : path_(path) {
-    if (Status begun = begin_reading(path.string(), "file of figures"); !begun) throw DataError{begun.error()};
-    std::ifstream in(path);
-    if (!in) throw DataError{{.message = "cannot be read", .place = path.string()}};
-    std::stringstream buffer;
-    buffer << in.rdbuf();
-    text_ = buffer.str();
+  explicit JsonCases(const std::filesystem::path& path) : path_(path), text_(text_of(path)) {
     try {
       cases_ = nlohmann::json::parse(text_);
     } catch (const nlohmann::json::parse_error& error) {

@@ -20,6 +20,11 @@ Gate::~Gate() = default;
 Recorder::Recorder(Gate& gate, RecordSink sink, const RecordOptions& options, std::size_t together)
     : gate_(gate), sink_(std::move(sink)), options_(options), together_(together) {}
 
+/// What a sink refers to may have ended before its world: it is called only if who gave it says that it outlives it.
+Recorder::~Recorder() {
+  if (options_.complete_at_end) static_cast<void>(finish());
+}
+
 void Recorder::attach(World& world, std::unique_ptr<Recorder> recorder) {
   recorder->first_moment = world.impl().moments;
   world.impl().recorder = std::move(recorder);

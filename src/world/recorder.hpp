@@ -70,7 +70,7 @@ class Recorder {
   Recorder(Gate& gate, RecordSink sink, const RecordOptions& options, std::size_t together);
   Recorder(const Recorder&) = delete;
   Recorder& operator=(const Recorder&) = delete;
-  ~Recorder() { static_cast<void>(finish()); }
+  ~Recorder();
 
   /// The parts of a world that is to be recorded.
   [[nodiscard]] static WorldImpl& parts_of(World& world) { return world.impl(); }
@@ -168,7 +168,9 @@ class Recorded {
   Recorded(const Recorded&) = delete;
   Recorded& operator=(const Recorded&) = delete;
   ~Recorded() {
-    if (recorder_) recorder_->leave();
+    if (!recorder_) return;
+    if (kSteps && recorder_->is_outermost()) recorder_->flush();
+    recorder_->leave();
   }
 
   /// It comes from inside the world's own step or recording, or the recording cannot hold what it was given: nothing

@@ -288,7 +288,7 @@ TEST(CliFit, ErrorsHaveTheirPlaceInTheData) {
   complaint("range, speed\n0, 790\n", "lie at the muzzle");
   complaint("range, speed\n100, 500\n# a comment\n300, 650\n500, 500\n", "d.csv:4:1: error: the speed rises");
   complaint("range, speed\n100, 900\n", "less than a thousandth of the drag");
-  expect_complaint(physim({"fit", file, "--data", folder / "none.csv"}), "none.csv: error: the file cannot be read");
+  expect_complaint(physim({"fit", file, "--data", folder / "none.csv"}), "none.csv: error: there is no such file");
   expect_complaint(physim({"fit", file}), "--data is required");
   const std::string csv = folder.write("d.csv", "range, speed\n100, 700\n");
   expect_complaint(physim({"fit", file, "--data", csv, "--muzzle-speed"}), "are fewer than the unknowns");

@@ -1,8 +1,11 @@
 // `physim study`, as a user runs it.
 #include <gtest/gtest.h>
 
+#include <sys/stat.h>
+
 #include <cmath>
 #include <nlohmann/json.hpp>
+#include <thread>
 
 #include "cli/program.hpp"
 #include "cli/throw_study.hpp"
@@ -109,6 +112,43 @@ TEST(StudyCli, parts_are_joined_and_gone_on_with) {
   const Ran damaged = physim({"study", file, "--merge", folder / "damaged"});
   EXPECT_EQ(damaged.code, 2);
   EXPECT_TRUE(has(damaged.err, "damaged")) << damaged.err;
+}
+
+/// Jobs of an array that are given one file: each adds what it flies, and none takes away what another has flown.
+TEST(StudyCli, programs_share_a_file) {
+  const Folder folder;
+  const std::string file = folder.write("throw.toml", throw_study(30000)), whole = folder / "whole.csv",
+                    shared = folder / "shared", joined = folder / "joined.csv";
+  ASSERT_EQ(physim({"study", file, "--csv", whole}).code, 0);
+  std::vector<std::thread> jobs;
+  std::vector<Ran> ran(4);
+  for (std::size_t i = 0; i < ran.size(); ++i)
+    jobs.emplace_back([&, i] {
+      ran[i] = physim({"study", file, "--shards", std::to_string(i + 1) + "/4", "--resume", shared, "--threads", "1"});
+    });
+  for (std::thread& job : jobs) job.join();
+  for (const Ran& each : ran) EXPECT_EQ(each.code, 0) << each.err;
+  ASSERT_EQ(physim({"study", file, "--merge", shared, "--csv", joined}).code, 0) << "no shard is missing";
+  EXPECT_EQ(read(joined), read(whole));
+  // The same shards flown twice are the same shards.
+  const std::string before = read(shared);
+  ASSERT_EQ(physim({"study", file, "--shards", "2/4", "--resume", shared}).code, 0);
+  EXPECT_EQ(read(shared), before);
+  EXPECT_EQ(folder.names().size(), 4U) << "locks and files that are half written are gone";
+}
+
+TEST(StudyCli, keeps_what_it_flies_in_a_file_alone) {
+  const Folder folder;
+  const std::string file = folder.write("throw.toml", throw_study(30000)), pipe = folder / "pipe";
+  ASSERT_EQ(mkfifo(pipe.c_str(), 0600), 0);
+  for (const std::string& place : {std::string("/dev/full"), std::string("/dev/zero"), pipe}) {
+    const Ran ran = physim({"study", file, "--resume", place});
+    EXPECT_EQ(ran.code, 2);
+    EXPECT_TRUE(has(ran.err, place + ": error: this is a ")) << ran.err;
+  }
+  const Ran merged = physim({"study", file, "--merge", "/dev/zero"});
+  EXPECT_EQ(merged.code, 2);
+  EXPECT_TRUE(has(merged.err, "/dev/zero: error: this is a device")) << merged.err;
 }
 
 TEST(StudyCli, over_range_and_until_a_width) {
@@ -323,7 +363,7 @@ TEST(StudyCli, bad_input_says_what_is_wrong) {
   EXPECT_TRUE(has(refusal({"--range", "1 km"}), "arrived"));
   EXPECT_TRUE(has(refusal({"--shards", "1/2"}), "--resume"));
   EXPECT_TRUE(has(refusal({"--shards", "3/2", "--resume", folder / "x"}), "--shards"));
-  EXPECT_TRUE(has(refusal({"--merge", folder / "nothing"}), "cannot be read"));
+  EXPECT_TRUE(has(refusal({"--merge", folder / "nothing"}), "there is no such file"));
   EXPECT_TRUE(has(refusal({"--ranges", "20 m", "--resume", folder / "x"}), "--ranges"));
   EXPECT_TRUE(has(refusal({"--until-width", "1 kg"}), "--until-width"));
   EXPECT_TRUE(has(refusal({"--until-time", "1 kg"}), "--until-time"));

@@ -100,7 +100,7 @@ TEST(EmitterShapesScenario, what_is_wrong_is_said_where_it_stands) {
             "mesh or a height field: surface = \"...\", or a file of a mesh");
   EXPECT_EQ(error_of(emitter + "from = { shape = \"mesh\", surface = { file = \"none.obj\" } }\n"),
             reads_mesh_files()
-                ? "f.toml:6:45: error: emitter.from.surface.file: the file cannot be read"
+                ? "f.toml:6:45: error: emitter.from.surface.file: there is no such file"
                 : "f.toml:6:45: error: emitter.from.surface.file: this build reads no meshes from files; build it with "
                   "Assimp (libassimp-dev), or write vertices and triangles into the scenario");
   EXPECT_NE(error_of(emitter + "from = { shape = \"mesh\", surface = { of = \"a\", file = \"b.obj\" } }\n")

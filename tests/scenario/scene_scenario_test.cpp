@@ -322,11 +322,11 @@ TEST(MeshFile, IsReadOrTheBuildSaysThatItCannot) {
   EXPECT_NE(written.find("mesh = \"cube.obj\""), written.npos) << written;
   EXPECT_EQ(written.find("vertices"), written.npos);
 
-  EXPECT_EQ(read_mesh_file(folder / "none.obj").error().message, "the file cannot be read");
+  EXPECT_EQ(read_mesh_file(folder / "none.obj").error().message, "there is no such file");
   EXPECT_FALSE(read_mesh_file(folder / "bad.obj"));
   const std::string missing = "physim = 1\n[[shot]]\n[world]\n[[shape]]\nmesh = \"none.obj\"\n";
   EXPECT_EQ(parse_scenario(missing, "f.toml").error().text(),
-            "f.toml:5:8: error: shape.mesh.file: the file cannot be read");
+            "f.toml:5:8: error: shape.mesh.file: there is no such file");
 }
 
 TEST(HeightMap, IsReadOrTheBuildSaysThatItCannot) {
@@ -363,7 +363,7 @@ TEST(HeightMap, IsReadOrTheBuildSaysThatItCannot) {
   const std::string written = scenario_text(*scenario);
   EXPECT_NE(written.find("file = \"hill.png\", low = \"100 m\", high = \"150 m\""), written.npos) << written;
   EXPECT_EQ(written.find("heights"), written.npos);
-  EXPECT_EQ(read_height_map(folder / "none.png", 0, 1).error().message, "the file cannot be read");
+  EXPECT_EQ(read_height_map(folder / "none.png", 0, 1).error().message, "there is no such file");
   EXPECT_FALSE(read_height_map(folder / "cut.png", 0, 1));
   EXPECT_FALSE(read_height_map(folder / "f.toml", 0, 1));
 }

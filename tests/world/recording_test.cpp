@@ -322,26 +322,53 @@ TEST(Recording, begins_with_the_world_and_once) {
   }
 }
 
-TEST(Recording, a_world_that_ends_completes_it) {
+TEST(Recording, a_world_that_ends_completes_it_if_it_is_asked_to) {
   Bytes bytes;
   {
     World world = made({});
-    ASSERT_TRUE(world.record(record_into(bytes)));
+    ASSERT_TRUE(world.record(record_into(bytes), {.complete_at_end = true}));
     world.step(0.1);
   }
   EXPECT_TRUE(replay(bytes)->complete);
+}
+
+/// What a sink refers to may end before its world: members are destroyed in the reverse of their order.
+TEST(Recording, a_world_that_ends_does_not_call_its_sink) {
+  Bytes bytes;
+  bool is_gone = false;
+  int calls = 0;
+  {
+    World world = made({});
+    ASSERT_TRUE(world.record([&](std::span<const std::byte> piece) -> Status {
+      EXPECT_FALSE(is_gone);
+      ++calls;
+      bytes.insert(bytes.end(), piece.begin(), piece.end());
+      return {};
+    }));
+    for (int i = 0; i < 3; ++i) world.step(0.1);
+    world = made({});  // so does one that another takes the place of
+    is_gone = true;
+  }
+  EXPECT_GT(calls, 3);
+  const auto report = replay(bytes);
+  ASSERT_TRUE(report);
+  EXPECT_FALSE(report->complete);
+  EXPECT_EQ(report->steps, 3u);
+  EXPECT_EQ(report->hashes, 3u) << "all of the last step was handed over when it ended";
 }
 
 TEST(Recording, a_call_is_handed_over_before_it_steps) {
   Bytes bytes;
   World world = made({});
   ASSERT_TRUE(world.record(record_into(bytes)));
-  for (int i = 0; i < 5; ++i) world.step(0.1);
-  const auto report = replay(bytes);  // as if the program had died in its fifth step
+  std::size_t before_last = 0;
+  for (int i = 0; i < 5; ++i) before_last = bytes.size(), world.step(0.1);
+  EXPECT_GT(bytes.size(), before_last);
+  const auto report = replay(bytes);  // as if the program had died behind its fifth step
   ASSERT_TRUE(report);
   EXPECT_FALSE(report->complete);
   EXPECT_EQ(report->steps, 5u);
-  EXPECT_EQ(report->hashes, 4u);
+  EXPECT_EQ(report->hashes, 5u);
   EXPECT_FALSE(report->difference);
 }
 

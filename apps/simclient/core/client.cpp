@@ -21,7 +21,11 @@ constexpr double kMessageTime = 6;  // [s]
 
 bool is_recording(const std::string& file) { return file.ends_with(".rec") || file.ends_with(".rec.part"); }
 
+/// A file is read again, as when the session is restarted or saved. A pipe can be read once.
 Result<Session> open_session(const std::string& file, const std::vector<std::string>& overrides) {
+  constexpr std::uintmax_t kAnySize = ~std::uintmax_t{0};  // who reads it has a limit
+  if (Status status = check_file(file, kAnySize, is_recording(file) ? "recording" : "scenario file"); !status)
+    return status.error();
   if (is_recording(file)) {
     Result<std::vector<std::byte>> bytes = load_recording(file);
     if (!bytes) return bytes.error();

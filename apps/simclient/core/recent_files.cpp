@@ -3,9 +3,10 @@
 #include <algorithm>
 #include <cstdlib>
 #include <filesystem>
-#include <fstream>
+#include <sstream>
 
 #include "report/file.hpp"
+#include "scenario/text_file.hpp"
 
 namespace physim::client {
 namespace {
@@ -15,7 +16,10 @@ constexpr std::size_t kMost = 10;
 }  // namespace
 
 RecentFiles::RecentFiles(const std::string& list) : list_(list) {
-  std::ifstream in(list);
+  constexpr std::uintmax_t kLargestList = 1 << 20;  // [bytes]
+  if (list.empty() || !check_file(list, kLargestList, "list of files")) return;
+  const Result<std::string> text = read_text_file(list, kLargestList, "list of files");
+  std::istringstream in(text ? *text : "");
   for (std::string line; files_.size() < kMost && std::getline(in, line);)
     if (!line.empty()) files_.push_back(line);
 }
