@@ -69,7 +69,9 @@ const HitAnswer* HitAsking::find(const HitQuestion& question) const {
   const auto at = known_.find(question.projectile.index);
   if (at == known_.end()) return nullptr;
   const auto its = std::ranges::find_if(at->second, [&](const Known& k) { return is_same_hit(k.question, question); });
-  return its == at->second.end() ? nullptr : &its->answer;
+  if (its != at->second.end()) return &its->answer;
+  static constexpr HitAnswer kStays{.then = OnHit::stick};
+  return at->second.size() < kMostAsked ? nullptr : &kStays;
 }
 
 /// Whether it came back; whatever it does to the world or to the arithmetic of the thread, the step goes on as before.

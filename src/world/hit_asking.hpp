@@ -26,6 +26,10 @@ struct OpenHit {
   HitQuestion question;
 };
 
+/// Hits of one projectile in a step that are asked about. Each is found by flying its step from the start again, so the
+/// work grows with their square.
+inline constexpr std::size_t kMostAsked = 256;
+
 class HitAsking {
  public:
   explicit HitAsking(Gate& gate) : gate_(gate) {}
@@ -36,7 +40,8 @@ class HitAsking {
   [[nodiscard]] const HitCounts& counts() const { return counts_; }
   [[nodiscard]] const std::string& refused() const { return refused_; }
 
-  /// What was said of one that is the same but for what only informs; null: nothing. Any number of threads may look.
+  /// What was said of one that is the same but for what only informs; null: nothing. Whoever has kMostAsked in the step
+  /// sticks at the next one. Any number of threads may look.
   [[nodiscard]] const HitAnswer* find(const HitQuestion& question) const;
   /// Asks about all of them in one call, and remembers.
   void ask(std::span<const HitQuestion> questions);

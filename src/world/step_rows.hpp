@@ -146,8 +146,10 @@ PHYSIM_INLINE auto further_noteworthy(const WorldJob<S>& job, const Conditions<S
   const R zero(S(0));
   const R climb = climb_rate(c, m.start);
   const R climb_later = climb_rate(c, m.end);
-  // A step that sinks and rises again may have touched the ground in between.
-  MaskOf<R> found = (climb < zero) & (climb_later > zero);
+  // A step that sinks and rises again may have touched the ground in between; one that does not rise from where the
+  // ground is touches it as it begins.
+  const MaskOf<R> is_low = !(height(c, m.start.x) > R(w.floor));
+  MaskOf<R> found = ((climb < zero) & (climb_later > zero)) | ((climb <= zero) & is_low);
   if (w.apex) found = found | ((climb > zero) & (climb_later <= zero));
   if (job.launched)
     found = found | (length_squared(m.end.x - load_vector<R>(job.columns.launch, row)) > R(w.farthest * w.farthest));

@@ -169,7 +169,7 @@ class SoakCall {
       return "spawn (own definition)";
     }
     const KindId of = kind();
-    const int count = r_.one_in(3) ? 1 : 1 + r_.below(6);
+    const int count = r_.one_in(3) ? 1 : 1 + r_.below(r_.one_in(6) ? 40 : 6);
     for (int i = 0; i < count; ++i) keep(w_.spawn(of, launch(), delay), known_.ids);
     return "spawn " + std::to_string(count);
   }
@@ -251,7 +251,8 @@ class SoakCall {
   std::string time() {
     stepped_ = true;
     switch (r_.below(10)) {
-      case 0: return static_cast<void>(w_.step(r_.in(0.002, 0.05))), "step of another length";
+      case 0:
+        return static_cast<void>(w_.step(r_.one_in(8) ? r_.in(0.1, 2) : r_.in(0.002, 0.05))), "step of another length";
       case 1: return static_cast<void>(w_.advance(r_.in(0, 0.1))), "advance";
       case 2: return static_cast<void>(w_.set_time_scale(r_.in(0.2, 3))), stepped_ = false, "set_time_scale";
       case 3: return w_.set_paused(r_.one_in(3)), stepped_ = false, "set_paused";

@@ -96,6 +96,7 @@ class PlayedProgram {
     WorldDef def = r.world();
     def.step = r.in(1.0 / 120, 1.0 / 30);
     def.threading = threading;
+    if (r.one_in(4)) def.max_projectiles = 300;
     if (r.one_in(4)) def.environment.wind.field = soak_wind();
     look_every_ = r.coin() ? 1 : 7;
     Result<World> made = World::create(def);

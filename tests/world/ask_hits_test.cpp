@@ -323,5 +323,22 @@ TEST(AskHits, what_passes_meets_what_stands_behind) {
   }
 }
 
+/// Between two walls a millimetre apart there is no end of hits in a step; each costs the step from its start again.
+TEST(AskHits, who_has_too_many_in_a_step_sticks) {
+  World world = make_world(in_the_open());
+  Scene scene;
+  const ShapeId box = *scene.add_shape(BoxShape{{1, 1, 1}});
+  const MaterialId steel = *scene.add_material({.restitution = 1, .friction = 0});
+  for (const double side : {-1.0, 1.0})
+    ASSERT_TRUE(scene.add({.shape = box, .transform = {.position = {side * 1.0005, 0, 0}}, .material = steel}));
+  ASSERT_TRUE(world.set_scene(scene) && world.set_hit_function(always({.then = OnHit::bounce})));
+  const BodyDef body{.gravity_scale = 0, .restitution = 1, .collision = {.on_hit = OnHit::ask}};
+  const ProjectileId id = *world.spawn(stone(), {.velocity = Vec3d{100, 0, 0}}, body);
+  ASSERT_TRUE(world.step(1.0 / 60));
+  EXPECT_EQ(world.hit_counts().questions, 256U);
+  EXPECT_EQ(world[id].status(), LifeStatus::landed);
+  EXPECT_EQ(world[id].velocity(), Vec3d{});
+}
+
 }  // namespace world_ask_hits_test
 }  // namespace physim

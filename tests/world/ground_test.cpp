@@ -305,5 +305,37 @@ TEST(Ground, a_step_of_minutes_keeps_light_things_where_they_fall) {
   EXPECT_GE(world[id].position().y, 0);
 }
 
+/// A spring from high above pulls a ball up the more the farther it rolls, and in some step from its start to its end:
+/// whether it lies on the ground is looked at there whether something else asks for a look or not.
+TEST(Ground, who_is_lifted_within_a_step_still_begins_it_on_the_ground) {
+  WorldDef def = on_ground(GroundMode::bounce);
+  def.environment.atmosphere.model = AirModel::vacuum;
+  World plain = make_world(def), looked_at = make_world(def);
+  ProjectileDef p = stone();
+  p.fidelity.integrator = Integrator::rk4;
+  Scene far_away;
+  const ShapeId sphere = *far_away.add_shape(SphereShape{1});
+  ASSERT_TRUE(far_away.add({.shape = sphere, .transform = {.position = {0, -1000, 0}}}));
+  const BodyDef body{.friction = 0, .rolling_resistance = 0, .collision = {.on_hit = OnHit::bounce}};
+  for (World* w : {&plain, &looked_at}) {
+    ASSERT_TRUE(w->set_scene(far_away));
+    for (const double speed : {8.0, 8.5, 9.0, 9.5, 10.0, 10.5})
+      ASSERT_TRUE(w->spawn(p, {.velocity = Vec3d{speed, 0, 0}}, body));
+    ASSERT_TRUE(
+        w->add_force({.law = AnchoredSpring{{0, 4, 0}, 60 * p.mass, 4, 0}, .target = ForceTarget::everything()}));
+  }
+  bool rose = false;
+  for (int i = 0; i < 60; ++i) {
+    // Nobody knows what is clear about one that was put somewhere: it is looked at.
+    for (const ProjectileId id : plain.ids()) ASSERT_TRUE(looked_at[id].set_position(looked_at[id].position()));
+    plain.step(1.0 / 60), looked_at.step(1.0 / 60);
+    for (const ProjectileId id : plain.ids()) {
+      ASSERT_EQ(plain[id].state(), looked_at[id].state()) << "step " << i;
+      rose = rose || plain[id].position().y > 0;
+    }
+  }
+  EXPECT_TRUE(rose);
+}
+
 }  // namespace world_ground_test
 }  // namespace physim
