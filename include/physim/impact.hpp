@@ -11,13 +11,14 @@ namespace physim {
 
 /// A projectile as it meets a surface.
 struct Impact {
-  double mass = 0;           ///< above 0 where the material lets things in, or is a liquid that throws them off [kg]
-  double diameter = 0;       ///< likewise; 0: a point, which nothing spins [m]
-  double length = 0;         ///< of a rod, for LambertDef; 0: its diameter [m]
+  double mass = 0;           ///< 0 to 1e100; 1e-15 to 1e15 if the material lets things in, or is a liquid that throws
+                             ///< them off [kg]
+  double diameter = 0;       ///< 1e-15 to 1e15, or 0: a point, which nothing spins; 1e-9 to 1e6 for such materials [m]
+  double length = 0;         ///< of a rod, for LambertDef, 0 to 1e15; 0: its diameter [m]
   double nose_length = 0.5;  ///< in diameters: 0 flat, 1/2 a hemisphere, more an ogive [-]
   double inertia = 0.4;      ///< moment of inertia over mass and radius squared: 2/5 a solid ball, 2/3 a hollow one [-]
-  Vec3d velocity{};          ///< in W [m/s]
-  Vec3d spin{};              ///< angular velocity in W [rad/s]
+  Vec3d velocity{};          ///< in W, at most 1e9 [m/s]
+  Vec3d spin{};              ///< angular velocity in W, at most 1e15 [rad/s]
   Vec3d normal{0, 1, 0};     ///< of the surface, of length 1, on the side that the projectile comes from [-]
   Vec3d surface_velocity{};  ///< of the surface where it is met [m/s]
   double thickness = 0;      ///< of the material along the way; 0: not known, and without end [m]

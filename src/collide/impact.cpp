@@ -23,8 +23,13 @@
 namespace physim {
 namespace {
 
-constexpr double kFastest = 1e9;     // squares and products of speeds stay numbers [m/s]
-constexpr double kStillLeft = 0.01;  // part of the speed at which a projectile in a liquid has stopped [-]
+// Within these the squares and products of numbers stay numbers.
+constexpr double kFastest = 1e9;       // [m/s]
+constexpr double kFastestSpin = 1e15;  // [rad/s]
+constexpr double kHeaviest = 1e100;    // [kg]
+constexpr double kThinnest = 1e-15;    // of what has a diameter [m]
+constexpr double kThickest = 1e15;     // [m]
+constexpr double kStillLeft = 0.01;    // part of the speed at which a projectile in a liquid has stopped [-]
 
 Status check_impact(const Impact& i, const Material& m) {
   Checker c;
@@ -34,9 +39,12 @@ Status check_impact(const Impact& i, const Material& m) {
   c.require(length(i.velocity) <= kFastest && length(i.surface_velocity) <= kFastest, "impact.velocity",
             "must not exceed 1e9 m/s")
       .require(abs(length_squared(i.normal) - 1) <= 1e-6, "impact.normal", "must have length 1")
-      .not_negative(i.mass, "impact.mass", "in kg")
-      .not_negative(i.diameter, "impact.diameter", "in m")
-      .not_negative(i.length, "impact.length", "in m; 0: the diameter")
+      .require(length(i.spin) <= kFastestSpin, "impact.spin", "must not exceed 1e15 rad/s")
+      .require(i.mass >= 0 && i.mass <= kHeaviest, "impact.mass", "must lie between 0 and 1e100 kg")
+      .require(i.diameter == 0 || (i.diameter >= kThinnest && i.diameter <= kThickest), "impact.diameter",
+               "must be zero, or lie between 1e-15 and 1e15 m", "0: a point, which nothing spins")
+      .require(i.length >= 0 && i.length <= kThickest, "impact.length", "must lie between 0 and 1e15 m",
+               "0: the diameter")
       .require(i.nose_length >= 0 && i.nose_length <= 100, "impact.nose_length", "must lie between 0 and 100",
                "in diameters; 0.5: round")
       .require(i.inertia >= 1e-6 && i.inertia <= 1e6, "impact.inertia", "must lie between 1e-6 and 1e6",

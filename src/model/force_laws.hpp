@@ -72,9 +72,11 @@ template <class Law>
   return pull < 0 ? Vec3d{} : n * -pull;
 }
 
-/// Part of a body under the surface of a liquid [-], with its centre `below` the surface [m].
+/// Part of a body under the surface of a liquid [-], with its centre `below` the surface [m]. Half the height of a body
+/// of 1e-323 m rounds to 0: it is a point.
 [[nodiscard]] inline double submerged_box(double below, double half_height) {
-  PHYSIM_ASSERT(half_height > 0);
+  PHYSIM_ASSERT(half_height >= 0);
+  if (half_height == 0) return below < 0 ? 0 : below >= 0 ? 1 : below;
   const double q = below / (2 * half_height) + 0.5;
   return q < 0 ? 0 : q > 1 ? 1 : q;
 }

@@ -31,6 +31,7 @@ Error no_emitter() { return {"there is no such emitter", "emitter", "it was remo
 Status WorldImpl::refuses(const EmitterDef& asked) const {
   Checker c;
   c.also(check(asked));
+  if (!c.status_so_far()) return c.status();  // laws are made of sound numbers only
   const auto is_kind = [this](KindId kind) {
     const std::uint32_t index = registry.kinds.find(kind);
     return index != 0 && registry.has_environment_of(registry.kind(index));

@@ -59,6 +59,26 @@ TEST(ImpactInput, a_normal_has_length_one_and_speeds_have_a_limit) {
   expect_refused(hit, {}, "impact.velocity");
 }
 
+TEST(ImpactInput, numbers_whose_products_are_none_are_refused) {
+  const auto refused = [](const char* place, auto change) {
+    Impact hit = good_impact();
+    change(hit);
+    expect_refused(hit, {}, place);
+  };
+  for (const double x : {1e200, kInfinity, kNan}) {
+    refused("impact.mass", [x](Impact& hit) { hit.mass = x; });
+    refused("impact.diameter", [x](Impact& hit) { hit.diameter = x; });
+    refused("impact.length", [x](Impact& hit) { hit.length = x; });
+    refused("impact.spin", [x](Impact& hit) { hit.spin.y = x; });
+  }
+  refused("impact.diameter", [](Impact& hit) { hit.diameter = 1e-308; });  // it would spin at any rate
+  Impact hit = good_impact();
+  hit.mass = 1e100, hit.diameter = 1e15, hit.spin = {1e15, 0, 0};
+  const auto result = impact(hit, {});
+  ASSERT_TRUE(result);
+  EXPECT_TRUE(std::isfinite(result->energy) && std::isfinite(length(result->spin)));
+}
+
 TEST(ImpactInput, mass_and_diameter_are_asked_for_by_the_laws_that_need_them) {
   Impact hit = good_impact();
   hit.mass = 0;

@@ -227,6 +227,12 @@ TEST(Aim, bad_input_is_refused_with_its_place) {
   const Launch good{.speed = 100};
   const Target there{{50, 0, 0}};
   EXPECT_EQ(place({}, there, {}), "launch.speed");
+  EXPECT_EQ(place({.speed = 1e-200}, there, {}), "launch.speed") << "its square is 0";
+  EXPECT_EQ(place({.speed = 1e200}, there, {}), "launch.speed");
+  EXPECT_EQ(place({.position = {1e200, 0, 0}, .speed = 300}, there, {}), "launch.position");
+  EXPECT_EQ(place({.speed = 300}, {{1e200, 0, 0}}, {}), "target.position");
+  EXPECT_EQ(place({.speed = 300}, {there.position, {0, 1e200, 0}}, {}), "target.velocity");
+  EXPECT_EQ(place({.speed = 300}, {there.position, {}, {0, 0, 1e200}}, {}), "target.acceleration");
   EXPECT_EQ(place(good, {{kNan, 0, 0}}, {}), "target.position");
   EXPECT_EQ(place(good, {{50, 0, 0}, {kInfinity, 0, 0}}, {}), "target.velocity");
   EXPECT_EQ(place(good, {}, {}), "target.position");

@@ -5,6 +5,7 @@
 
 #include <cmath>
 #include <functional>
+#include <limits>
 #include <numbers>
 
 #include "support.hpp"
@@ -147,6 +148,16 @@ TEST(ForceLaws, lift_of_a_sphere_is_the_weight_of_the_liquid_it_displaces) {
   EXPECT_EQ(buoyancy_force(water, 2 * radius, {{0, 4.36, 0}, {}}), (Vec3d{}));
   EXPECT_TRUE(near(buoyancy_force(water, 2 * radius, {{0, 3.6, 0}, {}}), kUp * whole, 1e-14));
   EXPECT_TRUE(near(buoyancy_force(water, 2 * radius, {{0, -100, 0}, {}}), kUp * whole, 1e-14)) << "no deeper, no more";
+}
+
+TEST(ForceLaws, a_liquid_lifts_a_body_that_is_too_small_to_halve) {
+  const double least = std::numeric_limits<double>::denorm_min();
+  const Buoyancy law{.surface = 1, .volume = 0.001, .damping = 0};
+  const Vec3d whole = kUp * (1000 * 9.80665 * 0.001);
+  EXPECT_EQ(buoyancy_force(law, least, {{0, 1.5, 0}, {}}), (Vec3d{}));
+  EXPECT_TRUE(near(buoyancy_force(law, least, {{0, 0.5, 0}, {}}), whole, 1e-12));
+  EXPECT_TRUE(near(buoyancy_force(law, least, {{0, 1, 0}, {}}), whole, 1e-12));
+  EXPECT_TRUE(std::isnan(submerged_box(std::nan(""), 0)));
 }
 
 // A ball of part p of the water's density floats where q^2 (3 - 2 q) = p: q = 1/2 - sin(asin(1 - 2 p) / 3).

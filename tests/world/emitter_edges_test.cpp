@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <limits>
 
 #include "world/emitter_support.hpp"
 
@@ -215,6 +216,17 @@ TEST(EmitterEdges, what_no_numbers_can_hold_is_refused) {
   def.bursts = {};
   def.per_second = {1, 1, {{0, 0}, {1e-9, 1}, {2e-9, 0}}};
   EXPECT_FALSE(world.add_emitter(def));  // too few
+}
+
+TEST(EmitterEdges, laws_are_made_of_sound_numbers_only) {
+  World world = empty_world();
+  EmitterDef def = spray(kind_of(world, spark()), 10, 1);
+  for (const double at : {0.0, 0.5, std::numeric_limits<double>::quiet_NaN()}) {
+    def.flight.drag = {1, {}, {{0.5, 1}, {at, 2}}};  // keys that do not rise
+    const auto added = world.add_emitter(def);
+    ASSERT_FALSE(added) << at;
+    EXPECT_EQ(added.error().place, "emitter.flight.drag.curve[1].at") << at;
+  }
 }
 
 }  // namespace world_emitter_edges_test
