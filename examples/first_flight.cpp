@@ -14,9 +14,9 @@ int main() {
   const Flight flight = fly(bullet, launch, environment, Fidelity::simulation());
   if (flight.error()) return std::puts(flight.error()->text().c_str()), 1;
 
-  const Sample middle = *flight.at_range(600);  // any range or time, without flying again
+  if (const auto at = flight.at_range(600))  // any range or time, without flying again; false if it lands before
+    std::printf("at 600 m: %.2f m high, %.1f m/s, Mach %.2f\n", at->position.y, at->speed, at->mach);
   const Sample end = flight.end();
-  std::printf("at 600 m: %.2f m high, %.1f m/s, Mach %.2f\n", middle.position.y, middle.speed, middle.mach);
   std::printf("it lands after %.2f s, %.1f m downrange\n", flight.duration(), end.range);
 
   // Raising the fidelity changes nothing but this one argument.

@@ -68,7 +68,8 @@ class Result {
 
  private:
   void check() const {
-    if (!ok()) result_detail::end("value() of a result that has none", error().text());
+    if (!ok())
+      result_detail::end("value() of a result that has none; look at it first: if (result) ...", error().text());
   }
   std::variant<T, Error> content_;
 };
