@@ -4,6 +4,7 @@
 #include <fstream>
 #include <sstream>
 
+#include "scenario/files_in_use.hpp"
 #include "simclient/app.hpp"
 
 namespace physim::client {
@@ -12,20 +13,35 @@ namespace {
 Result<std::string> script_text(const std::string& option) {
   if (option.empty() || option[0] != '@') return option;
   const std::string path = option.substr(1);
+  if (Status begun = begin_reading(path, "script"); !begun) return begun.error();
   const std::ifstream file(path);
   std::ostringstream text;
   if (!file || !(text << file.rdbuf())) return Error{"cannot read the script", path, ""};
   return text.str();
 }
 
-Status run(const Options& options) {
+/// The client and its script. What they are read from cannot be written by an option.
+struct Opened {
+  Client client;
+  Script script;
+};
+Result<Opened> open(const Options& options) {
+  FilesInUse files;
+  if (Status status = files.add_output(options.state, "--state"); !status) return status.error();
+  if (Status status = files.add_output(options.screenshot, "--screenshot"); !status) return status.error();
   const Result<std::string> text = script_text(options.script);
   if (!text) return text.error();
   Result<Script> script = Script::parse(*text);
   if (!script) return script.error();
   Result<Client> client = open_client(options.scenario, options.overrides);
   if (!client) return client.error();
-  return App(std::move(*client), std::move(*script), options).run();
+  return Opened{std::move(*client), std::move(*script)};
+}
+
+Status run(const Options& options) {
+  Result<Opened> opened = open(options);
+  if (!opened) return opened.error();
+  return App(std::move(opened->client), std::move(opened->script), options).run();
 }
 
 int tell(const Error& error) {
