@@ -23,6 +23,13 @@ constexpr double kTurnPerPixel = 0.006;  // [rad]
 constexpr double kPatience = 0.03;       // with the steps of one frame [s]
 constexpr float kLeastWidth = 480, kLeastHeight = 320;
 
+Status save_picture(const Client& client, const Picture& picture, const std::string& path) {
+  constexpr std::string_view kCannot = "cannot write";
+  const Status status = client.export_file(path, report::as_text(png_of(picture)));
+  if (status || !status.error().message.starts_with(kCannot)) return status;
+  return Error{"cannot write the picture" + status.error().message.substr(kCannot.size()), path, status.error().hint};
+}
+
 }  // namespace
 
 App::~App() {
@@ -177,7 +184,7 @@ Status App::take_pictures() {
     if (wish.of_plots && !has_plots)
       status = Error{"there are no plots to be seen", "picture-of-plots", "open them first: plots"};
     else
-      status = save_png(picture(wish.of_plots), path);
+      status = save_picture(client_, picture(wish.of_plots), path);
     if (!status && options_.hidden) return status;
     if (!status)
       client_.complain(status.error());
@@ -185,7 +192,8 @@ Status App::take_pictures() {
       client_.say("saved " + path);
   }
   const bool is_last = client_.leaves || is_last_frame();
-  return is_last && !options_.screenshot.empty() ? save_png(picture(false), options_.screenshot) : Status();
+  if (!is_last || options_.screenshot.empty()) return {};
+  return save_picture(client_, picture(false), options_.screenshot);
 }
 
 // --------------------------------------------------------------------------------------------------------------- input

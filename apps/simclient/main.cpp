@@ -2,6 +2,7 @@
 #include <cstdio>
 #include <exception>
 
+#include "scenario/files_in_use.hpp"
 #include "scenario/text_file.hpp"
 #include "simclient/app.hpp"
 
@@ -14,14 +15,28 @@ Result<std::string> script_text(const std::string& option) {
   return read_text_file(option.substr(1), kLargestScript, "script");
 }
 
-Status run(const Options& options) {
+/// The client and its script. What they are read from cannot be written by an option.
+struct Opened {
+  Client client;
+  Script script;
+};
+Result<Opened> open(const Options& options) {
+  FilesInUse files;
+  if (Status status = files.add_output(options.state, "--state"); !status) return status.error();
+  if (Status status = files.add_output(options.screenshot, "--screenshot"); !status) return status.error();
   const Result<std::string> text = script_text(options.script);
   if (!text) return text.error();
   Result<Script> script = Script::parse(*text);
   if (!script) return script.error();
   Result<Client> client = open_client(options.scenario, options.overrides);
   if (!client) return client.error();
-  return App(std::move(*client), std::move(*script), options).run();
+  return Opened{std::move(*client), std::move(*script)};
+}
+
+Status run(const Options& options) {
+  Result<Opened> opened = open(options);
+  if (!opened) return opened.error();
+  return App(std::move(opened->client), std::move(opened->script), options).run();
 }
 
 int tell(const Error& error) {

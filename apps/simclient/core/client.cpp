@@ -3,11 +3,16 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
+#include <iterator>
 
 #include "math/angles.hpp"
 #include "physim/recording_file.hpp"
 #include "report/file.hpp"
 #include "report/format.hpp"
+#include "scenario/checks.hpp"
+#include "scenario/files_in_use.hpp"
+#include "scenario/measured_column.hpp"
+#include "scenario/new_file.hpp"
 #include "scenario/revise.hpp"
 #include "scenario/text_file.hpp"
 #include "simclient/core/original_tests.hpp"
@@ -80,6 +85,7 @@ void Client::take_file(const std::string& file) {
   if (session.is_replay()) return;
   constexpr std::uintmax_t kMostBytes = 1 << 24;  // others are written anew, where they are saved
   scenario_file_ = file;
+  inputs_ = session.scenario().files;
   const Result<std::string> text = read_text_file(file, kMostBytes, "scenario file");
   text_ = text ? *text : "";
   unsaved_ = became_world_ = false;
@@ -218,6 +224,8 @@ Status Client::save(const std::string& file) {
   }
   const auto is_next = [&](const ScenarioShot& s) { return s.projectile.name == launcher.shot().projectile.name; };
   if (std::ranges::none_of(scenario.shots, is_next)) left_out = ", but for the next shot: its world would fire it";
+  const bool is_own_file = is_same_file(path, scenario_file_) || is_same_file(path, own_scenario.file);
+  if (Status status = is_own_file ? Status() : check_output(path); !status) return status;
   if (Status status = report::write_file(path, text); !status) return status;
   scenario_file_ = path;
   if (text_.empty()) text_ = text;  // else what its author wrote stays what changes are put into
@@ -226,13 +234,32 @@ Status Client::save(const std::string& file) {
   return say("saved " + path + left_out), Status();
 }
 
+Status Client::check_output(const std::string& path) const {
+  std::vector<std::string> taken = inputs_;
+  taken.push_back(scenario_file_);
+  if (session.is_replay()) taken.push_back(session.scenario().file);
+  if (session.is_recording()) taken.insert(taken.end(), {recorded_, recorded_ + kIncomplete});
+  for (const std::string& input : study.asked.inputs)
+    if (const std::string_view file = file_of_column(input); !file.empty())
+      taken.push_back(beside_scenario(session.scenario(), std::string(file)));
+  for (const std::string& file : taken)
+    if (is_same_file(file, path))
+      return Error{"cannot write: this session reads or records " + file, path, "name another file"};
+  return {};
+}
+
+Status Client::export_file(const std::string& path, const report::Content& content) const {
+  if (Status status = check_output(path); !status) return status;
+  return report::write_content(path, content);
+}
+
 Status Client::save_flights(const std::string& file) {
   const std::string path = file.empty() ? free_name("flights", ".csv") : file;
   const bool has_ending = std::filesystem::path(path).has_extension();  // else what the action's name says
   const auto format = report::format_of_file(has_ending ? path : ".csv", report::Subject::records);
   if (!format) return format.error();
   const report::Content content = report::content_of(**format, records_of(session.tracks()));
-  if (Status status = report::write_content(path, content); !status) return status;
+  if (Status status = export_file(path, content); !status) return status;
   return say("saved " + path), Status();
 }
 
@@ -243,6 +270,8 @@ Status Client::record(const std::string& file) {
   }
   if (session.is_replay()) return Error{"a replay cannot be recorded", "record", "come back from it first: replay"};
   const std::string path = file.empty() ? free_name("recording", ".rec") : file;
+  for (const std::string& each : {path, path + kIncomplete})
+    if (Status status = check_output(each); !status) return status;
   if (Status status = session.restart(path); !status) return status;
   recorded_ = path;
   selected = {};
@@ -262,16 +291,20 @@ Status Client::replay() {
 }
 
 Status Client::set(const std::string& assignment) {
+  const FilesInUse read;
   Scenario scenario = session.scenario();
   ScenarioShot shot = launcher.shot();
   if (Status status = set_value(assignment, scenario, shot); !status) return status;
+  std::ranges::copy(read.inputs(), std::back_inserter(inputs_));
   return use(scenario, shot);
 }
 
 Status Client::set(const SettingRow& row, const std::string& text) {
+  const FilesInUse read;
   Scenario scenario = session.scenario();
   ScenarioShot shot = launcher.shot();
   if (Status status = set_value(row, text, scenario, shot); !status) return status;
+  std::ranges::copy(read.inputs(), std::back_inserter(inputs_));
   return use(scenario, shot);
 }
 

@@ -6,6 +6,7 @@
 #include <optional>
 #include <string>
 
+#include "report/picture.hpp"
 #include "simclient/core/camera.hpp"
 #include "simclient/core/compare.hpp"
 #include "simclient/core/launcher.hpp"
@@ -128,6 +129,10 @@ class Client {
   void has_changed_settings() { unsaved_ = true; }
   using Versions = std::pair<std::uint64_t, std::uint64_t>;  // of the shot and of what it is fired into
   [[nodiscard]] Versions versions() const { return {launcher.version(), session_version_}; }
+  /// Writes a file that is no scenario; refuses what check_output() refuses.
+  [[nodiscard]] Status export_file(const std::string& path, const report::Content& content) const;
+  /// An error if the session comes from the file of this path, or records into it. Saving may replace the scenario.
+  [[nodiscard]] Status check_output(const std::string& path) const;
   /// Saves all that flew, sample by sample; the format is that of the file's ending.
   [[nodiscard]] Status save_flights(const std::string& file);
   /// Starts again and records everything into a file; completes the file when it is recording.
@@ -198,6 +203,7 @@ class Client {
   CostTable costs_;
   std::vector<std::string> compared_presets_;
   std::optional<Versions> compared_at_, predicted_at_;  // none: never
+  std::vector<std::string> inputs_;                     // files that the scenario and its settings come from
   std::string scenario_file_, text_;                    // of the scenario: its file, and what that says
   bool unsaved_ = false, became_world_ = false;         // became: when it was saved, as its shots ask for one
   bool meets_things_ = false;                           // its file is of flights, and has things

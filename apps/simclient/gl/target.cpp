@@ -38,10 +38,13 @@ Picture read_picture(int x, int y, int width, int height) {
   return picture;
 }
 
-Status save_png(const Picture& picture, const std::string& path) {
-  if (stbi_write_png(path.c_str(), picture.width, picture.height, 3, picture.pixels.data(), picture.width * 3) != 0)
-    return {};
-  return Error{"cannot write the picture", path, "is there such a folder, and may you write there?"};
+std::string png_of(const Picture& picture) {
+  std::string png;
+  const auto append = [](void* to, void* bytes, int count) {
+    static_cast<std::string*>(to)->append(static_cast<const char*>(bytes), static_cast<std::size_t>(count));
+  };
+  stbi_write_png_to_func(append, &png, picture.width, picture.height, 3, picture.pixels.data(), picture.width * 3);
+  return png;
 }
 
 }  // namespace physim::client

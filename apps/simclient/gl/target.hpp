@@ -31,6 +31,7 @@ struct Picture {
 
 /// The pixels of the framebuffer in use, from its lower left corner.
 [[nodiscard]] Picture read_picture(int x, int y, int width, int height);
-[[nodiscard]] Status save_png(const Picture& picture, const std::string& path);
+/// The content of a PNG file; empty if there is not enough memory.
+[[nodiscard]] std::string png_of(const Picture& picture);
 
 }  // namespace physim::client
