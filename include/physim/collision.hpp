@@ -18,7 +18,8 @@ enum class OnHit : std::uint8_t {
 /// How a projectile meets the things of a scene.
 struct CollisionDef {
   OnHit on_hit = OnHit::stop;         ///< what it does then [-]
-  double radius = 0;                  ///< it meets them as a ball of so much; 0: as a point, which nothing spins [m]
+  double radius = 0;                  ///< it meets them as a ball of so much, 1e-12 to 1e6; 0: as a point, which
+                                      ///< nothing spins [m]
   double inertia = 0.4;               ///< of the ball, over mass and radius squared: 2/5 solid, 2/3 hollow [-]
   std::uint32_t layers = 0xffffffff;  ///< bits: things of these layers; 0: none [-]
   std::uint32_t others = 0;           ///< bits: in worlds, projectiles of these BodyDef::layers, which want its own; 0:

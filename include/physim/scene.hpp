@@ -144,6 +144,8 @@ struct SceneNearest {
   InstanceId instance{};        ///< none: nothing is that near [-]
   std::uint32_t primitive = 0;  ///< triangle of a mesh or height field as they were given, part of a compound [-]
   MaterialId material{};        ///< [-]
+  Vec3d away{};                 ///< unit vector from the surface to the point, the normal if that lies on a triangle;
+                                ///< zero inside of a solid [-]
 
   explicit operator bool() const { return static_cast<bool>(instance); }
 };

@@ -54,6 +54,18 @@ inline constexpr double kLongestPart = 1.0 / 30;
   return hit;
 }
 
+/// The surface of the body that a hit is of and that a place lies in by no more than `rounding`, in whichever direction
+/// that is, or outside of by a quarter of it; none: the place lies deeper.
+[[nodiscard]] inline SceneHit surface_beside(const Scene& scene, const SceneFilter& solids, const SceneHit& inside_of,
+                                             const Vec3d& place, double rounding, double time) {
+  for (const Vec3d& axis : {Vec3d{0, 1, 0}, Vec3d{1, 0, 0}, Vec3d{0, 0, 1}})
+    for (const double side : {rounding, -rounding})
+      for (const SceneHit& each : scene.all_hits({place + axis * side, place - axis * side, 0, time, 0}, solids))
+        if (is_one_body(scene, each, inside_of) && each.entering && !each.starts_inside && each.part <= 0.625)
+          return each;
+  return {};
+}
+
 /// The states of a straight way from one to another.
 [[nodiscard]] inline auto straight(const State<double>& from, const State<double>& to) {
   return [from, to](double theta) {

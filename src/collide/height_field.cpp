@@ -227,9 +227,11 @@ std::optional<NearPlace> HeightField::nearest(const Vec3d& p, double& within) co
     if (i < 0 || i > last_column || j < 0 || j > last_row) return;
     const auto of_column = static_cast<std::uint32_t>(i), of_row = static_cast<std::uint32_t>(j);
     for (std::uint32_t half = 0; half < 2; ++half) {
-      const Vec3d point = nearest_point(triangle(of_column, of_row, half), p);
-      const double distance = length(p - point);
-      if (distance <= within) within = distance, found = {point, number(of_column, of_row, half)};
+      const Triangle cell = triangle(of_column, of_row, half);
+      const Nearest near = nearest_to(cell, p);
+      if (!(near.distance <= within)) continue;
+      within = near.distance;
+      found = {p - near.away * within, within > 0 ? near.away : cell.normal(), number(of_column, of_row, half)};
     }
   };
   const std::int64_t most = std::max({column, last_column - column, row, last_row - row});

@@ -138,9 +138,10 @@ ShapeInfo Mesh::info() const {
 std::optional<NearPlace> Mesh::nearest(const Vec3d& p, double& within) const {
   std::optional<NearPlace> found;
   tree_.around(p, within, [&](std::uint32_t i, double& least) {
-    const Vec3d point = nearest_point(triangle(i), p);
-    const double distance = length(p - point);
-    if (distance <= least) least = distance, found = {point, number(i)};
+    const Nearest near = nearest_to(triangle(i), p);
+    if (!(near.distance <= least)) return;
+    least = near.distance;
+    found = {p - near.away * least, least > 0 ? near.away : triangle(i).normal(), number(i)};
   });
   return found;
 }

@@ -220,44 +220,48 @@ class SceneContacts {
 
   /// A ball that touches something where the step begins, as its middle is outside.
   void push_out(State<double>& s, SceneHit& hit, double passed) const {
-    const double radius = collision().radius, time = r_.scene_time() + passed;
+    const double radius = collision().radius, time = r_.scene_time() + passed, rounding = 4 * gap_at(s.x);
     const SceneNearest near = scene_->nearest(s.x, radius, solids_, time);
-    if (!near || near.distance == 0) return;
-    const Vec3d away = (s.x - near.position) * (1 / near.distance);
+    if (!near || near.away == Vec3d{}) return;
     // What lies there: at an edge a point may miss it.
-    const SceneHit there = scene_->first_hit({s.x, s.x - away * (2 * radius), 0, time, 0}, solids_);
+    const Vec3d before = near.distance < rounding ? near.away * rounding : Vec3d{};
+    const SceneHit there = scene_->first_hit({s.x + before, s.x - near.away * (2 * radius), 0, time, 0}, solids_);
     const bool found = there.instance == near.instance;
+    // A middle that lies at a triangle by no more than a rounding goes to its front.
+    const double side = found && before != Vec3d{} && !there.entering ? -1 : 1;
+    const Vec3d away = near.away * side;
     const auto moves = scene_->state(near.instance, time);
     hit.material = found ? there.material : near.material;
     hit.primitive = found ? there.primitive : near.primitive;
     hit.velocity = moves->velocity + cross(moves->angular_velocity, near.position - moves->position);
-    hit.normal = away;
-    hit.instance = near.instance;
-    hit.starts_inside = false;
-    hit.entering = !found || there.entering;
+    hit.normal = away, hit.instance = near.instance, hit.starts_inside = false;
+    hit.entering = !found || there.entering || side < 0;
     SceneHit held_back = hit;
     constrain(held_back);
     const double part = std::max(dot(held_back.normal, away), 0.1);
-    s.x += held_back.normal * ((radius - near.distance) / part);
+    s.x += held_back.normal * ((radius - near.distance * side) / part);
   }
 
-  /// What is inside by no more than places are rounded to goes in, or out, where it is. So does a ball that came out of
-  /// one thing into what stands behind it at once.
+  /// What is inside by no more than a rounding goes in, or out, where it is; a ball also if it moves along the surface.
+  /// So does a ball that came out of one thing into what stands behind it at once.
   void look_for_surface(State<double>& s, SceneHit& hit, double passed) const {
     const Vec3d relative = s.v - hit.velocity;
     const double speed = length(relative);
-    if (!(speed > 0)) return;
     const bool went_through = is_ball() && (collision().on_hit == OnHit::impact || came_through_);
-    const double near = 4 * gap_at(s.x) + (went_through ? 2 * collision().radius : 0);
-    const Vec3d off = relative * (near / speed);
+    const double gap = gap_at(s.x), near = 4 * gap + (went_through ? 2 * collision().radius : 0);
+    const double here = 0.5 + 0.5 * gap / near;  // rounded as seen from the thing, it may lie outside by as much
+    const Vec3d off = relative * (speed > 0 ? near / speed : 0);
     const SceneHit inside_of = hit;
     for (const SceneHit& each : scene_->all_hits({s.x - off, s.x + off, 0, r_.scene_time() + passed, 0}, solids_)) {
       if (!is_one_body(*scene_, each, inside_of) || each.starts_inside) continue;
-      const bool is_it = each.entering ? each.part <= 0.5 : hit.starts_inside && each.part >= 0.5 && !is_ball();
+      const bool is_it = each.entering ? each.part <= here : hit.starts_inside && each.part >= 0.5 && !is_ball();
       if (!is_it) continue;
       hit = each;
       s.x = each.position + each.normal * collision().radius;
     }
+    if (!hit.starts_inside || !is_ball()) return;
+    if (const SceneHit beside = surface_beside(*scene_, solids_, hit, s.x, 4 * gap, r_.scene_time() + passed))
+      hit = beside, s.x = beside.position + beside.normal * collision().radius;
   }
 
   /// Who came out of a body inside of another one, since they touch or overlap, meets that at once.

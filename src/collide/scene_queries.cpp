@@ -106,7 +106,8 @@ SceneNearest Scene::nearest(const Vec3d& point, double within, const SceneFilter
              distance == 0 ? point : placement.outside(near->position),
              {index, slot.generation},
              near->primitive,
-             material_of(*slot.shape, near->primitive, near->triangle).value_or(slot.def.material)};
+             material_of(*slot.shape, near->primitive, near->triangle).value_or(slot.def.material),
+             placement.turned(near->away)};
     least = distance;
   };
   for (const std::uint32_t index : impl_->unbounded) look_at(index, within);

@@ -44,6 +44,7 @@ struct Crossing {
 /// What of a surface is nearest to a point.
 struct NearPlace {
   Vec3d position;               // the point itself inside of a solid
+  Vec3d away;                   // unit vector from there to the point; the normal on a triangle; zero in a solid
   std::uint32_t primitive = 0;  // as of a Crossing
   std::uint32_t triangle = 0;
 };

@@ -52,7 +52,7 @@ std::optional<NearPlace> nearest(const Surface& surface, const Vec3d& p, double&
     const double distance = std::max(core.distance - surface.margin(), 0.0);
     if (distance > within) return std::nullopt;
     within = distance;
-    return NearPlace{p - core.away * distance};
+    return NearPlace{p - core.away * distance, distance > 0 ? core.away : Vec3d{}};
   }
 }
 std::optional<NearPlace> nearest(const Compound& compound, const Vec3d& p, double& within) {
@@ -62,7 +62,7 @@ std::optional<NearPlace> nearest(const Compound& compound, const Vec3d& p, doubl
     double least = within / part.placement.scale();
     const auto near = nearest_of(*part.shape, part.placement.inside(p), least);
     if (!near || (found && least * part.placement.scale() >= within)) continue;
-    found = {part.placement.outside(near->position), i, near->primitive};
+    found = {part.placement.outside(near->position), part.placement.turned(near->away), i, near->primitive};
     within = least * part.placement.scale();
   }
   return found;

@@ -19,7 +19,7 @@ class Sweep {
   Sweep(const Shape& shape, const Path& path, double time, double duration, Segment& s, const Take& take)
       : shape_(shape), path_(path), time_(time), duration_(duration), s_(s), take_(take) {
     PHYSIM_ASSERT(duration >= 0);
-    if (duration == 0)
+    if (duration < kShortest)
       as_at_rest();
     else
       in_motion();
@@ -28,6 +28,7 @@ class Sweep {
  private:
   static constexpr int kMostChords = 1 << 16, kMostHalvings = 40;
   static constexpr double kOverlap = 1 + 1e-9;  // so that nothing slips between two chords
+  static constexpr double kShortest = 1e-100;   // in less nothing moves, and speeds are no numbers [s]
 
   struct Chord {
     double from, to;   // parts of the segment

@@ -2,6 +2,9 @@
 // Source: geometry.
 #include "model/attitude.hpp"
 
+#include <algorithm>
+#include <cmath>
+
 #include "math/angles.hpp"
 #include "math/elementary.hpp"
 #include "math/quat.hpp"
@@ -81,27 +84,52 @@ bool is_axisymmetric(const ProjectileDef& p) {
   return p.inertia.moments.y == p.inertia.moments.z && p.inertia.products == Vec3d{};
 }
 
+namespace {
+
+/// Symmetric, in units of a power of two, so that its largest moment lies between 1 and 2: its determinant neither
+/// overflows nor underflows, and the unit rounds nothing.
+struct ScaledInertia {
+  Vec3d moments, products;
+  double per_unit;
+
+  explicit ScaledInertia(const Inertia& i) {
+    per_unit = std::ldexp(1.0, -std::ilogb(std::max({i.moments.x, i.moments.y, i.moments.z})));
+    moments = i.moments * per_unit;
+    products = i.products * per_unit;
+  }
+  [[nodiscard]] double determinant() const {
+    const auto& [a, b, c] = moments;
+    const auto& [xy, xz, yz] = products;
+    return a * (b * c - yz * yz) - xy * (xy * c - xz * yz) + xz * (xy * yz - b * xz);
+  }
+};
+
+}  // namespace
+
 bool is_possible(const Inertia& i) {
   const auto& [a, b, c] = i.moments;
-  const auto& [xy, xz, yz] = i.products;
+  // Beyond these the inverse is no number.
+  constexpr double kLeast = 1e-300, kMost = 1e300;
+  if (!(std::min({a, b, c}) >= kLeast && std::max({a, b, c}) <= kMost)) return false;
   const bool triangle = a <= b + c && b <= a + c && c <= a + b;
-  const double minor = a * b - xy * xy;
-  const double determinant = c * minor - a * yz * yz - b * xz * xz + 2 * xy * xz * yz;
-  return a > 0 && b > 0 && c > 0 && triangle && minor > 0 && determinant > 0;
+  const ScaledInertia scaled(i);
+  const double minor = scaled.moments.x * scaled.moments.y - scaled.products.x * scaled.products.x;
+  return triangle && minor > 0 && scaled.determinant() > 0;
 }
 
 Rotor<double> prepare_rotor(const ProjectileDef& p) {
   Rotor<double> r{};
-  const auto& [a, b, c] = p.inertia.moments;
-  const auto& [xy, xz, yz] = p.inertia.products;
   r.moments = p.inertia.moments;
   r.products = p.inertia.products;
-  const double determinant = a * (b * c - yz * yz) - xy * (xy * c - xz * yz) + xz * (xy * yz - b * xz);
+  const ScaledInertia scaled(p.inertia);
+  const auto& [a, b, c] = scaled.moments;
+  const auto& [xy, xz, yz] = scaled.products;
+  const double determinant = scaled.determinant();
   PHYSIM_ASSERT(determinant > 0);
   const double scale = 1 / determinant;
-  r.inverse_moments = Vec3d{b * c - yz * yz, a * c - xz * xz, a * b - xy * xy} * scale;
-  r.inverse_products = Vec3d{xz * yz - xy * c, xy * yz - b * xz, xy * xz - a * yz} * scale;
-  if (r.products == Vec3d{}) r.inverse_moments = {1 / a, 1 / b, 1 / c};  // without the roundings
+  r.inverse_moments = Vec3d{b * c - yz * yz, a * c - xz * xz, a * b - xy * xy} * scale * scaled.per_unit;
+  r.inverse_products = Vec3d{xz * yz - xy * c, xy * yz - b * xz, xy * xz - a * yz} * scale * scaled.per_unit;
+  if (r.products == Vec3d{}) r.inverse_moments = {1 / r.moments.x, 1 / r.moments.y, 1 / r.moments.z};  // not rounded
   return r;
 }
 

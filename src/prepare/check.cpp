@@ -374,8 +374,8 @@ Status check(const CollisionDef& collision, const std::string& place) {
   c.named(collision.on_hit, OnHit::ask, place + ".on_hit");
   c.require(collision.inertia > 0 && collision.inertia <= 1, place + ".inertia", "must lie above 0 and not above 1",
             "2/5: a solid ball");
-  c.require(collision.radius >= 0 && collision.radius <= 1e6, place + ".radius", "must lie between 0 and 1e6 m",
-            "0: a point");
+  c.require(collision.radius == 0 || (collision.radius >= 1e-12 && collision.radius <= 1e6), place + ".radius",
+            "must be zero, or lie between 1e-12 and 1e6 m", "0: a point");
   return c.status();
 }
 

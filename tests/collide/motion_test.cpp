@@ -378,5 +378,27 @@ TEST(SceneMotion, bad_input_is_refused_with_its_place) {
   EXPECT_TRUE(scene.overlaps({}, 1, {}, kInfinity).empty());
 }
 
+TEST(Motion, in_next_to_no_time_things_stand_where_they_are) {
+  Scene scene;
+  for (const ShapeDef& shape : {ShapeDef(PlaneShape{}), ShapeDef(BoxShape{{1, 1, 1}}), ShapeDef(SphereShape{1})})
+    ASSERT_TRUE(scene.add({.shape = *scene.add_shape(shape),
+                           .transform = {.position = {0, -1, 0}},
+                           .motion = SteadyMotion{.velocity = {0, 1, 0}, .angular_velocity = {0, 2, 1}}}));
+  for (const double radius : {0.0, 0.2}) {
+    const SceneSegment at_once{{0.3, 5, 0.1}, {0.3, -5, 0.1}, radius, 0.25, 0};
+    const SceneHit wanted = scene.first_hit(at_once);
+    ASSERT_TRUE(wanted);
+    for (const double duration : {5e-324, 1e-310, 1e-300, 1e-160, 1e-110, 1e-50}) {
+      SceneSegment asked = at_once;
+      asked.duration = duration;
+      const SceneHit hit = scene.first_hit(asked);
+      ASSERT_TRUE(hit) << duration;
+      EXPECT_EQ(hit.instance, wanted.instance) << duration;
+      EXPECT_NEAR(hit.part, wanted.part, 1e-12) << duration;
+      EXPECT_EQ(scene.all_hits(asked).size(), scene.all_hits(at_once).size()) << duration;
+    }
+  }
+}
+
 }  // namespace collide_motion_test
 }  // namespace physim

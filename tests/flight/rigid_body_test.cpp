@@ -327,5 +327,37 @@ TEST(RigidBody, worlds_turn_as_flights_do) {
     }
 }
 
+// Without torque a body turns as its moments are to each other: their size changes no bit.
+TEST(RigidBody, a_body_of_any_inertia_turns_as_one_of_its_proportions) {
+  ProjectileDef plain = nasa_brick();
+  plain.inertia.products = plain.inertia.moments * 0.05;
+  const Until until{.ground = {}, .time = 10};
+  const auto flown = [&](double scale) {
+    ProjectileDef p = plain;
+    p.inertia.moments = p.inertia.moments * scale, p.inertia.products = p.inertia.products * scale;
+    return fly(p, spun_launch(), still_place(), rigid(Integrator::rk4), {.step = 0.01}, until);
+  };
+  const Sample end = flown(1).end();
+  for (const int power : {-400, -120, 120, 400}) {  // their third powers are no numbers
+    const Flight flight = flown(std::ldexp(1.0, power));
+    ASSERT_EQ(flight.outcome(), Outcome::time_limit) << power << (flight.error() ? flight.error()->text() : "");
+    EXPECT_TRUE(same_bits(flight.end().angular_velocity, end.angular_velocity)) << power;
+    EXPECT_TRUE(same_bits(flight.end().orientation.w, end.orientation.w)) << power;
+  }
+  for (const double scale : {1e-306, 1e306})
+    EXPECT_EQ(flown(scale).error().value_or(Error{}).place, "projectile.inertia") << scale;
+}
+
+TEST(RigidBody, air_moves_no_body_of_1e300_kg) {
+  ProjectileDef p = nasa_brick();
+  p.diameter = 1e-10;
+  p.mass = 1e308;  // the area over the mass is 0
+  p.aero.lift = {{0, 0, 2}};
+  const Flight flight =
+      fly(p, {.position = {0, 10, 0}, .speed = 50}, still_place(), rigid(Integrator::rk4), {.step = 0.01}, {.time = 1});
+  ASSERT_EQ(flight.outcome(), Outcome::time_limit) << (flight.error() ? flight.error()->text() : "");
+  EXPECT_NEAR(flight.end().position.x, 50, 1e-9);
+}
+
 }  // namespace flight_rigid_body_test
 }  // namespace physim

@@ -1,5 +1,8 @@
 // What contacts do in worlds: spin and velocity, things that move, ways into and through materials.
+#include <array>
 #include <cmath>
+#include <string>
+#include <vector>
 
 #include "physim/impact.hpp"
 #include "physim/presets.hpp"
@@ -286,6 +289,86 @@ TEST(SceneContact, a_ball_skips_off_water_and_a_steep_one_does_not) {
       EXPECT_LT(length(e.velocity), 200);
     }
   }
+}
+
+/// Solids and surfaces whose highest place is the origin, where a face or a round top looks upwards.
+std::vector<std::pair<const char*, ShapeDef>> shapes_below_origin() {
+  const std::vector<Vec3d> corners = {{-9, -2, -9}, {9, -2, -9}, {9, -2, 9}, {-9, -2, 9},
+                                      {-9, 0, -9},  {9, 0, -9},  {9, 0, 9},  {-9, 0, 9}};
+  MeshShape open{.vertices = corners, .triangles = {{4, 7, 6}, {4, 6, 5}}};
+  MeshShape closed = open;
+  for (const std::array<std::uint32_t, 4>& side :
+       {std::array<std::uint32_t, 4>{0, 1, 2, 3}, {0, 4, 5, 1}, {1, 5, 6, 2}, {2, 6, 7, 3}, {3, 7, 4, 0}})
+    closed.triangles.push_back({side[0], side[1], side[2]}), closed.triangles.push_back({side[0], side[2], side[3]});
+  return {{"plane", PlaneShape{}},    {"hull", ConvexHullShape{corners}}, {"mesh", open},
+          {"closed mesh", closed},    {"box", BoxShape{{9, 1, 9}}},       {"cylinder", CylinderShape{9, 1}},
+          {"sphere", SphereShape{1}}, {"capsule", CapsuleShape{0.5, 0.5}}};
+}
+/// How far the middle of a shape lies below its top.
+double depth_of(const ShapeDef& shape) {
+  const bool about_middle = std::holds_alternative<BoxShape>(shape) || std::holds_alternative<CylinderShape>(shape) ||
+                            std::holds_alternative<SphereShape>(shape) || std::holds_alternative<CapsuleShape>(shape);
+  return about_middle ? 1 : 0;
+}
+
+/// The first hit of a ball of 0.2 m that is launched with its middle at a place.
+Event first_hit_of_ball(const Scene& scene, const Vec3d& middle, const Vec3d& velocity) {
+  World world = make_world(open_space());
+  EXPECT_TRUE(world.set_scene(scene));
+  ProjectileDef ball = stone();
+  ball.fidelity = Fidelity::sport_ball();
+  const auto id = world.spawn(ball, {.position = middle, .velocity = velocity}, ball_body(0.2));
+  EXPECT_TRUE(id);
+  EXPECT_TRUE(world.step(1e-3));
+  for (const Event& event : world.events())
+    if (event.kind == EventKind::hit) return event;
+  ADD_FAILURE() << "it meets nothing";
+  return {};
+}
+
+TEST(SceneContact, a_ball_whose_middle_lies_at_a_surface_is_pushed_out_by_its_radius) {
+  for (const auto& [name, shape] : shapes_below_origin())
+    for (const Vec3d& where : {Vec3d{}, Vec3d{0.1, 0.3, -0.7}, Vec3d{1234.5, 77.7, -3210.1}}) {
+      SCOPED_TRACE(name);
+      Scene scene;
+      const Vec3d place = where - Vec3d{0, depth_of(shape), 0};
+      ASSERT_TRUE(scene.add({.shape = *scene.add_shape(shape), .transform = {.position = place}}));
+      for (const double above : {1e-16, 1e-15, 1e-14, 1e-13, 1e-12, 1e-10, -1e-16, -1e-15, -1e-14, -1e-13}) {
+        const Vec3d middle = where + Vec3d{0, above, 0};
+        const Event hit = first_hit_of_ball(scene, middle, {1e-3, -1, 3e-4});
+        EXPECT_NEAR(length(hit.normal), 1, 1e-12) << above;
+        EXPECT_NEAR(hit.normal.y, 1, 1e-9) << above;
+        EXPECT_NEAR(hit.position.y - where.y, 0.2, 1e-9) << above;
+      }
+    }
+}
+
+TEST(SceneContact, a_ball_whose_middle_lies_at_a_surface_is_pushed_out_wherever_it_moves) {
+  Scene scene;
+  ASSERT_TRUE(scene.add({.shape = *scene.add_shape(BoxShape{{9, 1, 9}}), .transform = {.position = {0.1, -0.7, 0}}}));
+  for (const double above : {0.0, 1e-14, -1e-14, -1e-12})
+    for (const Vec3d& velocity : {Vec3d{1, 0, 0.5}, Vec3d{}, Vec3d{0, 1e-3, 0}}) {
+      World world = make_world(open_space());
+      ASSERT_TRUE(world.set_scene(scene));
+      ProjectileDef ball = stone();
+      ball.fidelity = Fidelity::sport_ball();
+      const ProjectileId id =
+          *world.spawn(ball, {.position = {0.2, 0.3 + above, 0.1}, .velocity = velocity}, ball_body(0.2));
+      ASSERT_TRUE(world.step(1e-3));
+      EXPECT_NEAR(world[id].position().y, 0.5, 1e-5) << above << ' ' << velocity.x << ' ' << velocity.y;
+      EXPECT_NEAR(world[id].position().x, 0.2 + 1e-3 * velocity.x, 1e-4) << above << ' ' << velocity.x;
+    }
+}
+
+TEST(SceneContact, a_ball_whose_middle_lies_at_an_edge_or_a_corner_is_pushed_out_by_its_radius) {
+  Scene scene;
+  ASSERT_TRUE(scene.add({.shape = *scene.add_shape(BoxShape{{1, 1, 1}})}));
+  for (const Vec3d& out : {Vec3d{0, 1, 1}, Vec3d{1, 1, 1}})
+    for (const double away : {1e-16, 1e-15, 1e-14, 1e-13, 1e-12}) {
+      const Event hit = first_hit_of_ball(scene, out + normalized(out) * away, -out);
+      EXPECT_NEAR(length(hit.normal), 1, 1e-12) << away;
+      EXPECT_NEAR(length(hit.position - out), 0.2, 1e-9) << away;
+    }
 }
 
 }  // namespace world_scene_contact_test

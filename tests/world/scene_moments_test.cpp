@@ -326,6 +326,7 @@ TEST(SceneMoments, bad_collisions_are_refused_with_their_place) {
   };
   EXPECT_NE(why({.on_hit = static_cast<OnHit>(17)}).find("body.collision.on_hit"), std::string::npos);
   EXPECT_NE(why({.radius = -1}).find("body.collision.radius"), std::string::npos);
+  EXPECT_NE(why({.radius = 1e-308}).find("body.collision.radius"), std::string::npos) << "its spin would be no number";
   EXPECT_NE(why({.radius = std::nan("")}).find("body.collision.radius"), std::string::npos);
   EXPECT_NE(why({.inertia = 0}).find("body.collision.inertia"), std::string::npos);
   EXPECT_EQ(why({.radius = 1, .inertia = 2.0 / 3}), "");
