@@ -1,0 +1,36 @@
+// Searches that odd input would keep busy end with an error, after a bounded amount of work.
+#include <gtest/gtest.h>
+
+#include "flight/step_budget.hpp"
+#include "physim/physim.hpp"
+
+namespace physim {
+namespace flight_search_bounds_test {
+
+/// What falls slowly, so that its flights take many steps.
+const ProjectileDef kDust{.mass = 1e-6, .diameter = 0.01, .drag = {.coefficient = 1}};
+
+TEST(SearchBounds, count_what_is_tried) {
+  StepBudget budget;
+  const Flight flight = fly(kDust, {.speed = 30, .elevation = 1}, {}, Fidelity::reference());
+  ASSERT_GT(flight.cost().evaluations, 0);
+  const std::int64_t flights = kMostSearchEvaluations / flight.cost().evaluations;
+  for (std::int64_t i = 0; i < flights; ++i) budget.spend(flight);
+  EXPECT_FALSE(budget.is_spent());
+  budget.spend(flight);
+  EXPECT_TRUE(budget.is_spent());
+}
+
+TEST(Flight, of_no_record_is_refused) {
+  const Flight none{std::shared_ptr<const FlightRecord>()};
+  EXPECT_EQ(none.outcome(), Outcome::refused);
+  ASSERT_TRUE(none.error());
+  EXPECT_FALSE(none.at_range(1));
+  EXPECT_FALSE(none.at_height(1));
+  EXPECT_EQ(none.duration(), 0);
+  static_cast<void>(none.end());
+  EXPECT_EQ(StudyPart(nullptr).shards(), 0U);
+}
+
+}  // namespace flight_search_bounds_test
+}  // namespace physim
