@@ -44,7 +44,7 @@ void keep_slopes(const Step<double>& step, KeptStep& kept) {
   for (State<double>& to : *kept.slopes) copy_state(*from++, to);
 }
 void keep_end(const Step<double>& step, Node& node) {
-  PHYSIM_ASSERT(step.t_end > step.t);
+  PHYSIM_ASSERT(step.t_end >= step.t);  // a step that is too short for the clock ends the flight as stalled
   node.t = step.t_end;
   copy_state(step.end, node.y);
   copy_vector(step.slope[Tsit5::kStages].v, node.a);

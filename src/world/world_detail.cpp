@@ -10,11 +10,14 @@ namespace {
 /// Steps between two looks at a projectile. They are counted from its launch, so that they do not depend on others.
 constexpr std::int64_t kStepsBetweenLooks = 8;
 
-/// std::llround() without a call, which each projectile asks for in each step. The number below 0.5 is added: with 0.5
-/// itself that number would round to 1.
-std::int64_t whole_number(double x) {
-  PHYSIM_ASSERT(x > -4e15 && x < 4e15);
-  return static_cast<std::int64_t>(x + std::copysign(0.49999999999999994, x));
+/// Whether a projectile is looked at after `steps`, which are rounded as std::llround() does, but without a call. The
+/// number below 0.5 is added: with 0.5 itself that number would round to 1. Steps can be so short against the age that
+/// their count is no longer exact; the projectile is then looked at in every step.
+bool is_time_to_look(double steps) {
+  constexpr double kMostCounted = 4e15;
+  if (!(std::abs(steps) < kMostCounted)) return true;
+  const auto whole = static_cast<std::int64_t>(steps + std::copysign(0.49999999999999994, steps));
+  return whole % kStepsBetweenLooks == 0;
 }
 
 /// The first rung that holds, or the last.
@@ -44,7 +47,7 @@ void WorldImpl::apply_detail() {
     const Slot& slot = state.slots[index];
     if (slot.is(kStill)) return;
     const double age = now - state.slots.birth(index);
-    if (whole_number(age / state.clock.dt) % kStepsBetweenLooks != 0) return;
+    if (!is_time_to_look(age / state.clock.dt)) return;
     if ((layers_of(index) & rule.layers) == 0) return;
     const Fidelity& asked = registry.kind(slot.kind).rungs[slot.rung].asked;
     std::size_t current = 0;

@@ -29,5 +29,24 @@ TEST(World, a_rung_of_another_interpolation_reads_its_own_curves) {
   EXPECT_EQ(world[changed].state(), world[from_start].state());
 }
 
+// The count of steps since the launch is then no whole number that can be held.
+TEST(ChangeRung, a_step_can_be_as_short_against_the_age_as_steps_can_be) {
+  WorldDef def;
+  def.ground.mode = GroundMode::none;
+  def.environment.gravity.model = GravityModel::off;
+  def.environment.atmosphere.model = AirModel::vacuum;
+  Result<World> made = World::create(def);
+  ASSERT_TRUE(made);
+  World& world = *made;
+  ProjectileDef p;
+  p.fidelity = Fidelity::sport_ball();
+  const ProjectileId id = *world.spawn(p, {.position = {0, 100, 0}, .velocity = Vec3d{1, 0, 0}});
+  for (int i = 0; i < 12; ++i) ASSERT_TRUE(world.step(9e5));
+  ASSERT_TRUE(world.set_detail({.rungs = {{Fidelity::sport_ball(), 5}, {Fidelity::game()}}}));
+  for (int i = 0; i < 2; ++i) ASSERT_TRUE(world.step(1e-9));
+  EXPECT_TRUE(world[id].is_alive());
+  EXPECT_EQ(world[id].fidelity_in_use().fidelity.integrator, Fidelity::game().integrator);
+}
+
 }  // namespace world_change_rung_test
 }  // namespace physim
