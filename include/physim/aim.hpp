@@ -80,7 +80,8 @@ struct Aim {
 
 /// Finds the bore elevation and azimuth with which a projectile of launch.speed hits a target, flown with the models of
 /// `fidelity`. Elevation, azimuth and sight of `launch` are not read. Every solution was flown, and its path passes
-/// within options.tolerance; where no path does, the nearest that was found is told. An error for bad input.
+/// within options.tolerance; where no path does, the nearest that was found is told. An error for bad input, and where
+/// all flights together take more than five million steps or 20 million evaluations of forces.
 ///
 /// A rocket may start from rest on a rail: the ways to the target of the shortest and of the longest time are found,
 /// of those that a fan of flights over all elevations shows.
@@ -102,7 +103,8 @@ struct MaxRange {
 
 /// The bore elevation that carries farthest over even ground that rises with `slope` [rad] in the direction of fire,
 /// launch.azimuth, and lies at the height `ground` [m] below or at the muzzle. An error where there is no farthest: the
-/// shot does not come down within `time` [s]; and where all flights together take more than five million steps.
+/// shot does not come down within `time` [s]; and where all flights together take more than five million steps
+/// or 20 million evaluations of forces.
 [[nodiscard]] Result<MaxRange> max_range(const ProjectileDef& projectile, const Launch& launch,
                                          const Environment& environment, const Fidelity& fidelity, double ground = 0,
                                          double slope = 0, double time = 3600);

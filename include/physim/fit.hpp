@@ -50,7 +50,8 @@ struct Fit {
 /// sense of least squares. What is scaled is what the projectile has: its ballistic coefficients (by 1 / scale),
 /// without them the form factor (a scale on its drag curve); k1 and k2; the exponent of its damping. An error where the
 /// measurements make no sense, are too few, do not depend on drag, or ask for a drag beyond 1/1000 to 1000 times the
-/// given one, or where all flights together take more than five million steps.
+/// given one, or where all flights together take more than five million steps or 20 million
+/// evaluations of forces.
 [[nodiscard]] Result<Fit> fit_drag(const ProjectileDef& projectile, const Launch& launch,
                                    const Environment& environment, const Fidelity& fidelity,
                                    std::span<const Measurement> measurements, const FitOptions& options = {});

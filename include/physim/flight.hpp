@@ -118,11 +118,11 @@ struct FlightCost {
 
 struct FlightRecord;
 
-/// A computed trajectory. Cheap to copy. Every question is answered from the dense output, without flying again. One
-/// that was moved away is refused.
+/// A computed trajectory, as fly() makes it. Cheap to copy. Every question is answered from the dense output, without
+/// flying again. One that was moved away, or is made of no record, is refused.
 class Flight {
  public:
-  explicit Flight(std::shared_ptr<const FlightRecord> record) : record_(std::move(record)) {}
+  explicit Flight(std::shared_ptr<const FlightRecord> record) : record_(record ? std::move(record) : none()) {}
   Flight(const Flight&) = default;
   Flight& operator=(const Flight&) = default;
   Flight(Flight&& other) noexcept : record_(std::exchange(other.record_, none())) {}

@@ -175,10 +175,12 @@ using StudyFunction =
 
 struct StudyPlanRecord;
 
-/// A study that was checked and prepared. Cheap to copy.
+/// A study that was checked and prepared by plan_study(). Cheap to copy; to move one is to copy it.
 class StudyPlan {
  public:
-  explicit StudyPlan(std::shared_ptr<const StudyPlanRecord> record) : record_(std::move(record)) {}
+  StudyPlan(const StudyPlan&) = default;
+  StudyPlan& operator=(const StudyPlan&) = default;
+  ~StudyPlan() = default;
 
   [[nodiscard]] const Study& study() const;
   /// Shards of Study::shots; whole rounds of replicates for Latin hypercubes and Sobol's sequence.
@@ -191,6 +193,8 @@ class StudyPlan {
   [[nodiscard]] const StudyPlanRecord& record() const { return *record_; }
 
  private:
+  friend struct StudyPlanRecord;
+  explicit StudyPlan(std::shared_ptr<const StudyPlanRecord> record) : record_(std::move(record)) {}
   std::shared_ptr<const StudyPlanRecord> record_;
 };
 
@@ -202,12 +206,18 @@ class StudyPlan {
 
 struct StudyPartRecord;
 
-/// What some shards of a study came to. Cheap to copy.
+/// What some shards of a study came to. Cheap to copy; to move one is to copy it.
 class StudyPart {
  public:
   /// No shards.
   StudyPart();
-  explicit StudyPart(std::shared_ptr<const StudyPartRecord> record) : record_(std::move(record)) {}
+  /// Those of a record; no shards if there is none.
+  explicit StudyPart(std::shared_ptr<const StudyPartRecord> record) : StudyPart() {
+    if (record) record_ = std::move(record);
+  }
+  StudyPart(const StudyPart&) = default;
+  StudyPart& operator=(const StudyPart&) = default;
+  ~StudyPart() = default;
 
   [[nodiscard]] std::uint64_t shards() const;
   [[nodiscard]] bool has(std::uint64_t shard) const;

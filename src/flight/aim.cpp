@@ -20,6 +20,7 @@
 #include "flight/neighbours.hpp"
 #include "flight/pilot.hpp"
 #include "flight/required_speed.hpp"
+#include "flight/step_budget.hpp"
 #include "flight/ways.hpp"
 #include "math/angles.hpp"
 #include "math/elementary.hpp"
@@ -152,6 +153,7 @@ class Aimer {
 
   /// Flies towards a velocity's direction, until the path is surely past the target or for a time [s].
   Flight fly_towards(const Vec3d& velocity, double time, double time_there) {
+    if (budget_.is_spent() && !error_) error_ = StepBudget::error("the aim");
     point(velocity);
     const Vec3d there = target_.at(time_there);
     const Vec3d way = there - launch_.position;
@@ -162,7 +164,8 @@ class Aimer {
       until.events.push_back({EventKind::height, floor, Crossing::falling, true});
     }
     Flight flight = fly(projectile_, launch_, environment_, fidelity_, options_.flight, until);
-    if (flight.error()) error_ = flight.error();
+    if (flight.error() && !error_) error_ = flight.error();
+    budget_.spend(flight);
     const Vec3d flown = flight.at(0).velocity;
     if (flight.fidelity_in_use().fidelity.aerodynamic_jump && flown != Vec3d{})
       jumped_ = flown * (1 / length(flown)) - (velocity * (1 / length(velocity)) - jumped_);
@@ -448,12 +451,14 @@ class Aimer {
   double gravity_ = 0;
   bool from_rest_ = false;  // a rocket, which a rail points
   Aim answer_;
+  StepBudget budget_;
   Vec3d jumped_;  // how far the last flight's direction was off its bore's, by aerodynamic jump
   std::optional<Error> error_;
 };
 
 Status check(const ProjectileDef& projectile, const Launch& launch, const Target& target, const AimOptions& options) {
   Checker c;
+  c.named(options.arc, Arc::both, "options.arc");
   c.is_vector(target.position, "target.position").is_vector(target.velocity, "target.velocity");
   c.is_vector(target.acceleration, "target.acceleration").is_vector(launch.position, "launch.position");
   const double speed = launch_speed(launch);

@@ -2,6 +2,7 @@
 #include <algorithm>
 
 #include "base/assert.hpp"
+#include "base/checker.hpp"
 #include "base/ieee_mode.hpp"
 #include "base/text.hpp"
 #include "flight/flight_record.hpp"
@@ -209,7 +210,7 @@ State<double> FlightRecord::shown(double time) const {
 std::shared_ptr<const FlightRecord> Flight::none() noexcept {
   static const auto record = [] {
     auto none = std::make_shared<FlightRecord>();
-    none->error = Error{"there is no flight any more", "flight", "it was moved away"};
+    none->error = Error{"there is no flight", "flight", "it was moved away, or nothing was flown"};
     return none;
   }();
   return record;
@@ -309,6 +310,8 @@ Result<Sample> Flight::at_range(double range) const {
 Result<Sample> Flight::at_height(double level, Crossing direction) const {
   const IeeeMode mode;
   const FlightRecord& r = *record_;
+  if (const Status status = Checker().named(direction, Crossing::falling, "direction").status(); !status)
+    return status.error();
   const auto above = [&](double t) { return height(r.cohort.conditions, r.state(t).x) - level; };
   if (r.outcome == Outcome::refused) return never("anything", r);
   if (const auto time = first_crossing(r, direction, {.kind = EventKind::height, .value = level}, above))

@@ -9,6 +9,7 @@
 #include "math/elementary.hpp"
 #include "math/root.hpp"
 #include "model/sight.hpp"
+#include "prepare/check.hpp"
 #include "prepare/grant.hpp"
 
 namespace physim {
@@ -35,6 +36,7 @@ Result<double> zero_elevation(const ProjectileDef& projectile, const Launch& lau
   const IeeeMode mode;
   if (!(std::isfinite(range) && range > 0))
     return Error{"a zero range must be a positive number", "launch.sight.zero_range", "in m"};
+  if (Status status = check(Tolerance{}, fidelity); !status) return status.error();
   Launch upright = launch;  // a zero is shot upright; cant is what happens afterwards
   upright.sight.zero_range = upright.sight.cant = 0;
   Environment air = environment;

@@ -53,9 +53,12 @@ Vec3d vertical_of(const Geodetic& place) { return earth_fixed_from_local({0, 0, 
 
 }  // namespace
 
-EarthFrames::EarthFrames(const Environment& environment, EarthModel earth)
-    : conditions_(conditions_of(environment, earth)), rate_(is_turning(earth) ? environment.earth.rotation_rate : 0) {
+EarthFrames::EarthFrames(const Environment& environment, EarthModel asked) {
   const IeeeMode mode;
+  const bool is_named = static_cast<unsigned>(asked) <= static_cast<unsigned>(EarthModel::ellipsoid);
+  const EarthModel earth = is_named ? asked : EarthModel::flat;
+  conditions_ = conditions_of(environment, earth);
+  rate_ = is_turning(earth) ? environment.earth.rotation_rate : 0;
   const Geodetic place{environment.earth.latitude, environment.earth.longitude, 0};
   const auto azimuth = sincos(environment.earth.azimuth);
   x_E_ = earth_fixed_from_local({azimuth.sin, azimuth.cos, 0}, place);

@@ -30,7 +30,7 @@ Result<Sample> sample_at(const Flight& flight, const Expectation& expectation) {
     case ExpectAt::range: return flight.at_range(expectation.at_value);
     case ExpectAt::height: return flight.at_height(expectation.at_value);
   }
-  PHYSIM_UNREACHABLE();
+  return Error{"expect.at is none of the named values", "", ""};
 }
 
 /// The hits of a group or a flight on a thing, or on all; none where it never hit it.

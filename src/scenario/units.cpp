@@ -110,6 +110,9 @@ constexpr bool in_order_of_values() {
 }
 static_assert(in_order_of_values(), "info() reads this table by the value of the quantity");
 
+/// A cast can make other values, which the table must not be read by.
+bool is_named(Quantity quantity) { return static_cast<std::size_t>(quantity) < kQuantities.size(); }
+
 /// One spelling of a unit for comparing: "lb/in²", "lb/in2" and "lb/in^2" are the same.
 std::string normalized_unit(std::string_view text) {
   static constexpr std::pair<std::string_view, std::string_view> kReplaced[] = {
@@ -145,7 +148,10 @@ Error wrong_unit(std::string_view text, std::string_view unit, const QuantityInf
 
 }  // namespace
 
-const QuantityInfo& info(Quantity quantity) { return kQuantities[static_cast<std::size_t>(quantity)]; }
+const QuantityInfo& info(Quantity quantity) {
+  PHYSIM_ASSERT(is_named(quantity));
+  return kQuantities[static_cast<std::size_t>(quantity)];
+}
 
 Quantity quantity_of_si_unit(std::string_view unit) {
   const auto of = std::ranges::find(kQuantities, unit, [](const QuantityInfo& q) { return q.units.front().name; });
@@ -174,6 +180,7 @@ std::string expected(Quantity quantity) {
 
 std::vector<std::string> units_of(Quantity quantity) {
   std::vector<std::string> names;
+  if (!is_named(quantity)) return names;
   for (const Unit& unit : info(quantity).units)
     if (!unit.alias && !unit.name.empty()) names.emplace_back(unit.name);
   return names;
@@ -187,6 +194,7 @@ std::string_view trimmed(std::string_view text) {
 
 Result<double> parse_quantity(std::string_view text, Quantity quantity) {
   const IeeeMode mode;
+  if (!is_named(quantity)) return Error{"is none of the named values", "quantity", ""};
   const QuantityInfo& wanted = info(quantity);
   const std::string_view whole = trimmed(text);
   std::string_view digits = whole;

@@ -174,7 +174,7 @@ Result<StudyPlan> finish(StudyPlanRecord&& plan) {
   plan.shards = shards_of(plan, plan.study.shots);
   for (std::size_t i = 0; i < plan.study.at.size(); ++i) plan.places.push_back(place_of(plan, i));
   if (const Status status = fly_pilot(plan); !status) return status.error();
-  return StudyPlan(std::make_shared<const StudyPlanRecord>(std::move(plan)));
+  return StudyPlanRecord::plan_of(std::move(plan));
 }
 
 }  // namespace
@@ -190,7 +190,7 @@ std::uint64_t StudyPlanRecord::shards_at_once() const { return is_plain() && !st
 std::vector<StudyPlan> StudyPlan::places() const {
   std::vector<StudyPlan> plans;
   for (const StudyPlanRecord& place : record_->places)
-    plans.emplace_back(std::shared_ptr<const StudyPlanRecord>(record_, &place));
+    plans.push_back(StudyPlan(std::shared_ptr<const StudyPlanRecord>(record_, &place)));
   return plans;
 }
 

@@ -40,6 +40,9 @@ struct StudyPlanRecord {
   std::vector<StudyPlanRecord> places;  // of each of Study::at: of a study that ends there
   bool takes_plane = true;              // false: its first two quantities are those of a place, and no lengths
 
+  [[nodiscard]] static StudyPlan plan_of(StudyPlanRecord&& record) {
+    return StudyPlan(std::make_shared<const StudyPlanRecord>(std::move(record)));
+  }
   /// Columns that its model fills: of its quantities, then of those of each place.
   [[nodiscard]] std::size_t columns() const;
   [[nodiscard]] bool has_plane() const { return takes_plane && study.quantities.size() >= 2; }
