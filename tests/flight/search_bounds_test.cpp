@@ -7,8 +7,18 @@
 namespace physim {
 namespace flight_search_bounds_test {
 
-/// What falls slowly, so that its flights take many steps.
+/// It falls at half a metre a second, and never comes near a target far away.
 const ProjectileDef kDust{.mass = 1e-6, .diameter = 0.01, .drag = {.coefficient = 1}};
+
+/// It falls at half a metre a second in steps of 0.6 ms, and never comes near a target far away.
+TEST(SearchBounds, of_an_aim) {
+  const ProjectileDef dust{.mass = 1e-6, .diameter = 0.01, .drag = {.k2 = 4e-5}};
+  const AimOptions options{.tolerance = 1e-9, .time = 600, .flight = {.step = 6e-4}};
+  const auto answer = aim(dust, {.speed = 30}, {}, Fidelity::game(), {{1000, 0, 0}}, options);
+  ASSERT_FALSE(answer);
+  EXPECT_NE(answer.error().message.find("the aim takes more than five million steps"), std::string::npos)
+      << answer.error().text();
+}
 
 TEST(SearchBounds, count_what_is_tried) {
   StepBudget budget;
