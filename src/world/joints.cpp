@@ -148,8 +148,11 @@ Result<JointId> World::add_joint(const Joint& joint) {
   if (const Status status = joint.b ? refuses_end(w, joint.b, "joint.b") : Status(); !status) return status.error();
   if (w.state.joints.count() >= kMostJoints) return Error{"there are too many of them", "joint", "at most 4194304"};
   Joint added = joint;
-  if (!added.length) added.length = distance_of_ends(w.state, joint);
-  if (!(*added.length > 0)) return Error{"its ends are at one place", "joint.length", "say how long it is"};
+  if (!added.length) {  // what is measured is held to the bounds of what is given: saves are
+    added.length = distance_of_ends(w.state, joint);
+    if (!(*added.length > 0)) return Error{"its ends are at one place", "joint.length", "say how long it is"};
+    if (const Status status = check(added); !status) return status.error();
+  }
   const JointId id = w.state.joints.add(added);
   wake_ends(w, added);
   return call.returns(id);

@@ -34,6 +34,8 @@ TEST(JointDoors, bad_joints_are_refused_with_a_place) {
     refused({.a = a, .b = b, .length = length}, "joint.length");
   refused({.a = a, .b = same}, "joint.length");
   refused({.a = a}, "joint.length");  // it lies at its point
+  const ProjectileId far = put(world, mass_of(1), bob(), {2e15, 0, 0});
+  refused({.a = a, .b = far}, "joint.length");  // a length that is measured: load() would refuse the save
   for (const double e : {nan, -0.1, 1.1})
     refused({.kind = JointKind::cable, .a = a, .b = b, .restitution = e}, "joint.restitution");
   refused({.a = a, .b = b, .restitution = 0.5}, "joint.restitution");
