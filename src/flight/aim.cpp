@@ -458,15 +458,15 @@ class Aimer {
 
 Status check(const ProjectileDef& projectile, const Launch& launch, const Target& target, const AimOptions& options) {
   // Within these the squares of lengths and speeds are numbers that are not 0.
-  constexpr double kFarthest = 1e15;               // [m]
+  constexpr double kFarthestPlace = 1e15;          // [m]
   constexpr double kSlowest = 1e-9, kMost = 1e15;  // [m/s], and of an acceleration [m/s^2]
   Checker c;
   c.named(options.arc, Arc::both, "options.arc");
   const auto within = [&c](const Vec3d& v, double most, const char* place) {
     c.is_vector(v, place).require(!(length(v) > most), place, "exceeds " + short_text(most), "numbers are in SI units");
   };
-  within(target.position, kFarthest, "target.position"), within(target.velocity, kMost, "target.velocity");
-  within(target.acceleration, kMost, "target.acceleration"), within(launch.position, kFarthest, "launch.position");
+  within(target.position, kFarthestPlace, "target.position"), within(target.velocity, kMost, "target.velocity");
+  within(target.acceleration, kMost, "target.acceleration"), within(launch.position, kFarthestPlace, "launch.position");
   const double speed = launch_speed(launch);
   if (speed != 0 || !has_motor(projectile)) {
     c.positive(speed, "launch.speed", "a shot that is aimed needs one");
