@@ -387,7 +387,7 @@ class Extreme {
       case 3: return AnchoredSpring{r_.vector3(9), r_.in(0, 9), r_.in(0, 2), r_.in(0, 1)};
       case 4: return Spring{ids_.back(), r_.in(0, 9), r_.in(0, 2), r_.in(0, 1)};
       case 5: return Bungee{ids_.back(), r_.vector3(9), r_.in(0, 9), r_.in(0, 2), r_.in(0, 1)};
-      case 6: return Buoyancy{r_.in(-1, 30), r_.coin() ? 0 : 1, r_.coin() ? 0 : 1, r_.in(1, 1000), 1, 10};
+      case 6: return Buoyancy{r_.in(-1, 30), r_.coin() ? 0.0 : 1.0, r_.coin() ? 0.0 : 1.0, r_.in(1, 1000), 1, 10};
       case 7: return PointAttractor{r_.vector3(9), r_.in(-50, 50), r_.in(0, 1)};
       case 8: return WindZone{{-50, -50, -50}, {50, 50, 50}, r_.vector3(30), r_.in(0, 2)};
       case 9: return Explosion{r_.vector3(9), r_.in(0, 90), r_.in(0, 300)};
