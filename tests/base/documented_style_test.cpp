@@ -26,9 +26,12 @@ TEST(DocumentedStyle, LeavesOutWhatHasADefault) {
   EXPECT_EQ(target.velocity, Vec3d{});
   EXPECT_EQ(setting.tolerance.step, 0);
 
+#pragma GCC diagnostic push  // g++ 12 takes the clean-up behind an exception for a use
+#pragma GCC diagnostic ignored "-Wmaybe-uninitialized"
   const WorldDef def{.ground = {.mode = GroundMode::bounce},
                      .pools = {{.name = "shells"}},
                      .detail = {.rungs = {{.within = 10}, {.within = 20}}}};
+#pragma GCC diagnostic pop
   const BodyDef body{.gravity_scale = 0.5, .despawn = {.below = -1}};
   const ForceDef force{.law = Spring{.stiffness = 3}, .target = {.layers = 1}};
   EXPECT_EQ(def.detail.rungs.size(), 2u);

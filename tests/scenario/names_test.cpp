@@ -20,7 +20,9 @@ TEST(NameIndex, finds_the_first_of_a_name) {
   for (const char* name : {"a", "b", "", "c", "d"}) {
     const auto at = std::ranges::find(list, name);
     EXPECT_EQ(index.has(name), at != list.end()) << name;
-    if (at != list.end()) EXPECT_EQ(index.find(name), static_cast<std::size_t>(at - list.begin())) << name;
+    if (at != list.end()) {
+      EXPECT_EQ(index.find(name), static_cast<std::size_t>(at - list.begin())) << name;
+    }
   }
   EXPECT_EQ(index.all().size(), 5U);
 }
@@ -72,7 +74,9 @@ TEST(EmitterOrder, is_that_of_rounds_over_the_list) {
     const std::vector<std::size_t> expected = in_rounds(subs);
     const auto order = order_of_emitters(scenario, names);
     EXPECT_EQ(order.ok(), expected.size() == count) << trial;
-    if (order) EXPECT_EQ(*order, expected) << trial;
+    if (order) {
+      EXPECT_EQ(*order, expected) << trial;
+    }
     circles += order.ok() ? 0 : 1;
     if (order) continue;
     std::size_t left = 0;  // the first that never comes

@@ -107,9 +107,15 @@ TEST(TextFile, WithoutAnEndIsRefusedByEveryDoor) {
   EXPECT_TRUE(has(load_recording(device).error().text(), "this is a device"));
   EXPECT_TRUE(
       has(read_measured_column(device, "speed", Quantity::speed, Measured::values).error().text(), "this is a device"));
-  if (reads_mesh_files()) EXPECT_TRUE(has(read_mesh_file(device).error().text(), "this is a device"));
-  if (reads_height_maps()) EXPECT_TRUE(has(read_height_map(device, 0, 1).error().text(), "this is a device"));
-  if (reads_terrain_files()) EXPECT_TRUE(has(read_terrain_file(device).error().text(), "this is a device"));
+  if (reads_mesh_files()) {
+    EXPECT_TRUE(has(read_mesh_file(device).error().text(), "this is a device"));
+  }
+  if (reads_height_maps()) {
+    EXPECT_TRUE(has(read_height_map(device, 0, 1).error().text(), "this is a device"));
+  }
+  if (reads_terrain_files()) {
+    EXPECT_TRUE(has(read_terrain_file(device).error().text(), "this is a device"));
+  }
   // What a mesh names is a file as well, or is left out.
   if (!reads_mesh_files()) return;
   const std::string triangle = "\nv 0 0 0\nv 1 0 0\nv 0 1 0\nusemtl a\nf 1 2 3\n";
