@@ -298,8 +298,9 @@ TEST_F(TerrainFile, OfScenariosIsRefusedAtItsLine) {
     return scenario ? "none" : scenario.error().text();
   };
   tile([](int, int) { return 5; });
-  EXPECT_NE(refusal("mesh = { terrain = \"no.tif\" }").find("f.toml:10:20: error: shape.mesh.terrain: the file cannot"),
-            std::string::npos)
+  EXPECT_NE(
+      refusal("mesh = { terrain = \"no.tif\" }").find("f.toml:10:20: error: shape.mesh.terrain: there is no such"),
+      std::string::npos)
       << refusal("mesh = { terrain = \"no.tif\" }");
   EXPECT_NE(refusal("mesh = { terrain = \"N46E007.hgt\", file = \"a.obj\" }").find("given together with terrain"),
             std::string::npos);

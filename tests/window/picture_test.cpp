@@ -173,7 +173,7 @@ TEST(Hidden, BadInputIsToldAndEndsWithTwo) {
       {{damaged}, "error"},
       {{"--script", "fyre"}, "script, action 1: error: there is no action \"fyre\"; did you mean \"fire\"?"},
       {{"--script", "fire; open nowhere.toml"}, "nowhere.toml: error: there is no such file"},
-      {{"--script", "@nowhere.txt"}, "nowhere.txt: error: cannot read the script"},
+      {{"--script", "@nowhere.txt"}, "nowhere.txt: error: there is no such file"},
       {{"--script", "picture-of-plots x.png"}, "there are no plots"},
       {{"--screenshot", "/nowhere/a.png"}, "/nowhere/a.png: error: cannot write the picture"},
       {{"--state", "/nowhere/a"}, "/nowhere/a: error: cannot write the file"},
