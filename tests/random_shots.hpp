@@ -22,7 +22,8 @@ class Random {
   }
   /// 0 <= x < 1 in steps of 2^-32.
   double unit() { return bits() * (1.0 / 4294967296.0); }
-  double in(double low, double high) {
+  /// Not inlined: compilers move the sum behind the end of the mode, into the code of the caller that needs it.
+  [[gnu::noinline]] double in(double low, double high) {
     const IeeeMode mode;
     return low + (high - low) * unit();
   }
