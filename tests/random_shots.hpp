@@ -22,10 +22,11 @@ class Random {
   }
   /// 0 <= x < 1 in steps of 2^-32.
   double unit() { return bits() * (1.0 / 4294967296.0); }
-  /// Not inlined: compilers move the sum behind the end of the mode, into the code of the caller that needs it.
-  [[gnu::noinline]] double in(double low, double high) {
+  double in(double low, double high) {
     const IeeeMode mode;
-    return low + (high - low) * unit();
+    double sum = low + (high - low) * unit();
+    asm volatile("" : "+m"(sum) : : "memory");  // compilers may move what needs no memory behind the end of the mode
+    return sum;
   }
   int below(int n) { return static_cast<int>((std::uint64_t(bits()) * static_cast<std::uint64_t>(n)) >> 32); }
   bool one_in(int n) { return below(n) == 0; }
