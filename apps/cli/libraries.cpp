@@ -25,7 +25,7 @@ std::string build_text() {
       {"stb", PHYSIM_HAS_STB != 0, "heights from pictures", "libstb-dev"},
       {"HDF5", PHYSIM_HAS_HDF5 != 0, "shots of a study in columns (study --hdf5)", "libhdf5-dev"},
       {"MPI", PHYSIM_HAS_MPI != 0, "studies flown by the ranks of a job", "libopenmpi-dev openmpi-bin"},
-      {"gnuplot", static_cast<bool>(check_gnuplot()), "pictures (--plot)", "gnuplot-nox fonts-dejavu-core"},
+      {"gnuplot", static_cast<bool>(report::check_gnuplot()), "pictures (--plot)", "gnuplot-nox fonts-dejavu-core"},
   };
   std::string text = "kernels:", missing;
   for (const std::string& kernel : kernels()) text += " " + kernel;
