@@ -36,7 +36,7 @@ class Option {
   CLI::Option& option_;
 };
 
-/// What is special about the file of an output option.
+/// Properties of an output option that differ from those of a plain result file.
 struct OutputKind {
   const char* replaces = "";    ///< the kind of input that it may replace, as of a run that is gone on with
   const char* incomplete = "";  ///< ending of its name until it is complete

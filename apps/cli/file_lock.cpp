@@ -11,10 +11,10 @@
 namespace physim::cli {
 namespace {
 
-/// Whether a path still leads to an open file: who held the lock before has removed it.
+/// Returns true if the path still names the open file. The previous holder of a lock removes the lock file.
 bool is_at(const std::string& path, int number) {
-  struct stat at {
-  }, held{};
+  struct stat at {};
+  struct stat held {};
   return ::stat(path.c_str(), &at) == 0 && ::fstat(number, &held) == 0 && at.st_ino == held.st_ino &&
          at.st_dev == held.st_dev;
 }
@@ -23,7 +23,7 @@ bool is_at(const std::string& path, int number) {
 
 FileLock::FileLock(const std::string& file) : path_(file + ".lock") {
   for (;;) {
-    // Written to by nobody; network file systems lock only what may be written.
+    // O_RDWR, although nothing is written: network file systems lock writable files alone.
     number_ = ::open(path_.c_str(), O_RDWR | O_CREAT | O_CLOEXEC | O_NOFOLLOW, 0666);
     if (number_ < 0) {
       status_ = Error{std::string("cannot make the lock file: ") + std::strerror(errno), path_, ""};

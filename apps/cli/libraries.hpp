@@ -1,12 +1,13 @@
-// What this build has beside the core: kernels, and optional libraries.
+// Kernels and optional libraries of this build.
 #pragma once
 
 #include <string>
 
 namespace physim::cli {
 
-/// What `physim --version` prints below the version: the kernels of this machine, each optional library with what it
-/// adds, and the command that gets the missing ones. Lines without a line break at the end.
+/// Returns the lines that `physim --version` prints below the version: the kernels of this machine, each optional
+/// library with the feature that it adds, and the command that installs the missing ones. The last line has no line
+/// break.
 [[nodiscard]] std::string build_text();
 
 }  // namespace physim::cli

@@ -31,7 +31,8 @@ struct Outputs {
 /// An option for each format that can write one of the subjects. `what` is written: "the trajectories".
 void add_output_options(Command& command, Outputs& outputs, const std::string& what, std::span<const Subject> subjects);
 
-/// Places that cannot be written, as far as can be told before there is anything to write.
+/// Returns an error if an output path is not writable, or if a picture needs gnuplot and it is missing. Nothing is
+/// written.
 [[nodiscard]] Status check(const Outputs& outputs);
 /// Announces the files that an option writes beside those that options name (FilesInUse).
 [[nodiscard]] Status announce(const Outputs& outputs, const std::string& option);

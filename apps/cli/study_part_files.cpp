@@ -27,7 +27,8 @@ Result<StudyPart> read_part(const std::string& file, const char* kind) {
   return error;
 }
 
-/// What is in the file of --resume; nothing if there is none. It is written to, too, so it must be a file.
+/// Reads the part in the file of --resume; an empty part if the file is missing. The file must be a regular one, since
+/// the study writes it, too.
 Result<StudyPart> read_kept(const std::string& file) {
   std::error_code ignored;
   if (!std::filesystem::exists(file, ignored)) return StudyPart();

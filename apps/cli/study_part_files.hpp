@@ -35,7 +35,7 @@ class PartKeeper {
     return status_.ok();
   }
   [[nodiscard]] const Status& status() const { return status_; }
-  /// What the file had when it was last written.
+  /// Returns the part that the last write put into the file.
   [[nodiscard]] const StudyPart& kept() const { return kept_; }
 
  private:

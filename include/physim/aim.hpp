@@ -80,8 +80,8 @@ struct Aim {
 
 /// Finds the bore elevation and azimuth with which a projectile of launch.speed hits a target, flown with the models of
 /// `fidelity`. Elevation, azimuth and sight of `launch` are not read. Every solution was flown, and its path passes
-/// within options.tolerance; where no path does, the nearest that was found is told. An error for bad input, and where
-/// all flights together take more than five million steps or 20 million evaluations of forces.
+/// within options.tolerance. If no path does, the answer has the nearest one that was found. Returns an error for bad
+/// input, and if all flights together take more than five million steps or 20 million evaluations of forces.
 ///
 /// A rocket may start from rest on a rail: the ways to the target of the shortest and of the longest time are found,
 /// of those that a fan of flights over all elevations shows.

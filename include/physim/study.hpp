@@ -206,7 +206,7 @@ class StudyPlan {
 
 struct StudyPartRecord;
 
-/// What some shards of a study came to. Cheap to copy; to move one is to copy it.
+/// Results of some shards of a study. A copy is cheap; a move copies.
 class StudyPart {
  public:
   /// No shards.
