@@ -6,6 +6,7 @@
 #include <filesystem>
 
 #include "cli/program.hpp"
+#include "named_files.hpp"
 #include "physim/mesh_file.hpp"
 #include "physim/motor_file.hpp"
 #include "physim/physim.hpp"
@@ -104,35 +105,15 @@ TEST(FilesInUse, nothing_is_refused_without_a_record) {
 
 // ---------------------------------------------------------------------------------------------------- files of
 // scenarios
-/// A file of each kind that a scenario can name; the table by a study alone.
-const char* const kScenario = R"(physim = 1
-[world]
-duration = "10 ms"
-[[shot]]
-mass = "57.1 g"
-diameter = "24.8 mm"
-drag = { coefficient = 0.75 }
-motor = { file = "motor.eng" }
-speed = "10 m/s"
-[[shape]]
-name = "hills"
-height_field = { file = "hills.pgm", spacing_x = "1 m", spacing_z = "1 m" }
-[study]
-inputs = ["shot.speed = column speed of sub/../speeds.csv per occasion", "shot.mass = one of 57 g, 58 g"]
-)";
-
+/// A scenario that names a file of each kind; the table by a study alone.
 std::string write_scenario(const Folder& folder) {
-  folder.write("motor.eng", "T 24 70 0 0.0108 0.0231 X\n 1 5\n 2 0\n");
-  folder.write("hills.pgm", std::string("P5\n2 2\n255\n\1\2\3\4"));
-  folder.write("speeds.csv", "speed [m/s]\n10\n11\n");
+  const std::string shapes = test::write_named_files(folder);
   fs::create_directory(folder / "sub");
-  std::string text = kScenario;
-  if (reads_mesh_files()) {
-    folder.write("tent.mtl", "newmtl red\nKd 1 0 0\n");
-    folder.write("tent.obj", "mtllib tent.mtl\nv 0 0 0\nv 1 0 0\nv 0 1 0\nusemtl red\nf 1 2 3\n");
-    text += "[[shape]]\nname = \"tent\"\nmesh = { file = \"tent.obj\" }\n";
-  }
-  return folder.write("s.toml", text);
+  return folder.write("s.toml",
+                      "physim = 1\n[world]\nduration = \"10 ms\"\n[[shot]]\ndrag = { coefficient = 0.75 }\n" +
+                          std::string(test::kRocketLines) + shapes +
+                          "[study]\ninputs = [\"shot.speed = column speed of sub/../speeds.csv per occasion\", "
+                          "\"shot.mass = one of 57 g, 58 g\"]\n");
 }
 
 std::vector<std::string> names_of(const std::vector<std::string>& files) {
@@ -147,7 +128,8 @@ TEST(ScenarioFiles, are_all_that_a_scenario_names_and_what_these_name) {
   const Folder folder;
   const auto scenario = load_scenario(write_scenario(folder));
   ASSERT_TRUE(scenario.ok()) << scenario.error().text();
-  std::vector<std::string> expected = {"hills.pgm", "motor.eng", "s.toml", "speeds.csv"};
+  std::vector<std::string> expected = {"motor.eng", "s.toml", "speeds.csv"};
+  if (reads_height_maps()) expected.insert(expected.begin(), "hills.pgm");
   if (reads_mesh_files()) expected.insert(expected.end(), {"tent.mtl", "tent.obj"});
   EXPECT_EQ(names_of(scenario->files), expected);
 }
