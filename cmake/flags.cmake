@@ -54,6 +54,8 @@ function(physim_flags target)
     target_compile_options(${target} PRIVATE ${PHYSIM_WARNINGS} "${PHYSIM_IEEE}")
     # A program keeps the functions that it calls, and no others: --gc-sections, which users of the library link with.
     target_compile_options(${target} PRIVATE -ffunction-sections -fdata-sections)
+    # Asserts name files from the root of the sources, wherever that is.
+    target_compile_options(${target} PRIVATE -fmacro-prefix-map=${PROJECT_SOURCE_DIR}/=)
     if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
       # Where g++ 12 joins scalars to vectors it fuses alternating sums and differences of products (vfmaddsub),
       # whatever -ffp-contract says, if the whole build is for processors that can.

@@ -36,6 +36,6 @@ function(check_size program most)
 endfunction()
 if(SIZES)
   check_size(one_flight 1500000)
-  check_size(one_world 5100000)  # 4.9 MB without the asserts that builds for tests have
+  check_size(one_world 5000000)
 endif()
 file(REMOVE_RECURSE ${folder})
