@@ -85,6 +85,11 @@ function(physim_compile_sooner target)
   target_compile_options(${target} PRIVATE $<$<CONFIG:Release>:-O1>)
 endfunction()
 
+# Tests, which are compiled more often than they run: without any effort, in two thirds of the time.
+function(physim_compile_soonest target)
+  target_compile_options(${target} PRIVATE $<$<CONFIG:Release>:-O0>)
+endfunction()
+
 # Many files are compiled as one, so that their headers are read once: half of the time. Names of a file's own must then
 # differ from those of its neighbours. Debug builds compile one file at a time: each must include what it needs.
 option(PHYSIM_UNITY "Compile many files as one, in half of the time" ON)
