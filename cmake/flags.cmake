@@ -85,7 +85,7 @@ function(physim_compile_sooner target)
   target_compile_options(${target} PRIVATE $<$<CONFIG:Release>:-O1>)
 endfunction()
 
-# Tests, which are compiled more often than they run: without any effort, in two thirds of the time.
+# Tests that compute little themselves: without any effort, in two thirds of the time.
 function(physim_compile_soonest target)
   target_compile_options(${target} PRIVATE $<$<CONFIG:Release>:-O0>)
 endfunction()
