@@ -12,7 +12,7 @@ namespace {
 /// Where the smoke of a fire is after three seconds, by the numbers of its particles.
 std::map<std::uint64_t, Vec3d> smoke_at(int frames_per_second) {
   World world;
-  ProjectileDef mote{.mass = 0.001_g, .diameter = 1_mm, .fidelity = Fidelity::sport_ball()};
+  ProjectileDef mote{.mass = 0.001_g, .diameter = 1_mm, .fidelity = Fidelity::constant_air()};
   mote.fidelity.drag = DragModel::off;  // the emitter says what the air does
   EmitterDef fire;
   fire.kind = world.add_kind(mote).value();

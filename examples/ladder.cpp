@@ -20,7 +20,7 @@ int main() {
 
   const Flight truth = fly(bullet, launch, environment, Fidelity::reference(), {}, until);
   double errors[2] = {};
-  for (const char* preset : {"arcade", "game", "sport_ball", "small_arms", "artillery", "simulation", "reference"}) {
+  for (const char* preset : {"arcade", "game", "constant_air", "small_arms", "artillery", "simulation", "reference"}) {
     const Flight flight = fly(bullet, launch, environment, *fidelity_preset(preset), {}, until);
     const double error = length(flight.end().position - truth.end().position);
     std::printf("%-10s %8.2g m off, %5lld evaluations\n", preset, error,

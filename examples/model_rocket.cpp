@@ -16,7 +16,7 @@ int main() {
   const Launch launch{.elevation = 85_deg, .rail_length = 0.9_m};
   Environment breeze;
   breeze.wind.velocity = {0, 0, 3};  // from the left; the rocket flies with its nose into the air that it meets
-  const Flight flight = fly(rocket, launch, breeze, Fidelity::sport_ball());
+  const Flight flight = fly(rocket, launch, breeze, Fidelity::constant_air());
 
   for (const Event& e : flight.events()) {
     const Sample s = flight.at(e.time);

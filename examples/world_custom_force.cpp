@@ -14,7 +14,7 @@ int main() {
   World world = World::create(def).value();
 
   ProjectileDef particle{.mass = 2_kg};
-  particle.fidelity = Fidelity::sport_ball();  // RK4
+  particle.fidelity = Fidelity::constant_air();  // RK4
   const double speed = 3, turns_per_second = 0.25, omega = 2 * 3.14159265358979 * turns_per_second;
   const ProjectileId id = *world.spawn(particle, {.velocity = Vec3d{speed, 0, 0}});
 

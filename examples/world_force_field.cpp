@@ -15,7 +15,7 @@ int main() {
 
   constexpr std::uint32_t kMetal = 2;
   ProjectileDef ball{.mass = 1_kg, .diameter = 10_cm};
-  ball.fidelity = Fidelity::sport_ball();  // forces need motion `force`: closed forms do not feel them
+  ball.fidelity = Fidelity::constant_air();  // forces need motion `force`: closed forms do not feel them
   const BodyDef metal{.layers = kMetal};
   const double r = 10, v = 2;
   const ProjectileId moon = *world.spawn(ball, {.position = {r, 0, 0}, .velocity = Vec3d{0, v, 0}}, metal);

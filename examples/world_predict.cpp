@@ -12,7 +12,7 @@ int main() {
   grenade.mass = 400_g;
   grenade.diameter = 60_mm;
   grenade.drag.table = DragTable::sphere;
-  grenade.fidelity = Fidelity::sport_ball();
+  grenade.fidelity = Fidelity::constant_air();
   const auto thrown = world.spawn(grenade, {.position = {0, 1.8, 0}, .speed = 25_mps, .elevation = 40_deg});
   if (!thrown) return std::puts(thrown.error().text().c_str()), 1;
   if (!world.add_force({.law = ConstantForce{{0, 0, 0.4}}, .target = ForceTarget::everything(), .delay = 1})) return 1;

@@ -13,7 +13,7 @@ int main() {
   };
   World world;
   ProjectileDef shell = presets::rifle_bullet().projectile;
-  shell.fidelity = Fidelity::sport_ball();
+  shell.fidelity = Fidelity::constant_air();
   for (int i = 0; i < 100; ++i)
     if (!world.spawn(shell, {.position = {0, 2, 0}, .speed = 100_mps, .elevation = 0.01 * i}, {}, 0.02 * i)) return 1;
   if (!world.add_force({.law = CustomForce{wind}, .target = ForceTarget::everything()})) return 1;

@@ -26,10 +26,17 @@ void add_question_options(Command& command, Question& question, bool json) {
                        "Write the answer as JSON; - is the standard output, and then nothing else goes there");
 }
 
+Result<Scenario> load(const ScenarioInput& input) {
+  Result<Scenario> scenario = load_scenario(input.file, input.overrides);
+  if (scenario)
+    for (const std::string& note : scenario->notes) print_warning(note);
+  return scenario;
+}
+
 Result<AskedShot> ask(const Question& question) {
   if (!question.json.empty())
     if (Status status = check_output(question.json); !status) return status.error();
-  Result<Scenario> scenario = load_scenario(question.input.file, question.input.overrides);
+  Result<Scenario> scenario = load(question.input);
   if (!scenario) return scenario.error();
   const Result<std::size_t> index = find_shot(*scenario, question.shot);
   if (!index) return index.error();

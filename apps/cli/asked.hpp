@@ -27,6 +27,8 @@ void add_question_options(Command& command, Question& question, bool json = true
 /// Says that an answer about shots that meet nothing leaves the things of a scenario aside. `answer`: "a range card".
 void warn_of_things(const Scenario& scenario, const std::string& answer);
 /// The scenario, and the shot that was asked for.
+/// Reads the scenario, and prints its notes as warnings.
+[[nodiscard]] Result<Scenario> load(const ScenarioInput& input);
 [[nodiscard]] Result<AskedShot> ask(const Question& question);
 /// ... for an answer about shots that meet nothing: of flights the things are taken out, and a warning says so.
 [[nodiscard]] Result<AskedShot> ask_without_things(const Question& question, const std::string& answer);

@@ -60,6 +60,12 @@ std::string presets_text() {
     for (const auto& preset : presets) row.emplace_back(preset[field].rung);
     table.add_row(std::move(row));
   }
+  std::vector<std::string> tolerances = {"tolerance"};
+  for (const std::string_view preset : fidelity_presets()) {
+    const double tolerance = fidelity_preset(preset)->tolerance;
+    tolerances.push_back(tolerance > 0 ? significant(tolerance, 3) : "-");
+  }
+  table.add_row(std::move(tolerances));
   return table.text() + "\n" + projectiles_text();
 }
 

@@ -259,7 +259,7 @@ Result<int> run(const RunOptions& options) {
     if (Status status = check_gnuplot(); !status) return status.error();
   const auto interval = interval_of(options);
   if (!interval) return interval.error();
-  Result<Scenario> scenario = load_scenario(options.input.file, options.input.overrides);
+  Result<Scenario> scenario = load(options.input);
   if (!scenario) return scenario.error();
   warn_of_triangles(*scenario);
   const bool is_world = scenario->world.given;

@@ -25,6 +25,8 @@ enum class Integrator {
   rk43,                 ///< order 4, adaptive (Sofroniou and Spaletta 2004)
   tsit5,                ///< order 5, adaptive (Tsitouras 2011), dense output of order 4
   dop853,               ///< order 8, adaptive (Dormand and Prince 8(5,3)), dense output of order 7
+  automatic,  ///< rk43 in single flights, which choose their steps; semi_implicit_euler in worlds, whose frames
+              ///< are given, and in flights with Tolerance::step
 };
 
 enum class GravityModel {
@@ -69,6 +71,8 @@ enum class RotationModel {
   magnus,               ///< lift and drag of balls that spin
   modified_point_mass,  ///< spinning shells in their yaw of repose; only the spin is flown with the point (STANAG 4355)
   rigid_body,           ///< six degrees of freedom: the attitude is flown too
+  automatic_point,      ///< the truest above that the projectile's data allow, but no rigid body
+  automatic,            ///< the truest that the projectile's data allow
 };
 
 /// How the attitude of a rigid body is computed.
@@ -112,20 +116,22 @@ struct Fidelity {
   BodyForm body_form = BodyForm::automatic;            ///< of RotationModel::rigid_body [-]
   Precision precision = Precision::float64;            ///< number type of the computation [-]
   Interpolation interpolation = Interpolation::pchip;  ///< of drag curves [-]
-  bool planar = false;                                 ///< confine the flight to the vertical plane of fire [-]
+  double tolerance = 0;  ///< of adaptive integrators, relative, if Tolerance::relative is not given; 1e-15 at least, in
+                         ///< float32 2e-6; 0: 1e-9, in float32 2e-6 [-]
+  bool planar = false;   ///< confine the flight to the vertical plane of fire [-]
   bool aerodynamic_jump = false;  ///< with RotationModel::spin_drift: Litz's deflection by crosswind at the muzzle [-]
   bool original_one_shot_forces = false;  ///< classic only: applied forces act for one frame and never stop [-]
 
   bool operator==(const Fidelity&) const = default;
 
-  static Fidelity arcade();      ///< closed form, vacuum, float32
-  static Fidelity game();        ///< semi-implicit Euler, k1 k2 drag, constant air and wind, float32
-  static Fidelity sport_ball();  ///< RK4, drag equation in constant air and wind
-  static Fidelity small_arms();  ///< Tsit5, drag curves in the standard atmosphere, wind, spin drift
-  static Fidelity artillery();   ///< as small arms, with Newton's gravity and Coriolis
-  static Fidelity simulation();  ///< every effect over a flat Earth, smooth drag curves
-  static Fidelity reference();   ///< simulation with the 8th-order integrator
-  static Fidelity classic();     ///< the original PhySim loop, float32
+  static Fidelity arcade();        ///< closed form, vacuum, float32
+  static Fidelity game();          ///< k1 k2 drag and lift by spin in constant air and wind, float32
+  static Fidelity constant_air();  ///< drag equation, lift by spin or a shell's drift, in constant air and wind
+  static Fidelity small_arms();    ///< the same in the standard atmosphere and any wind
+  static Fidelity artillery();     ///< as small arms, with Newton's gravity and Coriolis
+  static Fidelity simulation();    ///< every effect over a flat Earth, bodies in six degrees of freedom
+  static Fidelity reference();     ///< simulation by the integrator of order 8, as exact as doubles allow
+  static Fidelity classic();       ///< the original PhySim loop, float32
 };
 
 /// The rotation is part of what is flown: a flight knows where the projectile points and how fast it turns.
@@ -133,7 +139,9 @@ PHYSIM_INLINE constexpr bool turns(const Fidelity& f) {
   switch (f.rotation) {
     case RotationModel::none:
     case RotationModel::spin_drift:
-    case RotationModel::magnus: return false;
+    case RotationModel::magnus:
+    case RotationModel::automatic_point:
+    case RotationModel::automatic: return false;  // as asked; what is granted is one of the others
     case RotationModel::modified_point_mass:
     case RotationModel::rigid_body: return true;
   }

@@ -85,6 +85,7 @@ struct Scenario {
   std::vector<ScenarioThing> things{};      ///< [-]
   std::vector<Expectation> expect{};        ///< [-]
   ScenarioStudy study{};                    ///< [-]
+  std::vector<std::string> notes{};         ///< what a reader should know of the file, with its place: former names [-]
 };
 
 /// Reads a scenario file. Each override is "path=value" as on the command line: "environment.gravity.model=off",

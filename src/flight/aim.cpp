@@ -115,7 +115,8 @@ class Aimer {
   // --------------------------------------------------------------------------------------------------------- flights
   /// What all flights share; a step that pilot flights find is found once.
   void prepare() {
-    const Fidelity granted = grant(fidelity_, projectile_, environment_).fidelity;
+    const Fidelity asked = by_steps(fidelity_, options_.flight.step > 0);
+    const Fidelity granted = grant(asked, projectile_, environment_).fidelity;
     Conditions<double> conditions = prepare_conditions(environment_, granted);
     conditions.wind.stepped = false;  // neighbours need to know how wind changes with place: a step would not tell them
     conditions_ = std::make_shared<const Conditions<double>>(conditions);

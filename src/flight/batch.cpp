@@ -5,6 +5,7 @@
 #include "flight/batch_threads.hpp"
 #include "flight/kernels.hpp"
 #include "prepare/check.hpp"
+#include "prepare/grant.hpp"
 
 namespace physim {
 
@@ -72,15 +73,15 @@ void fly_task(const ShotList& shots, const Environment& environment, const Fidel
     result.error = status.error();
     return;
   }
-  const bool may_turn = turns(task.fidelity);
-  if (may_turn) result.attitudes.resize(count);
+  const bool has_attitudes = may_turn(task.fidelity);
+  if (has_attitudes) result.attitudes.resize(count);
   const std::size_t size = part_size(task, runner);
   std::vector<PartResult> parts((count + size - 1) / size);
   if (!parts.empty()) parts[0].events.swap(result.events);  // whose memory is used again
   const auto fly = [&](BatchPart& part, std::size_t i) {
     const std::size_t first = i * size, own = std::min(size, count - first);
     parts[i].shots = std::span(result.shots).subspan(first, own);
-    if (may_turn) parts[i].attitudes = std::span(result.attitudes).subspan(first, own);
+    if (has_attitudes) parts[i].attitudes = std::span(result.attitudes).subspan(first, own);
     parts[i].events.reserve(own);
     part.fly(first, parts[i]);
   };

@@ -25,6 +25,7 @@ FidelityLadder::FidelityLadder(const ProjectileDef& projectile, const Environmen
     : projectile_(projectile), environment_(environment), purpose_(purpose), truth_(purpose.truth) {
   truth_.integrator = kTruest;
   truth_.precision = Precision::float64;
+  truth_.tolerance = 0;  // the purpose has one
   truth_ = grant(truth_, projectile, environment).fidelity;
   truth_ = without_idle_rungs(truth_);
 }

@@ -161,7 +161,7 @@ std::shared_ptr<FlightRecord> record_flight(const ProjectileDef& projectile, con
   if (!elevation) return refuse_at_once(elevation.error());
   auto record = std::make_shared<FlightRecord>(projectile);
   record->elevation = *elevation;
-  prepare(*record, projectile, launch, environment, fidelity);
+  prepare(*record, projectile, launch, environment, by_steps(fidelity, tolerance.step > 0));
   const State<double>& start = record->body.launch;
   if (const Status status = check_fits(start.x, start.v, record->cohort.in_use.fidelity.precision); !status)
     return refuse(status.error(), record);

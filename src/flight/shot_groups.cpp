@@ -31,7 +31,8 @@ bool overshoots(const DragDef& drag, KnownCurve* known) {
 }
 
 unsigned rotation_key(const ProjectileDef& p) {
-  return (has_inertia(p) ? 128u : 0) | (is_axisymmetric(p) ? 256u : 0) | (p.aero.pitching.empty() ? 0 : 2048u);
+  return (has_inertia(p) ? 128u : 0) | (is_axisymmetric(p) ? 256u : 0) | (p.aero.pitching.empty() ? 0 : 2048u) |
+         (p.aero.lift.empty() ? 0 : 4096u);
 }
 
 }  // namespace
@@ -94,7 +95,7 @@ unsigned ShotGroups::grant_key(const ProjectileDef& p, KnownCurve* curve) const 
   return (p.twist == 0 ? 1u : 0) | (p.length <= 0 ? 2u : 0) | (d.k1 == 0 ? 4u : 0) | (d.k2 == 0 ? 8u : 0) |
          (d.damping < 1 ? 16u : 0) | (p.force != Vec3d{} ? 32u : 0) |
          (asked.interpolation == Interpolation::cubic && overshoots(d, curve) ? 64u : 0) |
-         (turns(asked) ? rotation_key(p) : 0) | (has_motor(p) ? 512u : 0) | (has_magnus(p) ? 1024u : 0);
+         (may_turn(asked) ? rotation_key(p) : 0) | (has_motor(p) ? 512u : 0) | (has_magnus(p) ? 1024u : 0);
 }
 
 ShotGroup& ShotGroups::group_of(const ProjectileDef& projectile, KnownCurve* curve) {
@@ -103,7 +104,8 @@ ShotGroup& ShotGroups::group_of(const ProjectileDef& projectile, KnownCurve* cur
   ShotGroup*& known = group_by_key_[key];
   if (known) return *known;
   const Environment environment = task_.granting();
-  const FidelityInUse in_use = grant(task_.fidelity, projectile, environment);
+  const Fidelity asked = by_steps(task_.fidelity, task_.tolerance.step > 0);
+  const FidelityInUse in_use = grant(asked, projectile, environment);
   for (ShotGroup& group : groups_)
     if (group.cohort.in_use.fidelity == in_use.fidelity) return *(known = &group);
   known = &groups_.emplace_back();

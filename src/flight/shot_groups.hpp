@@ -101,7 +101,7 @@ class ShotGroups {
   std::deque<ShotGroup> groups_;
   static constexpr std::size_t kMostKnownCurves = 64;
   std::vector<KnownCurve> known_curves_;
-  std::array<ShotGroup*, 4096> group_by_key_{};
+  std::array<ShotGroup*, 8192> group_by_key_{};
   ShotKind kind_;
   ShotProjectiles projectiles_;
   Launch scratch_;

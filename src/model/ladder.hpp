@@ -53,6 +53,8 @@ PHYSIM_INLINE constexpr IntegratorRow row(Integrator rung) {
     case Integrator::rk43: return {{"rk43", "order 4, adaptive (Sofroniou and Spaletta 2004)", 5}, true};
     case Integrator::tsit5: return {{"tsit5", "order 5, adaptive (Tsitouras 2011)", 6}, true};
     case Integrator::dop853: return {{"dop853", "order 8, adaptive (Dormand and Prince)", 7}, true};
+    case Integrator::automatic:
+      return {{"automatic", "rk43 in flights that choose their steps, semi_implicit_euler in given frames", -1}, false};
   }
   return {};
 }
@@ -168,6 +170,9 @@ PHYSIM_INLINE constexpr RotationRow row(RotationModel rung) {
       return {{"modified_point_mass", "spinning shells in their yaw of repose (STANAG 4355)", 3}, 140, 0};
     case RotationModel::rigid_body:
       return {{"rigid_body", "six degrees of freedom: the attitude is flown too", 4}, 110, 0};
+    case RotationModel::automatic_point:
+      return {{"automatic_point", "the truest that the projectile's data allow, but no rigid body", 5}, 0, 0};
+    case RotationModel::automatic: return {{"automatic", "the truest that the projectile's data allow", 6}, 0, 0};
   }
   return {};
 }

@@ -69,7 +69,9 @@ PHYSIM_NOINLINE void spinning_air(const Conditions<S>& c, const Body<R>& b, cons
   const R parameter = b.ball_radius * side / max(speed * speed, tiny);
   const R area = air.density * b.magnus_area;
   R lift = area * b.lift * b.ball_radius / (b.lift_base + b.lift_saturation * parameter);  // times omega x u
-  Vec3<R> drag = drag_equation(c, b, air, u) - u * (area * speed * (b.drag_per_spin * length(omega)));
+  const bool equation = c.fidelity.drag == DragModel::equation;
+  Vec3<R> drag = equation ? drag_equation(c, b, air, u) : simple_drag(c, b, u);
+  drag -= u * (area * speed * (b.drag_per_spin * length(omega)));
   if (c.has_magnus_tables) {
     R cd = zero, cl = zero;
     table_coefficients(c, b, speed, side / max(speed, tiny), parameter, cd, cl);

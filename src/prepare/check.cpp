@@ -34,6 +34,7 @@ constexpr double kLeastImpulse = 1e-9;    // [N s]
 void check_fidelity(Checker& c, const Fidelity& f) {
   for_each_effect(
       [&]<class Enum>(const char* place, Enum Fidelity::*rung) { c.named(f.*rung, kLastRung<Enum>, place); });
+  c.not_negative(f.tolerance, "fidelity.tolerance", "0: what the precision allows for");
 }
 
 /// Whether all points of a curve are right, by one look without a branch: batches look at one for each shot.
@@ -344,10 +345,12 @@ Status check(const Tolerance& t, const Fidelity& f) {
   if (!c.status_so_far()) return c.status();
   // An adaptive integrator cannot reach an error below a few roundings: it would only shrink its step for ever.
   c.not_negative(t.relative.value_or(0), "tolerance.relative", "").not_negative(t.absolute, "tolerance.absolute", "");
-  const bool adaptive = is_adaptive(f.integrator) && f.motion != Motion::closed_form;
-  c.require(!adaptive || !t.relative || *t.relative >= 4 * row(f.precision).rounding, "tolerance.relative",
-            "lies below rounding",
-            f.precision == Precision::float32 ? "float32 allows 5e-7 at best" : "float64 allows 1e-15 at best");
+  const bool adaptive =
+      f.motion != Motion::closed_form && (f.integrator == Integrator::automatic || is_adaptive(f.integrator));
+  const double least = 4 * row(f.precision).rounding;
+  const char* at_best =
+      f.precision == Precision::float32 ? "float32 allows 5e-7 at best" : "float64 allows 1e-15 at best";
+  c.require(!adaptive || !t.relative || *t.relative >= least, "tolerance.relative", "lies below rounding", at_best);
   c.not_negative(t.step, "tolerance.step", "0: found by a pilot flight");
   c.require(t.step == 0 || t.step >= kShortestStep, "tolerance.step", "is shorter than 1e-9 s",
             "0: found by a pilot flight");

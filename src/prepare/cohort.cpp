@@ -11,8 +11,10 @@ namespace physim {
 template <class S>
 StepPlan<S> prepare_plan(const Tolerance& tolerance, const Fidelity& granted, double step) {
   const bool adaptive = steps_itself(granted);
-  const double most = sizeof(S) == 4 ? 16e6 : 9e15;  // whole numbers that S counts exactly
-  const double relative = tolerance.relative.value_or(sizeof(S) == 4 ? 2e-6 : 1e-9);
+  const double most = sizeof(S) == 4 ? 16e6 : 9e15;    // whole numbers that S counts exactly
+  const double least = sizeof(S) == 4 ? 2e-6 : 1e-15;  // some roundings
+  const double own = granted.tolerance > 0 ? std::max(granted.tolerance, least) : sizeof(S) == 4 ? 2e-6 : 1e-9;
+  const double relative = tolerance.relative.value_or(own);
   return {static_cast<S>(relative), static_cast<S>(tolerance.absolute), static_cast<S>(adaptive ? 0 : step),
           static_cast<S>(std::min(tolerance.max_step, 1e30)),
           static_cast<S>(std::min(static_cast<double>(tolerance.max_steps), most))};

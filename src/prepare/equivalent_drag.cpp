@@ -5,6 +5,12 @@
 #include "prepare/projectile.hpp"
 
 namespace physim {
+namespace {
+
+constexpr double kFall =
+    30;  // what starts at rest in the air gets the drag coefficient of this speed, a fall of 50 m [m/s]
+
+}  // namespace
 
 EquivalentDrag::EquivalentDrag(const ProjectileDef& p, const Body<double>& b, const Conditions<double>& c,
                                std::shared_ptr<TablePool> pool)
@@ -18,8 +24,9 @@ double EquivalentDrag::k2_per_mass(const State<double>& s, double birth) {
   pool_->point(conditions_);
   const Vec3d u = air_velocity(conditions_, body_, birth, s);
   const double speed = length(u);
-  if (speed == 0) return 0;
-  return length(drag_equation(conditions_, body_, air_state(conditions_, body_, s.x), u)) / (speed * speed);
+  const Vec3d probe = speed > 0 ? u : Vec3d{0, -kFall, 0};
+  const double square = speed > 0 ? speed * speed : kFall * kFall;
+  return length(drag_equation(conditions_, body_, air_state(conditions_, body_, s.x), probe)) / square;
 }
 
 }  // namespace physim

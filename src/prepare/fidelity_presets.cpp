@@ -17,35 +17,46 @@ Fidelity Fidelity::arcade() {
 }
 
 Fidelity Fidelity::game() {
-  return {.integrator = Integrator::semi_implicit_euler,
+  return {.integrator = Integrator::automatic,
           .drag = DragModel::linear_quadratic,
           .air = AirModel::constant,
           .wind = WindModel::constant,
-          .precision = Precision::float32};
+          .rotation = RotationModel::automatic_point,
+          .precision = Precision::float32,
+          .tolerance = 1e-4};
 }
 
-Fidelity Fidelity::sport_ball() {
-  return {.integrator = Integrator::rk4, .air = AirModel::constant, .wind = WindModel::constant};
+Fidelity Fidelity::constant_air() {
+  Fidelity fidelity = small_arms();
+  fidelity.air = AirModel::constant;
+  fidelity.wind = WindModel::constant;
+  fidelity.tolerance = 1e-6;
+  return fidelity;
 }
 
-Fidelity Fidelity::small_arms() { return {.rotation = RotationModel::spin_drift}; }
+Fidelity Fidelity::small_arms() {
+  return {.integrator = Integrator::rk43, .rotation = RotationModel::automatic_point, .tolerance = 1e-8};
+}
 
 Fidelity Fidelity::artillery() {
   Fidelity fidelity = small_arms();
   fidelity.gravity = GravityModel::inverse_square;
   fidelity.earth = EarthModel::flat_coriolis;
+  fidelity.interpolation = Interpolation::cubic;
   return fidelity;
 }
 
 Fidelity Fidelity::simulation() {
   Fidelity fidelity = artillery();
-  fidelity.interpolation = Interpolation::cubic;
+  fidelity.rotation = RotationModel::automatic;
+  fidelity.tolerance = 2e-9;
   return fidelity;
 }
 
 Fidelity Fidelity::reference() {
   Fidelity fidelity = simulation();
   fidelity.integrator = Integrator::dop853;
+  fidelity.tolerance = 1e-15;
   return fidelity;
 }
 
@@ -60,12 +71,12 @@ Fidelity Fidelity::classic() {
 
 namespace {
 
-constexpr std::array<std::string_view, 8> kPresetNames = {"arcade",    "game",       "sport_ball", "small_arms",
-                                                          "artillery", "simulation", "reference",  "classic"};
+constexpr std::array<std::string_view, 8> kPresetNames = {"arcade",    "game",       "constant_air", "small_arms",
+                                                          "artillery", "simulation", "reference",    "classic"};
 using Preset = Fidelity (*)();
 constexpr std::array<Preset, kPresetNames.size()> kPresets = {
-    Fidelity::arcade,    Fidelity::game,       Fidelity::sport_ball, Fidelity::small_arms,
-    Fidelity::artillery, Fidelity::simulation, Fidelity::reference,  Fidelity::classic};
+    Fidelity::arcade,    Fidelity::game,       Fidelity::constant_air, Fidelity::small_arms,
+    Fidelity::artillery, Fidelity::simulation, Fidelity::reference,    Fidelity::classic};
 
 }  // namespace
 

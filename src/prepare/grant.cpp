@@ -22,11 +22,13 @@ class Granting {
       : f_(asked), projectile_(projectile), environment_(environment) {}
 
   FidelityInUse run() {
+    f_ = by_steps(f_, false);
     by_environment();
     by_motion();
     by_integrator();
     by_functions();
     by_earth();
+    by_data();
     by_projectile();
     by_rotation();
     by_jump();
@@ -116,6 +118,33 @@ class Granting {
              "the Earth's own GM is used: the standard's g contains the centrifugal acceleration, which is added here");
   }
 
+  /// What an automatic rotation becomes, after motion, integrator and air are settled: the truest model that nothing
+  /// refuses.
+  void by_data() {
+    if (f_.rotation != RotationModel::automatic && f_.rotation != RotationModel::automatic_point) return;
+    const ProjectileDef& p = projectile_;
+    const bool turns_bodies = f_.rotation == RotationModel::automatic;
+    const bool has_air =
+        f_.air != AirModel::vacuum && !(f_.air != AirModel::isa && environment_.atmosphere.density == 0.0);
+    const bool equation = f_.drag == DragModel::equation;
+    const bool free = flies_motors(f_) && !f_.planar && has_air && row(f_.drag).is_force;
+    const bool has_body = free && equation && has_inertia(p) && has_coefficients(p.aero);
+    if (turns_bodies && has_body)
+      return choose(RotationModel::rigid_body, "moments of inertia and coefficients are given");
+    if (free && has_magnus(p)) return choose(RotationModel::magnus, "data of lift by spin are given");
+    if (has_body && is_axisymmetric(p) && p.twist != 0 && !p.aero.pitching.empty())
+      return choose(RotationModel::modified_point_mass, "coefficients of a shell with a twist are given");
+    const bool drifts = has_air && equation && !f_.planar && p.twist != 0;
+    if (drifts && p.length > 0) return choose(RotationModel::spin_drift, "a twist and a length are given");
+    if (drifts) return choose(RotationModel::none, "the drift of a twist needs the projectile's length, too");
+    f_.rotation = RotationModel::none;  // there is nothing to choose from: no note
+  }
+  void choose(RotationModel chosen, const char* reason) {
+    notes_.push_back({"rotation", std::string(name(f_.rotation)), std::string(name(chosen)), reason});
+    f_.rotation = chosen;
+  }
+  static bool has_coefficients(const AeroDef& a) { return !a.lift.empty() || !a.pitching.empty(); }
+
   void by_projectile() {
     const ProjectileDef& p = projectile_;
     if (f_.rotation == RotationModel::spin_drift) {
@@ -180,7 +209,7 @@ class Granting {
     if (!has_magnus(projectile_)) return without_rotation("the projectile has no data of lift by spin");
     if (f_.motion != Motion::force) return without_rotation("only motion 'force' knows lift");
     if (f_.integrator == Integrator::classic) return without_rotation("the original loop knows no lift");
-    if (f_.drag != DragModel::equation) return without_rotation("lift by spin goes with the drag equation");
+    if (!row(f_.drag).is_force) return without_rotation("lift by spin goes with a drag force");
   }
 
   /// A projectile without spin does not jump: nothing is lost.

@@ -29,8 +29,23 @@ struct RungResult {
   Flight flight;
   std::string leaves_out;  // physics of the reference that this rung was not granted
   double error = 0;        // distance between the ends of this flight and the reference [m]
+  double resolved = 0;     // largest, but no less than 1 um, and 1e-8 or some roundings of the greatest distance [m]
+  double largest = 0;      // distance between the two at any equal time [m]
   double time_error = 0;   // difference of the times of flight [s]
   double cost = 0;         // of one fly(), median of several [s]
+  double work = 0;      // steps, rejected ones included, times the operations of one, which are counted in the models:
+                        // the same on every machine [-]
+  std::string doubt{};  // why the rung's model does not hold on this flight; empty: it does
+  std::string beaten_by{};  // a rung of the family that costs no more, by its work, and errs less; empty: none
+  [[nodiscard]] bool holds() const { return doubt.empty(); }
+};
+
+/// A preset as a world steps it.
+struct StepsOfRung {
+  std::string name;
+  double largest = 0;      // distance from the reference at any frame [m]
+  double cost = 0;         // of one step of one projectile among a thousand [s]
+  std::string leaves_out;  // physics of the reference that its flight leaves out; worlds leave out spin drift, too
 };
 
 /// A rung that is not in the table, and why.
@@ -43,6 +58,7 @@ struct Ladder {
   std::string shot;
   std::vector<RungResult> rungs;  // presets from cheap to true, integrators by order, effects; then the reference
   std::vector<RungLeftOut> left_out;
+  std::vector<StepsOfRung> steps;  // presets in a world of 60 steps a second; none if the flight has no such frames
 };
 
 /// A ladder and where its shot comes from.
@@ -51,10 +67,12 @@ struct LadderOfShot {
   const Ladder& ladder;
 };
 
-/// What the others are measured against: the reference preset, with the rotation that the shot asks for.
-[[nodiscard]] FlightSetting reference_setting(const ScenarioShot& shot);
-/// How the ladder flies a preset of fidelity; the preset has to exist.
-[[nodiscard]] FlightSetting preset_setting(const Scenario& scenario, std::string_view preset);
+/// What the others are measured against: the reference preset, with Earth, gravity and rotation that the shot asks for
+/// if those are truer.
+[[nodiscard]] FlightSetting reference_setting(const Scenario& scenario, const ScenarioShot& shot);
+/// How the ladder flies a preset of fidelity, which has to exist: by its own steps and tolerance. Those of the scenario
+/// are of its own rung.
+[[nodiscard]] FlightSetting preset_setting(const Scenario& scenario, const ScenarioShot& shot, std::string_view preset);
 
 /// How a scenario flies its shot: as the shot asks; of one that asks for an error, what is chosen for it. An error
 /// where nothing can be.
@@ -62,6 +80,8 @@ struct LadderOfShot {
 
 /// Flies a shot of a scenario on every rung.
 [[nodiscard]] Result<Ladder> climb(const Scenario& scenario, const ScenarioShot& shot, const Progress& progress = {});
+/// The presets and the reference alone, without measuring times: costs are 0.
+[[nodiscard]] Result<Ladder> climb_presets(const Scenario& scenario, const ScenarioShot& shot);
 
 [[nodiscard]] std::string ladder_text(const LadderOfShot& subject, const Style& style);
 /// A row for each rung.

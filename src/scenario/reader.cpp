@@ -121,12 +121,28 @@ Status read_text(const Entry& entry, const Value& value, std::string& target) {
   return {};
 }
 
-Status read_choice(const Entry& entry, const Value& value, const Choice& choice) {
+/// Names that files of release 0.1 have.
+struct FormerName {
+  std::string_view former, name;
+};
+constexpr FormerName kFormerNames[] = {{"sport_ball", "constant_air"}};
+
+Status read_choice(const Entry& entry, const Value& value, const Choice& choice, Scenario& scenario) {
   PHYSIM_ASSERT(!choice.names.empty());
   const auto* text = value.get<std::string>();
-  if (text != nullptr)
-    for (std::size_t i = 0; i < choice.names.size(); ++i)
-      if (choice.names[i] == *text) return choice.set(i), Status();
+  const auto take = [&](std::string_view name) {
+    const auto found = std::ranges::find(choice.names, name);
+    if (found == choice.names.end()) return false;
+    choice.set(static_cast<std::size_t>(found - choice.names.begin()));
+    return true;
+  };
+  if (text != nullptr && take(*text)) return {};
+  for (const FormerName& known : kFormerNames)
+    if (text != nullptr && *text == known.former && take(known.name)) {
+      const std::string note = std::string(entry.path) + ": " + shown(value) + " is now called \"";
+      scenario.notes.push_back(value.place.text() + ": " + note + std::string(known.name) + "\"");
+      return {};
+    }
   return fault(entry.path, value, "unknown value " + shown(value),
                suggestion(text ? *text : std::string{}, choice.names, "known values"));
 }
@@ -372,7 +388,7 @@ Status read_setting(const SchemaNode& node, const Scope& scope, const Value& val
                           return *target = *value.get<bool>(), Status();
                         },
                         [&](std::string* target) { return read_text(entry, value, *target); },
-                        [&](const Choice& choice) { return read_choice(entry, value, choice); },
+                        [&](const Choice& choice) { return read_choice(entry, value, choice, *scope.scenario); },
                         [&](const Reference& reference) { return read_reference(entry, value, reference); },
                         [&](const Points& points) { return read_points(entry, value, points); },
                         [&](AeroCoefficient* coefficient) { return read_aero(entry, value, *coefficient); },

@@ -180,6 +180,10 @@ constexpr Entry kShotSettings[] = {
     PHYSIM_PROJECTILE(fidelity.body_form, "how the attitude of a rigid body is computed"),
     PHYSIM_PROJECTILE(fidelity.precision, "number type of the computation"),
     PHYSIM_PROJECTILE(fidelity.interpolation, "how a drag curve is read between its points"),
+    PHYSIM_PROJECTILE(fidelity.tolerance,
+                      "relative error of a step of adaptive integrators if tolerance.relative is not given; 1e-15 at "
+                      "least, in float32 2e-6; 0: 1e-9, in float32 2e-6",
+                      at_least(0)),
     PHYSIM_PROJECTILE(fidelity.planar, "confine the flight to the vertical plane of fire"),
     PHYSIM_PROJECTILE(fidelity.aerodynamic_jump,
                       "with rotation spin_drift: crosswind at the muzzle turns the path up or down (Litz)"),

@@ -12,7 +12,7 @@ constexpr double kRpm = kPi / 30;  // [rad/s]
 constexpr double kMph = 0.44704, kYard = 0.9144;
 
 Fidelity spinning() {
-  Fidelity f = Fidelity::sport_ball();
+  Fidelity f = Fidelity::constant_air();
   f.integrator = Integrator::dop853;
   f.rotation = RotationModel::magnus;
   return f;

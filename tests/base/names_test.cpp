@@ -63,11 +63,14 @@ TEST(Names, AreSpelledAsTheEnumerators) {
 
 TEST(FidelityPresets, AreFoundByName) {
   ASSERT_EQ(fidelity_presets().size(), 8U);
-  const std::tuple<std::string_view, Fidelity> presets[] = {
-      {"arcade", Fidelity::arcade()},         {"game", Fidelity::game()},
-      {"sport_ball", Fidelity::sport_ball()}, {"small_arms", Fidelity::small_arms()},
-      {"artillery", Fidelity::artillery()},   {"simulation", Fidelity::simulation()},
-      {"reference", Fidelity::reference()},   {"classic", Fidelity::classic()}};
+  const std::tuple<std::string_view, Fidelity> presets[] = {{"arcade", Fidelity::arcade()},
+                                                            {"game", Fidelity::game()},
+                                                            {"constant_air", Fidelity::constant_air()},
+                                                            {"small_arms", Fidelity::small_arms()},
+                                                            {"artillery", Fidelity::artillery()},
+                                                            {"simulation", Fidelity::simulation()},
+                                                            {"reference", Fidelity::reference()},
+                                                            {"classic", Fidelity::classic()}};
   for (std::size_t i = 0; i < 8; ++i) {
     const auto& [name, fidelity] = presets[i];
     EXPECT_EQ(fidelity_presets()[i], name);
@@ -81,21 +84,31 @@ TEST(FidelityPresets, SayWhatTheyPromise) {
   EXPECT_EQ(Fidelity::arcade().motion, Motion::closed_form);
   EXPECT_EQ(Fidelity::arcade().drag, DragModel::off);
   EXPECT_EQ(Fidelity::arcade().air, AirModel::vacuum);
-  EXPECT_EQ(Fidelity::game().integrator, Integrator::semi_implicit_euler);
+  EXPECT_EQ(Fidelity::game().integrator, Integrator::automatic);
   EXPECT_EQ(Fidelity::game().drag, DragModel::linear_quadratic);
   EXPECT_EQ(Fidelity::game().precision, Precision::float32);
-  EXPECT_EQ(Fidelity::sport_ball().integrator, Integrator::rk4);
-  EXPECT_EQ(Fidelity::sport_ball().precision, Precision::float64);
-  EXPECT_EQ(Fidelity::small_arms().rotation, RotationModel::spin_drift);
+  EXPECT_EQ(Fidelity::constant_air().air, AirModel::constant);
+  EXPECT_EQ(Fidelity::constant_air().precision, Precision::float64);
+  EXPECT_EQ(Fidelity::small_arms().rotation, RotationModel::automatic_point);
   EXPECT_EQ(Fidelity::small_arms().gravity, GravityModel::constant);
-  EXPECT_EQ(Fidelity::small_arms().interpolation, Interpolation::pchip);
+  EXPECT_EQ(Fidelity::small_arms().interpolation, Interpolation::pchip) << "range cards of others are made so";
   EXPECT_EQ(Fidelity::artillery().earth, EarthModel::flat_coriolis);
   EXPECT_EQ(Fidelity::artillery().gravity, GravityModel::inverse_square);
   EXPECT_EQ(Fidelity::simulation().interpolation, Interpolation::cubic);
-  EXPECT_EQ(Fidelity::simulation().integrator, Integrator::tsit5);
+  EXPECT_EQ(Fidelity::simulation().rotation, RotationModel::automatic);
+  for (const Fidelity& preset :
+       {Fidelity::constant_air(), Fidelity::small_arms(), Fidelity::artillery(), Fidelity::simulation()})
+    EXPECT_EQ(preset.integrator, Integrator::rk43);
+  double before = 1;  // each is at least as exact as the one before
+  for (const std::string_view name : {"game", "constant_air", "small_arms", "artillery", "simulation", "reference"}) {
+    const double tolerance = fidelity_preset(name)->tolerance;
+    EXPECT_LE(tolerance, before) << name;
+    before = tolerance;
+  }
   Fidelity reference = Fidelity::reference();
   EXPECT_EQ(reference.integrator, Integrator::dop853);
-  reference.integrator = Integrator::tsit5;
+  reference.integrator = Integrator::rk43;
+  reference.tolerance = Fidelity::simulation().tolerance;
   EXPECT_EQ(reference, Fidelity::simulation());
   EXPECT_EQ(Fidelity::classic().motion, Motion::velocity);
   EXPECT_EQ(Fidelity::classic().integrator, Integrator::classic);

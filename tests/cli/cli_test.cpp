@@ -24,7 +24,7 @@ diameter = "0.1 m"
 drag = { table = "constant", coefficient = 0.4 }
 speed = "40 m/s"
 elevation = "30 deg"
-fidelity = "sport_ball"
+fidelity = "constant_air"
 [output]
 ranges = ["20 m", "50 m", "900 m"]
 )";
@@ -105,7 +105,7 @@ TEST(CliRun, PrintsARangeCard) {
   const Ran ran = physim({"run", folder.write("ball.toml", kBall)});
   EXPECT_EQ(ran.code, 0) << ran.err;
   EXPECT_EQ(ran.err, "");
-  for (const char* part : {"A ball, it's {x} \"thrown\"", "sport_ball", "range [m]",
+  for (const char* part : {"A ball, it's {x} \"thrown\"", "constant_air", "range [m]",
                            "height [m]  windage [m]  time [s]", "not reached", "landed", "apex", "cost"})
     EXPECT_TRUE(has(ran.out, part)) << part << "\n" << ran.out;
 }
@@ -196,7 +196,7 @@ TEST(CliRun, JsonHoldsResultAndProvenance) {
   const auto& shot = json.at("shots").at(0);
   EXPECT_EQ(shot.at("name"), "ball");
   EXPECT_EQ(shot.at("outcome"), "landed");
-  EXPECT_EQ(shot.at("fidelity_asked").at("integrator"), "rk4");
+  EXPECT_EQ(shot.at("fidelity_asked").at("integrator"), "rk43");
   EXPECT_EQ(shot.at("fidelity_granted").at("precision"), "float64");
   EXPECT_GT(shot.at("cost").at("evaluations"), 0);
   EXPECT_EQ(shot.at("range_card").size(), 2U);
@@ -407,9 +407,9 @@ TEST(CliCompare, ListsRungsFromPresetsToTheReference) {
   ASSERT_EQ(ran.code, 0) << ran.err;
   const std::vector<std::string> lines = lines_of(ran.out);
   ASSERT_GT(lines.size(), 20U);
-  EXPECT_EQ(
-      lines[0],
-      "shot, family, rung, error [m], time error [s], steps [-], evaluations [-], cost [us], outcome, leaves out");
+  EXPECT_EQ(lines[0],
+            "shot, family, rung, error [m], at worst [m], time error [s], steps [-], evaluations [-], cost [us], work "
+            "[operations], beaten by, outcome, leaves out");
   EXPECT_TRUE(lines[1].starts_with("ball, presets, arcade, ")) << lines[1];
   EXPECT_TRUE(lines.back().starts_with("ball, reference, reference, 0, 0, ")) << lines.back();
   for (const char* part : {"rk4 10 ms", "tsit5 1e-9", "dop853 1e-12", "no drag", "float32"})

@@ -140,7 +140,7 @@ mass = "10 g"
 diameter = "7.62 mm"
 drag = { coefficient = 0.3 }
 speed = "800 m/s"
-fidelity = "sport_ball"
+fidelity = "constant_air"
 [[shot]]
 name = "rocket"
 )" + test::kRocketLines +

@@ -60,7 +60,7 @@ void add_flights() {
       .mass = 168_gr, .diameter = 7.82_mm, .drag = {.table = DragTable::g7, .ballistic_coefficient = 0.218_lb_in2}};
   Launch launch{.position = {0, 1.5, 1e-310}, .speed = 800_mps, .elevation = 0.3_deg};
   const Environment windy{.wind = {.velocity = {0.3, 0, -4}}};
-  for (const Fidelity& f : {Fidelity::arcade(), Fidelity::game(), Fidelity::sport_ball(), Fidelity::small_arms(),
+  for (const Fidelity& f : {Fidelity::arcade(), Fidelity::game(), Fidelity::constant_air(), Fidelity::small_arms(),
                             Fidelity::simulation(), Fidelity::classic()}) {
     add(fly(bullet, launch, windy, f));
     for (const ShotResult& shot : fly_batch(bullet, std::span(&launch, 1), windy, f).shots) add(shot.position);

@@ -147,7 +147,7 @@ TEST(Aim, hits_on_every_rung) {
   const Target target{{900, 60, 25}};
   for (const EarthModel earth :
        {EarthModel::flat, EarthModel::flat_coriolis, EarthModel::sphere_rotating, EarthModel::ellipsoid})
-    for (const Fidelity& preset : {Fidelity::game(), Fidelity::sport_ball(), Fidelity::small_arms(),
+    for (const Fidelity& preset : {Fidelity::game(), Fidelity::constant_air(), Fidelity::small_arms(),
                                    Fidelity::artillery(), Fidelity::simulation(), Fidelity::reference()}) {
       Fidelity f = preset;
       f.precision = Precision::float64;
@@ -355,7 +355,7 @@ TEST(AimRocket, from_rest_hits_where_flown_rockets_came_by) {
   const ProjectileDef p = rocket_from_rest();
   Environment e;
   e.wind.velocity = {1, 0, -3};
-  for (const Fidelity& f : {Fidelity::sport_ball(), Fidelity::small_arms()})
+  for (const Fidelity& f : {Fidelity::constant_air(), Fidelity::small_arms()})
     for (const double elevation : {0.3, 0.8, 1.3})
       for (const double azimuth : {0.0, -2.2}) {
         Launch launch{.position = {3, 1, -2}, .elevation = elevation, .azimuth = azimuth, .rail_length = 1.5};
@@ -378,7 +378,7 @@ TEST(AimRocket, from_rest_hits_where_flown_rockets_came_by) {
 
 TEST(AimRocket, what_is_too_far_is_told_and_balls_still_need_a_speed) {
   const ProjectileDef p = rocket_from_rest();
-  const Fidelity f = Fidelity::sport_ball();
+  const Fidelity f = Fidelity::constant_air();
   const auto far = aim(p, {.rail_length = 1}, {}, f, {.position = {5000, 0, 0}});
   ASSERT_TRUE(far);
   EXPECT_FALSE(far->in_reach());

@@ -184,7 +184,7 @@ TEST(Columns, what_no_column_gives_stands_in_common) {
   expect_as_batch(bullet_308(), from, {}, Fidelity::small_arms(), {}, {.range = 150}, nullptr, "zeroed");
   from.common.sight = {};
   from.common.spin.backspin = 100;
-  Fidelity spinning = Fidelity::sport_ball();
+  Fidelity spinning = Fidelity::constant_air();
   expect_as_batch(bullet_308(), from, {}, spinning, {}, {}, nullptr, "spinning");
   from.common.rail_length = 1;
   expect_as_batch(bullet_308(), from, {}, Fidelity::simulation(), {}, {}, nullptr, "on a rail");

@@ -14,6 +14,7 @@ constexpr double kG = 9.80665, kDegree = 3.14159265358979323846 / 180;
 
 Fidelity simple(GravityModel gravity) {
   Fidelity fidelity = Fidelity::simulation();
+  fidelity.integrator = Integrator::tsit5;
   fidelity.gravity = gravity;
   fidelity.earth = EarthModel::flat;
   return fidelity;

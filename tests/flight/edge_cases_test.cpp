@@ -32,7 +32,7 @@ TEST(EdgeCases, a_level_shot_from_the_ground_has_landed) {
 }
 
 TEST(EdgeCases, a_shot_that_never_leaves_the_underground_lands_at_its_apex) {
-  for (const auto preset : {"arcade", "sport_ball", "simulation", "reference"}) {
+  for (const auto preset : {"arcade", "constant_air", "simulation", "reference"}) {
     const Shot shot{{}, {.position = {0, -100, 0}, .speed = 10, .elevation = 1.5707963267948966}};
     const Flight flight = fly(shot.projectile, shot.launch, {}, *fidelity_preset(preset));
     EXPECT_EQ(flight.outcome(), Outcome::landed) << preset;
@@ -46,7 +46,7 @@ TEST(EdgeCases, thrust_lifts_a_level_shot_off_the_ground) {
   ProjectileDef rocket;
   rocket.force = {0, 2 * kG, 0};
   rocket.force_duration = 1;
-  const Flight flight = fly(rocket, {.speed = 10}, still(0), Fidelity::sport_ball());
+  const Flight flight = fly(rocket, {.speed = 10}, still(0), Fidelity::constant_air());
   EXPECT_EQ(flight.outcome(), Outcome::landed);
   // Up with g for 1 s, then a lob from g/2 with speed g: t = 1 + (1 + sqrt(2)).
   EXPECT_NEAR(flight.duration(), 2 + std::sqrt(2.0), 2e-3);
@@ -93,7 +93,7 @@ TEST(EdgeCases, the_start_counts_as_a_crossing_of_its_height_only_for_any_direct
 }
 
 TEST(EdgeCases, a_zero_beyond_thirty_degrees_is_found) {
-  Fidelity f = Fidelity::sport_ball();
+  Fidelity f = Fidelity::constant_air();
   f.drag = DragModel::off;
   const auto elevation = zero_elevation({}, {.speed = 100}, still(0), f, 950);
   ASSERT_TRUE(elevation) << elevation.error().text();
@@ -140,7 +140,7 @@ TEST(EdgeCases, derived_k2_equals_the_drag_equation_at_launch_with_wind_and_band
   p.drag = {.table = DragTable::g7, .bands = {{0, 100}, {600, 200}}};
   Environment e = still(1.2);
   e.wind.velocity = {-20, 0, 5};
-  Fidelity exact = Fidelity::sport_ball();
+  Fidelity exact = Fidelity::constant_air();
   Fidelity cheap = Fidelity::game();
   cheap.precision = exact.precision;
   const Launch launch{.speed = 800, .elevation = 0.3};

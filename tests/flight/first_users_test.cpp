@@ -112,7 +112,7 @@ TEST(FirstUsers, models_beyond_where_they_hold_say_so) {
   windy.wind.velocity = {0, 0, 8};
   const Launch up{.speed = 1, .elevation = 1.5, .rail_length = 1};
   EXPECT_TRUE(has_note(fly(rocket, up, windy, Fidelity::simulation()), "rotation", "follows the air at once"));
-  EXPECT_FALSE(has_note(fly(rocket, up, {}, Fidelity::simulation()), "rotation", ""));
+  EXPECT_FALSE(has_note(fly(rocket, up, {}, Fidelity::simulation()), "rotation", "follows the air at once"));
 }
 
 TEST(FirstUsers, an_apex_that_ends_the_flight_is_told_once) {

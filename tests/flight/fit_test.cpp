@@ -92,9 +92,9 @@ TEST(Fit, without_a_ballistic_coefficient_the_form_factor_is_fitted) {
   ProjectileDef p{.mass = 0.0459, .diameter = 0.0427};
   p.drag.coefficient = 0.3;
   const Launch launch{.speed = 60, .elevation = 0.2};
-  auto data = measured(p, launch, {}, Fidelity::sport_ball(), {20, 60, 100});
+  auto data = measured(p, launch, {}, Fidelity::constant_air(), {20, 60, 100});
   p.drag.form_factor = 2.5;
-  const auto fit = fit_drag(p, launch, {}, Fidelity::sport_ball(), data);
+  const auto fit = fit_drag(p, launch, {}, Fidelity::constant_air(), data);
   ASSERT_TRUE(fit) << fit.error().text();
   EXPECT_TRUE(near(fit->projectile.drag.form_factor, 1, 1e-4));
 }

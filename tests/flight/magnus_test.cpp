@@ -17,7 +17,7 @@ constexpr double kRpm = 3.14159265358979323846 / 30;
 constexpr double kMph = 0.44704, kYard = 0.9144, kFoot = 0.3048;
 
 Fidelity spinning(Integrator integrator = Integrator::dop853) {
-  Fidelity f = Fidelity::sport_ball();
+  Fidelity f = Fidelity::constant_air();
   f.integrator = integrator;
   f.rotation = RotationModel::magnus;
   return f;
@@ -315,6 +315,8 @@ TEST(Magnus, is_granted_only_where_it_can_be_had) {
   EXPECT_FALSE(granted({}, spinning()).notes.empty());
   Fidelity f = spinning();
   f.drag = DragModel::linear_quadratic;
+  EXPECT_EQ(granted(trochoid_ball(), f).fidelity.rotation, RotationModel::magnus) << "a drag force";
+  f.drag = DragModel::damping;
   EXPECT_EQ(granted(trochoid_ball(), f).fidelity.rotation, RotationModel::none);
   f = spinning();
   f.motion = Motion::closed_form;

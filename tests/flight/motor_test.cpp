@@ -113,7 +113,7 @@ double error_after(Integrator integrator, int steps) {
   Launch launch;
   launch.elevation = 80 * kDegree;
   launch.rail_length = 0.9;
-  Fidelity f = Fidelity::sport_ball();
+  Fidelity f = Fidelity::constant_air();
   Tolerance tolerance{1e-13, 1e-13, 0};
   f.integrator = Integrator::dop853;
   static const Vec3d exact = fly(p, launch, {}, f, tolerance, {.time = 2.2}).end().position;
@@ -184,7 +184,7 @@ TEST(Motor, drag_differs_while_it_burns_and_grows_as_the_mass_falls) {
   ProjectileDef p = rocket();
   p.drag.coefficient = 0.5;
   p.drag.form_factor = 1.2;
-  Fidelity f = Fidelity::sport_ball();
+  Fidelity f = Fidelity::constant_air();
   f.integrator = Integrator::dop853;
   const auto cd_now = [&](const Flight& flight, double t) {
     const Sample s = flight.at(t);
@@ -276,7 +276,7 @@ TEST(Motor, straight_up_with_drag_as_fehskens_and_malewicki_solved_it) {
   air.atmosphere.model = AirModel::constant;
   air.atmosphere.density = 1.225;
   for (const Integrator integrator : {Integrator::rk4, Integrator::rk43, Integrator::tsit5, Integrator::dop853}) {
-    Fidelity f = Fidelity::sport_ball();
+    Fidelity f = Fidelity::constant_air();
     f.integrator = integrator;
     const Flight flight =
         fly(p, {.elevation = 90 * kDegree, .rail_length = 1}, air, f, {1e-12, 1e-12, 0.007}, {.time = 20});

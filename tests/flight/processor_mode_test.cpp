@@ -117,7 +117,7 @@ TEST(ProcessorMode, OfTheCallerChangesNoAnswerBackwards) {
        }},
       {"max_range, time_to_range, danger_space",
        [&](Bits& bits) {
-         const auto most = max_range(s.bullet, s.launch, s.windy, Fidelity::sport_ball());
+         const auto most = max_range(s.bullet, s.launch, s.windy, Fidelity::constant_air());
          bits << most->elevation << most->range << most->velocity;
          bits << *time_to_range(s.bullet, s.launch, s.windy, Fidelity::small_arms(), 333);
          const auto space = danger_space(fly(s.bullet, s.launch, s.windy, Fidelity::small_arms()), 300, 0.5);

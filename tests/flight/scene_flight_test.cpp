@@ -171,7 +171,7 @@ std::vector<Case> fixed_step_cases() {
     add("classic", Fidelity::classic(), Integrator::classic, precision);
     add("game", Fidelity::game(), Integrator::semi_implicit_euler, precision);
     add("game heun", Fidelity::game(), Integrator::heun, precision);
-    Fidelity spinning = Fidelity::sport_ball();
+    Fidelity spinning = Fidelity::constant_air();
     spinning.rotation = RotationModel::magnus;
     add("ball", spinning, Integrator::rk4, precision);
   }
@@ -231,7 +231,7 @@ TEST(SceneFlight, a_flight_and_a_world_meet_things_alike_to_rounding) {
 TEST(SceneFlight, adaptive_and_rigid_flights_meet_things_as_fine_worlds_do) {
   const Scene scene = room({20, 12, 16}, {.restitution = 0.8, .friction = 0.3});
   ProjectileDef ball = presets::tennis_ball().projectile;
-  ball.fidelity = Fidelity::sport_ball();
+  ball.fidelity = Fidelity::constant_air();
   ProjectileDef brick = test::nasa_brick();
   for (const bool rigid : {false, true}) {
     ProjectileDef p = rigid ? brick : ball;

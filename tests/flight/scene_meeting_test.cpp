@@ -156,7 +156,7 @@ TEST(MeetingFlight, spin_of_a_bounce_bends_the_path_that_follows) {
   Scene floor;
   put(floor, PlaneShape{}, {}, *floor.add_material({.restitution = 0.8, .friction = 1}));
   ProjectileDef p = presets::tennis_ball().projectile;
-  Fidelity fidelity = Fidelity::sport_ball();
+  Fidelity fidelity = Fidelity::constant_air();
   fidelity.precision = Precision::float64;
   fidelity.rotation = RotationModel::magnus;
   Until until = meeting(floor, OnHit::bounce, 0.033);
@@ -287,7 +287,7 @@ TEST(MeetingFlight, an_automatic_step_is_found_up_to_the_first_contact) {
   put(floor, PlaneShape{}, {}, *floor.add_material({.restitution = 0.8, .friction = 0.5}));
   Until until = meeting(floor, OnHit::bounce, 0.03);
   until.time = 3600;  // without the floor it would fall for an hour
-  Fidelity fixed = Fidelity::sport_ball();
+  Fidelity fixed = Fidelity::constant_air();
   fixed.integrator = Integrator::heun;
   const ProjectileDef ball = presets::tennis_ball().projectile;
   const Launch launch{.position = {0, 2, 0}, .speed = 25, .elevation = 0.3};
@@ -338,7 +338,7 @@ TEST(MeetingFlight, random_flights_keep_what_is_promised) {
   for (int run = 0; run < 300; ++run) {
     SCOPED_TRACE(run);
     const Scene scene = cluttered(r);
-    Fidelity f = run % 3 ? Fidelity::sport_ball() : Fidelity::small_arms();
+    Fidelity f = run % 3 ? Fidelity::constant_air() : Fidelity::small_arms();
     f.integrator = test::kIntegrators[run % 8];
     if (run % 5 == 0) f.rotation = RotationModel::magnus;
     if (run % 7 == 0) f.motion = Motion::closed_form;

@@ -16,7 +16,7 @@ WorldDef random_world(Random& r, unsigned threads) {
   def.tolerance.relative = 1e-5;
   def.tolerance.absolute = 1e-5;
   def.threading = {threads, 1};
-  if (r.one_in(2)) def.detail.rungs = {{Fidelity::sport_ball(), 60}, {Fidelity::game()}};
+  if (r.one_in(2)) def.detail.rungs = {{Fidelity::constant_air(), 60}, {Fidelity::game()}};
   return def;
 }
 

@@ -164,7 +164,7 @@ long wrong_impacts(long count, long seed) {
   };
   const Rung rungs[] = {{"closed_form", closed_form()},
                         {"game", Fidelity::game()},
-                        {"sport_ball", Fidelity::sport_ball()},
+                        {"constant_air", Fidelity::constant_air()},
                         {"small_arms", Fidelity::small_arms()},
                         {"rigid_body", rigid_body()}};
   constexpr int kFlights = 200;  // of a world

@@ -13,12 +13,15 @@ struct Asked {
   Fidelity fidelity = Fidelity::simulation();
   ProjectileDef projectile = bullet_308();
   Environment environment;
-  Asked() { environment.wind.profile = {{0, {1, 0, 0}}, {100, {2, 0, 0}}}; }
+  Asked() {
+    fidelity.rotation = RotationModel::spin_drift;
+    environment.wind.profile = {{0, {1, 0, 0}}, {100, {2, 0, 0}}};
+  }
 };
 
 /// Grants, and checks that every field that changed has exactly one note saying from what to what, and why.
 FidelityInUse granted(const Asked& asked) {
-  const FidelityInUse in_use = grant(asked.fidelity, asked.projectile, asked.environment);
+  const FidelityInUse in_use = grant(by_steps(asked.fidelity, true), asked.projectile, asked.environment);
   const Flight flight = fly(asked.projectile, {.speed = 100, .elevation = 0.2}, asked.environment, asked.fidelity,
                             {.step = 0.01}, {.time = 1});
   EXPECT_EQ(flight.fidelity_in_use().fidelity, in_use.fidelity);
@@ -208,9 +211,143 @@ TEST(Grant, never_raises_a_rung) {
     EXPECT_LE(level(f.wind), level(asked.fidelity.wind)) << preset;
     EXPECT_LE(level(f.earth), level(asked.fidelity.earth)) << preset;
     EXPECT_LE(level(f.rotation), level(asked.fidelity.rotation)) << preset;
-    EXPECT_EQ(f.integrator, asked.fidelity.integrator) << preset;
+    const bool is_chosen = asked.fidelity.integrator == Integrator::automatic;
+    EXPECT_EQ(f.integrator, is_chosen ? Integrator::semi_implicit_euler : asked.fidelity.integrator) << preset;
     EXPECT_EQ(f.precision, asked.fidelity.precision) << preset;
   }
+}
+
+/// A spinning bullet with the coefficients that a yaw of repose needs.
+ProjectileDef shell() {
+  ProjectileDef p = bullet_308();
+  p.inertia.moments = {7e-8, 6e-7, 6e-7};
+  p.aero.lift = {{0, 0, 1.6}, {2.5, 0, 2.5}};
+  p.aero.pitching = {{0, 0, 3.5}, {2.5, 0, 3.7}};
+  return p;
+}
+
+TEST(Grant, an_automatic_rotation_is_the_truest_that_the_data_allow) {
+  struct Case {
+    const char* what;
+    ProjectileDef projectile;
+    RotationModel of_points, of_all;
+  };
+  ProjectileDef smooth = bullet_308();
+  smooth.twist = 0;
+  ProjectileDef short_of_length = bullet_308();
+  short_of_length.length = 0;
+  ProjectileDef brick = smooth;  // turns, but the air does nothing to it
+  brick.inertia.moments = {2e-7, 3e-7, 4e-7};
+  ProjectileDef finned = shell();  // no twist: a point of it has no yaw of repose
+  finned.twist = 0;
+  using enum RotationModel;
+  const Case cases[] = {{"ball with lift", presets::golf_ball().projectile, magnus, magnus},
+                        {"bullet with a twist", bullet_308(), spin_drift, spin_drift},
+                        {"bullet without length", short_of_length, none, none},
+                        {"bullet without twist", smooth, none, none},
+                        {"shell with coefficients", shell(), modified_point_mass, rigid_body},
+                        {"finned body with coefficients", finned, none, rigid_body},
+                        {"body without coefficients", brick, none, none}};
+  for (const Case& each : cases) {
+    Asked asked;
+    asked.projectile = each.projectile;
+    for (const RotationModel choice : {automatic_point, automatic}) {
+      asked.fidelity.rotation = choice;
+      const RotationModel expected = choice == automatic ? each.of_all : each.of_points;
+      const FidelityInUse in_use = granted(asked);
+      EXPECT_EQ(in_use.fidelity.rotation, expected) << each.what << ", " << name(choice);
+      const FidelityNote note = note_of(in_use, "rotation");
+      if (expected != none) {
+        EXPECT_EQ(note.asked + " " + note.granted, std::string(name(choice)) + " " + std::string(name(expected)));
+      }
+      // What is chosen is granted without a word where it is asked for by name.
+      asked.fidelity.rotation = expected;
+      EXPECT_EQ(granted(asked).fidelity.rotation, expected) << each.what;
+    }
+  }
+}
+
+TEST(Grant, an_automatic_rotation_of_what_knows_no_lift_is_none) {
+  Asked asked;
+  asked.projectile = presets::golf_ball().projectile;
+  asked.fidelity.rotation = RotationModel::automatic;
+  asked.fidelity.drag = DragModel::linear_quadratic;
+  EXPECT_EQ(granted(asked).fidelity.rotation, RotationModel::magnus) << "a drag force by k1 and k2";
+  for (const DragModel drag : {DragModel::off, DragModel::damping}) {
+    asked.fidelity.drag = drag;
+    EXPECT_EQ(granted(asked).fidelity.rotation, RotationModel::none);
+  }
+  asked.fidelity = Fidelity::simulation();
+  asked.fidelity.motion = Motion::velocity;
+  EXPECT_EQ(granted(asked).fidelity.rotation, RotationModel::none);
+  asked.fidelity = Fidelity::simulation();
+  asked.environment.atmosphere.model = AirModel::vacuum;
+  EXPECT_EQ(granted(asked).fidelity.rotation, RotationModel::none);
+  asked = {};
+  asked.projectile = shell();
+  asked.fidelity = Fidelity::simulation();
+  asked.fidelity.planar = true;
+  EXPECT_EQ(granted(asked).fidelity.rotation, RotationModel::none);
+}
+
+TEST(Grant, an_automatic_integrator_chooses_its_steps_in_flights_and_takes_frames_in_worlds) {
+  const ProjectileDef bullet = bullet_308();
+  const Launch launch{.position = {0, 1.5, 0}, .speed = 800, .elevation = 0.01};
+  Fidelity by_name = Fidelity::game();
+  by_name.integrator = Integrator::rk43;
+  const Flight automatic = fly(bullet, launch, {}, Fidelity::game()), named = fly(bullet, launch, {}, by_name);
+  EXPECT_EQ(automatic.fidelity_in_use().fidelity.integrator, Integrator::rk43);
+  EXPECT_EQ(automatic.end().position, named.end().position);
+  const Flight framed = fly(bullet, launch, {}, Fidelity::game(), {.step = 1.0 / 60});
+  EXPECT_EQ(framed.fidelity_in_use().fidelity.integrator, Integrator::semi_implicit_euler) << "a step is given";
+
+  World world;
+  ProjectileDef kind = bullet;
+  kind.fidelity = Fidelity::game();
+  const auto first = world.spawn(kind, launch);
+  kind.fidelity.integrator = Integrator::semi_implicit_euler;
+  const auto second = world.spawn(kind, launch);
+  ASSERT_TRUE(first && second);
+  for (int i = 0; i < 20; ++i) world.step(1.0 / 60);
+  EXPECT_EQ(world[*first].fidelity_in_use().fidelity.integrator, Integrator::semi_implicit_euler);
+  EXPECT_EQ(world[*first].position(), world[*second].position());
+}
+
+TEST(Grant, a_tolerance_of_a_fidelity_stands_in_where_none_is_given) {
+  const ProjectileDef bullet = bullet_308();
+  const Launch launch{.speed = 800, .elevation = 0.1};
+  Fidelity fidelity = Fidelity::simulation();
+  fidelity.tolerance = 1e-5;
+  Fidelity usual = fidelity;
+  usual.tolerance = 0;
+  const auto end = [&](const Fidelity& f, const Tolerance& tolerance) {
+    return fly(bullet, launch, {}, f, tolerance).end().position;
+  };
+  EXPECT_EQ(end(fidelity, {}), end(usual, {.relative = 1e-5}));
+  EXPECT_EQ(end(fidelity, {.relative = 1e-7}), end(usual, {.relative = 1e-7})) << "the call's own comes first";
+  EXPECT_EQ(end(usual, {}), end(usual, {.relative = 1e-9}));
+  EXPECT_NE(end(fidelity, {}), end(usual, {}));
+  fidelity.precision = usual.precision = Precision::float32;
+  fidelity.tolerance = 1e-12;
+  EXPECT_EQ(end(fidelity, {}), end(usual, {})) << "what float32 can keep";
+  for (const double bad : {-1.0, kNan}) {
+    fidelity.tolerance = bad;
+    const Flight flight = fly(bullet, launch, {}, fidelity);
+    ASSERT_TRUE(flight.error()) << bad;
+    EXPECT_EQ(flight.error()->place, "fidelity.tolerance");
+  }
+}
+
+TEST(Grant, what_starts_at_rest_in_the_air_has_drag_by_k2_too) {
+  ProjectileDef ball = presets::baseball().projectile;
+  const Launch drop{.position = {0, 100, 0}};
+  Environment air;
+  air.atmosphere.model = AirModel::constant;
+  const double in_vacuum = fly(ball, drop, air, Fidelity::arcade()).duration();
+  const double in_air = fly(ball, drop, air, Fidelity::constant_air()).duration();
+  const double in_game = fly(ball, drop, air, Fidelity::game()).duration();
+  EXPECT_GT(in_air - in_vacuum, 0.1);
+  EXPECT_NEAR(in_game, in_air, 0.2 * (in_air - in_vacuum));
 }
 
 TEST(Grant, fidelity_changes_how_and_data_stay) {

@@ -20,7 +20,7 @@ std::vector<EventKind> kinds_of(const WatchList& watch) {
 Conditions<double> constant_air() {
   Environment environment;
   environment.atmosphere.model = AirModel::constant;
-  return prepare_conditions(environment, Fidelity::game());
+  return prepare_conditions(environment, by_steps(Fidelity::game(), true));
 }
 
 Until unguarded() { return {.ground = {}, .time = std::numeric_limits<double>::infinity()}; }

@@ -22,7 +22,7 @@ diameter = "7.3 cm"
 speed = "123.4 ft/s"
 elevation = "13.7 deg"
 position = ["0.1 m", "0.7 ft", "1e-310 m"]
-fidelity = "sport_ball"
+fidelity = "constant_air"
 [[volley]]
 name = "many"
 shot = "ball"

@@ -237,7 +237,7 @@ body = { infinite_mass = true }
 [[shot]]
 name = "bob"
 position = [1, 0, 0]
-fidelity = "sport_ball"
+fidelity = "constant_air"
 [[force]]
 shots = "bob"
 spring = { other = "anchor", stiffness = "39.47841760435743 N/m" }

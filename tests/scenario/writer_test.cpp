@@ -80,7 +80,7 @@ TEST(ScenarioText, SaysWhatDiffersFromDefaultsAndPresets) {
       "name = \"drive\"\n"
       "preset = \"golf_ball\"\n"
       "mass = \"0.05 kg\"\n"
-      "fidelity = { preset = \"sport_ball\", rotation = \"magnus\" }\n"
+      "fidelity = { preset = \"constant_air\", rotation = \"magnus\" }\n"
       "\n[[shot]]\n"
       "name = \"stone\"\n"
       "speed = \"20 m/s\"\n"

@@ -125,7 +125,7 @@ class SoakCall {
   /// Rungs that most worlds have, in any precision.
   Fidelity common_rung() {
     Fidelity f = r_.fidelity();
-    if (r_.one_in(3)) f = r_.coin() ? Fidelity::game() : Fidelity::sport_ball();
+    if (r_.one_in(3)) f = r_.coin() ? Fidelity::game() : Fidelity::constant_air();
     if (r_.one_in(3)) f.integrator = r_.any<Integrator>();
     if (r_.one_in(3)) f.precision = r_.any<Precision>();
     if (r_.one_in(5)) f.rotation = RotationModel::magnus;

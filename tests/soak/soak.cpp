@@ -70,7 +70,7 @@ class Soak {
     def.threading.threads = 3;
     def.threading.rows_per_thread = 256;
     def.pools = {{"all", 4'000'000, WhenFull::refuse}};
-    def.detail.rungs = {{Fidelity::sport_ball(), 80}, {Fidelity::game(), 300}, {Fidelity::arcade()}};
+    def.detail.rungs = {{Fidelity::constant_air(), 80}, {Fidelity::game(), 300}, {Fidelity::arcade()}};
     def.detail.layers = 2;
     auto made = World::create(def);
     if (!made) std::fprintf(stderr, "%s\n", made.error().text().c_str()), std::exit(1);
@@ -166,7 +166,7 @@ class Soak {
   }
 
   const Fidelity rungs_[6] = {Fidelity::arcade(),     Fidelity::game(),       Fidelity::classic(),
-                              Fidelity::sport_ball(), Fidelity::small_arms(), Fidelity::artillery()};
+                              Fidelity::constant_air(), Fidelity::small_arms(), Fidelity::artillery()};
   static constexpr unsigned kCheapRungs = 3;  // the first ones
   std::size_t projectiles_;
   std::mt19937 random_;

@@ -26,7 +26,8 @@ constexpr Promise promise_of(Integrator integrator) {
     case Integrator::dop853: return {8, 7, 4, 8, 8};
     case Integrator::classic:
     case Integrator::explicit_euler:
-    case Integrator::semi_implicit_euler: break;
+    case Integrator::semi_implicit_euler:
+    case Integrator::automatic: break;
   }
   return {1, 0, 256, 512, 256};
 }

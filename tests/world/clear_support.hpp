@@ -92,7 +92,7 @@ inline Pair worlds_over(const Scene& scene) {
 }
 
 inline ProjectileDef some_projectile(Random& r) {
-  const std::array fidelities = {Fidelity::game(), Fidelity::sport_ball(), Fidelity::small_arms(), Fidelity::game()};
+  const std::array fidelities = {Fidelity::game(), Fidelity::constant_air(), Fidelity::small_arms(), Fidelity::game()};
   const int which = r.below(5);
   ProjectileDef p = which == 4 ? test::nasa_brick() : bullet();
   if (which == 4) p.fidelity = test::rigid(Integrator::rk4);

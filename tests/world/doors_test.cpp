@@ -104,7 +104,7 @@ TEST(Doors, enumerators_out_of_range_are_refused) {
   EXPECT_TRUE(names_its_place(world.set_environment(0, environment)));
   EXPECT_FALSE(world.add_environment(environment));
   EXPECT_TRUE(world.step(0.01));
-  EXPECT_EQ(world[id].fidelity_in_use().fidelity.integrator, stone().fidelity.integrator);
+  EXPECT_EQ(world[id].fidelity_in_use().fidelity.integrator, Integrator::semi_implicit_euler);
 }
 
 TEST(Doors, a_name_of_no_value_is_a_question_mark) {

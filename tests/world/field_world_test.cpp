@@ -344,7 +344,7 @@ LoadOptions with_fields() {
 
 World busy_world() {
   World world = make_world(open_world(both()));
-  for (const Fidelity& f : {Fidelity::simulation(), Fidelity::game(), Fidelity::sport_ball(), Fidelity::arcade()}) {
+  for (const Fidelity& f : {Fidelity::simulation(), Fidelity::game(), Fidelity::constant_air(), Fidelity::arcade()}) {
     EXPECT_TRUE(world.spawn(on(f, f.integrator), kLaunch));
     EXPECT_TRUE(world.spawn(on(f, f.integrator), kLaunch, {}, 0.3));
   }

@@ -22,7 +22,7 @@ TEST(Ground, landing_has_the_exact_time_and_place_of_a_flight) {
     for (const Precision precision : {Precision::float32, Precision::float64}) {
       World world = make_world(def);
       ProjectileDef p = bullet();
-      p.fidelity = Fidelity::sport_ball();
+      p.fidelity = Fidelity::constant_air();
       p.fidelity.integrator = integrator;
       p.fidelity.precision = precision;
       const Launch launch{.position = {0, 1.5, 0}, .speed = 100, .elevation = 0.05};
@@ -270,7 +270,7 @@ Rested bounced_to_rest(ProjectileDef p, double dt) {
 }
 
 TEST(Ground, bounces_are_those_of_short_frames_at_any_step) {
-  for (const Fidelity& rung : {Fidelity::game(), Fidelity::sport_ball(), Fidelity::simulation(), Fidelity::arcade()}) {
+  for (const Fidelity& rung : {Fidelity::game(), Fidelity::constant_air(), Fidelity::simulation(), Fidelity::arcade()}) {
     ProjectileDef p;
     p.mass = 0.5;
     p.diameter = 0.1;
@@ -297,7 +297,7 @@ TEST(Ground, a_step_of_minutes_keeps_light_things_where_they_fall) {
   feather.mass = 5e-3;
   feather.diameter = 0.05;
   feather.drag = {.table = DragTable::constant, .coefficient = 1};
-  feather.fidelity = Fidelity::sport_ball();
+  feather.fidelity = Fidelity::constant_air();
   const ProjectileId id = *world.spawn(feather, {.position = {0, 100, 0}, .speed = 30});
   ASSERT_TRUE(world.step(60));
   ASSERT_TRUE(world.step(60));

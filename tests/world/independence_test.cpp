@@ -15,7 +15,7 @@ std::vector<Fidelity> rungs() {
   Fidelity float_isa = Fidelity::artillery();
   float_isa.precision = Precision::float32;
   float_isa.integrator = Integrator::semi_implicit_euler;
-  return {Fidelity::game(),    Fidelity::arcade(),     Fidelity::sport_ball(),
+  return {Fidelity::game(),    Fidelity::arcade(),     Fidelity::constant_air(),
           Fidelity::classic(), Fidelity::simulation(), float_isa};
 }
 
@@ -261,8 +261,8 @@ TEST(Detail, moves_between_rungs_with_hysteresis) {
   def.ground.mode = GroundMode::none;
   def.step = 1.0 / 64;
   ProjectileDef p = bullet();
-  p.fidelity = Fidelity::sport_ball();
-  def.detail.rungs = {{Fidelity::sport_ball(), 100}, {Fidelity::game(), 400}, {Fidelity::arcade()}};
+  p.fidelity = Fidelity::constant_air();
+  def.detail.rungs = {{Fidelity::constant_air(), 100}, {Fidelity::game(), 400}, {Fidelity::arcade()}};
   def.detail.hysteresis = 0.1;
   World world = make_world(def);
   const ProjectileId id = *world.spawn(p, {.position = {0, 1, 0}, .velocity = Vec3d{200, 50, 0}});
@@ -282,7 +282,7 @@ TEST(Detail, moves_between_rungs_with_hysteresis) {
   EXPECT_EQ(world[id].fidelity_in_use().fidelity.motion, Motion::closed_form);
   world.set_observer(world[id].position());
   for (int i = 0; i < 9; ++i) world.step(1.0 / 64);
-  EXPECT_EQ(world[id].fidelity_in_use().fidelity.integrator, Integrator::rk4);
+  EXPECT_EQ(world[id].fidelity_in_use().fidelity.integrator, Integrator::rk43);
 }
 
 }  // namespace world_independence_test

@@ -145,7 +145,7 @@ TEST(Kinds, wind_zones_know_kinds_that_come_and_go) {
   ASSERT_TRUE(world.add_force({.law = WindZone{.velocity = {0, 0, 20}, .low = {-9, -9, -9}, .high = {9, 99, 9}},
                                .target = ForceTarget::everything()}));
   ProjectileDef p = bullet();
-  p.fidelity = Fidelity::sport_ball();
+  p.fidelity = Fidelity::constant_air();
   for (int i = 0; i < 3000; ++i) {
     p.mass = 0.01 * (1 + i % 1500 * 1e-3);
     const ProjectileId id = *world.spawn(p, {.position = {0, 50, 0}, .speed = 10});

@@ -205,7 +205,8 @@ TEST(Life, a_drag_scale_is_that_of_every_rung) {
   const Until until{.ground = {}, .time = 2};
   for (const DragModel drag : {DragModel::damping, DragModel::linear_quadratic, DragModel::equation}) {
     ProjectileDef p = bullet();
-    p.fidelity = Fidelity::sport_ball();
+    p.fidelity = Fidelity::constant_air();
+    p.fidelity.integrator = Integrator::rk4;  // in frames, as the flight beside it
     p.fidelity.drag = drag;
     const Launch launch{.position = {0, 100, 0}, .velocity = Vec3d{300, 20, 5}};
     for (const double scale : {0.0, 0.5, 3.0}) {
@@ -260,7 +261,7 @@ TEST(Life, a_drag_scale_is_in_the_zero) {
   def.ground.mode = GroundMode::none;
   World world = make_world(def);
   ProjectileDef p = bullet();
-  p.fidelity = Fidelity::sport_ball();
+  p.fidelity = Fidelity::constant_air();
   Launch launch{.speed = 500, .sight = {.zero_range = 200}};
   BodyDef body;
   body.drag_scale = 2;

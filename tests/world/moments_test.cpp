@@ -56,7 +56,7 @@ TEST(Moments, rolled_back_worlds_equal_those_that_were_not) {
   ASSERT_TRUE(predicts.restore(agreed));
   EXPECT_EQ(predicts.hash(), knows.hash());
   for (World* w : {&knows, &predicts}) {
-    input(*w, Fidelity::sport_ball());
+    input(*w, Fidelity::constant_air());
     for (int i = 0; i < 30; ++i) w->step(1.0 / 60);
   }
   EXPECT_EQ(predicts.hash(), knows.hash());
@@ -77,7 +77,7 @@ std::vector<Guess> guesses() {
   };
   const auto curve = [](double drag) {
     ProjectileDef p = ball();
-    p.fidelity = Fidelity::sport_ball();
+    p.fidelity = Fidelity::constant_air();
     p.drag = {.table = DragTable::custom, .curve = {{0, drag}, {1, 0.5}, {3, 0.4}}};
     return p;
   };
@@ -118,7 +118,7 @@ TEST(Moments, the_rule_of_a_guess_is_not_in_the_hash) {
   const auto fire = [&shell](World& w) { return w.spawn(shell, {.position = {0, 10, 0}, .speed = 50}).ok(); };
   ASSERT_TRUE(fire(knows) && fire(predicts));
   const Snapshot before = predicts.snapshot();
-  Fidelity smooth = Fidelity::sport_ball();
+  Fidelity smooth = Fidelity::constant_air();
   smooth.interpolation = Interpolation::linear;
   const DragDef other{.table = DragTable::custom, .curve = {{0, 0.2}, {2, 0.4}}};
   ASSERT_TRUE(predicts.spawn({.drag = other, .fidelity = smooth}, {}));
@@ -177,7 +177,7 @@ TEST(Moments, hash_is_that_of_the_state_not_of_the_way_there) {
   EXPECT_EQ(a.hash(), b.hash());
   // To another cohort and back: rows stand in another order now.
   const std::vector<ProjectileId> ids = b.ids();
-  b[ids[0]].set_fidelity(Fidelity::sport_ball());
+  b[ids[0]].set_fidelity(Fidelity::constant_air());
   EXPECT_NE(a.hash(), b.hash());
   b[ids[0]].set_fidelity(ball().fidelity);
   EXPECT_EQ(a.hash(), b.hash());

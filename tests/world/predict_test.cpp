@@ -12,6 +12,13 @@
 namespace physim {
 namespace world_predict_test {
 
+/// Drag in constant air by steps that are the world's frames.
+Fidelity in_frames() {
+  Fidelity f = Fidelity::constant_air();
+  f.integrator = Integrator::rk4;
+  return f;
+}
+
 using test::near;
 
 constexpr double kStep = 1.0 / 60;
@@ -89,7 +96,7 @@ TEST(Predict, rockets_go_on_with_what_is_left_of_their_burn) {
   def.step = kStep;
   World world = make_world(def);
   for (const double delay : {0.0, 0.35})
-    for (const Fidelity& rung : {Fidelity::game(), Fidelity::sport_ball(), Fidelity::simulation()}) {
+    for (const Fidelity& rung : {Fidelity::game(), in_frames(), Fidelity::simulation()}) {
       ProjectileDef p = rocket();
       p.motor.ignition_delay = delay;
       p.fidelity = rung;
@@ -112,7 +119,7 @@ TEST(Predict, rockets_go_on_with_what_is_left_of_their_burn) {
 }
 
 TEST(Predict, is_the_flight_of_what_was_just_launched) {
-  for (const Fidelity& rung : {Fidelity::arcade(), Fidelity::game(), Fidelity::sport_ball()}) {
+  for (const Fidelity& rung : {Fidelity::arcade(), Fidelity::game(), in_frames()}) {
     World world;
     ProjectileDef p = bullet();
     p.fidelity = rung;
@@ -160,7 +167,7 @@ TEST(Predict, other_steps_and_long_frames_of_bouncing_worlds) {
   def.detail = {};
   World world = make_world(def);
   std::map<ProjectileId, Flight> flights;
-  for (const char* preset : {"arcade", "game", "sport_ball", "small_arms"}) {
+  for (const char* preset : {"arcade", "game", "constant_air", "small_arms"}) {
     ProjectileDef p = bullet();
     p.fidelity = *fidelity_preset(preset);
     ASSERT_TRUE(world.spawn(p, {.position = {0, 90, 0}, .speed = 90, .elevation = 0.7}));
@@ -198,7 +205,7 @@ TEST(Predict, many_at_once_end_as_one_by_one) {
 TEST(Predict, ranges_and_events_count_from_where_it_is) {
   World world;
   ProjectileDef p = bullet();
-  for (const Fidelity& rung : {Fidelity::arcade(), Fidelity::sport_ball()}) {
+  for (const Fidelity& rung : {Fidelity::arcade(), in_frames()}) {
     p.fidelity = rung;
     const ProjectileId id = *world.spawn(p, {.position = {0, 20, 0}, .speed = 100});
     for (int i = 0; i < 12; ++i) world.step(kStep);
@@ -260,13 +267,13 @@ TEST(SpawnFlight, goes_on_as_the_flight_does) {
   shell.inertia.moments = {7e-8, 6e-7, 6e-7};
   Fidelity game = Fidelity::game();
   game.precision = Precision::float64;  // in float32 a flight's steps have another length than 1/60 s
-  Fidelity magnus = Fidelity::sport_ball();
+  Fidelity magnus = in_frames();
   magnus.rotation = RotationModel::magnus;
   Fidelity rigid = Fidelity::simulation();
   rigid.rotation = RotationModel::rigid_body;
   rigid.integrator = Integrator::rk4;
   const std::pair<ProjectileDef, Fidelity> cases[] = {
-      {bullet(), game}, {ball, magnus}, {rocket(), Fidelity::sport_ball()}, {shell, rigid}};
+      {bullet(), game}, {ball, magnus}, {rocket(), in_frames()}, {shell, rigid}};
   for (const auto& [p, rung] : cases) {
     SCOPED_TRACE(name(rung.rotation));
     const Launch launch{
@@ -312,7 +319,7 @@ TEST(SpawnFlight, is_recorded) {
     return Status{};
   }));
   ProjectileDef p = rocket();
-  p.fidelity = Fidelity::sport_ball();
+  p.fidelity = in_frames();
   const Flight flight = fly(p, {.speed = 20, .elevation = 1.2});
   ASSERT_TRUE(world.spawn(flight, 0.7));
   EXPECT_FALSE(world.spawn_departed(p, Departure{.age = -1}));
@@ -328,7 +335,7 @@ TEST(SpawnFlight, is_recorded) {
 TEST(SpawnFlight, refuses_what_is_not_on_its_way) {
   World world;
   ProjectileDef p = rocket();
-  p.fidelity = Fidelity::sport_ball();
+  p.fidelity = in_frames();
   const Flight flight = fly(p, {.elevation = 1.2, .rail_length = 3});
   const auto place = [&](const Result<ProjectileId>& id) { return id ? "" : id.error().place; };
   EXPECT_EQ(place(world.spawn(flight, 0.01)), "time") << "on its rail";

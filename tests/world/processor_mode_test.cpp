@@ -62,7 +62,7 @@ void play(Bits& bits, TaskRunner* lent) {
   for (int i = 0; i < 60; ++i) {
     std::ignore = world.advance(0.031);
     if (i == 20) std::ignore = world[ids[0]].apply_impulse({0.01, 0.02, 0.003});
-    if (i == 25) std::ignore = world[ids[3]].set_fidelity(Fidelity::sport_ball());
+    if (i == 25) std::ignore = world[ids[3]].set_fidelity(Fidelity::constant_air());
     if (i == 30) std::ignore = world[ids[6]].set_gravity_scale(0.3);
     for (const Event& e : world.events()) bits << e.time << e.position << e.velocity;
     if (i % 10 == 0)

@@ -17,7 +17,7 @@ inline WorldDef session_world() {
   def.apex_events = true;
   def.step = 1.0 / 60;
   def.pools = {{"few", 40, WhenFull::replace_oldest}, {"many", 400, WhenFull::refuse}};
-  def.detail.rungs = {{Fidelity::sport_ball(), 300, 4}, {Fidelity::game()}};
+  def.detail.rungs = {{Fidelity::constant_air(), 300, 4}, {Fidelity::game()}};
   def.detail.layers = 2;
   def.max_projectiles = 300;
   return def;

@@ -95,7 +95,7 @@ void expect_columns(const World& world) {
 TEST(Reading, columns_are_what_each_tells_itself) {
   World world;
   std::vector<ProjectileId> ids;
-  for (const Fidelity& fidelity : {Fidelity::arcade(), Fidelity::game(), Fidelity::sport_ball()})
+  for (const Fidelity& fidelity : {Fidelity::arcade(), Fidelity::game(), Fidelity::constant_air()})
     for (const Precision precision : {Precision::float32, Precision::float64})
       for (int i = 0; i < 70; ++i) {
         ProjectileDef p = stone();

@@ -87,7 +87,7 @@ TEST(Save, rockets_go_on_with_what_is_left_of_their_burn) {
   rocket.motor.propellant_mass = 0.5;
   for (const double delay : {0.0, 0.35}) {
     rocket.motor.ignition_delay = delay;
-    for (const Fidelity& rung : {Fidelity::game(), Fidelity::sport_ball(), Fidelity::simulation()}) {
+    for (const Fidelity& rung : {Fidelity::game(), Fidelity::constant_air(), Fidelity::simulation()}) {
       rocket.fidelity = rung;
       const Launch launch{.speed = 1, .elevation = 1.4, .rail_length = 2};
       ASSERT_TRUE(world.spawn(rocket, launch));
@@ -106,7 +106,7 @@ TEST(Save, rockets_go_on_with_what_is_left_of_their_burn) {
 TEST(Save, tables_lie_where_they_lay_whatever_was_let_go) {
   World world;
   ProjectileDef p = bullet();
-  p.fidelity = Fidelity::sport_ball();
+  p.fidelity = Fidelity::constant_air();
   for (int i = 0; i < 1200; ++i) {  // kinds with curves of their own come and go
     p.drag = {.table = DragTable::custom, .curve = {{0, 0.1 + 1e-3 * (i % 40)}, {1, 0.5}, {3, 0.4}}};
     p.mass = 0.01 + 1e-6 * i;

@@ -316,7 +316,7 @@ Event first_hit_of_ball(const Scene& scene, const Vec3d& middle, const Vec3d& ve
   World world = make_world(open_space());
   EXPECT_TRUE(world.set_scene(scene));
   ProjectileDef ball = stone();
-  ball.fidelity = Fidelity::sport_ball();
+  ball.fidelity = Fidelity::constant_air();
   const auto id = world.spawn(ball, {.position = middle, .velocity = velocity}, ball_body(0.2));
   EXPECT_TRUE(id);
   EXPECT_TRUE(world.step(1e-3));
@@ -351,7 +351,7 @@ TEST(SceneContact, a_ball_whose_middle_lies_at_a_surface_is_pushed_out_wherever_
       World world = make_world(open_space());
       ASSERT_TRUE(world.set_scene(scene));
       ProjectileDef ball = stone();
-      ball.fidelity = Fidelity::sport_ball();
+      ball.fidelity = Fidelity::constant_air();
       const ProjectileId id =
           *world.spawn(ball, {.position = {0.2, 0.3 + above, 0.1}, .velocity = velocity}, ball_body(0.2));
       ASSERT_TRUE(world.step(1e-3));

@@ -113,7 +113,7 @@ TEST(SceneWorld, every_preset_meets_a_plane_where_it_would_land) {
   Scene scene;
   ASSERT_TRUE(scene.add({.shape = *scene.add_shape(PlaneShape{})}));
   for (const Fidelity& fidelity :
-       {Fidelity::classic(), Fidelity::game(), Fidelity::sport_ball(), Fidelity::small_arms(), Fidelity::artillery()}) {
+       {Fidelity::classic(), Fidelity::game(), Fidelity::constant_air(), Fidelity::small_arms(), Fidelity::artillery()}) {
     WorldDef def;
     World landing = make_world(def);
     def.ground.mode = GroundMode::none;
@@ -145,7 +145,7 @@ TEST(SceneWorld, what_meets_nothing_flies_as_without_a_scene) {
   const ShapeId shape = *scene.add_shape(BoxShape{{1, 1, 1}});
   for (int i = 0; i < 20; ++i) ASSERT_TRUE(scene.add({.shape = shape, .transform = {.position = {20.0 * i, -5, 4}}}));
   for (const Fidelity& fidelity :
-       {Fidelity::classic(), Fidelity::game(), Fidelity::sport_ball(), Fidelity::small_arms(), Fidelity::artillery()}) {
+       {Fidelity::classic(), Fidelity::game(), Fidelity::constant_air(), Fidelity::small_arms(), Fidelity::artillery()}) {
     WorldDef def = no_ground();
     def.environment.atmosphere.model = AirModel::isa;
     World with = make_world(def), without = make_world(def);
@@ -260,7 +260,7 @@ TEST(SceneWorld, nothing_tunnels_and_nothing_is_hit_that_was_missed) {
   closed.drag = DragModel::off;
   Random r(11);
   for (const Sheet& sheet : {Sheet{"mesh", mesh}, Sheet{"field", field}, Sheet{"box", BoxShape{{1, 0.0005, 1}}}})
-    for (const Fidelity& fidelity : {closed, Fidelity::game(), Fidelity::sport_ball(), Fidelity::small_arms()})
+    for (const Fidelity& fidelity : {closed, Fidelity::game(), Fidelity::constant_air(), Fidelity::small_arms()})
       for (const Precision precision : {Precision::float32, Precision::float64}) {
         Scene scene;
         const bool is_field = std::holds_alternative<HeightFieldShape>(sheet.shape);
@@ -302,7 +302,7 @@ TEST(SceneWorld, nothing_tunnels_and_nothing_is_hit_that_was_missed) {
 TEST(SceneWorld, rounding_that_adds_up_from_step_to_step_carries_nothing_through) {
   constexpr double kFar = 1e4, kStep = 1.0 / 64;
   const double spacing = 8192.0 * std::numeric_limits<float>::epsilon();
-  for (const Fidelity& fidelity : {Fidelity::game(), Fidelity::sport_ball()})
+  for (const Fidelity& fidelity : {Fidelity::game(), Fidelity::constant_air()})
     for (const double spacings : {1.55, 1.6, 1.75, 2.6}) {
       Scene scene;
       ASSERT_TRUE(

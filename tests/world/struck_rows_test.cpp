@@ -150,6 +150,7 @@ struct Start {
 template <class S>
 unsigned plain_of(const std::vector<Start>& start, bool bounces) {
   Fidelity f = Fidelity::game();
+  f.integrator = Integrator::semi_implicit_euler;
   f.drag = DragModel::off;
   f.precision = sizeof(S) == 4 ? Precision::float32 : Precision::float64;
   const Prepared p(bullet(), {}, constant_gravity(), f);

@@ -75,7 +75,7 @@ TEST(WorldSize, calls_for_many_do_what_calls_for_each_do) {
   World each = std::move(World::create(small_def()).value());
   const std::vector<Launch> shots = launches(kCount, 1);
   std::vector<ProjectileId> ids(2 * kCount);
-  for (const Fidelity& f : {Fidelity::game(), Fidelity::sport_ball()}) {
+  for (const Fidelity& f : {Fidelity::game(), Fidelity::constant_air()}) {
     const std::size_t first = f == Fidelity::game() ? 0 : kCount;
     const KindId kind = *each.add_kind(ball(f));
     many.spawn(*many.add_kind(ball(f)), shots, std::span(ids).subspan(first, kCount));

@@ -20,7 +20,9 @@ Environment windy() {
 }
 
 std::vector<Fidelity> fixed_rungs() {
-  std::vector<Fidelity> rungs{Fidelity::game(), Fidelity::sport_ball(), Fidelity::classic(), Fidelity::arcade()};
+  std::vector<Fidelity> rungs{Fidelity::game(), Fidelity::constant_air(), Fidelity::classic(), Fidelity::arcade()};
+  rungs[0].integrator = Integrator::semi_implicit_euler;  // which it is in a world
+  rungs[1].integrator = Integrator::rk4;
   for (const Integrator i : {Integrator::classic, Integrator::explicit_euler, Integrator::semi_implicit_euler,
                              Integrator::heun, Integrator::rk4}) {
     for (const DragModel d : {DragModel::off, DragModel::damping, DragModel::linear_quadratic, DragModel::equation}) {

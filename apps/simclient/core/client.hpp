@@ -94,7 +94,7 @@ class Client {
   BottomPanel bottom = BottomPanel::none;
   std::vector<PlotSpec> plots;
   bool plots_selected_alone = false;
-  std::vector<std::string> compared = {"game", "sport_ball", "small_arms"};  // presets, beside the reference
+  std::vector<std::string> compared = {"game", "constant_air", "small_arms"};  // presets, beside the reference
   std::vector<PictureWish> pictures;
   std::optional<Question> question;  // to be answered before anything else
   Dialog dialog = Dialog::none;

@@ -85,8 +85,8 @@ std::vector<ComparedRung> compare_rungs(const Session& session, const ScenarioSh
   const Result<FlightSetting> own = report::own_setting(scenario, shot);
   add("as set", own ? *own : FlightSetting{shot.projectile.fidelity, scenario.tolerance});
   for (const std::string& name : presets)
-    if (name != kTruth && fidelity_preset(name)) add(name, report::preset_setting(scenario, name));
-  const FlightSetting truth = report::reference_setting(shot);
+    if (name != kTruth && fidelity_preset(name)) add(name, report::preset_setting(scenario, shot, name));
+  const FlightSetting truth = report::reference_setting(scenario, shot);
   const Result<Comparison> compared =
       compare(shot.projectile, shot.launch, scenario.environment, settings, truth, scenario.until);
   add(kTruth, truth);

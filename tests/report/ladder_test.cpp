@@ -1,0 +1,142 @@
+// The ladder of presets over every shipped scenario: each rung is worth standing on.
+#include "report/ladder.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <filesystem>
+
+#include "support.hpp"
+
+namespace physim::report {
+namespace report_ladder_test {
+
+/// Rungs that another one beats on a shipped shot, and why that is right.
+struct Beaten {
+  const char* shot;
+  const char* rung;
+  const char* why;
+};
+constexpr Beaten kBeaten[] = {
+    {"308_168gr_six_dof/168gr", "artillery",
+     "cubic curves reject fewer steps than those of small_arms; both err by the yaw "
+     "that a point does not have"},
+    {"free_kick/straight", "constant_air",
+     "game's constant drag coefficient errs against the Coriolis deflection of 1 mm"},
+    {"free_kick/straight", "small_arms", "as constant_air"},
+    {"reich_1831/ellipsoid", "artillery",
+     "the standard's g at sea level, less at this height, is further from the weight "
+     "at this latitude than the standard's g itself"},
+    {"reich_1831/ellipsoid", "simulation", "as artillery"},
+    {"reich_1831/flat-coriolis", "artillery", "as above"},
+    {"reich_1831/flat-coriolis", "simulation", "as above"},
+};
+bool may_be_beaten(const std::string& shot, const RungResult& result) {
+  if (!result.holds()) return true;  // its model does not hold on this flight, which compare says
+  const std::string rung = result.rung.name();
+  if (rung == "classic" || rung == "motion velocity") return true;  // the original's, no rungs of the ladder
+  return std::ranges::any_of(kBeaten, [&](const Beaten& known) { return known.shot == shot && known.rung == rung; });
+}
+
+std::vector<std::string> shipped() {
+  std::vector<std::string> names;
+  for (const auto& entry : std::filesystem::directory_iterator(PHYSIM_SOURCE_DIR "/scenarios"))
+    if (entry.path().extension() == ".toml") names.push_back(entry.path().stem().string());
+  std::ranges::sort(names);
+  return names;
+}
+
+class PresetsOfScenario : public ::testing::TestWithParam<std::string> {};
+
+TEST_P(PresetsOfScenario, presets_cost_more_and_err_less_from_arcade_to_reference_and_none_is_beaten) {
+  const auto scenario = load_scenario(PHYSIM_SOURCE_DIR "/scenarios/" + GetParam() + ".toml");
+  ASSERT_TRUE(scenario) << scenario.error().text();
+  for (const ScenarioShot& shot : scenario->shots) {
+    const auto ladder = climb_presets(*scenario, shot);
+    if (!ladder) continue;  // its reference has no end that can be compared: cli/every_scenario_test.cpp lists those
+    const std::string name = GetParam() + "/" + shot.projectile.name;
+    const RungResult* before = nullptr;
+    for (const RungResult& result : ladder->rungs) {
+      if (may_be_beaten(name, result)) continue;
+      EXPECT_EQ(result.beaten_by, "") << name << ": " << result.rung.name() << " errs " << result.largest << " m by "
+                                      << result.work << " operations";
+      if (before != nullptr) {
+        EXPECT_GE(result.work, before->work) << name << ": " << result.rung.name();
+        EXPECT_LE(result.resolved, 1.01 * before->resolved) << name << ": " << result.rung.name();
+      }
+      before = &result;
+    }
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Ladder, PresetsOfScenario, ::testing::ValuesIn(shipped()),
+                         [](const auto& scenario) { return scenario.param; });
+
+TEST(LadderOfPresets, flies_spin_as_far_as_the_data_go) {
+  struct Case {
+    const char* scenario;
+    RotationModel of_game, of_artillery, of_simulation;
+  };
+  using enum RotationModel;
+  const Case cases[] = {{"golf_drive", magnus, magnus, magnus},
+                        {"curve_ball", magnus, magnus, magnus},
+                        {"free_kick", magnus, magnus, magnus},
+                        {"105mm_m1_six_dof", none, modified_point_mass, rigid_body},
+                        {"308_168gr_six_dof", none, modified_point_mass, rigid_body},
+                        {"308_168gr_g7", none, spin_drift, spin_drift},
+                        {"model_rocket", none, none, none}};
+  for (const Case& each : cases) {
+    const auto scenario = load_scenario(PHYSIM_SOURCE_DIR "/scenarios/" + std::string(each.scenario) + ".toml");
+    ASSERT_TRUE(scenario) << scenario.error().text();
+    const auto ladder = climb_presets(*scenario, scenario->shots.front());
+    ASSERT_TRUE(ladder) << ladder.error().text();
+    const double way = length(ladder->rungs.back().flight.end().position - scenario->shots.front().launch.position);
+    for (const RungResult& result : ladder->rungs) {
+      const std::string rung = result.rung.name();
+      const RotationModel granted = result.flight.fidelity_in_use().fidelity.rotation;
+      if (rung == "game") {
+        EXPECT_EQ(granted, each.of_game) << each.scenario;
+      }
+      if (rung == "artillery") {
+        EXPECT_EQ(granted, each.of_artillery) << each.scenario;
+      }
+      if (rung != "simulation") continue;
+      EXPECT_EQ(granted, each.of_simulation) << each.scenario;
+      EXPECT_LE(result.error, 0.01 * way) << each.scenario;
+    }
+  }
+}
+
+TEST(LadderOfPresets, a_step_of_the_scenario_binds_its_own_rung_alone) {
+  auto scenario = load_scenario(PHYSIM_SOURCE_DIR "/scenarios/105mm_m1_six_dof.toml");
+  ASSERT_TRUE(scenario) << scenario.error().text();
+  ASSERT_GT(scenario->tolerance.step, 0);
+  for (const std::string_view preset : fidelity_presets()) {
+    const Tolerance tolerance = preset_setting(*scenario, scenario->shots.front(), preset).tolerance;
+    EXPECT_EQ(tolerance.step, 0) << preset;
+    EXPECT_EQ(tolerance.max_step, kInfinity) << preset;
+    EXPECT_FALSE(tolerance.relative) << preset;
+    EXPECT_EQ(tolerance.max_steps, scenario->tolerance.max_steps) << preset;
+  }
+}
+
+TEST(LadderOfPresets, drag_that_a_shot_says_by_a_factor_is_kept_on_every_rung) {
+  const auto scenario = load_scenario(PHYSIM_SOURCE_DIR "/scenarios/original_test_1.toml");
+  ASSERT_TRUE(scenario) << scenario.error().text();
+  const auto ladder = climb_presets(*scenario, scenario->shots.front());
+  ASSERT_TRUE(ladder) << ladder.error().text();
+  std::vector<std::string> names;
+  for (const RungResult& result : ladder->rungs) {
+    names.push_back(result.rung.name());
+    const DragModel drag = result.flight.fidelity_in_use().fidelity.drag;
+    EXPECT_EQ(drag, names.back() == "arcade" ? DragModel::off : DragModel::damping) << names.back();
+    if (names.back() == "arcade") {
+      EXPECT_NE(result.leaves_out.find("drag off"), std::string::npos);
+    }
+  }
+  for (const char* original : {"classic", "motion velocity"})
+    EXPECT_NE(std::ranges::find(names, original), names.end()) << original;
+}
+
+}  // namespace report_ladder_test
+}  // namespace physim::report
