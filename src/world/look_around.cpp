@@ -127,8 +127,9 @@ void LookAround::add(std::uint32_t row) {
   if (waiting_.is_full()) look_at_waiting();
   with_row(context_, chunk_, row, [&]<class S>(const RowColumns<S>& c, const CollisionDef& collision) {
     const Way way(c, row);
-    if (context_.scene) {
-      const Ahead rest = known_of_rest(context_, c, row, way, way.beside(context_.dt) + 1e-9, collision);
+    const double beside = way.beside(context_.dt) + 1e-9;
+    if (context_.scene && beside < kInfinity) {  // else it left what numbers can hold, which settling reports
+      const Ahead rest = known_of_rest(context_, c, row, way, beside, collision);
       if (rest == Ahead::unknown && knows_rest(context_)) {
         const TubeAhead ahead = ahead_of_step(context_, way, collision);
         if (ahead.room > 0) return waiting_.add(row, ahead);

@@ -392,6 +392,28 @@ TEST(SceneWorld, a_start_inside_of_something_is_told) {
   EXPECT_EQ(world[id].status(), LifeStatus::landed);
 }
 
+TEST(SceneWorld, what_leaves_all_numbers_beside_a_thing_is_retired) {
+  // Euler steps of drag so strong turn the velocity around and let it grow, until no number holds it.
+  for (const Precision precision : {Precision::float32, Precision::float64}) {
+    WorldDef def;
+    def.ground.mode = GroundMode::none;
+    World world = make_world(def);
+    ASSERT_TRUE(world.set_scene(room({50, 50, 50}, {.restitution = 1, .friction = 0})));
+    ProjectileDef p = stone();
+    p.fidelity = Fidelity::game();
+    p.fidelity.precision = precision;
+    p.drag.k2 = 1000 * p.mass;
+    BodyDef body;
+    body.collision = {.on_hit = OnHit::bounce, .radius = 0.1};
+    const auto kind = world.add_kind(p, body);
+    ASSERT_TRUE(kind) << kind.error().text();
+    const auto id = world.spawn(*kind, {.velocity = Vec3d{3, 0, 0}});
+    ASSERT_TRUE(id) << id.error().text();
+    for (int step = 0; step < 100 && world[*id].is_alive(); ++step) world.step(1.0 / 60);
+    EXPECT_FALSE(world[*id].is_alive());
+  }
+}
+
 TEST(SceneWorld, threads_and_kernels_change_nothing) {
   std::vector<std::uint64_t> hashes;
   for (const unsigned threads : {1u, 2u, 7u}) {
