@@ -166,6 +166,7 @@ double greatest(const Flight& flight, const Measure& measure) {
 void mark_beaten(Ladder& ladder) {
   constexpr double kMicrometre = 1e-6;                  // [m]
   constexpr double kResolved = 1e-8, kRoundings = 128;  // of the flight's greatest distance
+  PHYSIM_ASSERT(!ladder.rungs.empty());
   const Flight& reference = ladder.rungs.back().flight;
   const double extent = greatest(reference, [](const Vec3d& place) { return length(place); });
   for (RungResult& result : ladder.rungs) {

@@ -4,6 +4,8 @@
 #include <chrono>
 #include <vector>
 
+#include "base/assert.hpp"
+
 namespace physim::report {
 namespace {
 
@@ -26,6 +28,7 @@ std::optional<World> world_of(WorldDef def, const ScenarioShot& shot, std::vecto
 }  // namespace
 
 std::optional<double> time_of_step(const WorldDef& def, const ScenarioShot& shot, double dt) {
+  PHYSIM_ASSERT(dt > 0);
   using Clock = std::chrono::steady_clock;
   constexpr int kSteps = 12;
   constexpr double kPatience = 0.1;  // [s]
@@ -45,6 +48,7 @@ std::optional<double> time_of_step(const WorldDef& def, const ScenarioShot& shot
 
 std::optional<double> error_of_steps(const WorldDef& def, const ScenarioShot& shot, double dt,
                                      const Flight& reference) {
+  PHYSIM_ASSERT(dt > 0 && !reference.error());
   constexpr double kMostFrames = 36000;
   const double frames = reference.duration() / dt;
   if (!(frames <= kMostFrames)) return std::nullopt;

@@ -51,7 +51,7 @@ template <class S>
 [[nodiscard]] TubeAhead way_ahead(const SettleContext& context, const State<double>& s, const Vec3d& acceleration,
                                   double beside, const CollisionDef& collision) {
   PHYSIM_ASSERT(knows_rest(context) && context.dt > 0);
-  if (!(beside < kInfinity)) return {};  // the next step leaves what numbers can hold
+  if (!(beside < kInfinity)) return {};    // the next step leaves what numbers can hold
   constexpr double kSteps = 9;             // one of them is at hand, mostly
   constexpr double kSlack = 1.25;          // of the sag: accelerations change
   constexpr double kBeside = 2;            // and so does what a step needs

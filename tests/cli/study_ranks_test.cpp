@@ -51,8 +51,8 @@ Ran mpirun(int ranks, const std::vector<std::string>& program) {
   std::vector<std::string> words = {"--oversubscribe",    "--allow-run-as-root", "--mca", "plm", "isolated", "-n",
                                     std::to_string(ranks)};
   words.insert(words.end(), program.begin(), program.end());
-  // Open MPI leaks some memory. Its hwloc looks for graphics cards on display :0, and ends with the screen in memory of a
-  // test that runs beside this one.
+  // Open MPI leaks some memory. Its hwloc looks for graphics cards on display :0, and ends with the screen in memory of
+  // a test that runs beside this one.
   return run_program(PHYSIM_MPIRUN, words, "", {"ASAN_OPTIONS=detect_leaks=0", "HWLOC_COMPONENTS=-gl"});
 }
 Ran job(int ranks, std::vector<std::string> arguments) {

@@ -165,7 +165,7 @@ class Soak {
     std::erase_if(forces_, [this](ForceId id) { return !world_.is_active(id); });
   }
 
-  const Fidelity rungs_[6] = {Fidelity::arcade(),     Fidelity::game(),       Fidelity::classic(),
+  const Fidelity rungs_[6] = {Fidelity::arcade(),       Fidelity::game(),       Fidelity::classic(),
                               Fidelity::constant_air(), Fidelity::small_arms(), Fidelity::artillery()};
   static constexpr unsigned kCheapRungs = 3;  // the first ones
   std::size_t projectiles_;

@@ -270,7 +270,8 @@ Rested bounced_to_rest(ProjectileDef p, double dt) {
 }
 
 TEST(Ground, bounces_are_those_of_short_frames_at_any_step) {
-  for (const Fidelity& rung : {Fidelity::game(), Fidelity::constant_air(), Fidelity::simulation(), Fidelity::arcade()}) {
+  for (const Fidelity& rung :
+       {Fidelity::game(), Fidelity::constant_air(), Fidelity::simulation(), Fidelity::arcade()}) {
     ProjectileDef p;
     p.mass = 0.5;
     p.diameter = 0.1;

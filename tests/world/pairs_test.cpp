@@ -314,8 +314,9 @@ TEST(Pairs, the_rest_of_the_step_is_flown_with_the_models) {
 TEST(Pairs, every_rung_keeps_momentum_and_parts) {
   WorldDef def;
   def.ground.mode = GroundMode::none;
-  for (const Fidelity& fidelity : {Fidelity::arcade(), Fidelity::game(), Fidelity::constant_air(), Fidelity::small_arms(),
-                                   Fidelity::artillery(), Fidelity::simulation(), Fidelity::classic()})
+  for (const Fidelity& fidelity :
+       {Fidelity::arcade(), Fidelity::game(), Fidelity::constant_air(), Fidelity::small_arms(), Fidelity::artillery(),
+        Fidelity::simulation(), Fidelity::classic()})
     for (const bool forced : {false, true}) {
       World world = make_world(def);
       ProjectileDef p = bullet();

@@ -50,7 +50,8 @@ TEST(ScenePredict, predictions_meet_things_as_the_world_then_does_to_the_bit) {
     std::vector<ProjectileId> ids;
     for (int i = 0; i < 80; ++i) {
       ProjectileDef p = i % 2 ? bullet() : presets::tennis_ball().projectile;
-      const Fidelity rungs[] = {Fidelity::game(), Fidelity::classic(), Fidelity::constant_air(), Fidelity::small_arms()};
+      const Fidelity rungs[] = {Fidelity::game(), Fidelity::classic(), Fidelity::constant_air(),
+                                Fidelity::small_arms()};
       p.fidelity = rungs[i % 4];
       if (i % 4 == 2) p.fidelity.rotation = RotationModel::magnus;
       if (i % 8 == 0 && !pushed) p.fidelity.motion = Motion::closed_form;

@@ -112,8 +112,8 @@ TEST(SceneWorld, a_ball_on_a_plane_bounces_as_on_the_ground) {
 TEST(SceneWorld, every_preset_meets_a_plane_where_it_would_land) {
   Scene scene;
   ASSERT_TRUE(scene.add({.shape = *scene.add_shape(PlaneShape{})}));
-  for (const Fidelity& fidelity :
-       {Fidelity::classic(), Fidelity::game(), Fidelity::constant_air(), Fidelity::small_arms(), Fidelity::artillery()}) {
+  for (const Fidelity& fidelity : {Fidelity::classic(), Fidelity::game(), Fidelity::constant_air(),
+                                   Fidelity::small_arms(), Fidelity::artillery()}) {
     WorldDef def;
     World landing = make_world(def);
     def.ground.mode = GroundMode::none;
@@ -144,8 +144,8 @@ TEST(SceneWorld, what_meets_nothing_flies_as_without_a_scene) {
   Scene scene;
   const ShapeId shape = *scene.add_shape(BoxShape{{1, 1, 1}});
   for (int i = 0; i < 20; ++i) ASSERT_TRUE(scene.add({.shape = shape, .transform = {.position = {20.0 * i, -5, 4}}}));
-  for (const Fidelity& fidelity :
-       {Fidelity::classic(), Fidelity::game(), Fidelity::constant_air(), Fidelity::small_arms(), Fidelity::artillery()}) {
+  for (const Fidelity& fidelity : {Fidelity::classic(), Fidelity::game(), Fidelity::constant_air(),
+                                   Fidelity::small_arms(), Fidelity::artillery()}) {
     WorldDef def = no_ground();
     def.environment.atmosphere.model = AirModel::isa;
     World with = make_world(def), without = make_world(def);
