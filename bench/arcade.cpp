@@ -39,6 +39,18 @@ SteppedWorld ships(std::string name, const Fidelity& fidelity, const std::vector
   return {std::move(name), std::move(world)};
 }
 
+/// As a PointAttractor in the middle of the map, but of the environment: no generator pushes.
+Environment planet_of_environment(double strength) {
+  Environment place = space().environment;
+  place.force = [strength](const FieldForceBatch& batch) {
+    for (std::size_t i = 0; i < batch.mass.size(); ++i) {
+      const double r = length(batch.position[i]);
+      if (r > 0) batch.force[i] = batch.position[i] * (-strength * batch.mass[i] / (r * r * r));
+    }
+  };
+  return place;
+}
+
 /// Towards the middle of the map, across the velocity.
 CustomForce homing() {
   return {[](const ForceBatch& batch) {
@@ -83,6 +95,11 @@ Section arcade_section(const Options& options) {
   worlds.push_back(ships("... and an engine, Euler", rough, {engine}));
   worlds.push_back(ships("... and an engine, RK4", fine, {engine}));
   worlds.push_back(ships("... an engine and a planet, RK4", fine, {engine, planet}));
+  for (const auto& [name, fidelity] : {std::pair{"... a planet by Environment::force, Euler", rough},
+                                       std::pair{"... a planet by Environment::force, RK4", fine}}) {
+    worlds.push_back(ships(name, fidelity));
+    (void)worlds.back().world.set_environment(0, planet_of_environment(500));
+  }
   worlds.push_back(ships("... homing by a function, Euler", rough, {homing()}));
   worlds.push_back(ships("... homing by a function, RK4", fine, {homing()}));
   worlds.push_back(wrapped("space drag, Euler, and a map whose edges meet", rough));
