@@ -13,7 +13,8 @@ constexpr const char* kHelp =
     "physim_bench: how fast PhySim flies, against Boost.odeint and SUNDIALS at equal achieved error,\n"
     "and how fast its worlds step, against the original loop and Bullet\n"
     "  --quick            fewer rounds and flights: under a minute\n"
-    "  --only SECTION     1mm, 1um, mixed, threads, study, allocations, parts, aim, rotation, world or casts\n"
+    "  --only SECTION     1mm, 1um, mixed, threads, study, allocations, parts, aim, rotation, accuracy, arcade,\n"
+    "                     engines, world or casts\n"
     "  --cpu-time         count the time this thread ran, not the clock on the wall: for busy machines\n"
     "  --rounds N         turns of every contender\n"
     "  --json             print JSON\n"
@@ -114,6 +115,12 @@ int run(int count, char** given) {
   if (wanted("parts")) add(micro_section(a.options));
   if (wanted("aim")) add(aim_section(a.options));
   if (wanted("rotation")) add(rotation_section(a.options));
+  if (wanted("accuracy")) {
+    add(switches_section(a.options));
+    add(effects_section(a.options));
+  }
+  if (wanted("arcade")) add(arcade_section(a.options));
+  if (wanted("engines")) add(engines_section(a.options));
   if (wanted("world"))
     for (Section& section : world_sections(a.options)) add(std::move(section));
   if (wanted("casts")) {

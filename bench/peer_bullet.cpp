@@ -1,6 +1,6 @@
-// Bullet 3 with everything off that a user can switch off for shots in free flight: no damping, no sleeping tests, no
-// collision pairs (empty filter), no contact response, one shared shape, one undivided step a frame. Gravity only:
-// drag, which a user would add in a callback, is left out.
+// Bullet 3 with everything off that a user can switch off for shots in free flight: no damping where none is asked for,
+// no sleeping tests, no collision pairs (empty filter), no contact response, one shared shape, one undivided step a
+// frame. Gravity only: drag, which a user would add in a callback, is left out.
 #include <btBulletDynamicsCommon.h>
 
 #include "world_peers.hpp"
@@ -35,7 +35,8 @@ class BulletWorld final : public PeerWorld {
       btRigidBody::btRigidBodyConstructionInfo info(physics.mass, nullptr, &shape_, inertia);
       info.m_startWorldTransform.setIdentity();
       info.m_startWorldTransform.setOrigin(btVector3(p.position[0], p.position[1], p.position[2]));
-      info.m_linearDamping = info.m_angularDamping = 0;
+      info.m_linearDamping = 1 - physics.damping;
+      info.m_angularDamping = 0;
       bodies_.push_back(std::make_unique<btRigidBody>(info));
       btRigidBody& body = *bodies_.back();
       body.setLinearVelocity(btVector3(p.velocity[0], p.velocity[1], p.velocity[2]));

@@ -38,5 +38,13 @@ struct Options {
 [[nodiscard]] Section scene_worlds_section(const Options& options);
 /// Worlds beside the original loop and Bullet; their rungs; what each operation costs; emitters.
 [[nodiscard]] std::vector<Section> world_sections(const Options& options);
+/// Worlds of many rungs beside worlds of one.
+[[nodiscard]] Section switches_section(const Options& options);
+/// What each effect of a bullet costs in a step, and how far off it is without.
+[[nodiscard]] Section effects_section(const Options& options);
+/// Laws that games invent.
+[[nodiscard]] Section arcade_section(const Options& options);
+/// One shot by the rules of other engines, by Cyclone and Bullet, and on PhySim's rungs: error and cost.
+[[nodiscard]] Section engines_section(const Options& options);
 
 }  // namespace physim::bench

@@ -6,6 +6,8 @@
 #include <memory>
 #include <vector>
 
+#include "engine_rules.hpp"
+
 namespace physim::bench {
 
 struct PeerProjectile {
@@ -15,11 +17,12 @@ struct PeerProjectile {
 
 /// Constant gravity, and drag linear and quadratic in speed.
 struct PeerPhysics {
-  float gravity;  // downwards [m/s^2]
-  float mass;     // [kg]
-  float radius;   // [m]
-  float k1;       // [kg/s]
-  float k2;       // [kg/m]
+  float gravity;      // downwards [m/s^2]
+  float mass;         // [kg]
+  float radius;       // [m]
+  float k1;           // [kg/s]
+  float k2;           // [kg/m]
+  float damping = 1;  // part of the velocity that is left after a second; of Bullet and Cyclone alone [-]
 };
 
 /// Many projectiles in free flight.
@@ -39,6 +42,17 @@ class PeerWorld {
 /// Bullet 3: a small sphere for each projectile; with or without its detection of collisions.
 [[nodiscard]] std::unique_ptr<PeerWorld> bullet_world(const PeerPhysics& physics,
                                                       const std::vector<PeerProjectile>& projectiles, bool detection);
+
+/// The rule of an engine, with a damping of `rate` [1/s].
+[[nodiscard]] std::unique_ptr<PeerWorld> rule_world(EngineRule rule, const PeerPhysics& physics, float rate,
+                                                    const std::vector<PeerProjectile>& projectiles);
+
+/// Cyclone's own sources: a damping power where it is below 1, else generators of gravity and drag; null where the
+/// build has none.
+[[nodiscard]] std::unique_ptr<PeerWorld> cyclone_world(const PeerPhysics& physics,
+                                                       const std::vector<PeerProjectile>& projectiles);
+/// What commit they are of; null where the build has none.
+[[nodiscard]] const char* cyclone_commit();
 
 /// A spray of sparks: how many come, how long they live, how fast they start upwards within a cone.
 struct PeerSpray {

@@ -1,5 +1,5 @@
 # physim_bench: speed at equal achieved error, against the solvers that people use (odeint, ARKODE, CVODE); worlds
-# against the original loop and Bullet; scenes against Embree and Bullet.
+# against the original loop and Bullet; scenes against Embree and Bullet; one shot against the rules of other engines.
 find_package(Boost REQUIRED)
 find_path(SUNDIALS_INCLUDE_DIR cvode/cvode.h REQUIRED)
 set(bench_kernels ${bench_sources})
@@ -31,6 +31,23 @@ if(EMBREE_INCLUDE_DIR AND EMBREE_LIBRARY)
 else()
   target_compile_definitions(physim_bench PRIVATE PHYSIM_BENCH_EMBREE=0)
 endif()
+
+# Cyclone is measured where somebody gives a checkout of its sources, which stay where they are.
+set(PHYSIM_CYCLONE "" CACHE STRING "Folder of a checkout of idmillington/cyclone-physics; empty: it is left out")
+set(PHYSIM_CYCLONE_COMMIT "" CACHE STRING "What commit that is")
+set(cyclone_sources core.cpp particle.cpp pcontacts.cpp pfgen.cpp pworld.cpp)
+set(cyclone_definitions PHYSIM_BENCH_CYCLONE=0)
+if(PHYSIM_CYCLONE)
+  list(TRANSFORM cyclone_sources PREPEND "${PHYSIM_CYCLONE}/src/")
+  add_library(physim_bench_cyclone OBJECT ${cyclone_sources})
+  target_include_directories(physim_bench_cyclone PRIVATE ${PHYSIM_CYCLONE}/include)
+  target_compile_options(physim_bench_cyclone PRIVATE -O3 ${PHYSIM_NATIVE} -ffp-contract=fast -w)
+  target_include_directories(physim_bench SYSTEM PRIVATE ${PHYSIM_CYCLONE}/include)
+  target_link_libraries(physim_bench PRIVATE physim_bench_cyclone)
+  set(cyclone_definitions PHYSIM_BENCH_CYCLONE=1 PHYSIM_CYCLONE_COMMIT="${PHYSIM_CYCLONE_COMMIT}")
+endif()
+set_source_files_properties(${PROJECT_SOURCE_DIR}/bench/peer_cyclone.cpp PROPERTIES COMPILE_DEFINITIONS
+                                                                                    "${cyclone_definitions}")
 
 # The peers get every instruction of this machine and fused multiply-add; odeint also flies as our portable files do.
 set(bench_peers ${bench_sources})

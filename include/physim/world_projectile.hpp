@@ -81,6 +81,7 @@ class Projectile : public ProjectileView {
   Projectile(WorldImpl* world, ProjectileId id) : ProjectileView(world, id) {}
 
   Status despawn();
+  /// A jump: it meets nothing on the way, and render_position() goes on behind it as it went before [m].
   Status set_position(const Vec3d& position);
   Status set_velocity(const Vec3d& velocity);
   Status set_state(const BodyState& state);

@@ -160,12 +160,29 @@ void Placement::set_row_state(std::uint32_t index, const BodyState& given) {
   BodyState at = given;
   if (slot.is(kOwn)) at.velocity = component_product(at.velocity, free_axes(state_.extras.own_of(index).frozen));
   const bool closed = registry_.cohort(slot.cohort).key.fidelity.motion == Motion::closed_form;
-  if (closed) return write_row(index, at, {.previous = at.position});  // the clock starts anew
+  if (closed) return refill_row(index, at, {.previous = at.position});  // the clock starts anew
   state_.rows_of(slot).change(slot.row, [&](const auto& c) {
     Rows::put(c.position, slot.row, at.position);
     Rows::put(c.velocity, slot.row, at.velocity);
   });
   state_.rows_of(slot).forget_clear(slot.row);
+}
+
+void Placement::jump(std::uint32_t index, const BodyState& to) {
+  const Slot& slot = state_.slots[index];
+  const Rows& rows = state_.rows_of(slot);
+  const Vec3d way = rows.previous(slot.row) - rows.position(slot.row);
+  set_row_state(index, to);
+  rows.change(slot.row, [&](const auto& c) { Rows::put(c.previous, slot.row, to.position + way); });
+}
+
+void Placement::refill_row(std::uint32_t index, const BodyState& at, const RowStart& start) {
+  const Slot& slot = state_.slots[index];
+  const Rows& rows = state_.rows_of(slot);
+  if (!rows.layout().launched) return write_row(index, at, start);
+  const Vec3d launch = rows.read_fixed([&](const auto& c) { return Rows::at(c.launch, slot.row); });
+  write_row(index, at, start);
+  rows.change(slot.row, [&](const auto& c) { Rows::put(c.launch, slot.row, launch); });
 }
 
 void Placement::take_out(Slot& slot) {
@@ -257,8 +274,8 @@ void Placement::rewrite_row(std::uint32_t index) {
   const bool goes_on =
       state_.rows_of(slot).layout().clocked && registry_.cohort(slot.cohort).key.fidelity.motion != Motion::closed_form;
   const Body<double> old = body_of(slot);
-  write_row(index, state_.state_of(slot),
-            {.previous = state_.rows_of(slot).previous(slot.row), .old = &old, .age = goes_on ? clock_of(slot) : 0});
+  refill_row(index, state_.state_of(slot),
+             {.previous = state_.rows_of(slot).previous(slot.row), .old = &old, .age = goes_on ? clock_of(slot) : 0});
 }
 
 Body<double> Placement::body_of(const Slot& slot) const {

@@ -59,6 +59,9 @@ class Placement {
   [[nodiscard]] bool put_saved(std::uint32_t slot, const std::vector<double>& numbers);
   /// Puts a state into its row; closed forms start anew from it.
   void set_row_state(std::uint32_t slot, const BodyState& at);
+  /// As set_row_state(). The way of the last step is carried along, so that what is drawn between two steps moves on by
+  /// it behind the jump and not across the jump.
+  void jump(std::uint32_t slot, const BodyState& to);
   /// The numbers that the models read of one projectile, and its time since launch as they count it.
   [[nodiscard]] Body<double> body_of(const Slot& slot) const;
   [[nodiscard]] double clock_of(const Slot& slot) const;
@@ -66,6 +69,8 @@ class Placement {
   void rebase(double new_dt);
 
  private:
+  /// Fills a row anew; the place of its launch stays.
+  void refill_row(std::uint32_t slot, const BodyState& at, const RowStart& start);
   void relaunch(std::uint32_t slot);
   Body<double> special_body(std::uint32_t slot, BodyState& at, const RowStart& start);
 

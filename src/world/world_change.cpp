@@ -122,7 +122,7 @@ Status WorldImpl::change_state(ProjectileId id, const BodyState& to) {
   if (!finite(to.velocity)) return not_finite("velocity");
   if (Status status = fits(*slot, to); !status) return status;
   wake(id.index);
-  placement.set_row_state(id.index, to);
+  placement.jump(id.index, to);
   return {};
 }
 
