@@ -110,5 +110,6 @@ void add_max_range_command(Command& program);
 void add_danger_space_command(Command& program);
 void add_fit_command(Command& program);
 void add_study_command(Command& program);
+void add_suvat_command(Command& program);
 
 }  // namespace physim::cli

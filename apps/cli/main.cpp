@@ -50,6 +50,7 @@ void add_commands(Command& program) {
   add_danger_space_command(program);
   add_fit_command(program);
   add_study_command(program);
+  add_suvat_command(program);
   add_validate_command(program);
   add_list_command(program);
   add_replay_command(program);

@@ -41,6 +41,7 @@
 #include "physim/scene_motion.hpp"
 #include "physim/study.hpp"
 #include "physim/study_result.hpp"
+#include "physim/suvat.hpp"
 #include "physim/task_runner.hpp"
 #include "physim/terrain.hpp"
 #include "physim/units.hpp"

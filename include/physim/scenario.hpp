@@ -56,11 +56,12 @@ struct Expectation {
   std::string thing{};          ///< of figures of hits: name of what is hit; empty: all that is hit [-]
   ExpectAt at = ExpectAt::end;  ///< [-]
   double at_value = 0;          ///< time [s], range [m] or height [m]
-  std::string quantity{};       ///< "drop", "windage", "range", "speed", "time", "x", "vy", "mach", "energy", ... [-]
+  std::string quantity{};       ///< "drop", "windage", "range", "speed", "time", "x", "vy", "az", "mach", ... [-]
   double equals = 0;            ///< expected value [SI unit of the quantity]
   double within = 0;            ///< allowed distance [SI unit of the quantity]
   std::string source{};         ///< why it should be true [-]
   std::string place{};          ///< file:line:col [-]
+  bool published = false;       ///< it was published: pictures over time show it as a ring, others as a cross [-]
 };
 
 /// A whole scenario.
@@ -98,7 +99,8 @@ struct Scenario {
 
 /// A scenario as the text of a file: the settings that differ from their defaults, and of its shots from the presets
 /// nearest to them. parse_scenario() reads it back as it was, bit for bit; but shots of a scenario without a [world]
-/// have no settings of their own for worlds: of [shot.body] those that contact_of() reads, where there are things.
+/// have no settings of their own for worlds: of [shot.body] its colour, and those that contact_of() reads where there
+/// are things.
 [[nodiscard]] std::string scenario_text(const Scenario& scenario);
 
 /// Flies a shot of a scenario as it asks for, until the scenario ends it. Without a [world] it meets the scenario's

@@ -7,6 +7,7 @@
 
 #include "physim/aim.hpp"
 #include "physim/fit.hpp"
+#include "physim/suvat.hpp"
 #include "report/flown.hpp"
 #include "report/style.hpp"
 #include "report/text.hpp"
@@ -33,5 +34,8 @@ struct Answer {
 [[nodiscard]] Answer max_range_answer(const AskedShot& asked, const MaxRange& far, const Style& style);
 [[nodiscard]] Answer danger_space_answer(const AskedShot& asked, double range, double height, const DangerSpace& space,
                                          const Style& style);
+
+/// The motions that suvat() found.
+[[nodiscard]] Answer suvat_answer(const SuvatGiven& given, std::span<const Suvat> motions);
 
 }  // namespace physim::report

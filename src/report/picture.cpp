@@ -87,6 +87,11 @@ std::string legend_entry(double x, double y, const std::string& name, const std:
          text_at((x + kLegendLine) / picture_width, y, name, kLegendFont, kInk);
 }
 
+std::string legend_mark(double x, double y, const std::string& name, std::string_view mark, int picture_width) {
+  return "set label '' at screen " + shortest((x + kLegendLine / 2) / picture_width) + "," + shortest(y) + " point " +
+         std::string(mark) + " front\n" + text_at((x + kLegendLine) / picture_width, y, name, kLegendFont, kInk);
+}
+
 bool is_constant(Extent extent) {
   const double size = std::max(std::abs(extent.low), std::abs(extent.high));
   return extent.span() <= std::max(1e-9, 1e-9 * size);

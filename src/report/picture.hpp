@@ -67,6 +67,13 @@ inline constexpr double kLegendGap = 26;  // between entries of a legend [px]
 [[nodiscard]] std::string legend_entry(double x, double y, const std::string& name, const std::string& style,
                                        int picture_width);
 
+/// How figures that a scenario expects are drawn over curves.
+inline constexpr std::string_view kPublishedMark = "pt 6 ps 1.5 lw 1.6 lc rgb '#303030'";  // a ring
+inline constexpr std::string_view kExpectedMark = "pt 1 ps 1.6 lw 1.5 lc rgb '#303030'";   // a cross
+/// A mark and what it stands for, as legend_entry().
+[[nodiscard]] std::string legend_mark(double x, double y, const std::string& name, std::string_view mark,
+                                      int picture_width);
+
 // ------------------------------------------------------------------------------- what parts of its axes a panel shows
 
 struct Extent {

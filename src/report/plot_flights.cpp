@@ -1,9 +1,11 @@
 #include <algorithm>
 
 #include "base/assert.hpp"
+#include "base/text.hpp"
 #include "report/fidelity_text.hpp"
 #include "report/number.hpp"
 #include "report/pictures.hpp"
+#include "report/plot_marks.hpp"
 #include "report/scene_section.hpp"
 #include "report/table.hpp"
 
@@ -76,15 +78,20 @@ Extent extent_of(const std::vector<Curve>& curves, int column) {
 
 class FlightsPicture {
  public:
-  FlightsPicture(const std::string& title, std::span<const FlownShot> shots, const Scene* scene)
-      : title_(title), scene_(scene), shots_(shots.first(std::min(shots.size(), kMaxDrawnShots))), all_(shots.size()) {
+  FlightsPicture(const std::string& title, std::span<const FlownShot> shots, const Scene* scene,
+                 std::span<const Expectation> expected)
+      : title_(title),
+        scene_(scene),
+        shots_(shots.first(std::min(shots.size(), kMaxDrawnShots))),
+        all_(shots.size()),
+        marks_(shots_, expected) {
     for (std::size_t i = 0; i < shots_.size(); ++i) curves_.push_back(curve_of(shots_[i], i));
   }
 
   [[nodiscard]] std::string script() const {
     std::string out = axes_style();
     for (const Curve& curve : curves_) out += datablock_of(curve);
-    out += "set multiplot\n" + path_panel() + "unset arrow\n" + speed_panel();
+    out += marks_.blocks() + "set multiplot\n" + path_panel() + "unset arrow\n" + speed_panel();
     const std::array<std::string_view, 3> axes = {"x", "y", "z"};
     for (int axis = 0; axis < 3; ++axis) {
       const std::string name(axes[static_cast<std::size_t>(axis)]);
@@ -110,7 +117,7 @@ class FlightsPicture {
     if (shots_.size() == 1) {
       const Fidelity& asked = shots_[0].shot->projectile.fidelity;
       const std::string text = one_line(shots_[0].name) + ", fidelity " + preset_name(asked);
-      return out + text_at(kHeaderLeft, kLegendTop, text, 15, kQuiet);
+      return out + text_at(kHeaderLeft, kLegendTop, text, 15, kQuiet) + legend(static_cast<double>(text.size()) * 9.5);
     }
     const std::string count =
         all_ == shots_.size() ? std::to_string(all_) + " shots"
@@ -119,21 +126,35 @@ class FlightsPicture {
   }
 
   struct LegendItem {
-    std::string name;
-    double x = 0;  // [px]
+    std::string name, style;
+    std::string_view mark;  // empty: a line of the style
+    double x = 0;           // [px]
     int row = 0;
   };
 
-  // The names of the shots in rows, from `indent` px on; none longer than so many characters.
-  [[nodiscard]] std::vector<LegendItem> legend_items(double indent, std::size_t characters) const {
+  // What lines and marks stand for; a single shot without a colour of its own has a colour for each row of panels.
+  [[nodiscard]] std::vector<LegendItem> legend_names() const {
     std::vector<LegendItem> items;
+    for (std::size_t i = 0; i < curves_.size() && curves_.size() > 1; ++i)
+      items.push_back({one_line(curves_[i].name), curve_style("2.5", i, colour_of(i, 0)), {}});
+    if (curves_.size() == 1 && has_marks() && own_colour(0) != 0)
+      items.push_back({"computed", curve_style("2.5", 0, colour_of(0, 0)), {}});
+    if (marks_.has_rings()) items.push_back({"published", "", kPublishedMark});
+    if (marks_.has_crosses()) items.push_back({"expected", "", kExpectedMark});
+    return items;
+  }
+  [[nodiscard]] bool has_marks() const { return marks_.has_rings() || marks_.has_crosses(); }
+
+  // ... in rows, from `indent` px on; no name longer than so many characters.
+  [[nodiscard]] std::vector<LegendItem> legend_items(double indent, std::size_t characters) const {
+    std::vector<LegendItem> items = legend_names();
     double x = kHeaderLeft * kWidth + indent + kLegendGap;
     int row = 0;
-    for (const Curve& curve : curves_) {
-      const std::string name = shortened(one_line(curve.name), characters);
-      const double width = legend_width(name);
-      if (x + width > (1 - kHeaderLeft) * kWidth && !items.empty()) x = kHeaderLeft * kWidth, ++row;
-      items.push_back({name, x, row});
+    for (LegendItem& item : items) {
+      item.name = shortened(item.name, characters);
+      const double width = legend_width(item.name);
+      if (x + width > (1 - kHeaderLeft) * kWidth && &item != items.data()) x = kHeaderLeft * kWidth, ++row;
+      item.x = x, item.row = row;
       x += width + kLegendGap;
     }
     return items;
@@ -142,16 +163,25 @@ class FlightsPicture {
   // Below the title, so that neither is ever in the other's way; names are shortened until they fit into two rows.
   [[nodiscard]] std::string legend(double indent) const {
     std::size_t characters = 60;
-    while (characters > 4 && legend_items(indent, characters).back().row > 1) --characters;
-    const std::vector<LegendItem> items = legend_items(indent, characters);
+    std::vector<LegendItem> items = legend_items(indent, characters);
+    while (characters > 4 && !items.empty() && items.back().row > 1) items = legend_items(indent, --characters);
     std::string out;
-    for (std::size_t i = 0; i < items.size(); ++i)
-      out += legend_entry(items[i].x, kLegendTop - items[i].row * kLegendRow, items[i].name,
-                          curve_style("2.5", i, colour_of(i, 0)), kWidth);
+    for (const LegendItem& item : items) {
+      const double y = kLegendTop - item.row * kLegendRow;
+      out += item.mark.empty() ? legend_entry(item.x, y, item.name, item.style, kWidth)
+                               : legend_mark(item.x, y, item.name, item.mark, kWidth);
+    }
     return out;
   }
 
+  // The colour that its body is carried along with, RGBA; 0: none was given.
+  [[nodiscard]] std::uint32_t own_colour(std::size_t shot) const {
+    const std::uint32_t colour = shots_[shot].shot->body.colour;
+    return colour == BodyDef{}.colour ? 0 : colour;
+  }
+
   [[nodiscard]] std::string colour_of(std::size_t shot, int row) const {
+    if (const std::uint32_t own = own_colour(shot); own != 0) return formatted("#%06X", own >> 8);
     return std::string(kPalette[shots_.size() == 1 ? static_cast<std::size_t>(row) : shot % kPalette.size()]);
   }
 
@@ -166,7 +196,7 @@ class FlightsPicture {
       if (!curves_[i].hits.empty())
         out += ", " + curves_[i].block + "hits using 1:2 with points pt 7 ps 1.2 lc rgb " + literal(colour_of(i, row)) +
                " notitle";
-    return out + "\n";
+    return out + (x == kTime ? marks_.plots(y) : "") + "\n";
   }
 
   // Height over distance: to scale where the curve keeps a visible shape, else stretched, and the picture says so.
@@ -197,8 +227,8 @@ class FlightsPicture {
   [[nodiscard]] std::string time_panel(double left, double low, double high, int column, const std::string& label,
                                        int row) const {
     return panel_at(left, left + kPanelWidth, low, high) + range_of("x", time_extent()) +
-           range_of("y", padded(extent_of(curves_, column))) + "unset label\n" + panel_title(label) + "plot " +
-           curves(kTime, column, row);
+           range_of("y", padded(with_marks(extent_of(curves_, column), column))) + "unset label\n" +
+           panel_title(label) + "plot " + curves(kTime, column, row);
   }
 
   [[nodiscard]] std::string speed_panel() const {
@@ -213,6 +243,12 @@ class FlightsPicture {
     return below + time_panel(column_left(column), low, low + kRowHeight, data_column, label, row);
   }
 
+  [[nodiscard]] Extent with_marks(Extent extent, int column) const {
+    const Extent marks = marks_.extent(column);
+    extent.add(marks.low), extent.add(marks.high);
+    return extent;
+  }
+
   [[nodiscard]] Extent time_extent() const {
     const Extent extent = extent_of(curves_, kTime);
     return extent.high > 0 ? Extent{0, extent.high} : Extent{0, 1};
@@ -222,18 +258,21 @@ class FlightsPicture {
   const Scene* scene_;  // null: there is none
   std::span<const FlownShot> shots_;
   std::size_t all_;
+  PlotMarks marks_;
   std::vector<Curve> curves_;
 };
 
 }  // namespace
 
-Picture shots_picture(const std::string& title, std::span<const FlownShot> shots, const Scene* scene) {
-  return {kWidth, kHeight, FlightsPicture(title, shots, scene).script()};
+Picture shots_picture(const std::string& title, std::span<const FlownShot> shots, const Scene* scene,
+                      std::span<const Expectation> expected) {
+  return {kWidth, kHeight, FlightsPicture(title, shots, scene, expected).script()};
 }
 
 Content flights_picture(const Flights& flights) {
   const FlownScenario& flown = flights.flown;
-  return shots_picture(title_of(flown.scenario), flown.shots, flown.scene ? &*flown.scene : nullptr);
+  return shots_picture(title_of(flown.scenario), flown.shots, flown.scene ? &*flown.scene : nullptr,
+                       flown.scenario.expect);
 }
 
 }  // namespace physim::report

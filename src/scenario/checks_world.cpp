@@ -21,16 +21,16 @@ Error needs_world(const std::string& path, const Value& value) {
   return {path + ": there is no [world] for it", value.place.text(), "write [world], and the shots fly in it"};
 }
 
-/// Flights read how a body meets things, and nothing else that is in its tables.
-Status check_contact_keys(const std::string& path, const Value& table) {
+/// Flights read how a body meets things, where there are some, and its colour; nothing else that is in its tables.
+Status check_body_keys(const std::string& path, const Value& table, const Scenario& scenario) {
   const Table* members = table.get<Table>();
   if (members == nullptr) return {};
   for (const Member& member : *members) {
     const std::string key = path + "." + member.key;
     const SchemaNode* node = find_node(key);
     PHYSIM_ASSERT(node != nullptr);  // the reader knows no others
-    if (!is_of_contact(*node)) return needs_world(key, member.value);
-    if (Status status = check_contact_keys(key, member.value); !status) return status;
+    if (!is_of_flights(*node, scenario)) return needs_world(key, member.value);
+    if (Status status = check_body_keys(key, member.value, scenario); !status) return status;
   }
   return {};
 }
@@ -41,8 +41,7 @@ Status check_absence(const Scenario& scenario, const Value& document) {
   for (std::size_t i = 0; i < scenario.shots.size(); ++i) {
     const Value* body = element(document, "shot", i).find("body");
     if (body == nullptr) continue;
-    if (scenario.things.empty()) return needs_world("shot.body", *body);
-    if (Status status = check_contact_keys("shot.body", *body); !status) return status;
+    if (Status status = check_body_keys("shot.body", *body, scenario); !status) return status;
   }
   return {};
 }

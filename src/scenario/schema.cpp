@@ -131,6 +131,10 @@ bool is_of_contact(const SchemaNode& node) {
   return (node.entry != nullptr && node.entry->of_contact) || std::ranges::any_of(node.children, is_of_contact);
 }
 
+bool is_of_flights(const SchemaNode& node, const Scenario& scenario) {
+  return node.path == "shot.body.colour" || (!scenario.things.empty() && is_of_contact(node));
+}
+
 const std::vector<std::string_view>& setting_paths() {
   static const std::vector<std::string_view> paths = [] {
     std::vector<std::string_view> list;

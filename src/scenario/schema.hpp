@@ -168,6 +168,8 @@ inline constexpr std::string_view kWorldLists[] = {"volley", "force", "emitter",
 inline constexpr std::string_view kSceneLists[] = {"material", "shape", "thing"};
 /// Whether it, or something in it, says how a shot meets things.
 [[nodiscard]] bool is_of_contact(const SchemaNode& node);
+/// A setting of a body that single flights have, too: how it meets things, where there are some, and its colour.
+[[nodiscard]] bool is_of_flights(const SchemaNode& node, const Scenario& scenario);
 
 /// The paths of all settings.
 [[nodiscard]] const std::vector<std::string_view>& setting_paths();

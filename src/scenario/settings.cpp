@@ -145,6 +145,7 @@ constexpr Entry kRunSettings[] = {
     PHYSIM_EXPECT(equals, "value expected", QuantityBy{quantity_of_expectation, "of the quantity"}, kRequired),
     PHYSIM_EXPECT(within, "distance allowed", at_least(0), QuantityBy{quantity_of_expectation, "of the quantity"},
                   kRequired),
+    PHYSIM_EXPECT(published, "the figure was published: pictures over time show it as a ring, others as a cross"),
     PHYSIM_EXPECT(source, "why it should be true"),
 };
 

@@ -226,21 +226,27 @@ std::optional<std::string> value_text(const Entry& entry, const Scope& scope, St
                     entry.slot(scope));
 }
 
+bool has_colours(const Scenario& scenario) {
+  return std::ranges::any_of(scenario.shots, [](const ScenarioShot& s) { return s.body.colour != BodyDef{}.colour; });
+}
+
 /// Settings of worlds are for scenarios that have one, and would make one; those of single flights are for the others.
-/// Flights that have nothing to meet know nothing of scenes.
+/// Flights that have nothing to meet know nothing of scenes, and those without colours nothing of these.
 bool is_left_out(const SchemaNode& node, const Scenario& scenario) {
   if (scenario.world.given) return node.path == "until" || node.path == "output";
   if (node.path == "world" || std::ranges::count(kWorldLists, node.path) > 0) return true;
   if (std::ranges::count(kSceneLists, node.path) > 0)
     return scenario.materials.empty() && scenario.shapes.empty() && scenario.things.empty();
-  return node.path.starts_with("shot.body") && (scenario.things.empty() || !is_of_contact(node));
+  if (!node.path.starts_with("shot.body") || node.path == "shot.body") return false;
+  return !is_of_flights(node, scenario) || (node.path == "shot.body.colour" && !has_colours(scenario));
 }
 
 /// A body but for what the file of a scenario can say.
 BodyDef unsaid(BodyDef body, const Scenario& scenario) {
   if (scenario.world.given) return {};
-  if (scenario.things.empty()) return body;
   const BodyDef usual;
+  body.colour = usual.colour;
+  if (scenario.things.empty()) return body;
   body.restitution = usual.restitution;
   body.friction = usual.friction;
   body.rolling_resistance = usual.rolling_resistance;

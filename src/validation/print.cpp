@@ -100,6 +100,20 @@ ordered_json json_of(const std::string& suite, const StateRow& row) {
   return out;
 }
 
+Table misprint_table(const SuiteResult& result) {
+  Table table({"misprint", "printed", "instead", "reason"}, "lrrl");
+  for (const Misprint& misprint : result.misprints)
+    table.add_row({misprint.figure, misprint.printed, misprint.instead, misprint.reason});
+  return table;
+}
+
+/// All misprints, or how many there are.
+std::string misprints_text(const SuiteResult& result, bool all) {
+  if (result.misprints.empty()) return "";
+  if (all) return "\n" + misprint_table(result).text(2);
+  return formatted("  %zu of the published figures are misprints; --all names them\n", result.misprints.size());
+}
+
 Table report_table(const SuiteResult& result) {
   Table table({"case", "figures", "worst figure", "expected", "error", "gate", "error / gate", "verdict"}, "lrlrrrrl");
   for (const CaseSummary& summary : summarize(result)) {
@@ -117,6 +131,10 @@ std::string report_of(const SuiteResult& result) {
   std::string text = "\n## " + result.name + "\n\n" + std::string(suite.title) + ". Gates: " + std::string(suite.gate) +
                      ".\n\n" + report_table(result).markdown();
   for (const std::string& skipped : result.skipped) text += "\nSkipped: " + skipped + ".\n";
+  if (!result.misprints.empty())
+    text += formatted("\n%zu figures are misprints, and were compared with what should stand there:\n\n",
+                      result.misprints.size()) +
+            misprint_table(result).markdown();
   if (!result.beside.empty())
     text += "\nHow far others lie from these solutions:\n\n" + row_table(result.beside, "%.1e").markdown();
   text += "\nSources:\n\n";
@@ -131,6 +149,7 @@ std::string table_text(const SuiteResult& result, bool every_figure, const Style
   std::string text = style.bold(result.name) + ": " + std::string(find_suite(result.name)->title) + "\n";
   if (!result.figures.empty()) text += (every_figure ? figure_table(result, style) : case_table(result, style)).text(2);
   text += notes_of(result);
+  text += misprints_text(result, every_figure);
   for (const std::string& skipped : result.skipped) text += style.dim("  skipped: " + skipped) + "\n";
   if (!result.beside.empty())
     text += "\n  how far others lie from these solutions\n" + row_table(result.beside, "%.1e").text(2);
@@ -146,7 +165,7 @@ std::string summary_text(const SuiteResult& result, const Style& style) {
 
 std::string json_text(const std::vector<SuiteResult>& results) {
   ordered_json rows = ordered_json::array(), suites = ordered_json::array();
-  ordered_json states = ordered_json::array(), beside = ordered_json::array();
+  ordered_json states = ordered_json::array(), beside = ordered_json::array(), misprints = ordered_json::array();
   std::size_t figures = 0, missed = 0;
   for (const SuiteResult& result : results) {
     for (const Figure& figure : result.figures) rows.push_back(json_of(result.name, figure));
@@ -155,6 +174,12 @@ std::string json_text(const std::vector<SuiteResult>& results) {
                       {"figures", result.figures.size()},
                       {"missed", result.missed()},
                       {"skipped", result.skipped}});
+    for (const Misprint& misprint : result.misprints)
+      misprints.push_back({{"suite", result.name},
+                           {"figure", misprint.figure},
+                           {"printed", misprint.printed},
+                           {"instead", misprint.instead},
+                           {"reason", misprint.reason}});
     for (const StateRow& row : result.states) states.push_back(json_of(result.name, row));
     for (const StateRow& row : result.beside) beside.push_back(json_of(result.name, row));
     figures += result.figures.size();
@@ -164,6 +189,7 @@ std::string json_text(const std::vector<SuiteResult>& results) {
       {"version", kVersion},
       {"results", std::move(rows)},
       {"summary", {{"figures", figures}, {"missed", missed}, {"pass", missed == 0}, {"suites", std::move(suites)}}}};
+  if (!misprints.empty()) all["misprints"] = std::move(misprints);
   if (!states.empty()) all["states"] = std::move(states);
   if (!beside.empty()) all["beside"] = std::move(beside);
   return report::json_text(all);

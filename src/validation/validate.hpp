@@ -30,6 +30,14 @@ struct Figure {
   [[nodiscard]] double badness() const;
 };
 
+/// A published figure that differs from what it should be, and was compared as that.
+struct Misprint {
+  std::string figure;   ///< "test 3 as published, vy frame 44"
+  std::string printed;  ///< the figure as it was published
+  std::string instead;  ///< the figure that should stand there
+  std::string reason;   ///< "sign lost"
+};
+
 /// Where the figures of one file come from.
 struct Source {
   std::string file;  ///< name without folder
@@ -48,6 +56,7 @@ struct SuiteResult {
   std::filesystem::path folder;
   std::vector<Figure> figures;
   std::vector<std::string> skipped;  ///< what was not compared, and why
+  std::vector<Misprint> misprints;
   std::vector<Source> sources;
   std::vector<StateRow> states;  ///< where the cases ended, judged or not
   std::vector<StateRow> beside;  ///< how far others lie from them

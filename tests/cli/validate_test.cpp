@@ -185,15 +185,56 @@ TEST(Validate, BadArgumentsAreExitCode2) {
   EXPECT_EQ(validate("--report /no/such/folder/report.md").code, 2);
 }
 
-TEST(Validate, NotesOfMisprintsAreHeeded) {
+const std::string kOriginal = "test,printed_t_s,frame,x,y,z,vx,vy,vz,ax,ay,az,speed,mass,misprints\n";
+const std::string kShell = "5,0.8,49,0,3.024244,31.328224,0,13.495668,37,0,-20,0,39.104736,200,";
+
+TEST(Validate, MisprintsAreNamedAndComparedAsWhatShouldStandThere) {
   const Folder folder("tables.csv",
-                      "test,printed_t_s,frame,x,y,z,vx,vy,vz,note\n"
-                      "2,0.1,7,0,1.4585,4.061904,0,-0.099388,34.572421,y misprinted (replay 1.49585)\n"
-                      "5,0.8,49,0,3.024244,31.328224,0,13.495668,37,signs lost in print; vz rounded\n"
-                      "9,0,1,0,0,0,0,0,0,\n");
+                      kOriginal + kShell +
+                          "y=-3.024244 sign lost; vy=-13.495668 sign lost; vz=36.702145 rounded to a whole number\n"
+                          "9,0,1,0,0,0,0,0,0,0,0,0,0,0,\n");
   const Outcome outcome = validate("classic " + folder.option());
   EXPECT_EQ(outcome.code, 0) << outcome.text;
   EXPECT_TRUE(contains(outcome, "skipped: test 9")) << outcome.text;
+  EXPECT_TRUE(contains(outcome, "3 of the published figures are misprints")) << outcome.text;
+  EXPECT_TRUE(contains(validate("classic --all " + folder.option()), "vz by speed frame 49"));
+  const auto misprints = nlohmann::json::parse(validate("classic --json " + folder.option()).text).at("misprints");
+  ASSERT_EQ(misprints.size(), 3u);
+  EXPECT_EQ(misprints[1].at("figure"), "test 5, vy frame 49");
+  EXPECT_EQ(misprints[1].at("printed"), "13.495668");
+  EXPECT_EQ(misprints[1].at("instead"), "-13.495668");
+  EXPECT_EQ(misprints[1].at("reason"), "sign lost");
+}
+
+TEST(Validate, AMisprintThatIsOnNoListIsMissed) {
+  const Folder folder("tables.csv", kOriginal + kShell + "y=-3.024244 sign lost; vz=36.702145 rounded\n");
+  const Outcome outcome = validate("classic --all " + folder.option());
+  EXPECT_EQ(outcome.code, 1) << outcome.text;
+  EXPECT_TRUE(contains(outcome, "1 MISSED")) << outcome.text;
+}
+
+TEST(Validate, ListsOfMisprintsAreChecked) {
+  const struct {
+    std::string row;
+    const char* message;
+  } bad[] = {
+      {kShell + "z=31.328225 a digit wrong",
+       "tables.csv:2: error: column \"z\" is no misprint: it was flown as printed"},
+      {kShell + "vy sign lost", "tables.csv:2: error: \"vy sign lost\" is no misprint; as in"},
+      {kShell + "vy=-13.495668", "tables.csv:2: error: \"vy=-13.495668\" is no misprint; as in"},
+      {kShell + "vy=minus sign lost", "tables.csv:2: error: \"minus\" of a misprint is not a number"},
+      {kShell + "w=1 new", "tables.csv:2: error: column \"w\" of a misprint is none of the table"},
+      {kShell + "y=1 one; y=2 two", "tables.csv:2: error: column \"y\" is misprinted twice"},
+      {"5,0.8,49,0,3.024244,,0,13.495668,37,0,-20,0,39.104736,200,", "column \"z\" needs a number"},
+  };
+  for (const auto& [row, message] : bad) {
+    const Folder folder("tables.csv", kOriginal + row + "\n");
+    const Outcome outcome = validate("classic " + folder.option());
+    EXPECT_EQ(outcome.code, 2) << message;
+    EXPECT_TRUE(contains(outcome, message)) << outcome.text;
+  }
+  const Folder folder("tables.csv", "test,frame,x,y,z,vx,vy,vz\n4,0,0,1.5,0,0,1,35\n");
+  EXPECT_TRUE(contains(validate("classic " + folder.option()), "no column \"ax\""));
 }
 
 TEST(Validate, BallisticCasesAreReadLiberally) {

@@ -306,8 +306,32 @@ TEST(Plots, ShowWhatWasPublished) {
   ASSERT_TRUE(open_original_test(client, "1"));
   EXPECT_EQ(client.bottom, BottomPanel::plots);
   const Plot plot = make_plot(client.plots[0], client.session.tracks(), nullptr, client.session.scenario(), 5, 5);
-  ASSERT_EQ(plot.expected.size(), 5U);
-  EXPECT_EQ(plot.expected[0].point.y, 15.395968);
+  ASSERT_EQ(plot.expected.size(), 6U) << "z of the six rows of table 5-2";
+  EXPECT_EQ(plot.expected[1].point.y, 15.395968);
+  for (const PlotMark& mark : plot.expected) EXPECT_TRUE(mark.published);
+}
+
+TEST(Plots, TellWhatWasPublishedFromWhatIsExpected) {
+  Client client = client_of();
+  ASSERT_TRUE(open_original_test(client, "6"));
+  const auto marks_of = [&](const char* quantity) {
+    return make_plot(parse_plots(quantity).value()[0], client.session.tracks(), nullptr, client.session.scenario(), 5,
+                     5)
+        .expected;
+  };
+  const std::vector<PlotMark> heights = marks_of("y");
+  EXPECT_EQ(std::ranges::count(heights, true, &PlotMark::published), 6) << "rows of table 5-7";
+  EXPECT_EQ(std::ranges::count(heights, false, &PlotMark::published), 8) << "closed form of two shots, by hand";
+  for (const char* quantity : {"ay", "az", "speed"}) {
+    const std::vector<PlotMark> marks = marks_of(quantity);
+    EXPECT_EQ(marks.size(), 6U) << quantity;
+    for (const PlotMark& mark : marks) EXPECT_TRUE(mark.published) << quantity;
+  }
+  ASSERT_EQ(client.plots.size(), 6U);
+  EXPECT_EQ(plot_quantities()[client.plots[4].y].name, "az");
+  EXPECT_EQ(plot_quantities()[client.plots[5].y].name, "speed");
+  // Orange is as published, here and in the pictures of the command line.
+  EXPECT_EQ(client.session.tracks()[0].colour, 0xE69F00FFU);
 }
 
 // ------------------------------------------------------------------------------------------------------------- compare

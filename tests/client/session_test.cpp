@@ -241,7 +241,7 @@ TEST_P(OriginalTests, MeetThePublishedRows) {
   ASSERT_TRUE(open_original_test(client, GetParam()));
   const std::vector<Expectation> expected = client.session.scenario().expect;
   ASSERT_FALSE(client.session.tracks().empty());
-  while (!client.session.tracks().empty() && client.session.time() < 4) client.session.single_step();
+  while (!client.session.tracks().empty() && client.session.time() < 8.1) client.session.single_step();
   int compared = 0;
   for (const Expectation& e : expected) {
     if (e.at != ExpectAt::time) continue;

@@ -13,6 +13,7 @@
 #include "physim/flight_hits.hpp"
 #include "physim/scenario.hpp"
 #include "physim/world_run.hpp"
+#include "report/gnuplot.hpp"
 
 namespace physim {
 namespace docs_docs_test {
@@ -158,6 +159,31 @@ TEST(Docs, CommandsPrintWhatStandsBelowThem) {
   }
   fs::remove_all(folder);
   EXPECT_GT(commands, 3);
+}
+
+/// Commands within the text, `physim ...`, of the page that shows what each test and figure of the thesis is here.
+TEST(Docs, CommandsOfTheThesisRun) {
+  const fs::path folder = fs::path(testing::TempDir()) / "physim_docs_thesis";
+  fs::remove_all(folder);
+  fs::create_directories(folder);
+  fs::create_directory_symlink(kRoot / "scenarios", folder / "scenarios");
+  static const std::regex kCommand("`physim (run [^`]+)`");
+  const std::string page = content_of(kRoot / "docs" / "thesis.md");
+  int runs = 0;
+  for (std::sregex_iterator match(page.begin(), page.end(), kCommand), end; match != end; ++match, ++runs) {
+    std::string command = (*match)[1];
+    const std::size_t plot = command.find(" --plot ");
+    ASSERT_NE(plot, std::string::npos) << command;
+    const std::string picture = command.substr(plot + 8);
+    if (!report::check_gnuplot()) command.resize(plot);
+    const std::vector<std::string> lines = lines_of(output_of(command, folder));
+    ASSERT_FALSE(lines.empty()) << command;
+    static const std::regex kAllMet(R"(  (\d+) of \1 met)");
+    EXPECT_TRUE(std::regex_match(lines.back(), kAllMet)) << command << ": " << lines.back();
+    EXPECT_EQ(fs::exists(folder / picture), report::check_gnuplot().ok()) << command;
+  }
+  EXPECT_EQ(runs, 8) << "six tests, and two as they were expected";
+  fs::remove_all(folder);
 }
 #endif
 

@@ -144,6 +144,46 @@ TEST(Formats, PicturesMarkWhereFlightsHit) {
   EXPECT_EQ(script.find("$shot1hits"), std::string::npos) << "it comes down before";
 }
 
+TEST(Formats, PicturesShowWhatWasPublishedAndWhatIsExpected) {
+  const std::string text = R"(physim = 1
+[[shot]]
+name = "ball"
+body = { colour = 0xE69F00FF }
+speed = 10
+fidelity = "arcade"
+[[expect]]
+at = { time = "0.5 s" }
+quantity = "vx"
+equals = 25
+within = 1
+published = true
+[[expect]]
+shot = "ball"
+at = { time = "0.25 s" }
+quantity = "ay"
+equals = -9
+within = 1
+[[expect]]
+quantity = "x"
+equals = 20
+within = 1
+)";
+  FlownScenario flown{.scenario = parse_scenario(text, "ball.toml").value(), .shots = {}, .checks = {}};
+  ASSERT_TRUE(fly_all(flown).ok());
+  const std::string script = shots_picture("", flown.shots, nullptr, flown.scenario.expect).script;
+  const auto has = [&script](const std::string& part) { return script.find(part) != std::string::npos; };
+  EXPECT_TRUE(has("$rings5 << EndOfData\n0.5 25\n")) << "column 5 is vx";
+  EXPECT_TRUE(has("$rings5 using 1:2 with points pt 6 "));
+  EXPECT_TRUE(has("$crosses9 << EndOfData\n0.25 -9\n")) << "column 9 is ay";
+  EXPECT_TRUE(has("$crosses9 using 1:2 with points pt 1 "));
+  EXPECT_FALSE(has("$crosses2")) << "x is expected at the end, not at a time";
+  for (const char* entry : {"'published'", "'expected'", "'computed'", "lc rgb '#E69F00'"}) EXPECT_TRUE(has(entry));
+  EXPECT_TRUE(has("set yrange [8.95:26.05]")) << "the ring lies in its panel";
+  const std::string plain = shots_picture("", flown.shots).script;
+  EXPECT_EQ(plain.find("published"), std::string::npos);
+  EXPECT_EQ(plain.find("$rings"), std::string::npos);
+}
+
 TEST(Formats, PicturesTellWhereALegendHasNoRoomForAll) {
   const auto script_of = [](int shots) {
     std::string text = kWorld;

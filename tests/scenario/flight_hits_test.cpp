@@ -191,6 +191,20 @@ TEST(SceneOfFlights, IsNotSaidWhereThereIsNone) {
     EXPECT_TRUE(!path.starts_with("thing") && path.find(".body.") == path.npos) << path;
 }
 
+TEST(SceneOfFlights, KnowsColoursOfBodiesThatHaveSome) {
+  const Scenario scenario = read_scenario("[[shot]]\nspeed = 10\nbody = { colour = 0xE69F00FF }\n");
+  EXPECT_EQ(scenario.shots[0].body.colour, 0xE69F00FFU);
+  int said = 0;
+  for (const auto& [path, value] : effective_settings(scenario)) {
+    if (path.find(".body.") == path.npos) continue;
+    EXPECT_EQ(path, "shot.shot-1.body.colour");
+    EXPECT_EQ(value, "3869180159");
+    ++said;
+  }
+  EXPECT_EQ(said, 1);
+  EXPECT_EQ(parse_scenario(scenario_text(scenario), "again.toml").value().shots[0].body.colour, 0xE69F00FFU);
+}
+
 struct BadFlight {
   std::string text, error;
   friend std::ostream& operator<<(std::ostream& out, const BadFlight& bad) { return out << bad.error; }

@@ -286,6 +286,7 @@ at = { range = "500 yd" }
 quantity = "drop"
 equals = "-57.1 in"
 within = "0.3 in"
+published = true
 source = "a book = good"
 [[expect]]
 at = "apex"
@@ -341,6 +342,8 @@ TEST(EffectiveSettings, ReproduceTheScenarioBitForBit) {
   ASSERT_EQ(b.expect.size(), 2U);
   EXPECT_EQ(b.expect[0].at, ExpectAt::range);
   EXPECT_EQ(b.expect[0].source, "a book = good");
+  EXPECT_TRUE(b.expect[0].published);
+  EXPECT_FALSE(b.expect[1].published);
   EXPECT_TRUE(same_bits(a.expect[0].equals, b.expect[0].equals));
   EXPECT_EQ(b.expect[1].at, ExpectAt::apex);
 }

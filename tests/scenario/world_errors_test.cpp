@@ -71,7 +71,8 @@ INSTANTIATE_TEST_SUITE_P(
         Bad{"[[shot]]\n[[volley]]\nshot = \"shot-1\"",
             "f.toml:3:1: error: volley: there is no [world] for it; write [world], and the shots fly in it"},
         Bad{"[[shot]]\nbody = { restitution = 1 }",
-            "f.toml:3:8: error: shot.body: there is no [world] for it; write [world], and the shots fly in it"},
+            "f.toml:3:24: error: shot.body.restitution: there is no [world] for it; write [world], and the shots fly "
+            "in it"},
         Bad{"[[shot]]\n[world]\n[until]\nground = 3",
             "f.toml:4:1: error: until: not used in a [world]; world.duration and shot.body.despawn end things"},
         Bad{"[[shot]]\nname = \"gun\"\n[world]\n[[volley]]\nshot = \"gum\"",

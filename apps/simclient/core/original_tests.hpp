@@ -12,9 +12,10 @@ namespace physim::client {
 class Client;
 
 struct OriginalTest {
-  std::string_view name;  // "3 drag"
+  std::string_view name;  // "3-drag"
   std::string_view title;
-  std::string_view file;  // in scenarios/
+  std::string_view file;   // in scenarios/
+  std::string_view plots;  // what is plotted, as in parse_plots()
 };
 
 [[nodiscard]] std::span<const OriginalTest> original_tests();

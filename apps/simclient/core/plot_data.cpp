@@ -54,17 +54,17 @@ std::string label_of(const PlotQuantity& quantity) {
   return std::string(quantity.name) + " [" + std::string(quantity.unit) + "]";
 }
 
-/// What the scenario says should come out, where time is below: the points that were published.
+/// What the scenario says should come out, where time is below.
 std::vector<PlotMark> expected_points(const PlotSpec& spec, std::span<const Track> tracks, const Track* alone,
                                       const Scenario& scenario) {
   std::vector<PlotMark> marks;
   if (kQuantities[spec.x].name != "time") return marks;
   for (const Expectation& e : scenario.expect) {
     if (e.at != ExpectAt::time || e.quantity != kQuantities[spec.y].name) continue;
-    const auto of_it = std::find_if(tracks.begin(), tracks.end(), [&](const Track& track) {
+    const bool is_drawn = std::any_of(tracks.begin(), tracks.end(), [&](const Track& track) {
       return (e.shot.empty() || e.shot == track.name) && (alone == nullptr || alone == &track);
     });
-    if (of_it != tracks.end()) marks.push_back({{e.at_value, e.equals}, of_it->colour});
+    if (is_drawn) marks.push_back({{e.at_value, e.equals}, e.published});
   }
   return marks;
 }

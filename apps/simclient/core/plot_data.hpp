@@ -45,7 +45,7 @@ struct PlotCurve {
 /// A point that the scenario says should come out.
 struct PlotMark {
   PlotPoint point;
-  Colour colour = 0xFFFFFFFF;
+  bool published = false;  ///< drawn as a ring; else as a cross
 };
 
 struct PlotAxis {

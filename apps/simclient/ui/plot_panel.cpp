@@ -53,6 +53,15 @@ void draw_axes(ImDrawList& list, const Frame& frame) {
   list.AddText({frame.low.x, frame.low.y - size.y - gap}, shade(colours::kText), plot.y.label.c_str());
 }
 
+/// A ring is published, a cross is expected.
+void draw_mark(ImDrawList& list, ImVec2 at, bool published) {
+  const float scale = ImGui::GetFontSize() / 15;
+  if (published) return list.AddCircle(at, 4.5F * scale, shade(colours::kText), 0, 1.6F * scale);
+  const float arm = 3.5F * scale;
+  list.AddLine({at.x - arm, at.y}, {at.x + arm, at.y}, shade(colours::kDim), 1.3F * scale);
+  list.AddLine({at.x, at.y - arm}, {at.x, at.y + arm}, shade(colours::kDim), 1.3F * scale);
+}
+
 void draw_curves(ImDrawList& list, const Frame& frame) {
   const float scale = ImGui::GetFontSize() / 15;
   std::vector<ImVec2> points;
@@ -65,8 +74,25 @@ void draw_curves(ImDrawList& list, const Frame& frame) {
       list.AddCircleFilled(points.back(), 3.5F * scale, shade(curve.track->colour));
   }
   list.PopClipRect();
-  for (const PlotMark& mark : frame.plot->expected)
-    list.AddCircle(frame.place(mark.point), 4.5F * scale, shade(colours::kText), 0, 1.6F * scale);
+  for (const PlotMark& mark : frame.plot->expected) draw_mark(list, frame.place(mark.point), mark.published);
+}
+
+/// What the marks stand for, above the right end of the plot; as many as find room beside its name.
+void draw_legend(ImDrawList& list, const Frame& frame) {
+  const float letter = ImGui::GetFontSize();
+  const float left = frame.low.x + ImGui::CalcTextSize(frame.plot->y.label.c_str()).x + letter;
+  float right = frame.high.x;
+  for (const bool published : {true, false}) {
+    const auto& marks = frame.plot->expected;
+    if (std::ranges::none_of(marks, [&](const PlotMark& mark) { return mark.published == published; })) continue;
+    const char* name = published ? "published" : "expected";
+    const ImVec2 size = ImGui::CalcTextSize(name);
+    if (right - size.x - letter * 1.2F < left) return;
+    const float y = frame.low.y - size.y - letter * 0.3F;
+    list.AddText({right - size.x, y}, shade(colours::kDim), name);
+    draw_mark(list, {right - size.x - letter * 0.7F, y + size.y / 2}, published);
+    right -= size.x + letter * 2;
+  }
 }
 
 void draw_read_out(ImDrawList& list, const Frame& frame) {
@@ -120,6 +146,7 @@ void draw_one(Client& client, PlotSpec& spec, float width, bool bare) {
     ImDrawList& list = *ImGui::GetWindowDrawList();
     draw_axes(list, frame);
     draw_curves(list, frame);
+    draw_legend(list, frame);
     if (ImGui::IsMouseHoveringRect(frame.low, frame.high) && ImGui::IsWindowHovered()) draw_read_out(list, frame);
   }
   ImGui::EndChild();
