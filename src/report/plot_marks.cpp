@@ -28,6 +28,7 @@ PlotMarks::PlotMarks(std::span<const FlownShot> shots, std::span<const Expectati
     const bool is_drawn = e.shot.empty() || std::ranges::count(shots, e.shot, &FlownShot::name) > 0;
     const std::size_t column = column_of(e.quantity);
     if (e.at != ExpectAt::time || !is_drawn || column == 0) continue;
+    PHYSIM_ASSERT(column < marks_.size());
     Marks& marks = marks_[column];
     (e.published ? marks.rings : marks.crosses) += significant(e.at_value, 9) + " " + significant(e.equals, 9) + "\n";
     (e.published ? has_rings_ : has_crosses_) = true;

@@ -27,6 +27,7 @@ constexpr std::array<Column, 5> kColumns = {{{"s [m]", &SuvatGiven::s, &Suvat::s
 
 Answer suvat_answer(const SuvatGiven& given, std::span<const Suvat> motions) {
   PHYSIM_ASSERT(!motions.empty());
+  PHYSIM_ASSERT(motions.size() <= 2);
   std::vector<std::string> titles;
   nlohmann::ordered_json asked = nlohmann::ordered_json::object(), found = nlohmann::ordered_json::array();
   for (const Column& column : kColumns) {
