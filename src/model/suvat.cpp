@@ -83,7 +83,7 @@ Motions after_time(const SuvatGiven& given) {
   return std::vector{m};
 }
 
-/// Both velocities and the acceleration give s and t.
+/// Two velocities and the acceleration give s and t.
 Motions from_velocity_to_velocity(double u, double v, double a) {
   if (a != 0) return std::vector{Suvat{.s = (u + v) / 2 * ((v - u) / a), .u = u, .v = v, .a = a, .t = (v - u) / a}};
   if (u != v) return no_motion("no motion has these: without acceleration the velocity stays", "a must not be 0");
@@ -107,9 +107,9 @@ Result<double> speed_at_other_end(double known, double s, double a, double sign)
   const double square = known * known + 2 * a * s;
   if (std::abs(square) <= 4 * std::numeric_limits<double>::epsilon() * (known * known)) return 0.0;  // turns there
   if (square > 0) return std::sqrt(square);
-  const double limit = sign * -(known * known) / (2 * a);
+  const double limit = 0 - sign * (known * known) / (2 * a);
   return Error{"no motion has these: the square of the other velocity would be negative", "suvat",
-               "s must be at " + std::string(limit > 0 ? "most " : "least ") + short_text(limit) + " m"};
+               "s must be at " + std::string(sign * a < 0 ? "most " : "least ") + short_text(limit) + " m"};
 }
 
 /// The way, the velocity at the start and the acceleration give the ends: v and t, by rising time. `sign`: as above.
@@ -131,7 +131,8 @@ Motions to_place(double s, double u, double a, double sign = 1) {
   return both;
 }
 
-/// ... the velocity at the end gives the starts: the same motion with time running backwards.
+/// The way, the velocity at the end and the acceleration give the starts: u and t, by rising time. Time runs backwards
+/// in to_place() here.
 Motions from_place(double s, double v, double a) {
   Motions backwards = to_place(-s, v, a, -1);
   if (!backwards) return backwards;

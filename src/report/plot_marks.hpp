@@ -18,7 +18,7 @@ class PlotMarks {
 
   [[nodiscard]] bool has_rings() const { return has_rings_; }
   [[nodiscard]] bool has_crosses() const { return has_crosses_; }
-  /// Of the marks in a panel; columns count from 1, as in kSampleColumns.
+  /// Returns the extent of the marks in a panel; columns count from 1, as in kSampleColumns.
   [[nodiscard]] Extent extent(int column) const {
     const auto c = static_cast<std::size_t>(column);
     return c < marks_.size() ? marks_[c].extent : Extent{};

@@ -230,7 +230,7 @@ class MeantMotion {
     for (int i = 0; i < steps; ++i) v = after_step(v, i < kPushLasts * kSteps);
     return v;
   }
-  /// Of the fall that drag ends.
+  /// Returns the speed at which drag ends the fall.
   [[nodiscard]] double terminal_speed() const {
     const double weight = setup_.mass * setup_.gravity;
     return (std::sqrt(k1_ * k1_ + 4 * k2_ * weight) - k1_) / (2 * k2_);
