@@ -178,8 +178,11 @@ Accelerations ProjectileView::accelerations() const {
   const BodyState now = world_->state.state_of(*slot);
   const Rows& rows = world_->state.rows_of(*slot);
   const bool turning = rows.layout().turning;
-  return accelerations_of(c, b, turning ? rows.rotor(slot->row) : Rotor<double>{}, t, {now.position, now.velocity},
-                          turning ? rows.turn(slot->row) : Turn<double>{});
+  Accelerations a = accelerations_of(c, b, turning ? rows.rotor(slot->row) : Rotor<double>{}, t,
+                                     {now.position, now.velocity}, turning ? rows.turn(slot->row) : Turn<double>{});
+  if (rows.layout().carried)  // the original's register, which the accelerations of a flight are, too
+    a.total = rows.read_fixed([&](const auto& columns) { return Rows::at(columns.carried, slot->row); });
+  return a;
 }
 Vec3d ProjectileView::resultant_force() const {
   const IeeeMode mode;
