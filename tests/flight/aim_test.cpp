@@ -70,12 +70,12 @@ TEST(Aim, straight_up_and_down_azimuth_does_not_matter) {
   const double below = 100;
   const Aim up = aimed({}, launch, constant_gravity(), vacuum(), {{0, 300, 0}});
   ASSERT_TRUE(up.low && up.high);
-  EXPECT_NEAR(up.low->launch.elevation, 90 * kDegree, 1e-4);
+  EXPECT_NEAR(up.low->launch.elevation, 90 * test::kDegree, 1e-4);
   EXPECT_NEAR(up.low->time, (100 - std::sqrt(1e4 - 2 * kG * 300)) / kG, 1e-3);
   EXPECT_NEAR(up.high->time, (100 + std::sqrt(1e4 - 2 * kG * 300)) / kG, 1e-3);
   const Aim down = aimed({}, {.position = {0, below, 0}, .speed = 100}, constant_gravity(), vacuum(), {{}});
   ASSERT_TRUE(down.low && down.high);
-  EXPECT_NEAR(down.low->launch.elevation, -90 * kDegree, 1e-4);
+  EXPECT_NEAR(down.low->launch.elevation, -90 * test::kDegree, 1e-4);
   EXPECT_NEAR(down.low->time, (-100 + std::sqrt(1e4 + 2 * kG * below)) / kG, 1e-3);
   EXPECT_NEAR(down.high->time, (100 + std::sqrt(1e4 + 2 * kG * below)) / kG, 1e-3);
 }
@@ -259,7 +259,7 @@ TEST(MaxRange, in_vacuum_it_is_at_half_the_right_angle_over_the_slope) {
     const auto far = max_range({}, {.speed = 100}, constant_gravity(), vacuum(), 0, slope);
     ASSERT_TRUE(far) << far.error().text();
     // R = v^2 / (g (1 + sin a)) at e = 45 deg + a / 2; a flat top hides the last digits of e.
-    EXPECT_NEAR(far->elevation, 45 * kDegree + slope / 2, 2e-5);
+    EXPECT_NEAR(far->elevation, 45 * test::kDegree + slope / 2, 2e-5);
     EXPECT_NEAR(far->range, 1e4 / (kG * (1 + std::sin(slope))), 1e-6);
     EXPECT_NEAR(far->time, 2 * 100 * std::sin(far->elevation - slope) / (kG * std::cos(slope)), 1e-6);
   }
@@ -277,8 +277,8 @@ TEST(MaxRange, from_a_height_it_is_lower_than_half_the_right_angle) {
 TEST(MaxRange, with_drag_no_other_elevation_carries_farther) {
   const auto far = max_range(bullet_308(), {.speed = 800}, {}, Fidelity::simulation());
   ASSERT_TRUE(far);
-  EXPECT_GT(far->elevation, 25 * kDegree);
-  EXPECT_LT(far->elevation, 40 * kDegree);
+  EXPECT_GT(far->elevation, 25 * test::kDegree);
+  EXPECT_LT(far->elevation, 40 * test::kDegree);
   for (const double turn : {-0.02, 0.02}) {
     const Flight other =
         fly(bullet_308(), {.speed = 800, .elevation = far->elevation + turn}, {}, Fidelity::simulation());
@@ -312,7 +312,7 @@ TEST(MaxRange, what_does_not_come_down_is_refused) {
 
 TEST(DangerSpace, of_a_parabola) {
   // y = x tan e - g x^2 / (2 v^2 cos^2 e): around x0 the height differs by half the target's.
-  const double e = 2 * kDegree, v = 300, x0 = 600, h = 1.7;
+  const double e = 2 * test::kDegree, v = 300, x0 = 600, h = 1.7;
   const Flight flight = fly({}, {.speed = v, .elevation = e}, constant_gravity(), vacuum(), {}, {.ground = -50});
   const double k = kG / (2 * v * v * std::cos(e) * std::cos(e)), y0 = x0 * std::tan(e) - k * x0 * x0;
   const auto place = [&](double y) {  // on the falling branch

@@ -23,7 +23,7 @@ struct Case {
 Environment windy() {
   Environment environment;
   environment.wind.velocity = {1, 0, -3};
-  environment.earth = {.latitude = 45 * kDegree, .azimuth = 90 * kDegree};
+  environment.earth = {.latitude = 45 * test::kDegree, .azimuth = 90 * test::kDegree};
   return environment;
 }
 
