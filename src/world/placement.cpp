@@ -274,8 +274,12 @@ void Placement::rewrite_row(std::uint32_t index) {
   const bool goes_on =
       state_.rows_of(slot).layout().clocked && registry_.cohort(slot.cohort).key.fidelity.motion != Motion::closed_form;
   const Body<double> old = body_of(slot);
+  const Rows& rows = state_.rows_of(slot);
+  Vec3d carried{};
+  if (rows.layout().carried) carried = rows.read_fixed([&](const auto& c) { return Rows::at(c.carried, slot.row); });
   refill_row(index, state_.state_of(slot),
-             {.previous = state_.rows_of(slot).previous(slot.row), .old = &old, .age = goes_on ? clock_of(slot) : 0});
+             {.previous = rows.previous(slot.row), .old = &old, .age = goes_on ? clock_of(slot) : 0});
+  if (rows.layout().carried) rows.change(slot.row, [&](const auto& c) { Rows::put(c.carried, slot.row, carried); });
 }
 
 Body<double> Placement::body_of(const Slot& slot) const {

@@ -72,6 +72,28 @@ TEST(Live, set_body_does_what_the_single_calls_do) {
   EXPECT_TRUE(by_one_call[a].is_kinematic());
 }
 
+/// A gravity scale that is changed, and back at once, changes nothing: neither the place that it is removed by nor the
+/// acceleration that the original's loop took over.
+TEST(Live, a_change_keeps_where_it_was_launched_and_what_its_loop_took_over) {
+  ProjectileDef shell{.fidelity = Fidelity::classic()};
+  const BodyDef near{.despawn = {.farther = 20}};
+  World world = make_world({.ground = {.mode = GroundMode::none}});
+  World plain = make_world({.ground = {.mode = GroundMode::none}});
+  const ProjectileId id = *world.spawn(shell, {.velocity = Vec3d{40, 0, 0}}, near);
+  const ProjectileId same = *plain.spawn(shell, {.velocity = Vec3d{40, 0, 0}}, near);
+  for (int frame = 0; plain[same].is_alive(); ++frame) {
+    ASSERT_LT(frame, 200);
+    if (frame == 10) {
+      ASSERT_TRUE(world[id].set_gravity_scale(2));
+      ASSERT_TRUE(world[id].set_gravity_scale(0.5));
+      ASSERT_TRUE(world[id].set_gravity_scale(1));
+    }
+    EXPECT_EQ(world[id].position(), plain[same].position()) << frame;
+    world.step(1.0 / 60), plain.step(1.0 / 60);
+  }
+  EXPECT_FALSE(world[id].is_alive());
+}
+
 TEST(Live, what_is_only_carried_along_wakes_nobody) {
   World world;
   const ProjectileId id = *world.spawn(stone(), kHigh);
