@@ -40,6 +40,7 @@ Result<AskedShot> ask(const Question& question) {
   if (!scenario) return scenario.error();
   const Result<std::size_t> index = find_shot(*scenario, question.shot);
   if (!index) return index.error();
+  scenario->shots[*index] = as_flown(std::move(scenario->shots[*index]));
   return AskedShot{*std::move(scenario), *index};
 }
 

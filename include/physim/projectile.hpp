@@ -74,6 +74,7 @@ struct ProjectileDef {
   MagnusDef magnus{};                 ///< of balls that spin [-]
   Inertia inertia{};                  ///< of rigid bodies [-]
   AeroDef aero{};                     ///< of rigid bodies, beside drag at zero yaw [-]
+  double gravity_scale = 1;           ///< times gravity at every door; 0: none, below 0: it rises [-]
   Vec3d force{};                      ///< a constant force on the projectile, such as thrust [N]
   double force_duration = kInfinity;  ///< the force acts from launch for this long [s]
   MotorDef motor{};                   ///< pushes it along; empty thrust: none [-]

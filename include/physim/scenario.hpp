@@ -109,6 +109,12 @@ struct Scenario {
 /// ... through a scene that is there already, as scene_of() the scenario.
 [[nodiscard]] Flight fly_shot(const Scenario& scenario, const ScenarioShot& shot, const Scene& scene);
 
+/// The projectile of a shot in a flight of its own: with what its body says of gravity and drag in a world.
+[[nodiscard]] ProjectileDef projectile_of(const ScenarioShot& shot);
+
+/// The shot with that projectile, and a body that says no more of it.
+[[nodiscard]] ScenarioShot as_flown(ScenarioShot shot);
+
 /// How a shot meets things in a flight of its own: as its body says, from time 0 of the scene on.
 [[nodiscard]] ContactDef contact_of(const ScenarioShot& shot);
 

@@ -212,7 +212,7 @@ Status check_projectile(const ProjectileDef& p, bool curve_too) {
   c.require(!has_inertia(p) || is_possible(p.inertia), "projectile.inertia", "is no inertia that a body can have",
             "moments are positive, none exceeds the sum of the others, and products are small enough");
   check_aero(c, p.aero);
-  c.is_vector(p.force, "projectile.force");
+  c.is_number(p.gravity_scale, "projectile.gravity_scale").is_vector(p.force, "projectile.force");
   c.require(p.force_duration >= 0, "projectile.force_duration", "must be zero or positive", "");
   if (has_motor(p)) check_motor(c, p);
   check_magnus(c, p.magnus);

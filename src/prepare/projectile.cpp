@@ -163,7 +163,8 @@ void put_kind(const ProjectileDef& p, TablePool& pool, Conditions<double>& c, Bo
   b.applied_until = p.force == Vec3d{} ? 0 : p.force_duration;
   const bool feels_forces = c.fidelity.motion == Motion::force;
   c.has_applied = c.has_applied || (feels_forces && p.force != Vec3d{});
-  b.gravity_scale = 1;
+  b.gravity_scale = p.gravity_scale;
+  c.has_gravity_scale = c.has_gravity_scale || p.gravity_scale != 1;
   b.free = {1, 1, 1};
   prepare_motor(p, pool, c, b);
   prepare_magnus(p, pool, c, b);

@@ -5,6 +5,7 @@
 #include "flight/flight_record.hpp"
 #include "physim/auto_fidelity.hpp"
 #include "physim/scenario.hpp"
+#include "world/registry.hpp"
 
 namespace physim {
 namespace {
@@ -17,7 +18,7 @@ double time_of_purpose(const Flight& flight, const Until& until) {
 }
 
 Flight fly_until(const Scenario& scenario, const ScenarioShot& shot, const Until& until) {
-  const ProjectileDef& projectile = shot.projectile;
+  const ProjectileDef projectile = projectile_of(shot);
   const auto fly_at = [&](const Fidelity& fidelity) {
     return fly(projectile, shot.launch, scenario.environment, fidelity, scenario.tolerance, until);
   };
@@ -38,6 +39,28 @@ Flight fly_until(const Scenario& scenario, const ScenarioShot& shot, const Until
 }
 
 }  // namespace
+
+ProjectileDef projectile_of(const ScenarioShot& shot) {
+  const IeeeMode mode;
+  const BodyDef& body = shot.body;
+  ProjectileDef p = shot.projectile;
+  p.gravity_scale *= own_of(body).gravity_scale;
+  if (body.drag_scale == 0) {  // on every rung; numbers of no drag at all
+    p.drag = {.coefficient = 0};
+    p.motor.drag_curve.clear();
+    for (AeroPoint& point : p.aero.drag_yaw) point.value = 0;
+  } else if (const Result<ProjectileDef> scaled = with_drag_scaled(p, body.drag_scale)) {
+    p = *scaled;
+  }  // else the world refuses it
+  return p;
+}
+
+ScenarioShot as_flown(ScenarioShot shot) {
+  shot.projectile = projectile_of(shot);
+  shot.body.gravity_scale = shot.body.drag_scale = 1;
+  shot.body.use_gravity = true;
+  return shot;
+}
 
 ContactDef contact_of(const ScenarioShot& shot) {
   const BodyDef& body = shot.body;

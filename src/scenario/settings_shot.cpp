@@ -85,6 +85,7 @@ constexpr Entry kShotSettings[] = {
     PHYSIM_PROJECTILE(drag.k1, "linear drag: force -(k1 + k2 |v|) v", Quantity::linear_drag, at_least(0)),
     PHYSIM_PROJECTILE(drag.k2, "quadratic drag; 0 with k1 = 0: from the drag equation at launch",
                       Quantity::quadratic_drag, at_least(0)),
+    PHYSIM_PROJECTILE(gravity_scale, "times gravity, in flights and in worlds; 0: none"),
     PHYSIM_PROJECTILE(force, "a constant force on the projectile, such as thrust", Quantity::force),
     PHYSIM_PROJECTILE(force_duration, "how long the force acts, from launch", Quantity::time, or_infinite(at_least(0))),
     PHYSIM_LAUNCH(position, "of the muzzle: x downrange, y up, z right", Quantity::length),

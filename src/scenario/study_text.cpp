@@ -446,7 +446,7 @@ Result<StudyTarget> parse_study_target(std::string_view text) {
 
 Result<Study> study_of(const Scenario& scenario, const ScenarioShot& shot) {
   const ScenarioStudy& texts = scenario.study;
-  Study study{.projectile = shot.projectile,
+  Study study{.projectile = projectile_of(shot),
               .launch = shot.launch,
               .environment = scenario.environment,
               .fidelity = shot.projectile.fidelity,

@@ -138,6 +138,7 @@ constexpr PathRow kPathRows[] = {
     shot_row("shot.drag.k2", "kg/m", "quadratic drag", PHYSIM_NUMBER(projectile.drag.k2)),
     shot_row("shot.drag.damping", "-", "part of the velocity kept after a second",
              PHYSIM_NUMBER(projectile.drag.damping), kAboveZero),
+    shot_row("shot.gravity_scale", "-", "times gravity", PHYSIM_NUMBER(projectile.gravity_scale)),
     shot_row("shot.force.x", "N", "of a constant force", PHYSIM_NUMBER(projectile.force.x)),
     shot_row("shot.force.y", "N", "of a constant force", PHYSIM_NUMBER(projectile.force.y)),
     shot_row("shot.force.z", "N", "of a constant force", PHYSIM_NUMBER(projectile.force.z)),

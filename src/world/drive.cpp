@@ -21,7 +21,7 @@ void Drive::find(const Registry& registry, const WorldState& state, std::uint32_
   if (law_->has_force()) mass_ = mass_of(registry, state, slot);
   if (!law_->scales_gravity()) return;
   conditions_ = &registry.cohort(slot.cohort).conditions;
-  if (conditions_->has_gravity_scale) gravity_scale_ = state.extras.own_of(index).gravity_scale;
+  if (conditions_->has_gravity_scale) gravity_scale_ = gravity_scale_of(registry, state, index);
 }
 
 void Drive::begin_step(Integrator integrator, double time, double dt) {

@@ -160,7 +160,7 @@ void DrivenRows::put_felt(const Registry& registry, const WorldState& state, con
     const std::uint32_t slot = cohorts_[block.cohort].slot[block.first + lanes[i]];
     if (law.has_force()) pack.mass[i] = mass_of(registry, state, state.slots[slot]);
     if (!law.scales_gravity()) continue;
-    const double scale = conditions.has_gravity_scale ? state.extras.own_of(slot).gravity_scale : 1;
+    const double scale = conditions.has_gravity_scale ? gravity_scale_of(registry, state, slot) : 1;
     const Vec3d felt = gravity(conditions, Vec3d{pack.x[0][i], pack.x[1][i], pack.x[2][i]}) * scale;
     pack.gravity[0][i] = felt.x, pack.gravity[1][i] = felt.y, pack.gravity[2][i] = felt.z;
   }

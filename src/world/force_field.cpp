@@ -23,6 +23,11 @@ bool acts(const Generator& g, double time, double dt, double place) {
 
 }  // namespace
 
+double gravity_scale_of(const Registry& registry, const WorldState& state, std::uint32_t slot) {
+  const double own = state.slots[slot].is(kOwn) ? state.extras.own_of(slot).gravity_scale : 1;
+  return registry.kind(state.slots[slot].kind).projectile.gravity_scale * own;
+}
+
 double mass_of(const Registry& registry, const WorldState& state, const Slot& slot) {
   const Kind& kind = registry.kind(slot.kind);
   if (!registry.cohort(slot.cohort).conditions.has_motor) return kind.projectile.mass;

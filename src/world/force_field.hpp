@@ -10,9 +10,11 @@
 
 namespace physim {
 
-/// The layer bits of a projectile, of its own or of its kind.
 /// What is left of its mass, where a motor burns it [kg].
 [[nodiscard]] double mass_of(const Registry& registry, const WorldState& state, const Slot& slot);
+/// Times gravity: its projectile's own and its live one [-].
+[[nodiscard]] double gravity_scale_of(const Registry& registry, const WorldState& state, std::uint32_t slot);
+/// The layer bits of a projectile, of its own or of its kind.
 [[nodiscard]] std::uint32_t layers_of(const Registry& registry, const WorldState& state, std::uint32_t slot);
 /// Whether a generator's kind or layers hold a projectile.
 [[nodiscard]] bool is_in_group(const Generator& generator, const Registry& registry, const WorldState& state,

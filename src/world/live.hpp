@@ -53,7 +53,7 @@ struct OwnPart {
 
 inline constexpr std::array kOwnParts = {
     OwnPart{1u << 7, &Features::has_gravity_scale, [](const Own& own) { return own.gravity_scale != 1; },
-            [](const Own& own, Body<double>& body) { body.gravity_scale = own.gravity_scale; }},
+            [](const Own& own, Body<double>& body) { body.gravity_scale *= own.gravity_scale; }},
     OwnPart{1u << 8, &Features::has_frozen, [](const Own& own) { return own.frozen != Axes::none; },
             [](const Own& own, Body<double>& body) { body.free = free_axes(own.frozen); }},
 };

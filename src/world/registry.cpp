@@ -166,7 +166,7 @@ std::uint16_t Registry::cohort(std::uint32_t index, std::uint16_t rung, const Va
   key.environment = k.body.environment;
   key.fidelity = r.in_use.fidelity;
   key.features = r.features;
-  for (std::size_t i = 0; i < kOwnParts.size(); ++i) key.features.*kOwnParts[i].feature = (variant.own >> i & 1u) != 0;
+  for (std::size_t i = 0; i < kOwnParts.size(); ++i) key.features.*kOwnParts[i].feature |= (variant.own >> i & 1u) != 0;
   key.features.has_rail = variant.railed && flies_motors(key.fidelity);
   key.launch_place = std::isfinite(k.body.despawn.farther);
   key.rules.despawn = k.body.despawn;

@@ -73,9 +73,10 @@ std::array<std::string, 7> ComparedRung::figures() const {
           fixed(end.range, 4),    fixed(end.position.y, 4),        fixed(end.windage, 4)};
 }
 
-std::vector<ComparedRung> compare_rungs(const Session& session, const ScenarioShot& shot,
+std::vector<ComparedRung> compare_rungs(const Session& session, const ScenarioShot& fired,
                                         const std::vector<std::string>& presets, CostTable& costs) {
   const Scenario& scenario = session.scenario();
+  const ScenarioShot shot = as_flown(fired);
   std::vector<ComparedRung> rungs;
   std::vector<FlightSetting> settings;
   const auto add = [&](const std::string& name, const FlightSetting& setting) {
