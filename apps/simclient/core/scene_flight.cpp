@@ -135,7 +135,10 @@ void build_vectors(const Client& client, double scale, Scene& scene) {
   if (const double speed = length(velocity); speed > 0)
     draw(at, velocity * (longest / speed), colours::kVelocity, formatted("v %.2f m/s", speed));
 
-  const Accelerations& a = now.accelerations;
+  Accelerations a = now.accelerations;
+  const Fidelity& f = track->granted.fidelity;
+  const bool by_loop = f.integrator == Integrator::classic && f.motion != Motion::closed_form;
+  if (by_loop && f.drag == DragModel::damping) a.drag = {};  // it acts on the velocity, and is no force there
   const double mass = now.mass;
   double strongest = length(a.total);
   for (const ShownForce& each : kForces) strongest = std::max(strongest, length(a.*each.effect));
