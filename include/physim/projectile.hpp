@@ -63,14 +63,15 @@ struct Inertia {
   bool operator==(const Inertia&) const = default;
 };
 
-/// What a projectile is. Every field has one meaning at every fidelity; low fidelities ignore part of it.
+/// What a projectile is. Every field has one meaning at every fidelity; low fidelities ignore part of it. Worlds change
+/// those marked (live) for a projectile in flight (Projectile::set_projectile()).
 struct ProjectileDef {
   std::string name{};                 ///< for tables and plots [-]
-  double mass = 1;                    ///< at launch, the propellant of a motor included [kg]
-  double diameter = 0.1;              ///< reference diameter: the reference area is pi d^2 / 4 [m]
+  double mass = 1;                    ///< (live) at launch, the propellant of a motor included [kg]
+  double diameter = 0.1;              ///< (live) reference diameter: the reference area is pi d^2 / 4 [m]
   double length = 0;                  ///< for the stability factor; 0: not known [m]
   double twist = 0;                   ///< rifling, length of one turn, positive right-handed; 0: no spin [m]
-  DragDef drag{};                     ///< data of the drag models [-]
+  DragDef drag{};                     ///< (live) data of the drag models [-]
   MagnusDef magnus{};                 ///< of balls that spin [-]
   Inertia inertia{};                  ///< of rigid bodies [-]
   AeroDef aero{};                     ///< of rigid bodies, beside drag at zero yaw [-]

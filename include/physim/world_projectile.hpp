@@ -89,6 +89,14 @@ class Projectile : public ProjectileView {
   Status set_angular_velocity(const Vec3d& omega);
   /// Moves it to another rung, as it is.
   Status set_fidelity(const Fidelity& fidelity);
+  /// Changes all that ProjectileDef marks (live) at once: it becomes a projectile of another kind, and generators of
+  /// its former kind act on it no more. Place, velocity, spin and attitude stay, its momentum does not. A k2 that
+  /// stands in for the drag equation is found anew, where it is. Refused where `projectile` differs from definition()
+  /// in anything else or makes no sense, and for what has a motor, whose tables say how its mass and its drag change.
+  Status set_projectile(const ProjectileDef& projectile);
+  Status set_mass(double mass);          ///< [kg]; drag by a ballistic coefficient stays: it contains a mass of its own
+  Status set_drag(const DragDef& drag);  ///< all of it: table, coefficients, damping, k1 and k2
+  Status set_damping(double damping);    ///< DragDef::damping alone, above 0 and not above 1 [-]
   /// Changes all that BodyDef marks (live) at once; refused where `body` differs from body() in anything else.
   Status set_body(const BodyDef& body);
   Status set_gravity_scale(double scale);

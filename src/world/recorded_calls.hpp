@@ -72,3 +72,7 @@ PHYSIM_CALL(jump_emitter, w.jump_emitter(emitter, to), EmitterId emitter, const 
 PHYSIM_CALL(seek_emitter, w.seek_emitter(emitter, time), EmitterId emitter, double time)
 PHYSIM_CALL(set_hit_function, w.set_hit_function(is_there ? moments.hits : HitFunction()), bool is_there)
 PHYSIM_CALL(lead_emitter, w.lead_emitter(emitter, to, time), EmitterId emitter, const Transform& to, double time)
+PHYSIM_CALL(set_projectile, w[id].set_projectile(projectile), ProjectileId id, const ProjectileDef& projectile)
+PHYSIM_CALL(set_mass, w[id].set_mass(mass), ProjectileId id, double mass)
+PHYSIM_CALL(set_drag, w[id].set_drag(drag), ProjectileId id, const DragDef& drag)
+PHYSIM_CALL(set_damping, w[id].set_damping(damping), ProjectileId id, double damping)

@@ -320,6 +320,69 @@ Status Projectile::set_label(const std::string& label) {
   return world().change_tag(id_, &Tags::label, label);
 }
 
+// ------------------------------------------------------------------------------------------- what it is
+Status WorldImpl::change_projectile(ProjectileId id, const std::function<void(ProjectileDef&)>& change) {
+  const Slot* slot = find(id);
+  if (!slot) return gone();
+  const Kind& from = registry.kind(slot->kind);
+  ProjectileDef to = from.projectile;
+  change(to);
+  if (to == from.projectile) return {};
+  if (has_motor(from.projectile))
+    return Error{"has a motor", "projectile", "its tables say how its mass and its drag change"};
+  ProjectileDef reached = from.projectile;
+  reached.mass = to.mass;
+  reached.diameter = to.diameter;
+  reached.drag = to.drag;
+  if (Status status = check(to); !status) return status;  // first: what is no number differs from itself
+  if (reached != to)
+    return Error{"has another member that is not live", "projectile", "ProjectileDef says which can change"};
+  const Result<std::uint32_t> kind = find_or_add_kind(to, from.body);
+  if (!kind) return kind.error();
+  Status status = change_kind(id.index, *kind);
+  registry.kinds.forget_idle(living);
+  return status;
+}
+
+/// To a kind of the same body.
+Status WorldImpl::change_kind(std::uint32_t index, std::uint32_t kind) {
+  Slot& slot = state.slots[index];
+  const Prepared& now = registry.kind(slot.kind).on(slot.rung);
+  const auto rung = registry.rung(kind, now.asked, now.chosen ? &*now.chosen : nullptr);
+  if (!rung) return Error{"there are too many rungs of this kind", "fidelity", "at most 4096"};
+  wake(index);
+  const Slot before = slot;
+  slot.kind = kind;
+  slot.rung = *rung;
+  slot.set(kForced, feels_forces(index));
+  if (Status status = placement.relocate(index); !status) return slot = before, status;
+  placement.rewrite_row(index);
+  registry.kinds.join(kind);  // first: the one that it leaves may go
+  registry.kinds.leave(before.kind, moments, living);
+  return {};
+}
+
+Status Projectile::set_projectile(const ProjectileDef& projectile) {
+  const Recorded<Call::set_projectile> call(world(), id_, projectile);
+  if (call.is_refused()) return call.refusal();
+  return world().change_projectile(id_, [&](ProjectileDef& p) { p = projectile; });
+}
+Status Projectile::set_mass(double mass) {
+  const Recorded<Call::set_mass> call(world(), id_, mass);
+  if (call.is_refused()) return call.refusal();
+  return world().change_projectile(id_, [&](ProjectileDef& p) { p.mass = mass; });
+}
+Status Projectile::set_drag(const DragDef& drag) {
+  const Recorded<Call::set_drag> call(world(), id_, drag);
+  if (call.is_refused()) return call.refusal();
+  return world().change_projectile(id_, [&](ProjectileDef& p) { p.drag = drag; });
+}
+Status Projectile::set_damping(double damping) {
+  const Recorded<Call::set_damping> call(world(), id_, damping);
+  if (call.is_refused()) return call.refusal();
+  return world().change_projectile(id_, [&](ProjectileDef& p) { p.drag.damping = damping; });
+}
+
 // ------------------------------------------------------------------------------------------- fidelity
 Status WorldImpl::change_fidelity(std::uint32_t index, const Fidelity& asked) {
   const auto rung = registry.rung(state.slots[index].kind, asked);

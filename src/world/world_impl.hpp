@@ -1,6 +1,7 @@
 // WorldImpl: the parts of a world and what its files share.
 #pragma once
 
+#include <functional>
 #include <mutex>
 
 #include "physim/auto_fidelity.hpp"
@@ -123,6 +124,9 @@ struct WorldImpl : Gate {
   Status change_own(std::uint32_t slot, const Own& to);
   template <class T>
   Status change_tag(ProjectileId id, T Tags::*tag, const T& to);
+  /// Makes a change of its definition: it goes over to another kind.
+  Status change_projectile(ProjectileId id, const std::function<void(ProjectileDef&)>& change);
+  Status change_kind(std::uint32_t slot, std::uint32_t kind);
   Status change_fidelity(std::uint32_t slot, const Fidelity& asked);
   Status change_rung(std::uint32_t slot, std::uint16_t rung);
   bool uses_detail() const { return !state.detail.rungs.empty(); }

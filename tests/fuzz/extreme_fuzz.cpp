@@ -326,13 +326,18 @@ class Extreme {
   void change(World& w) {
     if (ids_.empty()) return;
     Projectile p = w[ids_[static_cast<std::size_t>(r_.below(static_cast<int>(ids_.size())))]];
-    switch (r_.below(7)) {
+    switch (r_.below(9)) {
       case 0: return void(p.set_position(maybe_extreme(r_.vector3(30))));
       case 1: return void(p.set_velocity(maybe_extreme(r_.vector3(90))));
       case 2: return void(p.apply_impulse(maybe_extreme(r_.vector3(3))));
       case 3: return void(p.set_angular_velocity(maybe_extreme(r_.vector3(30))));
       case 4: return void(p.set_body(maybe_extreme(p.body())));
       case 5: return void(p.set_fidelity(r_.fidelity()));
+      case 6: return void(p.set_mass(maybe_extreme(Vec3d{r_.number(0, 9), 0, 0}).x));
+      case 7: {
+        const ProjectileDef* now = p.definition();
+        return void(now && p.set_drag(maybe_extreme(*now).drag));
+      }
       default: return void(w.set_observer(maybe_extreme(r_.vector3(30))));
     }
   }

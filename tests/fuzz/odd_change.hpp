@@ -7,7 +7,7 @@ namespace physim::test {
 
 /// One random call that changes a projectile.
 inline void change_oddly(Projectile q, Odd& r) {
-  switch (r.below(18)) {
+  switch (r.below(22)) {
     case 0: return void(q.despawn());
     case 1: return void(q.set_position(r.vector3(30)));
     case 2: return void(q.set_velocity(r.vector3(90)));
@@ -30,6 +30,17 @@ inline void change_oddly(Projectile q, Odd& r) {
     case 14: return void(q.set_smoothing(r.any<Smoothing>()));
     case 15: return void(q.set_user_data(r.bits()));
     case 16: return void(r.coin() ? q.set_layers(r.count(7)) : q.set_colour(r.bits()));
+    case 17: return void(q.set_mass(r.one_in(4) ? -r.number(0, 9) : r.number(0, 9)));
+    case 18: return void(q.set_damping(r.number(0, 1.2)));
+    case 19: return void(q.set_drag(r.projectile().drag));
+    case 20: {
+      ProjectileDef p = r.projectile();
+      if (const ProjectileDef* now = q.definition(); now && !r.one_in(5)) {
+        const DragDef drag = p.drag;
+        p = *now, p.drag = drag, p.mass = r.number(0, 9), p.diameter = r.number(0, 0.3);
+      }
+      return void(q.set_projectile(p));
+    }
     default: return void(q.set_label(r.text()));
   }
 }

@@ -99,7 +99,7 @@ class Soak {
   void change() {
     if (ids_.empty()) return;
     const ProjectileId id = ids_[pick(static_cast<unsigned>(ids_.size()))];
-    switch (pick(13)) {
+    switch (pick(15)) {
       case 0: return void(world_[id].despawn());
       case 1:
       case 2: return void(world_[id].set_fidelity(rungs_[pick(static_cast<unsigned>(std::size(rungs_)))]));
@@ -117,6 +117,8 @@ class Soak {
         body.kinematic = pick(3) == 0;
         return void(world_[id].set_body(body));
       }
+      case 12: return void(world_[id].set_mass(0.1 + uniform()));
+      case 13: return void(world_[id].set_damping(pick(20) == 0 ? 0 : 1 - 0.5 * uniform()));
       default: return void(world_[id].set_state({direction() * 10.0, direction() * 30.0}));
     }
   }

@@ -68,7 +68,7 @@ class RandomSession {
     if (what == 24 && below(20) == 0) return world_.clear();
     if (what >= 48) return emitter();
     if (what >= 45) return scene();
-    change(what % 20);
+    change(below(23));
   }
 
  private:
@@ -272,6 +272,16 @@ class RandomSession {
     world_[id].set_body(body);
   }
 
+  void set_drag(ProjectileId id) {
+    if (const ProjectileDef* what = world_[id].definition()) {
+      ProjectileDef changed = *what;
+      changed.diameter = real(0.01, 0.2);
+      changed.drag.coefficient = real(0, 1);
+      changed.drag.k1 = coin() ? 0 : real(0, 0.1);
+      coin() ? world_[id].set_projectile(changed) : world_[id].set_drag(changed.drag);
+    }
+  }
+
   void change(int what) {
     const ProjectileId id = some();
     const auto bits = static_cast<std::uint32_t>(random_());
@@ -295,6 +305,9 @@ class RandomSession {
       case 16: return void(world_[id].set_label("number " + std::to_string(bits)));
       case 17: return void(world_[id].set_fidelity(fidelity()));
       case 18: return set_body(id);
+      case 19: return void(world_[id].set_mass(below(9) == 0 ? -1 : real(0.1, 9)));
+      case 20: return void(world_[id].set_damping(below(9) == 0 ? 2 : real(0.5, 1)));
+      case 21: return set_drag(id);
       default: return void(world_.set_fidelity(several(), fidelity()));
     }
   }

@@ -53,6 +53,7 @@ void FlightEditor::take(const World& world, const Track& track) {
   velocity_ = projectile.velocity();
   impulse_ = {};
   shot_.body = projectile.body();
+  if (const ProjectileDef* what = projectile.definition()) shot_.projectile = *what;
 }
 
 void FlightEditor::draw(Client& client) {
@@ -104,9 +105,10 @@ void FlightEditor::draw_state(Client& client, const Track& track) {
 }
 
 void FlightEditor::draw_body(Client& client, const Track& track) {
-  const BodyDef now = client.session.world()[id_].body();
+  const ProjectileView now = client.session.world()[id_];
   ScenarioShot was;
-  was.body = now;
+  was.body = now.body();
+  if (const ProjectileDef* what = now.definition()) was.projectile = *what;
   Scenario scenario;  // none of its settings is live
   for (const SettingRow& row : rows_) {
     ImGui::PushID(row.path.c_str());
@@ -115,7 +117,11 @@ void FlightEditor::draw_body(Client& client, const Track& track) {
       if (Status status = set_value(row, *entered, scenario, shot_); !status) client.complain(status.error());
     ImGui::PopID();
   }
-  if (ImGui::Button("Change its settings")) apply(client, track, [&](Projectile p) { return p.set_body(shot_.body); });
+  if (ImGui::Button("Change its settings"))
+    apply(client, track, [&](Projectile p) {
+      Status status = p.set_body(shot_.body);
+      return status ? p.set_projectile(shot_.projectile) : status;
+    });
 }
 
 }  // namespace physim::client

@@ -20,7 +20,7 @@ class FlightEditor {
   ProjectileId id_;  // whose numbers are below
   Fidelity fidelity_;
   Vec3d position_, velocity_, impulse_;
-  ScenarioShot shot_;             // its body, as it is to become
+  ScenarioShot shot_;             // what it is to become
   std::vector<SettingRow> rows_;  // of what is live
   RowEditor editor_;
 };
