@@ -28,6 +28,7 @@ struct RunOptions {
   ScenarioInput input;
   Outputs outputs;
   std::string folder, interval;
+  bool with_jerk = false;  // flights only
   // Worlds only:
   std::optional<std::uint64_t> steps;
   std::optional<std::uint32_t> threads;
@@ -81,13 +82,14 @@ std::vector<std::string> shot_plots(const std::string& folder, const FlownScenar
   return paths;
 }
 
-Status draw_each(const std::vector<std::string>& paths, const FlownScenario& flown) {
+Status draw_each(const std::vector<std::string>& paths, const FlownScenario& flown, bool with_jerk) {
   if (!paths.empty() && paths.size() < flown.shots.size())
     print_warning("only the first " + std::to_string(paths.size()) + " shots get their own plot");
   const Progress bar = progress_bar("drawing");
   for (std::size_t i = 0; i < paths.size(); ++i) {
-    const Picture picture = shots_picture(title_of(flown.scenario), {&flown.shots[i], 1},
-                                          flown.scene ? &*flown.scene : nullptr, flown.scenario.expect);
+    const Picture picture =
+        shots_picture(title_of(flown.scenario), {&flown.shots[i], 1}, flown.scene ? &*flown.scene : nullptr,
+                      flown.scenario.expect, with_jerk);
     if (Status status = draw(paths[i], picture); !status) return status;
     bar(i + 1, paths.size());
   }
@@ -112,11 +114,12 @@ Status write_all(const RunOptions& options, const FlownScenario& flown, std::opt
     for (const Format* format : each->asked()) parts.add(format->world_parts);
   const Result<SampleTimes> times = parts.samples ? sample_times(flown.shots, interval) : SampleTimes{};
   if (!times) return times.error();
-  const Flights flights{flown, *times};
+  const Flights flights{flown, *times, options.with_jerk};
   const auto make = [&](const Format& format) { return content_of(format, flights); };
   if (!options.folder.empty()) {
-    Status status = in_turn([&] { return make_folder(options.folder); }, [&] { return check(in_folder); },
-                            [&] { return write(in_folder, make); }, [&] { return draw_each(plots, flown); });
+    Status status =
+        in_turn([&] { return make_folder(options.folder); }, [&] { return check(in_folder); },
+                [&] { return write(in_folder, make); }, [&] { return draw_each(plots, flown, options.with_jerk); });
     if (!status) return status;
   }
   return write(options.outputs, make);
@@ -267,6 +270,8 @@ Result<int> run(const RunOptions& options) {
                                                   "take [world] out of the scenario")
                                   : check_subject(options.outputs, Subject::flights, kNoWorld, kForWorlds);
   if (!fitting) return fitting.error();
+  if (is_world && options.with_jerk)
+    return Error{.message = "it is of single flights", .place = "--jerk", .hint = "take [world] out of the scenario"};
   if (is_world) return run_world(options, std::move(*scenario), *interval);
   const std::string option = !options.outputs.record.empty() ? "--record"
                              : options.steps                 ? "--steps"
@@ -291,6 +296,7 @@ void add_run_command(Command& program) {
                      {.is_folder = true});
   command.add_option("--interval", options->interval, "TIME",
                      "Time between samples in files, as \"10 ms\"; without it 200 to 500 samples a shot");
+  command.add_flag("--jerk", options->with_jerk, "Flights: add the jerk to samples and plots");
   command.add_output("--record", options->outputs.record, "FILE", "Worlds: record the run, for physim replay",
                      {.incomplete = kIncomplete});
   command.add_option("--steps", options->steps, "Worlds: take so many steps instead of world.duration")

@@ -148,6 +148,9 @@ class Flight {
   [[nodiscard]] Sample end() const { return at(duration()); }
   /// Acceleration by effect at a time [s].
   [[nodiscard]] Accelerations accelerations(double time) const;
+  /// How fast the acceleration changes along the path at a time [s], by differences of the models (model/jerk.hpp)
+  /// [m/s^3].
+  [[nodiscard]] Vec3d jerk(double time) const;
 
   /// What flew, with the fidelity that was granted to it.
   [[nodiscard]] const ProjectileDef& projectile() const;

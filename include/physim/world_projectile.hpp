@@ -51,6 +51,9 @@ class ProjectileView {
   /// Acceleration by effect now; `applied` holds the generators too (inside a step of its world, without custom
   /// forces).
   [[nodiscard]] Accelerations accelerations() const;
+  /// How fast the acceleration changes along the path now, as Flight::jerk(); generators count by place and velocity
+  /// [m/s^3].
+  [[nodiscard]] Vec3d jerk() const;
 
   [[nodiscard]] KindId kind() const;
   [[nodiscard]] const ProjectileDef* definition() const;  ///< null where it is gone

@@ -7,6 +7,7 @@
 #include "base/text.hpp"
 #include "flight/flight_record.hpp"
 #include "model/attitude.hpp"
+#include "model/jerk.hpp"
 #include "model/stability.hpp"
 #include "prepare/grant.hpp"
 
@@ -234,6 +235,16 @@ Accelerations Flight::accelerations(double time) const {
   const FlightRecord& r = *record_;
   if (r.outcome == Outcome::refused) return {};
   return r.accelerations_at(nearest_time(time, r.duration));
+}
+
+Vec3d Flight::jerk(double time) const {
+  const IeeeMode mode;
+  const FlightRecord& r = *record_;
+  if (r.outcome == Outcome::refused) return {};
+  time = nearest_time(time, r.duration);
+  Body<double> changed;
+  const Body<double>& b = r.body_at(time, changed);
+  return jerk_of(r.cohort.conditions, b, r.rotor, r.clock + time, r.state(time), r.turn(time));
 }
 
 const ProjectileDef& Flight::projectile() const { return record_->projectile; }

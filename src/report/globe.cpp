@@ -188,7 +188,8 @@ Status check_round(const FlownScenario& flown) {
 
 Content globe_kml(const Flights& flights) {
   return [flights](const Sink& sink) {
-    const auto& [flown, times] = flights;
+    const FlownScenario& flown = flights.flown;
+    const SampleTimes& times = flights.times;
     PHYSIM_ASSERT(times.size() == flown.shots.size());
     sink(kml_begin(title_of(flown.scenario), flown.scenario.source) +
          " <Style id=\"path\"><LineStyle><color>ff00a0ff</color><width>2</width></LineStyle></Style>\n");
@@ -199,7 +200,8 @@ Content globe_kml(const Flights& flights) {
 
 Content globe_czml(const Flights& flights) {
   return [flights](const Sink& sink) {
-    const auto& [flown, times] = flights;
+    const FlownScenario& flown = flights.flown;
+    const SampleTimes& times = flights.times;
     PHYSIM_ASSERT(times.size() == flown.shots.size());
     double last = 0;
     for (const FlownShot& shot : flown.shots) last = std::max(last, shot.flight.duration());
@@ -216,7 +218,8 @@ Content globe_czml(const Flights& flights) {
 
 Content globe_geojson(const Flights& flights) {
   return [flights](const Sink& sink) {
-    const auto& [flown, times] = flights;
+    const FlownScenario& flown = flights.flown;
+    const SampleTimes& times = flights.times;
     PHYSIM_ASSERT(times.size() == flown.shots.size());
     JsonStream out(sink);
     out.object();

@@ -8,11 +8,12 @@
 
 namespace physim::report {
 
-/// Path and speed, then position, velocity and acceleration over time, axis by axis; of the first 14 shots, since more
-/// could not be told apart.
+/// Path and speed, then position, velocity, acceleration and, where it is asked for, jerk over time, axis by axis; of
+/// the first 14 shots, since more could not be told apart.
 /// `scene`: things that stand about; null: none. `expected`: figures of times, drawn as marks over the curves.
 [[nodiscard]] Picture shots_picture(const std::string& title, std::span<const FlownShot> shots,
-                                    const Scene* scene = nullptr, std::span<const Expectation> expected = {});
+                                    const Scene* scene = nullptr, std::span<const Expectation> expected = {},
+                                    bool with_jerk = false);
 [[nodiscard]] Content flights_picture(const Flights& flights);
 /// The paths of a world's run from the side and from above, and the wall.
 [[nodiscard]] Content world_picture(const WorldLog& log);

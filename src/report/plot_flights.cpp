@@ -18,9 +18,9 @@ constexpr std::size_t kMaxDrawnShots = 14;
 
 // Columns of a datablock, counted from 1 as gnuplot does: those of a sample row, and then these.
 constexpr int kTime = 1, kPosition = 2, kVelocity = 5, kAcceleration = 8, kSpeed = 11;
-constexpr int kRange = 13, kHeightColumn = 14;
-constexpr int kColumns = 14;
-static_assert(kSampleColumns.size() <= kColumns);
+constexpr int kRange = 13, kHeightColumn = 14, kJerk = 15;
+constexpr int kColumns = 17;
+static_assert(kSampleColumns.size() <= kHeightColumn);
 
 struct Curve {
   std::string name;
@@ -37,7 +37,7 @@ std::string hits_of(const Flight& flight) {
   return rows;
 }
 
-Curve curve_of(const FlownShot& shot, std::size_t index) {
+Curve curve_of(const FlownShot& shot, std::size_t index, bool with_jerk) {
   Curve curve{shot.name, "$shot" + std::to_string(index), {}, hits_of(shot.flight)};
   const double duration = shot.flight.duration();
   for (int k = 0; k <= kPoints; ++k) {
@@ -46,6 +46,8 @@ Curve curve_of(const FlownShot& shot, std::size_t index) {
     std::ranges::copy(row_of(sample), row.begin());
     row[kRange - 1] = std::hypot(sample.position.x, sample.position.z);
     row[kHeightColumn - 1] = sample.position.y;
+    const Vec3d jerk = with_jerk ? shot.flight.jerk(sample.time) : Vec3d{};
+    row[kJerk - 1] = jerk.x, row[kJerk] = jerk.y, row[kJerk + 1] = jerk.z;
     curve.rows.push_back(row);
   }
   return curve;
@@ -79,13 +81,19 @@ Extent extent_of(const std::vector<Curve>& curves, int column) {
 class FlightsPicture {
  public:
   FlightsPicture(const std::string& title, std::span<const FlownShot> shots, const Scene* scene,
-                 std::span<const Expectation> expected)
+                 std::span<const Expectation> expected, bool with_jerk)
       : title_(title),
         scene_(scene),
         shots_(shots.first(std::min(shots.size(), kMaxDrawnShots))),
         all_(shots.size()),
-        marks_(shots_, expected) {
-    for (std::size_t i = 0; i < shots_.size(); ++i) curves_.push_back(curve_of(shots_[i], i));
+        marks_(shots_, expected),
+        rows_(with_jerk ? 4 : 3) {
+    for (std::size_t i = 0; i < shots_.size(); ++i) curves_.push_back(curve_of(shots_[i], i, with_jerk));
+  }
+
+  /// A further row of panels makes it higher [px].
+  [[nodiscard]] int height() const {
+    return kHeight + static_cast<int>(std::lround(kHeight * (kRowHeight + kRowGap) * (rows_ - 3)));
   }
 
   [[nodiscard]] std::string script() const {
@@ -98,6 +106,7 @@ class FlightsPicture {
       out += axis_panel(axis, 0, kPosition + axis, name + " [m]");
       out += axis_panel(axis, 1, kVelocity + axis, "v" + name + " [m/s]");
       out += axis_panel(axis, 2, kAcceleration + axis, "a" + name + " [m/s²]");
+      if (rows_ > 3) out += axis_panel(axis, 3, kJerk + axis, "j" + name + " [m/s³]");
     }
     return out + "unset multiplot\n";
   }
@@ -110,19 +119,23 @@ class FlightsPicture {
 
   static constexpr double kHeaderLeft = 0.02, kLegendTop = 0.938, kLegendRow = 0.0215;  // parts of the picture
 
+  /// A height in the picture of three rows, as far from the top of this one.
+  [[nodiscard]] double up(double part) const { return 1 - (1 - part) * kHeight / height(); }
   static double column_left(int column) { return kLeft + column * (kPanelWidth + kPanelGap); }
 
   [[nodiscard]] std::string header() const {
-    std::string out = title_at(kHeaderLeft, 0.968, title_, kWidth);
+    std::string out = title_at(kHeaderLeft, up(0.968), title_, kWidth);
     if (shots_.size() == 1) {
       const Fidelity& asked = shots_[0].shot->projectile.fidelity;
       const std::string text = one_line(shots_[0].name) + ", fidelity " + preset_name(asked);
-      return out + text_at(kHeaderLeft, kLegendTop, text, 15, kQuiet) + legend(static_cast<double>(text.size()) * 9.5);
+      return out + text_at(kHeaderLeft, up(kLegendTop), text, 15, kQuiet) +
+             legend(static_cast<double>(text.size()) * 9.5);
     }
     const std::string count =
         all_ == shots_.size() ? std::to_string(all_) + " shots"
                               : "the first " + std::to_string(shots_.size()) + " of " + std::to_string(all_) + " shots";
-    return out + text_at(kHeaderLeft, kLegendTop, count, 15, kQuiet) + legend(static_cast<double>(count.size()) * 10);
+    return out + text_at(kHeaderLeft, up(kLegendTop), count, 15, kQuiet) +
+           legend(static_cast<double>(count.size()) * 10);
   }
 
   struct LegendItem {
@@ -167,7 +180,7 @@ class FlightsPicture {
     while (characters > 4 && !items.empty() && items.back().row > 1) items = legend_items(indent, --characters);
     std::string out;
     for (const LegendItem& item : items) {
-      const double y = kLegendTop - item.row * kLegendRow;
+      const double y = up(kLegendTop - item.row * kLegendRow);
       out += item.mark.empty() ? legend_entry(item.x, y, item.name, item.style, kWidth)
                                : legend_mark(item.x, y, item.name, item.mark, kWidth);
     }
@@ -207,7 +220,7 @@ class FlightsPicture {
     std::string note = to_scale(x, y, panel_width, panel_height, 0, {"distances", "heights"});
     const bool is_line = is_constant(extent_of(curves_, kRange)) || is_constant(extent_of(curves_, kHeightColumn));
     if (is_line && note != ", to scale") note = "";
-    return panel_at(kLeft, right, kTopLow, kTopHigh) + range_of("x", x) + range_of("y", y) +
+    return panel_at(kLeft, right, up(kTopLow), up(kTopHigh)) + range_of("x", x) + range_of("y", y) +
            "set xlabel 'distance [m]' offset 0,0.5\nunset label\n" + panel_title("height [m] over distance" + note) +
            header() + sections(x, y) + curves(kRange, kHeightColumn, 0);
   }
@@ -226,7 +239,7 @@ class FlightsPicture {
 
   [[nodiscard]] std::string time_panel(double left, double low, double high, int column, const std::string& label,
                                        int row) const {
-    return panel_at(left, left + kPanelWidth, low, high) + range_of("x", time_extent()) +
+    return panel_at(left, left + kPanelWidth, up(low), up(high)) + range_of("x", time_extent()) +
            range_of("y", padded(with_marks(extent_of(curves_, column), column))) + "unset label\n" +
            panel_title(label) + "plot " + curves(kTime, column, row);
   }
@@ -239,7 +252,7 @@ class FlightsPicture {
   [[nodiscard]] std::string axis_panel(int column, int row, int data_column, const std::string& label) const {
     const double low = kRowLow + (2 - row) * (kRowHeight + kRowGap);
     const std::string below =  // the three panels of a column share their time axis
-        row == 2 ? "set xlabel 't [s]' offset 0,0.5\nset format x '%g'\n" : "unset xlabel\nset format x ''\n";
+        row + 1 == rows_ ? "set xlabel 't [s]' offset 0,0.5\nset format x '%g'\n" : "unset xlabel\nset format x ''\n";
     return below + time_panel(column_left(column), low, low + kRowHeight, data_column, label, row);
   }
 
@@ -259,20 +272,22 @@ class FlightsPicture {
   std::span<const FlownShot> shots_;
   std::size_t all_;
   PlotMarks marks_;
+  int rows_;  // of panels of the axes
   std::vector<Curve> curves_;
 };
 
 }  // namespace
 
 Picture shots_picture(const std::string& title, std::span<const FlownShot> shots, const Scene* scene,
-                      std::span<const Expectation> expected) {
-  return {kWidth, kHeight, FlightsPicture(title, shots, scene, expected).script()};
+                      std::span<const Expectation> expected, bool with_jerk) {
+  const FlightsPicture picture(title, shots, scene, expected, with_jerk);
+  return {kWidth, picture.height(), picture.script()};
 }
 
 Content flights_picture(const Flights& flights) {
   const FlownScenario& flown = flights.flown;
   return shots_picture(title_of(flown.scenario), flown.shots, flown.scene ? &*flown.scene : nullptr,
-                       flown.scenario.expect);
+                       flown.scenario.expect, flights.with_jerk);
 }
 
 }  // namespace physim::report

@@ -43,20 +43,32 @@ std::vector<double> times_of(double duration, double interval) {
   return times;
 }
 
-std::vector<SampleRow> rows_of(const Flight& flight, const std::vector<double>& times) {
-  std::vector<SampleRow> rows;
-  rows.reserve(times.size());
-  for (const double time : times) rows.push_back(row_of(flight.at(time)));
-  return rows;
+std::vector<std::string> columns_of(bool with_jerk) {
+  std::vector<std::string> columns(kSampleColumns.begin(), kSampleColumns.end());
+  if (with_jerk) columns.insert(columns.end(), kJerkColumns.begin(), kJerkColumns.end());
+  return columns;
 }
 
-/// Numbers of one shot, which JSON has column by column.
-Records columns_of(const std::vector<SampleRow>& samples) {
-  return {{kSampleColumns.begin(), kSampleColumns.end()}, [&samples](const auto& take) {
-            std::array<Cell, kSampleColumns.size()> row;
-            for (const SampleRow& sample : samples) {
-              std::ranges::copy(sample, row.begin());
-              take(row);
+/// The numbers of a flight at a time, as many as there are columns.
+std::vector<double> numbers_at(const Flight& flight, double time, bool with_jerk) {
+  const SampleRow row = row_of(flight.at(time));
+  std::vector<double> numbers(row.begin(), row.end());
+  if (!with_jerk) return numbers;
+  const Vec3d jerk = flight.jerk(time);
+  numbers.insert(numbers.end(), {jerk.x, jerk.y, jerk.z});
+  return numbers;
+}
+
+/// Numbers of one shot, which JSON has column by column: each is asked for once.
+Records columns_of(const Flight& flight, const std::vector<double>& times, bool with_jerk) {
+  std::vector<std::vector<double>> rows;
+  rows.reserve(times.size());
+  for (const double time : times) rows.push_back(numbers_at(flight, time, with_jerk));
+  return {columns_of(with_jerk), [rows = std::move(rows)](const auto& take) {
+            std::vector<Cell> cells;
+            for (const std::vector<double>& row : rows) {
+              cells.assign(row.begin(), row.end());
+              take(cells);
             }
           }};
 }
@@ -100,15 +112,15 @@ Result<SampleTimes> sample_times(const std::vector<FlownShot>& shots, std::optio
 
 Records records_of(const Flights& flights) {
   std::vector<std::string> columns = {"shot"};
-  columns.insert(columns.end(), kSampleColumns.begin(), kSampleColumns.end());
+  for (std::string& name : columns_of(flights.with_jerk)) columns.push_back(std::move(name));
   return {std::move(columns), [flights](const auto& take) {
-            const auto& [flown, times] = flights;
+            const auto& [flown, times, with_jerk] = flights;
             PHYSIM_ASSERT(times.size() == flown.shots.size());
-            std::array<Cell, kSampleColumns.size() + 1> row;
+            std::vector<Cell> row;
             for (std::size_t i = 0; i < flown.shots.size(); ++i) {
-              row[0] = flown.shots[i].name;
               for (const double time : times[i]) {
-                std::ranges::copy(row_of(flown.shots[i].flight.at(time)), row.begin() + 1);
+                row.assign(1, std::string_view(flown.shots[i].name));
+                for (const double number : numbers_at(flown.shots[i].flight, time, with_jerk)) row.emplace_back(number);
                 take(row);
               }
             }
@@ -117,7 +129,7 @@ Records records_of(const Flights& flights) {
 
 Content flights_json(const Flights& flights) {
   return [flights](const Sink& sink) {
-    const auto& [flown, times] = flights;
+    const auto& [flown, times, with_jerk] = flights;
     PHYSIM_ASSERT(times.size() == flown.shots.size());
     JsonStream out(sink);
     out.object();
@@ -130,7 +142,7 @@ Content flights_json(const Flights& flights) {
       out.add(flight_json(from.flight, from.shot->projectile.fidelity));
       out.add({{"range_card", range_card_json(from.flight, flown.scenario.ranges)}});
       out.object("trajectory");
-      add_columns(out, columns_of(rows_of(from.flight, times[i])));
+      add_columns(out, columns_of(from.flight, times[i], with_jerk));
       out.close();
       out.close();
     }

@@ -21,6 +21,8 @@ inline constexpr std::array<std::string_view, 14> kSampleColumns = {
     "ax [m/s^2]", "ay [m/s^2]", "az [m/s^2]", "speed [m/s]", "mach [-]", "mass [kg]", "thrust [N]"};
 using SampleRow = std::array<double, kSampleColumns.size()>;
 [[nodiscard]] SampleRow row_of(const Sample& sample);
+/// Behind them, where jerk is asked for.
+inline constexpr std::array<std::string_view, 3> kJerkColumns = {"jx [m/s^3]", "jy [m/s^3]", "jz [m/s^3]"};
 
 using SampleTimes = std::vector<std::vector<double>>;
 
@@ -32,6 +34,7 @@ using SampleTimes = std::vector<std::vector<double>>;
 struct Flights {
   const FlownScenario& flown;
   const SampleTimes& times;
+  bool with_jerk = false;
 };
 
 /// A row for each sample of each shot.

@@ -39,7 +39,8 @@ auto with_held_forces(const WorldImpl& world, const SettleContext& context, cons
   const WorldCohort& cohort = world.registry.cohort(slot.cohort);
   if (!cohort.key.forced) return f(context);
   const std::uint32_t index = world.state.slots.index_of(slot);
-  const Vec3d push = world.generator_force(index) * (1 / world.registry.kind(slot.kind).flown.mass);
+  const Vec3d push =
+      world.generator_force(index, world.state.state_of(slot)) * (1 / world.registry.kind(slot.kind).flown.mass);
   SettleContext held = context;
   const auto with = [&]<class S>(TakenStep<S> taken) {
     taken.push[0] = taken.push[1] = vec_cast<S>(push);

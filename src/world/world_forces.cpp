@@ -219,7 +219,7 @@ std::size_t World::felt_by(ForceId force) const {
 }
 
 // --------------------------------------------------------------------------------------------------- in a step
-Vec3d WorldImpl::generator_force(std::uint32_t index) const {
+Vec3d WorldImpl::generator_force(std::uint32_t index, const BodyState& there) const {
   if (!is_target(index)) return {};
   ForceRows rows;
   rows.add(registry, state, index);
@@ -228,9 +228,8 @@ Vec3d WorldImpl::generator_force(std::uint32_t index) const {
   if (is_closed()) field.leave_functions_out();
   const Restored<const Gate*> asking(in_question, this);
   field.begin_step(state.clock.time(), state.clock.dt);
-  const BodyState now = state.state_of(state.slots[index]);
-  rows.position[0] = now.position;
-  rows.velocity[0] = now.velocity;
+  rows.position[0] = there.position;
+  rows.velocity[0] = there.velocity;
   field.evaluate(0);
   return rows.force[0];
 }

@@ -168,8 +168,8 @@ struct WorldImpl : Gate {
   [[nodiscard]] Status refuses(const ForceDef& force) const;
   [[nodiscard]] std::size_t felt_by(const Generator& generator) const;
   Status remove_target(ForceId force, ProjectileId id);
-  /// By all generators on one projectile now [N].
-  [[nodiscard]] Vec3d generator_force(std::uint32_t slot) const;
+  /// By all generators on one projectile now, were it there [N].
+  [[nodiscard]] Vec3d generator_force(std::uint32_t slot, const BodyState& there) const;
   /// By its emitter on the flight of a particle now [m/s^2].
   [[nodiscard]] Vec3d emitter_push(std::uint32_t slot) const;
 

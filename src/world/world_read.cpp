@@ -4,6 +4,7 @@
 
 #include "base/ieee_mode.hpp"
 #include "math/elementary.hpp"
+#include "model/jerk.hpp"
 #include "model/magnus.hpp"
 #include "world/world_impl.hpp"
 
@@ -173,16 +174,39 @@ Accelerations ProjectileView::accelerations() const {
   const double t = world_->placement.clock_of(*slot);
   Body<double> b = world_->placement.body_of(*slot);
   if (cohort.key.forced)
-    add_push(c, t, world_->generator_force(id_.index) * inverse_mass() + world_->emitter_push(id_.index),
+    add_push(c, t, world_->generator_force(id_.index, state()) * inverse_mass() + world_->emitter_push(id_.index),
              cohort.key.features.has_applied, b);
   const BodyState now = world_->state.state_of(*slot);
   const Rows& rows = world_->state.rows_of(*slot);
   const bool turning = rows.layout().turning;
   Accelerations a = accelerations_of(c, b, turning ? rows.rotor(slot->row) : Rotor<double>{}, t,
                                      {now.position, now.velocity}, turning ? rows.turn(slot->row) : Turn<double>{});
-  if (rows.layout().carried)  // the original's register, which the accelerations of a flight are, too
+  if (rows.layout().carried)  // the original's register, as Flight tells it
     a.total = rows.read_fixed([&](const auto& columns) { return Rows::at(columns.carried, slot->row); });
   return a;
+}
+
+Vec3d ProjectileView::jerk() const {
+  const IeeeMode mode;
+  const Slot* slot = world_->find(id_);
+  if (!slot || slot->is(kInfiniteMass)) return {};
+  const WorldCohort& cohort = world_->registry.cohort(slot->cohort);
+  const BodyState now = world_->state.state_of(*slot);
+  const double t = world_->placement.clock_of(*slot), per_mass = inverse_mass();
+  Body<double> b = world_->placement.body_of(*slot);
+  PushChange change;
+  if (cohort.key.forced) {
+    const Vec3d force = world_->generator_force(id_.index, now);
+    const Vec3d push = world_->emitter_push(id_.index);
+    add_push(cohort.conditions, t, force * per_mass + push, cohort.key.features.has_applied, b);
+    change = [this, force, per_mass](const State<double>& s) {
+      return (world_->generator_force(id_.index, {s.x, s.v}) - force) * per_mass;
+    };
+  }
+  const Rows& rows = world_->state.rows_of(*slot);
+  const bool turning = rows.layout().turning;
+  return jerk_of(cohort.conditions, b, turning ? rows.rotor(slot->row) : Rotor<double>{}, t,
+                 {now.position, now.velocity}, turning ? rows.turn(slot->row) : Turn<double>{}, change);
 }
 Vec3d ProjectileView::resultant_force() const {
   const IeeeMode mode;

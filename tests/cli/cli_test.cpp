@@ -163,6 +163,31 @@ TEST(CliRun, CsvHoldsTheFlightAndNothingElse) {
   EXPECT_NEAR(last[2], 0, 1e-6);  // on the ground
 }
 
+/// Damping of rate k: j = -k a, whatever the place; a world has no samples to add it to.
+TEST(CliRun, JerkIsAddedToSamplesAndPlotsWhereItIsAskedFor) {
+  const Folder folder;
+  const std::string file =
+      folder.write("damped.toml",
+                   "physim = 1\n[until]\ntime = \"1 s\"\nground = \"off\"\n[[shot]]\nspeed = \"9 m/s\"\n"
+                   "elevation = \"40 deg\"\ndrag.damping = 0.5\nfidelity = { preset = \"constant_air\", "
+                   "drag = \"damping\" }\n");
+  const std::vector<std::string> lines =
+      lines_of(physim({"run", file, "--jerk", "--interval", "0.1 s", "--csv", "-"}).out);
+  ASSERT_GT(lines.size(), 10U);
+  EXPECT_TRUE(lines[0].ends_with("mass [kg], thrust [N], jx [m/s^3], jy [m/s^3], jz [m/s^3]")) << lines[0];
+  for (std::size_t i = 1; i < lines.size(); ++i) {
+    const std::vector<double> row = numbers_of(lines[i]);
+    ASSERT_EQ(row.size(), 17U) << lines[i];
+    for (const std::size_t axis : {0U, 1U, 2U}) EXPECT_NEAR(row[14 + axis], std::log(0.5) * row[7 + axis], 1e-5);
+  }
+  EXPECT_TRUE(has(physim({"run", file, "--jerk", "--json", "-"}).out, "\"jy [m/s^3]\""));
+  const std::string world =
+      folder.write("world.toml", "physim = 1\n[world]\nduration = \"1 s\"\n[[shot]]\nspeed = \"9 m/s\"\n");
+  const Ran ran = physim({"run", world, "--jerk"});
+  EXPECT_EQ(ran.code, 2);
+  EXPECT_TRUE(has(ran.err, "--jerk")) << ran.err;
+}
+
 TEST(CliRun, IntervalIsKept) {
   const Folder folder;
   const std::vector<std::string> lines =

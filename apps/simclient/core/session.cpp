@@ -379,7 +379,7 @@ void Session::add_launch(Track& track) const {
   for (const RunEvent& each : run_->events())
     if (each.event.id == track.id && each.event.kind == EventKind::spawned)
       track.samples.push_back({0, each.event.position, each.event.velocity, world()[track.id].accelerations().total,
-                               world()[track.id].mach(), world()[track.id].mass()});
+                               world()[track.id].mach(), world()[track.id].mass(), world()[track.id].jerk()});
 }
 
 void Session::look() {

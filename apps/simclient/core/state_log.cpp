@@ -75,6 +75,7 @@ Json track_state(const Client& client, const Track& track) {
           {"position", vector_json(s.position)},
           {"velocity", vector_json(s.velocity)},
           {"acceleration", vector_json(s.acceleration)},
+          {"jerk", vector_json(s.jerk)},
           {"speed", length(s.velocity)},
           {"mass", s.mass},
           {"mach", s.mach},

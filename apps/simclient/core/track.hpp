@@ -21,6 +21,7 @@ struct TrackSample {
   Vec3d position, velocity, acceleration;
   double mach = 0;
   double mass = 0;  // what is left of it [kg]
+  Vec3d jerk{};     // [m/s^3]
 
   bool operator==(const TrackSample&) const = default;
 };
@@ -28,13 +29,19 @@ struct TrackSample {
 /// A projectile as it is now, so long after its launch.
 [[nodiscard]] inline TrackSample sample_of(const ProjectileView& projectile, double time) {
   const BodyState at = projectile.state();
-  return {time, at.position, at.velocity, projectile.accelerations().total, projectile.mach(), projectile.mass()};
+  return {time,
+          at.position,
+          at.velocity,
+          projectile.accelerations().total,
+          projectile.mach(),
+          projectile.mass(),
+          projectile.jerk()};
 }
 
 /// A flight so long after its launch.
 [[nodiscard]] inline TrackSample sample_of(const Flight& flight, double time) {
   const Sample at = flight.at(time);
-  return {at.time, at.position, at.velocity, at.acceleration, at.mach, at.mass};
+  return {at.time, at.position, at.velocity, at.acceleration, at.mach, at.mass, flight.jerk(at.time)};
 }
 
 struct Track {
