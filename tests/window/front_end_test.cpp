@@ -91,19 +91,74 @@ TEST_P(FrontEnd, DigitsSpecifyTheShot) {
   }
 }
 
+/// The original's settings on its shots, and all rungs on others.
 TEST_P(FrontEnd, FCyclesTheMotion) {
-  const std::vector<Json> expected = {"velocity", "force", "closed_form"};
-  EXPECT_EQ(cycle('f', "motion"), expected);
+  const std::vector<Json> original = {"velocity", "force"}, all = {"force", "closed_form", "velocity"};
+  EXPECT_EQ(cycle('f', "motion"), original);
+  client.key("4");
+  EXPECT_EQ(cycle('f', "motion"), all);
 }
 
 TEST_P(FrontEnd, DCyclesTheDrag) {
-  const std::vector<Json> expected = {"damping", "linear_quadratic", "equation", "off"};
-  EXPECT_EQ(cycle('d', "drag"), expected);
+  press('f');  // motion force, which knows all of them
+  const std::vector<Json> original = {"damping", "linear_quadratic", "off"};
+  const std::vector<Json> all = {"equation", "off", "damping", "linear_quadratic"};
+  EXPECT_EQ(cycle('d', "drag"), original);
+  client.key("4");
+  EXPECT_EQ(cycle('d', "drag"), all);
 }
 
 TEST_P(FrontEnd, GCyclesTheGravity) {
-  const std::vector<Json> expected = {"constant", "inverse_square", "j2", "wgs84", "off"};
-  EXPECT_EQ(cycle('g', "gravity"), expected);
+  std::vector<Json> names;
+  for (int i = 0; i < 3; ++i, press('g')) names.push_back(shot()["original"]["gravity"]);
+  const std::vector<Json> original = {"constant", "force", "off"};
+  EXPECT_EQ(names, original);
+  client.key("4");
+  const std::vector<Json> all = {"constant", "inverse_square", "j2", "wgs84", "off"};
+  EXPECT_EQ(cycle('g', "gravity"), all);
+}
+
+/// All 18 settings of the original on each of its shots, set by its keys and fired by its click: frame by frame its
+/// loop, whose forces act in every frame (docs/original.md).
+TEST_P(FrontEnd, EachSettingOfEachShotFliesAsTheOriginalsLoopDoes) {
+  const struct {
+    const char* key;
+    double mass, forward, up, gravity, damping;
+  } shots[] = {{"1", 200, 40, 2, 20, 0.9}, {"2", 2, 35, 1, 2, 0.9}, {"3", 1, 35, 1, 0, 1}};
+  const std::string constant = "constant", force = "force";
+  for (const auto& s : shots)
+    for (int motion = 0; motion < 2; ++motion, press('f'))
+      for (int gravity = 0; gravity < 3; ++gravity, press('g'))
+        for (int drag = 0; drag < 3; ++drag, press('d')) {
+          client.key(s.key);
+          const Json set = shot()["original"];
+          const bool pushed = set["motion"] == "force";
+          fire();
+          client.wait_for([](const Json& now) { return now["tracks"].back()["time"].get<double>() > 0.2; });
+          press('p');
+          const Json state = client.next_frames(), track = state["tracks"].back();
+          const auto frames = std::lround(track["time"].get<double>() * 60);
+          const double g = set["gravity"] == constant ? s.gravity : set["gravity"] == force && pushed ? 4 : 0;
+          const double d = set["drag"] == constant ? s.damping : 1;
+          const double k1 = set["drag"] == force && pushed ? 0.1 : 0, k2 = set["drag"] == force && pushed ? 0.4 : 0;
+          double x = 0, y = 1.5, vx = pushed ? 0 : s.forward, vy = pushed ? 0 : 2 * s.up, ax = 0, ay = 0;
+          for (long i = 0; i < frames; ++i) {
+            x += vx / 60, y += vy / 60;
+            const double rate = (k1 + k2 * std::hypot(vx, vy)) / s.mass;  // of the frame's start
+            const double next_ax = (pushed ? 10 : 0) - rate * vx, next_ay = (pushed ? 2 : 0) - g - rate * vy;
+            vx += ax / 60, vy += ay / 60;
+            vx *= std::pow(d, 1.0 / 60), vy *= std::pow(d, 1.0 / 60);
+            ax = next_ax, ay = next_ay;
+          }
+          const std::string what = std::string(s.key) + " " + set.dump();
+          EXPECT_NEAR(track["position"][0].get<double>(), x, 1e-3) << what;
+          EXPECT_NEAR(track["position"][1].get<double>(), y, 1e-3) << what;
+          EXPECT_NEAR(track["velocity"][0].get<double>(), vx, 1e-3) << what;
+          EXPECT_NEAR(track["velocity"][1].get<double>(), vy, 1e-3) << what;
+          EXPECT_NEAR(track["acceleration"][0].get<double>(), ax, 1e-3) << what;
+          EXPECT_NEAR(track["acceleration"][1].get<double>(), ay, 1e-3) << what;
+          press('p');
+        }
 }
 
 TEST_P(FrontEnd, ECyclesTheElevation) {

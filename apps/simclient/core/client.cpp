@@ -348,9 +348,13 @@ void Client::select_next() {
 std::optional<Client::Arrow> Client::arrow() {
   const Prediction& flight = prediction();
   const double speed = length(flight.velocity);
-  if (session.is_replay() || flight.error || !(speed > 0)) return std::nullopt;
+  const bool at_rest = !(speed > 0);  // and pushed along the barrel
+  if (session.is_replay() || flight.error || (at_rest && launcher.shot().projectile.force == Vec3d{}))
+    return std::nullopt;
   const double size = std::max(camera.distance * 0.16, 60 * camera.pixel_size(flight.muzzle));
-  return Arrow{flight.muzzle, flight.muzzle + flight.velocity * (size / speed)};
+  return Arrow{
+      flight.muzzle,
+      flight.muzzle + (at_rest ? normalized(launcher.shot().projectile.force) : flight.velocity * (1 / speed)) * size};
 }
 
 std::optional<Client::Probe> Client::probe(const Pixel& pixel) {

@@ -1,4 +1,7 @@
 // Launcher: the shot that is fired next. Its keys are those of the original client.
+//
+// The original's three shots, on its own loop, have its own settings: two motions, three gravities and three drags.
+// They stay when another of the three is chosen, as they did there. Elsewhere the same keys go through all rungs.
 #pragma once
 
 #include <optional>
@@ -22,6 +25,15 @@ struct ShotType {
   [[nodiscard]] bool is_original() const { return forward > 0; }
 };
 
+/// What gravity or drag of the original acts by.
+enum class OriginalEffect {
+  off,
+  constant,  ///< the shot's own gravity; damping
+  force,     ///< of the world's gravity; drag by k1 and k2. It does nothing in motion `velocity`, which knows no force
+};
+
+[[nodiscard]] std::string_view name(OriginalEffect effect);
+
 class Launcher {
  public:
   /// The original's four shots, the other presets, and the shots of a scenario, which come first to hand.
@@ -40,14 +52,17 @@ class Launcher {
   /// Counts the changes, for those who keep what they made from it.
   [[nodiscard]] std::uint64_t version() const { return version_; }
 
+  /// Whether the settings of the original are in force: one of its three shots, on its loop.
+  [[nodiscard]] bool is_original() const;
+  [[nodiscard]] Motion original_motion() const { return motion_; }
+  [[nodiscard]] OriginalEffect original_gravity() const { return gravity_; }
+  [[nodiscard]] OriginalEffect original_drag() const { return drag_; }
+
   // The original's settings, each the next of its values.
   void cycle_elevation();
-  template <class Rung>
-  void cycle(Rung Fidelity::*of_effect) {
-    Rung& rung = shot_.projectile.fidelity.*of_effect;
-    rung = static_cast<Rung>((static_cast<std::size_t>(rung) + 1) % names_of<Rung>().size());
-    ++version_;
-  }
+  void cycle_motion();
+  void cycle_gravity();
+  void cycle_drag();
   /// Turns the barrel, and keeps the speed [rad].
   void turn(double right, double up);
 
@@ -60,12 +75,27 @@ class Launcher {
   [[nodiscard]] double speed() const;      // [m/s]
 
  private:
+  template <class Rung>
+  void cycle(Rung Fidelity::*of_effect) {
+    Rung& rung = shot_.projectile.fidelity.*of_effect;
+    rung = static_cast<Rung>((static_cast<std::size_t>(rung) + 1) % names_of<Rung>().size());
+    ++version_;
+  }
+  /// Forward and upward parts of the velocity of an original shot, or of the acceleration that pushes it.
+  [[nodiscard]] Vec3d original_start() const;
+  [[nodiscard]] Vec3d original_push() const;  // [N]
+  [[nodiscard]] bool is_pushed() const;       // by it, and by nothing that was set by hand
+  void push();
   void set_original_elevation(int setting);
+  void put_original();
+  void follow_hand();
   void use_angles();
 
   std::vector<ShotType> types_;
   std::size_t type_ = 0;
   int setting_ = 2;
+  Motion motion_ = Motion::velocity;
+  OriginalEffect gravity_ = OriginalEffect::constant, drag_ = OriginalEffect::constant;
   ScenarioShot shot_;
   std::uint64_t version_ = 0;
 };

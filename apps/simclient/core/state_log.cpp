@@ -16,6 +16,11 @@ Json shot_state(Client& client) {
   const Fidelity& fidelity = launcher.shot().projectile.fidelity;
   const Fidelity& granted = client.prediction().granted.fidelity;
   const auto setting = launcher.elevation_setting();
+  Json original;
+  if (launcher.is_original())
+    original = {{"motion", name(launcher.original_motion())},
+                {"drag", name(launcher.original_drag())},
+                {"gravity", name(launcher.original_gravity())}};
   return {{"type", launcher.types()[launcher.type()].name},
           {"elevation_setting", setting ? Json(*setting) : Json()},
           {"elevation", launcher.elevation()},
@@ -24,6 +29,7 @@ Json shot_state(Client& client) {
           {"motion", name(fidelity.motion)},
           {"drag", name(fidelity.drag)},
           {"gravity", name(fidelity.gravity)},
+          {"original", original},
           {"granted",
            {{"motion", name(granted.motion)}, {"drag", name(granted.drag)}, {"gravity", name(granted.gravity)}}}};
 }

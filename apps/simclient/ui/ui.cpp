@@ -235,8 +235,18 @@ std::vector<Ui::Item> Ui::status_items(Client& client) const {
                        std::move(note)});
     };
     rung("motion", &Fidelity::motion);
-    rung("drag", &Fidelity::drag);
-    rung("gravity", &Fidelity::gravity);
+    if (launcher.is_original()) {
+      const auto effect = [&](const char* label, OriginalEffect acts_by, const char* what) {
+        const bool is_idle = acts_by == OriginalEffect::force && launcher.original_motion() != Motion::force;
+        items.push_back({label, std::string(name(acts_by)), is_idle ? colours::kWarning : colours::kText,
+                         is_idle ? "does nothing: motion 'velocity' knows no forces" : what});
+      };
+      effect("drag", launcher.original_drag(), "of the original: off, damping, or a force by k1 and k2");
+      effect("gravity", launcher.original_gravity(), "of the original: off, the shot's own, or a force of 4 m/s\u00b2");
+    } else {
+      rung("drag", &Fidelity::drag);
+      rung("gravity", &Fidelity::gravity);
+    }
   }
   items.push_back({"camera",
                    formatted(client.camera.stretch != 1 ? "%s, heights \u00d7%g" : "%s", mode_text(client.camera.mode),
