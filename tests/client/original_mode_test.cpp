@@ -63,7 +63,7 @@ TEST(OriginalMode, all_settings_of_all_shots_fly_as_the_loop_does) {
 
 TEST(OriginalMode, settings_stay_when_another_of_the_three_is_chosen) {
   Client client = client_of();
-  ASSERT_TRUE(run(client, "frame 1\nmotion\ndrag\ngravity\nbullet\n"));
+  ASSERT_TRUE(run(client, "motion; drag; gravity; bullet"));
   EXPECT_EQ(client.launcher.original_motion(), Motion::force);
   EXPECT_EQ(client.launcher.original_drag(), OriginalEffect::force);
   EXPECT_EQ(client.launcher.original_gravity(), OriginalEffect::force);
@@ -106,7 +106,7 @@ TEST(OriginalMode, the_push_follows_the_barrel_and_the_mass_and_the_arrow_shows_
 TEST(OriginalMode, a_push_set_by_hand_stays) {
   Client client = client_of();
   ASSERT_TRUE(client.set("shot.fidelity.motion=force"));
-  ASSERT_TRUE(client.set("shot.force=[7 N, 0 N, 0 N]"));
+  ASSERT_TRUE(client.set("shot.force=[7, 0, 0]"));
   client.launcher.turn(0.1, 0);
   EXPECT_EQ(client.launcher.shot().projectile.force, (Vec3d{7, 0, 0}));
   EXPECT_GT(client.launcher.speed(), 40) << "what was set by hand is no key";
