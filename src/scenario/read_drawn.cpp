@@ -80,7 +80,7 @@ Status read_drawn(const Wanted& wanted, const Value& value, DrawnNumber& target)
     return read_number(wanted, from, is_to ? read.to.emplace() : read.value);
   };
   const auto curve = [&](const Value& from, bool is_to) {
-    const Entry entry{.path = wanted.path, .range = kCurveKeys};
+    const Entry entry{{.path = wanted.path, .range = kCurveKeys}};
     const ValueRef points = points_of(is_to ? read.to_curve : read.curve);
     return read_points(entry, from, std::get<Points>(points));
   };

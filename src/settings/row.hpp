@@ -1,0 +1,232 @@
+// SettingRow: what is known about a setting, whoever reads it. Scenario files, studies and the checks of input all read
+// the same rows.
+//
+// A list of rows is a tuple, so that each row keeps the type of its member: a check over a list compiles to comparisons
+// with constants, as if it were written by hand.
+#pragma once
+
+#include <array>
+#include <cmath>
+#include <concepts>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <tuple>
+#include <type_traits>
+#include <utility>
+
+#include "base/checker.hpp"
+#include "physim/flight_columns.hpp"
+#include "physim/quantity.hpp"
+#include "settings/range.hpp"
+
+namespace physim {
+
+using LaunchColumn = std::span<const double> LaunchColumns::*;
+using WeatherColumn = std::span<const double> Weather::*;
+
+struct SettingRow {
+  std::string_view path;  // below what has the setting: "drag.k1"
+  std::string_view doc;   // one line
+  Quantity quantity = Quantity::number;
+  std::string_view unit{};           // empty: the SI unit of the quantity
+  Range range{};                     // of numbers and components; the length of lists; the values of enumerators
+  std::optional<Range> in_files{};   // what scenario files accept, where that differs
+  std::string_view hint{};           // of an error; empty: made from doc and unit
+  std::string_view none = "none";    // how the absence of an optional value is written
+  bool required = false;             // no default
+  bool shorthand = false;            // its table may be written as this value alone
+  bool starts = false;               // a choice of presets, which other settings of its table change
+  bool live = false;                 // worlds can change it for one projectile in flight
+  bool of_contact = false;           // of how a shot meets things, which single flights read, too
+  bool uncertain = false;            // studies can draw it; of lists: each number of an item
+  bool by_factor = false;            // studies can draw a factor of all items, too
+  bool drawn_above_zero = false;     // a study has no use for a draw that is not above zero, though 0 is in range
+  bool is_key = false;               // of items: what the other numbers depend on
+  bool is_place = false;             // of items: a key whose differences are distances between items
+  LaunchColumn launch_columns[3]{};  // where studies draw it, by component, if launches have a column for it
+  WeatherColumn weather_columns[3]{};
+
+  /// Whether studies refuse a draw at or below zero.
+  [[nodiscard]] constexpr bool is_above_zero() const {
+    return drawn_above_zero || (range.low >= 0 && !range.contains(0));
+  }
+};
+
+/// A row and the member that it is about. `elements`: the rows of an item, of a list.
+template <class Get, class Elements = std::tuple<>>
+struct MemberRow : SettingRow {
+  Get get;
+  Elements elements;
+};
+
+/// The rows of an item of list `i`.
+template <const auto& rows, std::size_t i>
+inline constexpr auto kItemRows = std::get<i>(rows).elements;
+
+namespace setting_rows {
+
+struct InFiles {
+  Range range;
+};
+struct Hint {
+  std::string_view text;
+};
+struct OwnUnit {
+  std::string_view text;
+};
+/// How the absence of a value is written.
+struct Absent {
+  std::string_view word;
+};
+template <class Columns>
+struct DrawnInto {
+  std::span<const double> Columns::*columns[3];
+};
+template <class Columns>
+constexpr DrawnInto<Columns> drawn_into(std::span<const double> Columns::*x, std::span<const double> Columns::*y = {},
+                                        std::span<const double> Columns::*z = {}) {
+  return {{x, y, z}};
+}
+
+inline constexpr bool SettingRow::*kRequired = &SettingRow::required, SettingRow::*kShorthand = &SettingRow::shorthand,
+                      SettingRow::*kPreset = &SettingRow::starts, SettingRow::*kLive = &SettingRow::live,
+                      SettingRow::*kContact = &SettingRow::of_contact, SettingRow::*kUncertain = &SettingRow::uncertain,
+                      SettingRow::*kByFactor = &SettingRow::by_factor,
+                      SettingRow::*kDrawnAboveZero = &SettingRow::drawn_above_zero,
+                      SettingRow::*kKey = &SettingRow::is_key, SettingRow::*kPlace = &SettingRow::is_place;
+
+constexpr void say(SettingRow& row, Quantity quantity) { row.quantity = quantity; }
+constexpr void say(SettingRow& row, const Range& range) { row.range = range; }
+constexpr void say(SettingRow& row, InFiles files) { row.in_files = files.range; }
+constexpr void say(SettingRow& row, Hint hint) { row.hint = hint.text; }
+constexpr void say(SettingRow& row, OwnUnit unit) { row.unit = unit.text; }
+constexpr void say(SettingRow& row, Absent absent) { row.none = absent.word; }
+constexpr void say(SettingRow& row, bool SettingRow::*trait) {
+  row.*trait = true;
+  row.is_key = row.is_key || row.is_place;
+}
+constexpr void say(SettingRow& row, DrawnInto<LaunchColumns> drawn) {
+  row.uncertain = true;
+  for (int i = 0; i < 3; ++i) row.launch_columns[i] = drawn.columns[i];
+}
+constexpr void say(SettingRow& row, DrawnInto<Weather> drawn) {
+  row.uncertain = true;
+  for (int i = 0; i < 3; ++i) row.weather_columns[i] = drawn.columns[i];
+}
+/// The last value of an enumeration: a cast can make others.
+template <class Enum>
+requires std::is_enum_v<Enum>
+constexpr void say(SettingRow& row, Enum last) { row.range = {.low = 0, .high = static_cast<double>(last)}; }
+
+/// A row; `said` is what else there is to say about the setting, in any order.
+template <class Get, class... Said>
+constexpr MemberRow<Get> number_row(std::string_view path, Get get, std::string_view doc, Said... said) {
+  MemberRow<Get> row{{.path = path, .doc = doc}, get, {}};
+  (say(row, said), ...);
+  PHYSIM_ASSERT(row.range.low <= row.range.high);
+  return row;
+}
+template <class Get, class Elements, class... Said>
+constexpr MemberRow<Get, Elements> list_row(std::string_view path, Get get, Elements elements, std::string_view doc,
+                                            Said... said) {
+  MemberRow<Get, Elements> row{{.path = path, .doc = doc}, get, elements};
+  (say(row, said), ...);
+  return row;
+}
+
+/// A row of a member, whose path is how C++ names it.
+#define PHYSIM_SETTING(member, ...) PHYSIM_SETTING_AS(#member, member, __VA_ARGS__)
+#define PHYSIM_SETTING_AS(path, member, ...) \
+  number_row(                                \
+      path, [](auto& owner) -> auto& { return owner.member; }, __VA_ARGS__)
+/// A row of a list, whose items have rows of their own.
+#define PHYSIM_SETTING_LIST(member, ...) \
+  list_row(                              \
+      #member, [](auto& owner) -> auto& { return owner.member; }, __VA_ARGS__)
+
+}  // namespace setting_rows
+
+// ---------------------------------------------------------------------------------------------------------------
+// checks
+/// Whether what a row is about is in its range.
+template <class T>
+PHYSIM_INLINE_ALWAYS bool is_in_range(const SettingRow& row, const T& value) {
+  const Range& range = row.range;
+  if constexpr (std::is_same_v<T, double>)
+    return range.contains(value);
+  else if constexpr (std::is_same_v<T, Vec3d>)
+    return range.contains(value.x) & range.contains(value.y) & range.contains(value.z);
+  else if constexpr (std::is_same_v<T, std::optional<double>> || std::is_same_v<T, std::optional<Vec3d>>)
+    return !value || is_in_range(row, *value);
+  else if constexpr (std::is_enum_v<T>)
+    return static_cast<unsigned>(value) <= static_cast<unsigned>(range.high);
+  else if constexpr (std::is_integral_v<T> && !std::is_same_v<T, bool>)
+    return range.contains(static_cast<double>(value));
+  else
+    return true;
+}
+
+/// What is wrong with a value that is out of the range of its row.
+template <class T>
+Error out_of_range(const SettingRow& row, const T& value, std::string place);
+
+/// Whether all members that a list of rows is about are in range. Without a branch, where none is optional.
+template <const auto& rows, class Owner>
+PHYSIM_INLINE_ALWAYS bool are_in_range(const Owner& owner) {
+  return std::apply(
+      [&owner](const auto&... row) PHYSIM_INLINE_LAMBDA { return (is_in_range(row, row.get(owner)) & ...); }, rows);
+}
+
+/// The first error of a list of rows; only called where there is one.
+template <const auto& rows, class Owner>
+[[gnu::noinline]] Status first_out_of_range(const Owner& owner, const InputPlace& place, bool is_item) {
+  Status status;
+  const auto look = [&](const auto& row) {
+    const auto& value = row.get(owner);
+    if (status && !is_in_range(row, value))
+      status = out_of_range(row, value, is_item ? place.text() : place.text() + std::string(row.path));
+  };
+  std::apply([&](const auto&... row) { (look(row), ...); }, rows);
+  PHYSIM_ASSERT(!status);
+  return status;
+}
+
+/// Refuses the first member that is out of the range of its row. `before`: what stands before its path, "launch.".
+template <const auto& rows, class Owner>
+PHYSIM_INLINE_ALWAYS void check_rows(Checker& c, const Owner& owner, const InputPlace& before) {
+  if (!are_in_range<rows>(owner)) c.also(first_out_of_range<rows>(owner, before, false));
+}
+/// Refuses the first item of a list that has a number out of range.
+template <const auto& rows, class Item>
+void check_items(Checker& c, const std::vector<Item>& items, InputPlace::Text list) {
+  for (std::size_t i = 0; i < items.size(); ++i)
+    if (!are_in_range<rows>(items[i])) c.also(first_out_of_range<rows>(items[i], InputPlace(list, i), true));
+}
+
+/// The unit of a row in SI; empty: none.
+[[nodiscard]] std::string_view unit_of(const SettingRow& row);
+/// "must lie between 0 and 1, not 60"
+[[nodiscard]] std::string range_error(const SettingRow& row, double value);
+/// The hint of an error about a row: "in kg: of the projectile".
+[[nodiscard]] std::string hint_of(const SettingRow& row);
+
+template <class T>
+Error out_of_range(const SettingRow& row, const T& value, std::string place) {
+  std::string message;
+  if constexpr (std::is_enum_v<T>) {
+    return {"is none of the named values", std::move(place), ""};
+  } else if constexpr (std::is_same_v<T, Vec3d>) {
+    for (const double x : {value.z, value.y, value.x})
+      if (!row.range.contains(x))
+        message = std::isfinite(x) ? range_error(row, x) : "must have three finite components";
+    return {message, std::move(place), hint_of(row)};
+  } else if constexpr (std::is_arithmetic_v<T>) {
+    return {range_error(row, static_cast<double>(value)), std::move(place), hint_of(row)};
+  } else if constexpr (requires { value.value(); }) {
+    return out_of_range(row, *value, std::move(place));
+  }
+  PHYSIM_UNREACHABLE();
+}
+
+}  // namespace physim
