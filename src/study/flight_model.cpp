@@ -33,7 +33,6 @@
 namespace physim {
 namespace {
 
-constexpr std::string_view kWindPath = "environment.wind.velocity";
 constexpr double kNowhere = std::numeric_limits<double>::quiet_NaN();
 
 /// A number of the shot or its weather, and the inputs that are drawn for it.
@@ -112,13 +111,15 @@ class FlightModel : public ShotModel {
   bool has_own_place_ = false;  // numbers of the place are uncertain, which all shots of a batch have in common
   bool has_factor_ = false;     // of several numbers of a shot
   bool by_compass_ = false;     // the wind; two more columns have its components
+  bool draws_gravity_ = false;
+  std::optional<std::size_t> azimuth_;  // among the numbers, where that of the x axis is drawn
 };
 
 void FlightModel::take(const StudyInput& input, std::size_t index) {
   const FoundPath path = find_path(input.path);
   PHYSIM_ASSERT(path);
   const PathRow* row = path.row;
-  if (input.path.starts_with(kWindPath) && study_.environment.wind.profile.size() > 0) moves_profile_ = true;
+  if (row->is_wind && row->weather && study_.environment.wind.profile.size() > 0) moves_profile_ = true;
   if (row->compass != CompassWind::none)
     by_compass_ = true;
   else if ((!row->launches && !row->weather) || moves_profile_)
@@ -129,6 +130,8 @@ void FlightModel::take(const StudyInput& input, std::size_t index) {
   if (at == numbers_.end()) {
     numbers_.push_back({path, path.there(plain_, study_.environment)});
     at = numbers_.end() - 1;
+    if (path.is(study_.environment, study_.environment.earth.azimuth)) azimuth_ = numbers_.size() - 1;
+    if (path.is(study_.environment, study_.environment.gravity.acceleration)) draws_gravity_ = true;
   }
   at->inputs.insert(input.added ? at->inputs.end() : at->inputs.begin(), index);
   at->replaced = at->replaced || !input.added;
@@ -137,10 +140,8 @@ void FlightModel::take(const StudyInput& input, std::size_t index) {
 /// An acceleration of one's own goes with no flattened field, nor with the GM of a round Earth: shots that drew one
 /// would stand on another rung than a shot with the mean.
 Status FlightModel::check_gravity() const {
-  const bool drawn = std::ranges::any_of(
-      numbers_, [](const UncertainNumber& n) { return n.row().path == "environment.gravity.acceleration"; });
   const bool of_the_earth = row(granted_.gravity).field != GravityField::uniform && is_round(granted_.earth);
-  if (!drawn || !of_the_earth) return {};
+  if (!draws_gravity_ || !of_the_earth) return {};
   return Error{"an acceleration of each shot's own has no field of the Earth", "inputs",
                "let gravity be 'constant', or the earth 'flat' or 'flat_coriolis'"};
 }
@@ -185,7 +186,7 @@ void FlightModel::blow_by_compass(const std::vector<std::span<const double>>& co
   for (std::size_t i = 0; i < numbers_.size(); ++i) {
     if (numbers_[i].row().compass == CompassWind::speed) speed = columns[i];
     if (numbers_[i].row().compass == CompassWind::from) from = columns[i];
-    if (numbers_[i].row().path == "environment.earth.azimuth") azimuth = columns[i];
+    if (i == azimuth_) azimuth = columns[i];
   }
   const double plain_speed = std::sqrt(there.x * there.x + there.z * there.z);
   const Vec3d plain_way = plain_speed > 0 ? there * (1 / plain_speed) : Vec3d{};
@@ -206,8 +207,7 @@ Weather FlightModel::weather_of(const std::vector<std::span<const double>>& colu
   Weather weather;
   for (std::size_t i = 0; i < numbers_.size(); ++i) {
     const PathRow& row = numbers_[i].row();
-    const bool moves_profile = moves_profile_ && row.path.starts_with(kWindPath);
-    if (row.weather && !moves_profile) weather.*row.weather = columns[i];
+    if (row.weather && !(moves_profile_ && row.is_wind)) weather.*row.weather = columns[i];
   }
   if (by_compass_) weather.wind_x = columns[numbers_.size()], weather.wind_z = columns[numbers_.size() + 1];
   return weather;
