@@ -24,6 +24,8 @@ struct Range {
     const bool is_below = high == kInfinity && !infinite ? value < high : value <= high;
     return is_above & is_below;
   }
+  /// Whether every finite number is in range, and nothing else.
+  [[nodiscard]] constexpr bool is_any_number() const { return low == -kInfinity && high == kInfinity && !infinite; }
   [[nodiscard]] std::string text() const;  // "> 0", "0 .. 1", ""
 };
 
