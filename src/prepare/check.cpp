@@ -13,6 +13,7 @@
 #include "prepare/check.hpp"
 #include "prepare/grant.hpp"
 #include "prepare/projectile.hpp"
+#include "settings/body_rows.hpp"
 #include "settings/environment_rows.hpp"
 #include "settings/flight_rows.hpp"
 #include "settings/shot_rows.hpp"
@@ -239,22 +240,17 @@ Status check_fits(const Vec3d& position, const Vec3d& velocity, Precision precis
 
 Status check(const CollisionDef& collision, const std::string& place) {
   Checker c;
-  c.named(collision.on_hit, OnHit::ask, place + ".on_hit");
-  c.require(collision.inertia > 0 && collision.inertia <= 1, place + ".inertia", "must lie above 0 and not above 1",
-            "2/5: a solid ball");
-  c.require(collision.radius == 0 || (collision.radius >= 1e-12 && collision.radius <= 1e6), place + ".radius",
+  c.require(collision.radius == 0 || collision.radius >= 1e-12, place + ".radius",
             "must be zero, or lie between 1e-12 and 1e6 m", "0: a point");
   return c.status();
 }
 
 Status check(const ContactDef& contact, const std::string& place) {
   Checker c;
+  check_rows<kContactRows>(c, contact, place + ".");
   c.also(check(contact.collision, place + ".collision"));
   c.require(contact.collision.on_hit != OnHit::ask, place + ".collision.on_hit", "asks, and a flight has nobody to ask",
             "worlds have World::set_hit_function()");
-  c.require(contact.restitution >= 0 && contact.restitution <= 1, place + ".restitution", "must lie between 0 and 1");
-  c.not_negative(contact.friction, place + ".friction");
-  c.not_negative(contact.rolling_resistance, place + ".rolling_resistance");
   c.require(abs(contact.scene_time) <= 1e9, place + ".scene_time", "must lie between -1e9 and 1e9 s");
   return c.status();
 }

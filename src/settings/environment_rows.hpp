@@ -16,7 +16,7 @@ inline constexpr auto kGroundRows = std::tuple{
                    Quantity::length, between(kLowestAltitude, 1e9), kUncertain),
     PHYSIM_SETTING(gravity.model, "gravity field that is there", kLastRung<GravityModel>, kShorthand),
     PHYSIM_SETTING(gravity.acceleration, "gravity at sea level, downwards, of constant and inverse_square",
-                   Quantity::acceleration, kGravities, InFiles{}, kUncertain),
+                   Quantity::acceleration, kGravities, in_files({}), kUncertain),
     PHYSIM_SETTING(gravity.radius, "distance of sea level from the Earth's centre", Quantity::length, above(0)),
 };
 
@@ -26,7 +26,7 @@ inline constexpr auto kAirRows = std::tuple{
                    drawn_into(&Weather::temperature)),
     PHYSIM_SETTING(atmosphere.pressure, "at the station, not reduced to sea level; none: standard", Quantity::pressure,
                    between(100, 120000), drawn_into(&Weather::pressure)),
-    PHYSIM_SETTING(atmosphere.humidity, "relative humidity at the station; none: dry", kFraction, Hint{"60 % is 0.6"},
+    PHYSIM_SETTING(atmosphere.humidity, "relative humidity at the station; none: dry", kFraction, hint("60 % is 0.6"),
                    drawn_into(&Weather::humidity)),
     PHYSIM_SETTING(atmosphere.station_altitude, "altitude of the station above sea level; none: that of the origin",
                    Quantity::length, between(kLowestAltitude, 80000)),
@@ -42,12 +42,12 @@ inline constexpr auto kScaleHeightRows = std::tuple{
 
 inline constexpr auto kWindPointRows = std::tuple{
     PHYSIM_SETTING(at, "height above the origin, or distance downrange", Quantity::length, kPlace),
-    PHYSIM_SETTING(velocity, "velocity of the air there", Quantity::speed, kWindSpeeds, InFiles{}),
+    PHYSIM_SETTING(velocity, "velocity of the air there", Quantity::speed, kWindSpeeds, in_files({})),
 };
 
 inline constexpr auto kWindRows = std::tuple{
     PHYSIM_SETTING(wind.velocity, "velocity of the air; (0, 0, -4) blows from the right", Quantity::speed, kWindSpeeds,
-                   InFiles{}, drawn_into(&Weather::wind_x, &Weather::wind_y, &Weather::wind_z)),
+                   in_files({}), drawn_into(&Weather::wind_x, &Weather::wind_y, &Weather::wind_z)),
     PHYSIM_SETTING_LIST(wind.profile, kWindPointRows, "wind by height or range, at rising places, held outside",
                         at_most(kMaxWindPoints), kUncertain),
     PHYSIM_SETTING(wind.by, "what the profile is read by", WindAxis::range),
@@ -56,9 +56,9 @@ inline constexpr auto kWindRows = std::tuple{
 
 inline constexpr auto kEarthRows = std::tuple{
     PHYSIM_SETTING(earth.latitude, "of the origin, north positive", Quantity::angle, kHalfTurn, kUncertain),
-    PHYSIM_SETTING(earth.longitude, "of the origin, east positive", Quantity::angle, InFiles{kTurn}, kUncertain),
+    PHYSIM_SETTING(earth.longitude, "of the origin, east positive", Quantity::angle, in_files(kTurn), kUncertain),
     PHYSIM_SETTING(earth.azimuth, "compass direction of the x axis, clockwise from north", Quantity::angle,
-                   InFiles{kTurn}, kUncertain),
+                   in_files(kTurn), kUncertain),
     PHYSIM_SETTING(earth.rotation_rate, "of the Earth", Quantity::angular_rate),
 };
 

@@ -49,7 +49,7 @@ inline constexpr auto kToleranceRows = std::tuple{
 };
 
 inline constexpr auto kUntilRows = std::tuple{
-    PHYSIM_SETTING(ground, "height of the ground above the origin; off: no ground", Quantity::length, Absent{"off"}),
+    PHYSIM_SETTING(ground, "height of the ground above the origin; off: no ground", Quantity::length, absent("off")),
     PHYSIM_SETTING(time, "the flight ends after this time", Quantity::time, above(0)),
     PHYSIM_SETTING(range, "the flight ends at this range along the line of sight", Quantity::length, above(0)),
 };

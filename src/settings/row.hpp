@@ -66,19 +66,17 @@ inline constexpr auto kItemRows = std::get<i>(rows).elements;
 
 namespace setting_rows {
 
-struct InFiles {
-  Range range;
+/// Sets a member of a row.
+template <class T>
+struct With {
+  T SettingRow::*member;
+  T value;
 };
-struct Hint {
-  std::string_view text;
-};
-struct OwnUnit {
-  std::string_view text;
-};
-/// How the absence of a value is written.
-struct Absent {
-  std::string_view word;
-};
+constexpr With<std::optional<Range>> in_files(const Range& range) { return {&SettingRow::in_files, range}; }
+constexpr With<std::string_view> hint(std::string_view text) { return {&SettingRow::hint, text}; }
+constexpr With<std::string_view> own_unit(std::string_view text) { return {&SettingRow::unit, text}; }
+constexpr With<std::string_view> absent(std::string_view word) { return {&SettingRow::none, word}; }
+
 template <class Columns>
 struct DrawnInto {
   std::span<const double> Columns::*columns[3];
@@ -98,21 +96,22 @@ inline constexpr bool SettingRow::*kRequired = &SettingRow::required, SettingRow
 
 constexpr void say(SettingRow& row, Quantity quantity) { row.quantity = quantity; }
 constexpr void say(SettingRow& row, const Range& range) { row.range = range; }
-constexpr void say(SettingRow& row, InFiles files) { row.in_files = files.range; }
-constexpr void say(SettingRow& row, Hint hint) { row.hint = hint.text; }
-constexpr void say(SettingRow& row, OwnUnit unit) { row.unit = unit.text; }
-constexpr void say(SettingRow& row, Absent absent) { row.none = absent.word; }
+template <class T>
+constexpr void say(SettingRow& row, const With<T>& with) {
+  row.*with.member = with.value;
+}
 constexpr void say(SettingRow& row, bool SettingRow::*trait) {
   row.*trait = true;
   row.is_key = row.is_key || row.is_place;
 }
-constexpr void say(SettingRow& row, DrawnInto<LaunchColumns> drawn) {
+template <class Columns>
+constexpr void say(SettingRow& row, const DrawnInto<Columns>& drawn) {
   row.uncertain = true;
-  for (int i = 0; i < 3; ++i) row.launch_columns[i] = drawn.columns[i];
-}
-constexpr void say(SettingRow& row, DrawnInto<Weather> drawn) {
-  row.uncertain = true;
-  for (int i = 0; i < 3; ++i) row.weather_columns[i] = drawn.columns[i];
+  for (int i = 0; i < 3; ++i)
+    if constexpr (std::is_same_v<Columns, Weather>)
+      row.weather_columns[i] = drawn.columns[i];
+    else
+      row.launch_columns[i] = drawn.columns[i];
 }
 /// The last value of an enumeration: a cast can make others.
 template <class Enum>
@@ -120,35 +119,34 @@ requires std::is_enum_v<Enum>
 constexpr void say(SettingRow& row, Enum last) { row.range = {.low = 0, .high = static_cast<double>(last)}; }
 
 /// A row; `said` is what else there is to say about the setting, in any order.
-template <class Get, class... Said>
-constexpr MemberRow<Get> number_row(std::string_view path, Get get, std::string_view doc, Said... said) {
-  MemberRow<Get> row{{.path = path, .doc = doc}, get, {}};
+template <class Get, class Items, class... Said>
+constexpr MemberRow<Get, Items> row_of(std::string_view path, Get get, Items items, std::string_view doc,
+                                       Said... said) {
+  MemberRow<Get, Items> row{{.path = path, .doc = doc}, get, items};
   (say(row, said), ...);
   PHYSIM_ASSERT(row.range.low <= row.range.high);
   return row;
 }
-template <class Get, class Elements, class... Said>
-constexpr MemberRow<Get, Elements> list_row(std::string_view path, Get get, Elements elements, std::string_view doc,
-                                            Said... said) {
-  MemberRow<Get, Elements> row{{.path = path, .doc = doc}, get, elements};
-  (say(row, said), ...);
-  return row;
-}
 
 /// A row of a member, whose path is how C++ names it.
-#define PHYSIM_SETTING(member, ...) PHYSIM_SETTING_AS(#member, member, __VA_ARGS__)
-#define PHYSIM_SETTING_AS(path, member, ...) \
-  number_row(                                \
-      path, [](auto& owner) -> auto& { return owner.member; }, __VA_ARGS__)
+#define PHYSIM_SETTING(member, ...) PHYSIM_SETTING_AS(#member, member, std::tuple<>(), __VA_ARGS__)
 /// A row of a list, whose items have rows of their own.
-#define PHYSIM_SETTING_LIST(member, ...) \
-  list_row(                              \
-      #member, [](auto& owner) -> auto& { return owner.member; }, __VA_ARGS__)
+#define PHYSIM_SETTING_LIST(member, items, ...) PHYSIM_SETTING_AS(#member, member, items, __VA_ARGS__)
+#define PHYSIM_SETTING_AS(path, member, items, ...) \
+  row_of(                                           \
+      path, [](auto& owner) -> auto& { return owner.member; }, items, __VA_ARGS__)
 
 }  // namespace setting_rows
 
 // ---------------------------------------------------------------------------------------------------------------
 // checks
+/// Whether a range leaves out no value of an integral type.
+template <class T>
+constexpr bool is_whole_type(const Range& range) {
+  return range.low <= static_cast<double>(std::numeric_limits<T>::min()) &&
+         range.high >= static_cast<double>(std::numeric_limits<T>::max());
+}
+
 /// Whether what a row is about is in its range.
 template <class T>
 PHYSIM_INLINE_ALWAYS bool is_in_range(const SettingRow& row, const T& value) {
@@ -162,14 +160,10 @@ PHYSIM_INLINE_ALWAYS bool is_in_range(const SettingRow& row, const T& value) {
   else if constexpr (std::is_enum_v<T>)
     return static_cast<unsigned>(value) <= static_cast<unsigned>(range.high);
   else if constexpr (std::is_integral_v<T> && !std::is_same_v<T, bool>)
-    return range.contains(static_cast<double>(value));
+    return is_whole_type<T>(range) || range.contains(static_cast<double>(value));
   else
     return true;
 }
-
-/// What is wrong with a value that is out of the range of its row.
-template <class T>
-Error out_of_range(const SettingRow& row, const T& value, std::string place);
 
 PHYSIM_INLINE_ALWAYS double sum_of(double x) { return x; }
 PHYSIM_INLINE_ALWAYS double sum_of(const Vec3d& v) { return v.x + v.y + v.z; }
@@ -198,14 +192,38 @@ PHYSIM_INLINE_ALWAYS bool are_in_range(const Owner& owner) {
   return good & (sum - sum == 0);
 }
 
+/// The unit of a row in SI; empty: none.
+[[nodiscard]] std::string_view unit_of(const SettingRow& row);
+/// "must lie between 0 and 1, not 60"
+[[nodiscard]] std::string range_error(const SettingRow& row, double value);
+/// The hint of an error about a row: "in kg: of the projectile".
+[[nodiscard]] std::string hint_of(const SettingRow& row);
+
+/// The number of a value that is out of a range: the first one of a vector.
+template <class T>
+double bad_number(const Range& range, const T& value) {
+  if constexpr (std::is_same_v<T, Vec3d>)
+    return !range.contains(value.x) ? value.x : !range.contains(value.y) ? value.y : value.z;
+  else if constexpr (requires { *value; })
+    return bad_number(range, *value);
+  else if constexpr (std::is_arithmetic_v<T>)
+    return static_cast<double>(value);
+  else
+    return 0;  // texts and lists are never out of range
+}
+
 /// The first error of a list of rows.
 template <const auto& rows, class Owner>
 [[gnu::noinline]] Status first_out_of_range(const Owner& owner, const InputPlace& place, bool is_item) {
   Status status;
   const auto look = [&](const auto& row) {
     const auto& value = row.get(owner);
-    if (status && !is_in_range(row, value))
-      status = out_of_range(row, value, is_item ? place.text() : place.text() + std::string(row.path));
+    if (!status || is_in_range(row, value)) return;
+    const std::string at = is_item ? place.text() : place.text() + std::string(row.path);
+    if constexpr (std::is_enum_v<std::decay_t<decltype(value)>>)
+      status = Error{"is none of the named values", at, ""};
+    else
+      status = Error{range_error(row, bad_number(row.range, value)), at, hint_of(row)};
   };
   std::apply([&](const auto&... row) { (look(row), ...); }, rows);
   return status;
@@ -222,31 +240,6 @@ template <const auto& rows, class Item>
 void check_items(Checker& c, const std::vector<Item>& items, InputPlace::Text list) {
   for (std::size_t i = 0; i < items.size(); ++i)
     if (!are_in_range<rows>(items[i])) c.also(first_out_of_range<rows>(items[i], InputPlace(list, i), true));
-}
-
-/// The unit of a row in SI; empty: none.
-[[nodiscard]] std::string_view unit_of(const SettingRow& row);
-/// "must lie between 0 and 1, not 60"
-[[nodiscard]] std::string range_error(const SettingRow& row, double value);
-/// The hint of an error about a row: "in kg: of the projectile".
-[[nodiscard]] std::string hint_of(const SettingRow& row);
-
-template <class T>
-Error out_of_range(const SettingRow& row, const T& value, std::string place) {
-  std::string message;
-  if constexpr (std::is_enum_v<T>) {
-    return {"is none of the named values", std::move(place), ""};
-  } else if constexpr (std::is_same_v<T, Vec3d>) {
-    for (const double x : {value.z, value.y, value.x})
-      if (!row.range.contains(x))
-        message = std::isfinite(x) ? range_error(row, x) : "must have three finite components";
-    return {message, std::move(place), hint_of(row)};
-  } else if constexpr (std::is_arithmetic_v<T>) {
-    return {range_error(row, static_cast<double>(value)), std::move(place), hint_of(row)};
-  } else if constexpr (requires { value.value(); }) {
-    return out_of_range(row, *value, std::move(place));
-  }
-  PHYSIM_UNREACHABLE();
 }
 
 }  // namespace physim

@@ -9,7 +9,7 @@ namespace physim::setting_rows {
 // ----------------------------------------------------------------------------------------------------------- items
 inline constexpr auto kDragPointRows = std::tuple{
     PHYSIM_SETTING(mach, "Mach number", at_least(0), kPlace),
-    PHYSIM_SETTING_AS("", coefficient, "drag coefficient", at_least(0)),
+    PHYSIM_SETTING_AS("", coefficient, std::tuple<>(), "drag coefficient", at_least(0)),
 };
 inline constexpr auto kBandRows = std::tuple{
     PHYSIM_SETTING(above, "air speed from which the band holds", Quantity::speed, at_least(0), kPlace),
@@ -24,20 +24,20 @@ inline constexpr auto kMagnusPointRows = std::tuple{
 };
 inline constexpr auto kThrustPointRows = std::tuple{
     PHYSIM_SETTING(time, "time", Quantity::time, at_least(0), kPlace),
-    PHYSIM_SETTING_AS("", force, "thrust", Quantity::force, at_least(0)),
+    PHYSIM_SETTING_AS("", force, std::tuple<>(), "thrust", Quantity::force, at_least(0)),
 };
 inline constexpr auto kPropellantPointRows = std::tuple{
     PHYSIM_SETTING(time, "time", Quantity::time, at_least(0), kPlace),
-    PHYSIM_SETTING_AS("", mass, "mass", Quantity::mass, at_least(0)),
+    PHYSIM_SETTING_AS("", mass, std::tuple<>(), "mass", Quantity::mass, at_least(0)),
 };
 inline constexpr auto kAeroPointRows = std::tuple{
     PHYSIM_SETTING(mach, "Mach number", between(0, 100), kPlace),
-    PHYSIM_SETTING_AS("", value, "coefficient"),
+    PHYSIM_SETTING_AS("", value, std::tuple<>(), "coefficient"),
 };
 inline constexpr auto kAeroAnglePointRows = std::tuple{
     PHYSIM_SETTING(mach, "Mach number", between(0, 100), kPlace),
-    PHYSIM_SETTING(angle_squared, "square of the angle of attack", OwnUnit{"rad^2"}, between(0, 100), kKey),
-    PHYSIM_SETTING_AS("", value, "coefficient"),
+    PHYSIM_SETTING(angle_squared, "square of the angle of attack", own_unit("rad^2"), between(0, 100), kKey),
+    PHYSIM_SETTING_AS("", value, std::tuple<>(), "coefficient"),
 };
 
 // ------------------------------------------------------------------------------------------------------- projectile
@@ -145,9 +145,9 @@ inline constexpr auto kMuzzleRows = std::tuple{
 inline constexpr auto kLaunchRows = std::tuple{
     PHYSIM_SETTING(speed, "at the muzzle", Quantity::speed, at_least(0), drawn_into(&LaunchColumns::speed)),
     PHYSIM_SETTING(elevation, "of the bore above the horizon; with a zero range it must stay 0", Quantity::angle,
-                   between(-2 * kRightAngleUp, 2 * kRightAngleUp), InFiles{kHalfTurn},
-                   Hint{"angles are in radians: 30 degrees are 30_deg"}, drawn_into(&LaunchColumns::elevation)),
-    PHYSIM_SETTING(azimuth, "of the plane of fire, from x to the right", Quantity::angle, InFiles{kTurn},
+                   between(-2 * kRightAngleUp, 2 * kRightAngleUp), in_files(kHalfTurn),
+                   hint("angles are in radians: 30 degrees are 30_deg"), drawn_into(&LaunchColumns::elevation)),
+    PHYSIM_SETTING(azimuth, "of the plane of fire, from x to the right", Quantity::angle, in_files(kTurn),
                    drawn_into(&LaunchColumns::azimuth)),
     PHYSIM_SETTING(velocity, "instead of speed, elevation and azimuth", Quantity::speed),
 };
@@ -158,7 +158,7 @@ inline constexpr auto kSightRows = std::tuple{
     PHYSIM_SETTING(sight.height, "of the sight above the bore, at the muzzle", Quantity::length),
     PHYSIM_SETTING(sight.look_angle, "of the line of sight above the horizon", Quantity::angle, kHalfTurn),
     PHYSIM_SETTING(sight.cant, "roll of launcher and sight, clockwise seen from behind", Quantity::angle,
-                   InFiles{kTurn}, kUncertain),
+                   in_files(kTurn), kUncertain),
     PHYSIM_SETTING(sight.zero_range, "the bore is elevated to hit the line of sight there; 0: it is not",
                    Quantity::length, at_least(0)),
     PHYSIM_SETTING(sight.zero_in_calm_air, "the zero was shot without wind"),
@@ -172,10 +172,10 @@ inline constexpr auto kSightRows = std::tuple{
 
 inline constexpr auto kAttitudeRows = std::tuple{
     PHYSIM_SETTING(attitude.frame, "what the launch angles are measured from", AttitudeFrame::world),
-    PHYSIM_SETTING(attitude.yaw, "of the nose at launch, to the right, first", Quantity::angle, InFiles{kTurn},
+    PHYSIM_SETTING(attitude.yaw, "of the nose at launch, to the right, first", Quantity::angle, in_files(kTurn),
                    kUncertain),
-    PHYSIM_SETTING(attitude.pitch, "of the nose at launch, up, second", Quantity::angle, InFiles{kTurn}, kUncertain),
-    PHYSIM_SETTING(attitude.roll, "at launch, right side down, third", Quantity::angle, InFiles{kTurn}, kUncertain),
+    PHYSIM_SETTING(attitude.pitch, "of the nose at launch, up, second", Quantity::angle, in_files(kTurn), kUncertain),
+    PHYSIM_SETTING(attitude.roll, "at launch, right side down, third", Quantity::angle, in_files(kTurn), kUncertain),
     PHYSIM_SETTING(attitude.rate_frame, "which frame the launch rates are seen from", RateFrame::inertial),
     PHYSIM_SETTING(attitude.rates,
                    "at launch, about body axes (x forward, y up, z right), on top of the spin by rifling",
