@@ -4,7 +4,6 @@
 #include <string>
 #include <string_view>
 
-#include "math/angles.hpp"
 #include "physim/infinity.hpp"
 #include "physim/macros.hpp"
 
@@ -41,7 +40,7 @@ constexpr Range or_infinite(Range range) {
 }
 inline constexpr double kRightAngleUp = 1.5707963267948968;  // the next number above a right angle [rad]
 inline constexpr Range kHalfTurn = {.low = -kRightAngleUp, .high = kRightAngleUp, .words = "-90 deg .. 90 deg"};
-inline constexpr Range kTurn = {.low = -4 * kRightAngle, .high = 4 * kRightAngle, .words = "-360 deg .. 360 deg"};
+inline constexpr Range kTurn = {.low = -6.283185307179586, .high = 6.283185307179586, .words = "-360 deg .. 360 deg"};
 inline constexpr Range kBits = {.low = 0, .high = 4294967295.0};
 inline constexpr Range kFraction = {.low = 0, .high = 1};
 inline constexpr Range kAboveZeroToOne = {.low = 0, .high = 1, .low_open = true};

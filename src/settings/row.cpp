@@ -1,6 +1,7 @@
 // Texts about ranges: in lists of settings and in errors.
 #include "settings/row.hpp"
 
+#include "math/angles.hpp"
 #include "settings/units.hpp"
 
 namespace physim {
