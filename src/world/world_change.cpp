@@ -392,6 +392,7 @@ Status WorldImpl::change_fidelity(std::uint32_t index, const Fidelity& asked) {
 
 Status WorldImpl::change_rung(std::uint32_t index, std::uint16_t rung) {
   Slot& slot = state.slots[index];
+  PHYSIM_ASSERT(slot.is(kAlive) && rung < registry.kind(slot.kind).rungs.size());
   if (rung == slot.rung) return {};
   const Slot before = slot;
   slot.rung = rung;

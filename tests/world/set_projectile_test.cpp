@@ -101,7 +101,9 @@ TEST(SetProjectile, keeps_where_it_was_launched_and_what_its_loop_took_over) {
   const ProjectileId id = *world.spawn(p, {.velocity = Vec3d{40, 0, 0}}, near);
   const ProjectileId same = *plain.spawn(p, {.velocity = Vec3d{40, 0, 0}}, near);
   for (int frame = 0; plain[same].is_alive(); ++frame) {
-    if (frame == 10) ASSERT_TRUE(world[id].set_mass(500));
+    if (frame == 10) {
+      ASSERT_TRUE(world[id].set_mass(500));
+    }
     EXPECT_EQ(world[id].position(), plain[same].position()) << frame;
     world.step(kStep), plain.step(kStep);
     ASSERT_LT(frame, 200);
