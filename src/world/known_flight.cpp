@@ -150,7 +150,6 @@ template <class Rung, class S>
 std::optional<State<double>> KnownFlights::fly_alone(const Cohort& cohort, const SettleContext& context,
                                                      const Part& part) {
   const std::uint32_t row = part.row;
-  context.state->rows[part.cohort].bring_up(row);
   const RowColumns<S>& columns = context.state->rows[part.cohort].columns<S>();
   const auto vector = [row](S* const(&of)[3]) { return Vec3<S>{of[0][row], of[1][row], of[2][row]}; };
   const Conditions<S>& c = Rung::known(*context.registry->cohort(part.cohort).course<S>().conditions);
