@@ -1,7 +1,6 @@
 #include "world/emitter_ahead.hpp"
 
 #include <algorithm>
-#include <limits>
 
 #include "world/world_impl.hpp"
 
@@ -25,49 +24,6 @@ const BirthPlan* EmitterAhead::plan_ahead(const Firing& firing) {
   BirthColumns& births = look_ahead(firing, may_be_born(firing));
   if (births.count >= kFew && room(*plan) > 0) batches_.prepare(*plan, births);
   return plan;
-}
-
-bool EmitterAhead::fire_in_turns(const Firing& first, const BirthPlan& plan) {
-  if (queue_.empty()) return false;
-  BirthTurn& turn = s_.turn;
-  turn.begin();
-  double until = kInfinity;  // moments of all that are in it are known
-  std::size_t shared = std::numeric_limits<std::size_t>::max();
-  const auto add = [&](const Firing& firing, const BirthPlan& of) {
-    if (world_.state.rows[of.cohort].size() == 0) return false;  // the first of all rows comes alone
-    BirthColumns& births = *s_.ahead[firing.emitter];
-    const std::size_t most = std::min({batches_.plain(of, births), room(of), may_be_born(firing)});
-    if (most < std::min<std::size_t>(kFew, births.count - births.next)) return false;
-    const auto then = next_moment(all_[firing.emitter]);
-    turn.add(of, births, most, then ? then->time : kInfinity);
-    until = std::min(until, births.time[births.count - 1]);
-    shared = std::min(shared, batches_.shared_room(of));
-    return true;
-  };
-  if (!add(first, plan)) return false;
-  while (!queue_.empty() && !turn.is_full()) {
-    const Firing next = queue_.next();
-    if (next.rank != kOwnMoment || next.time > until || !all_[next.emitter].plays) break;
-    const BirthPlan* const other = plan_ahead(next);
-    if (!other || !add(next, *other)) break;
-    queue_.pop();
-  }
-  return turn.lines().size() > 1 && bear_in_turns(shared);
-}
-
-bool EmitterAhead::bear_in_turns(std::size_t most) {
-  const double until = queue_.next_time();
-  const std::span<BirthLine> lines = s_.turn.lines();
-  const auto order = s_.turn.order(most, [&](const BirthLine& line, std::size_t lane) {
-    return line.births->time[lane] < until ||
-           queue_.comes_before_all(firing_of(line.plan->emitter, *line.births, lane));
-  });
-  const bool is_any = batches_.bear(lines, order) > 0;
-  for (const BirthLine& line : lines) {
-    s_.own_births[line.plan->emitter] += static_cast<std::uint32_t>(line.count);
-    if (is_any || &line != lines.data()) queue_moment(line.plan->emitter);
-  }
-  return is_any;
 }
 
 void EmitterAhead::look_at_moment(const BirthPlan& plan, const Firing& firing, const Pose& pose, std::uint32_t from) {

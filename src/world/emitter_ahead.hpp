@@ -1,5 +1,5 @@
-// Births of emitters that are drawn ahead, and how many at a time: those of one moment, those of the moments of one
-// emitter that come before all else, and of several emitters that fire in turn.
+// Births of emitters that are drawn ahead, and how many at a time: those of one moment, and those of the moments of one
+// emitter that come before all else.
 #pragma once
 
 #include "world/birth_batch.hpp"
@@ -36,9 +36,6 @@ class EmitterAhead : protected EmitterMoments {
   [[nodiscard]] const BirthPlan* plan_of(const Firing& firing);
   /// How the births of an emitter's own moments go side by side, which are drawn ahead; null: they go one by one.
   [[nodiscard]] const BirthPlan* plan_ahead(const Firing& firing);
-  /// The moments of several emitters by themselves that come before all else, from that one on, where their births go
-  /// side by side. Nothing where there is no other, or the first is born alone.
-  bool fire_in_turns(const Firing& first, const BirthPlan& plan);
   /// Births of a moment, from that one on.
   void look_at_moment(const BirthPlan& plan, const Firing& firing, const Pose& pose, std::uint32_t from);
   /// How many more one lets out by its maximum, at least.
@@ -48,9 +45,6 @@ class EmitterAhead : protected EmitterMoments {
 
   BirthBatches batches_;
   std::uint64_t departed_ = 0;  // particles that left in this step and were asked about
-
- private:
-  bool bear_in_turns(std::size_t most);
 };
 
 }  // namespace physim

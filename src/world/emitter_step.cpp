@@ -133,7 +133,6 @@ class EmitterBirths : EmitterAhead {
       queue_moment(index);
       return fire(firing);
     }
-    if (fire_in_turns(firing, *plan)) return;
     BirthColumns& births = *s_.ahead[index];
     for (std::size_t left = first_ahead(index, births); left > 0 && s_.triggers.empty();) {
       const Pose& pose = births.pose[births.one_pose ? 0 : births.next];

@@ -160,7 +160,7 @@ std::optional<State<double>> KnownFlights::fly_alone(const Cohort& cohort, const
   if constexpr (Rung::kPushed) {
     const auto push = push_of(context, part.cohort, row, part.born.value_or(0), length, start);
     if (!push) return std::nullopt;
-    b.applied = *push;
+    put_push(*push, b);
   }
   const State<S> end = Rung::end(c, b, start, length);
   const S floor = static_cast<S>(cohort.floor), slowest = static_cast<S>(cohort.slowest);
@@ -191,7 +191,7 @@ void KnownFlights::fly_together(const Cohort& cohort, const SettleContext& conte
       b = Rung::body_of(start);
     else
       b = Rung::body_of(c, start, [number](unsigned field) { return static_cast<S>(number[field]); });
-    if constexpr (Rung::kPushed) b.applied = load(n.push);
+    if constexpr (Rung::kPushed) put_push(load(n.push), b);
     const State<R> end = Rung::end(c, b, start, R::load(n.length.data() + i));
     for (std::size_t axis = 0; axis < 3; ++axis) {
       end.x[axis].store(n.end_x[axis].data() + i);
