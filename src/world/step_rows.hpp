@@ -476,7 +476,36 @@ struct KnownFall {
   template <class R, class S>
   static bool step(const WorldJob<S>& given) {
     PHYSIM_ASSERT(given.watchdog.simple);
-    return step_packs<R>(given, Frame<R, S>{given, *given.course->conditions});
+    const Frame<R, S> frame{given, *given.course->conditions};
+    return given.columns.clear != nullptr ? step_packs<R>(given, frame) : step_alone<R>(given, frame);
+  }
+  /// Where no things are, only rows that stay where they were need their start. The horizontal velocity is the one at
+  /// launch and stays where it stands, which spares a fifth of the memory that stepping many rows waits for.
+  template <class R, class S>
+  PHYSIM_INLINE static bool step_alone(const WorldJob<S>& given, const Frame<R, S>& frame) {
+    const WorldJob<S> job = given;  // as in step_packs()
+    const Conditions<S>& conditions = *given.course->conditions;
+    bool attention = false;
+    for (std::uint32_t row = job.first; row < job.last; row += unsigned(kLanes<R>)) {
+      Body<R> b;
+      load_part<LaunchPart>(job, row, b);
+      Moved<R> m;
+      m.end = closed_form_of_free(known(conditions), b, end_on_clock<R>(job, row));
+      const MaskOf<R> left = frame.noteworthy(m, row);
+      const unsigned bits = lane_bits(left) & filled_lanes<R>(job.last - row);
+      mark(job.attention, row, bits);
+      if (bits != 0) {
+        attention = true;
+        m.end = select(left, load_state<R>(job, row), m.end);
+      }
+      put_positions(job, m.end.x, row);
+      m.end.v.y.store(job.columns.velocity[1] + row);
+      PHYSIM_ASSERT((lane_bits((load<R>(job.columns.velocity[0], row) != m.end.v.x) |
+                               (load<R>(job.columns.velocity[2], row) != m.end.v.z)) &
+                     filled_lanes<R>(job.last - row)) == 0);
+    }
+    if (job.stream) finish_streams();
+    return attention;
   }
 };
 

@@ -27,8 +27,7 @@ void WorldImpl::tell(EventKind kind, std::uint32_t slot, Reason reason, std::opt
   const Slot& who = state.slots[slot];
   const Rows& rows = state.rows_of(who);
   const PlainEvent event{kind, reason, {slot, who.generation}, value, moment ? *moment : state.clock.time()};
-  rows.bring_up(who.row);
-  rows.read_fixed([&, row = who.row](const auto& c) {
+  rows.visit([&, row = who.row](const auto& c) {
     state.events.add(event, Rows::numbers_at(c.position, row), Rows::numbers_at(c.velocity, row));
   });
 }
