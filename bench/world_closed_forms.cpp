@@ -106,8 +106,7 @@ std::vector<SteppedWorld> worlds() {
 Section closed_forms_section(const Options& options) {
   Section s = steps_section(worlds(), "nothing", "in each step", options);
   s.title = "Worlds: closed forms";
-  s.notes = {
-      "The arcade preset. All positions: World::columns(); by ids: World::render_positions()."};
+  s.notes = {"The arcade preset. All positions: World::columns(); by ids: World::render_positions()."};
   return s;
 }
 

@@ -114,6 +114,7 @@ std::size_t BirthBatches::bear(const BirthPlan& plan, BirthColumns& b, std::size
 
 /// Takes `most` slots and rows, or fewer if memory ends: the other births are tried, and refused, one by one.
 std::size_t BirthBatches::take_places(const BirthPlan& plan, std::size_t most) {
+  PHYSIM_ASSERT(most <= slot_.size() && plan.cohort < w_.state.rows.size());
   SlotTable& table = w_.state.slots;
   std::size_t count = 0;
   std::uint32_t index = 0;
@@ -134,6 +135,7 @@ std::size_t BirthBatches::take_places(const BirthPlan& plan, std::size_t most) {
 }
 
 void BirthBatches::come_alive(const BirthPlan& plan, const BirthColumns& b, std::size_t count) {
+  PHYSIM_ASSERT(count > 0 && b.next + count <= b.count);
   SlotTable& table = w_.state.slots;
   for (std::size_t i = 0; i < count; ++i) {
     const std::uint32_t index = slot_[i];

@@ -42,7 +42,7 @@ class BirthBatches {
   WorldImpl& w_;
   const SettleContext& context_;
   double end_;
-  std::vector<std::optional<BirthPlan>> plans_;  // by emitter, as far as they were asked for
+  std::vector<std::optional<BirthPlan>> plans_;                 // by emitter, as far as they were asked for
   std::array<std::uint32_t, BirthColumns::kLanes> slot_, row_;  // of the births at hand
 };
 

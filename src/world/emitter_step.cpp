@@ -31,8 +31,8 @@ bool lets_out_one(const EmitMoment& moment) { return moment.count == 1 && !momen
 /// When emitters fire in a step, in order of time, where they are then, and what is born.
 ///
 /// Each emitter's next moment waits in a queue, beside those of its metres and its rain, and beside what sub-emitters
-/// were set off by. Moments of one emitter by itself are taken from its timeline several at a time, so that what is born
-/// at them is drawn and flown side by side; they wait in the queue one by one as all others do.
+/// were set off by. Moments of one emitter by itself are taken from its timeline several at a time, so that their
+/// births are drawn and flown side by side; they wait in the queue one by one as all others do.
 class EmitterBirths {
  public:
   /// The step ends at `end` [s].
@@ -128,7 +128,8 @@ class EmitterBirths {
   static constexpr std::uint32_t kDeepest = 32;
   static constexpr std::uint32_t kMostBirths = 1u << 20;
 
-  // ------------------------------------------------------------------------------------------- when they fire, and where
+  // ------------------------------------------------------------------------------------------- when and where they
+  // fire
   /// Where one is and which way it points; none: what it follows is gone.
   [[nodiscard]] std::optional<Pose> pose_at(std::uint32_t emitter, double time) const;
   /// So far it is led in this step; what lies before the first cycle does not count [m].
@@ -413,8 +414,8 @@ class EmitterBirths {
   const SettleContext& context_;
   Emitters& all_;
   EmitterScratch& s_;
-  double end_;                  // of the step [s]
-  bool is_past_ = false;        // the step is the time before the world's
+  double end_;            // of the step [s]
+  bool is_past_ = false;  // the step is the time before the world's
   FiringQueue queue_;
   RainStep rain_;
   BirthBatches batches_;
@@ -427,6 +428,7 @@ class EmitterBirths {
 
 // ------------------------------------------------------------------------------------------- where they are
 std::optional<Pose> EmitterBirths::pose_at(std::uint32_t index, double time) const {
+  PHYSIM_ASSERT(index > 0 && index < all_.size() && index < s_.led.size());
   const Emitter& e = all_[index];
   const std::optional<Led>& led = s_.led[index];
   if (e.def().follows && (!led || (led->is_left && time > led->way.end()))) return std::nullopt;
@@ -460,6 +462,7 @@ void EmitterBirths::close_ways() {
 }
 
 void EmitterBirths::queue_moment(std::uint32_t index) {
+  PHYSIM_ASSERT(index < s_.ahead.size());
   const Emitter& e = all_[index];
   if (!e.active || !e.plays) return;
   if (has_ahead(index)) return queue_.push(firing_of(index, *s_.ahead[index], s_.ahead[index]->next));
@@ -628,6 +631,7 @@ void EmitterBirths::look_at_moment(const BirthPlan& plan, const Firing& firing, 
 }
 
 std::size_t EmitterBirths::room(const BirthPlan& plan) const {
+  PHYSIM_ASSERT(plan.kind != 0 && plan.emitter < all_.size());
   const bool refuses = all_[plan.emitter].def().when_full == WhenFull::refuse;
   return batches_.room(plan, refuses ? departed_ + s_.departures.size() : 0);
 }

@@ -12,10 +12,9 @@ PHYSIM_KERNEL_COPIES(bool step_rows(const WorldJob<float>& job); bool step_rows(
                      Advanced advance_forced(const ForcedJob<double>& job); void strike_rows(StrikeJob<float>& job);
                      void strike_rows(StrikeJob<double>& job);)
 
-#define PHYSIM_WORLD_KERNEL(isa)                                                                   \
-  WorldKernel {                                                                                    \
-    isa::step_rows, isa::step_rows, isa::advance_forced, isa::advance_forced, isa::strike_rows,    \
-        isa::strike_rows                                                                           \
+#define PHYSIM_WORLD_KERNEL(isa)                                                                                 \
+  WorldKernel {                                                                                                  \
+    isa::step_rows, isa::step_rows, isa::advance_forced, isa::advance_forced, isa::strike_rows, isa::strike_rows \
   }
 
 WorldKernel world_kernel() {

@@ -104,8 +104,7 @@ TEST(Reading, columns_may_be_read_by_several_threads) {
   for (int i = 0; i < 2000; ++i) EXPECT_TRUE(world.spawn(p, {.position = {0.1 * i, 900, 0}, .speed = 10}));
   for (int i = 0; i < 100; ++i) world.step(1.0 / 60);
   std::vector<std::thread> readers;
-  for (int i = 0; i < 6; ++i)
-    readers.emplace_back([&world] { expect_columns(world); });
+  for (int i = 0; i < 6; ++i) readers.emplace_back([&world] { expect_columns(world); });
   for (std::thread& reader : readers) reader.join();
 }
 
