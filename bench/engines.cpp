@@ -106,16 +106,16 @@ class Comparison {
     const auto go = [peer = peers_.back().get(), step] { peer->step(static_cast<float>(step)); };
     engines_.push_back({std::move(name), step, drag, {at[0], at[1], at[2]}, go, guess_ns});
   }
-  /// All are read after each step: closed forms would not be computed else.
+  /// All are read after each step, as a game does that draws them.
   void add(std::string name, Drag drag, double guess_ns, const Fidelity& fidelity) {
     World one = world_of_bullets(fidelity, 1);
     for (int i = 0; i < std::lround(kFlown / kUsual); ++i) one.step(kUsual);
     worlds_.push_back(std::make_unique<World>(world_of_bullets(fidelity, kMany)));
     const auto go = [this, world = worlds_.back().get()] {
       world->step(kUsual);
-      world->read_positions([this](const WorldPositions& read) {
+      world->columns(columns_);
+      for (const WorldColumns& read : columns_)
         read_ += std::visit([](const auto& all) { return all.position[0].size(); }, read);
-      });
     };
     engines_.push_back({std::move(name), kUsual, drag, one[one.ids().front()].position(), go, guess_ns});
   }
@@ -151,6 +151,7 @@ class Comparison {
   std::vector<Engine> engines_;
   std::vector<std::unique_ptr<PeerWorld>> peers_;
   std::vector<std::unique_ptr<World>> worlds_;
+  std::vector<WorldColumns> columns_{};
   std::size_t read_ = 0;
 };
 

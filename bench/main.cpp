@@ -1,6 +1,7 @@
 // physim_bench: speed at equal achieved error, against the solvers that people use.
 #include <cstdio>
 #include <cstring>
+#include <filesystem>
 #include <fstream>
 #include <string>
 
@@ -13,8 +14,9 @@ constexpr const char* kHelp =
     "physim_bench: how fast PhySim flies, against Boost.odeint and SUNDIALS at equal achieved error,\n"
     "and how fast its worlds step, against the original loop and Bullet\n"
     "  --quick            fewer rounds and flights: under a minute\n"
-    "  --only SECTION     1mm, 1um, mixed, threads, study, allocations, parts, aim, rotation, accuracy, arcade,\n"
-    "                     engines, world or casts\n"
+    "  --only SECTION     1mm, 1um, mixed, threads, study, allocations, parts, aim, rotation, rockets, accuracy,\n"
+    "                     arcade, engines, world or casts\n"
+    "  --rockets FOLDER   of scenario files, whose shots the section rockets flies too\n"
     "  --cpu-time         count the time this thread ran, not the clock on the wall: for busy machines\n"
     "  --rounds N         turns of every contender\n"
     "  --json             print JSON\n"
@@ -50,6 +52,9 @@ bool read_arguments(int count, char** given, Arguments& a) {
       a.json = true;
     } else if (arg == "--only") {
       a.only = value();
+    } else if (arg == "--rockets") {
+      a.options.rockets = value();
+      if (!std::filesystem::is_directory(a.options.rockets)) return false;
     } else if (arg == "--markdown") {
       a.markdown = value();
       if (a.markdown.empty()) return false;
@@ -115,6 +120,7 @@ int run(int count, char** given) {
   if (wanted("parts")) add(micro_section(a.options));
   if (wanted("aim")) add(aim_section(a.options));
   if (wanted("rotation")) add(rotation_section(a.options));
+  if (wanted("rockets")) add(rockets_section(a.options));
   if (wanted("accuracy")) {
     add(switches_section(a.options));
     add(effects_section(a.options));

@@ -14,6 +14,7 @@ struct Options {
   int rounds = 21;
   double slice = 0.02;  // a peer's turn [s]
   int per_decade = 16;  // tolerances tried in calibration
+  std::string rockets;  // a folder of scenario files; empty: none
 };
 
 /// All contenders on the .308 shot at one achieved error. `tolerance` gets what the Tsit5 packs were calibrated to.
@@ -30,6 +31,8 @@ struct Options {
 [[nodiscard]] Section aim_section(const Options& options);
 /// Rigid bodies.
 [[nodiscard]] Section rotation_section(const Options& options);
+/// Single flights of rockets: a smooth one, and those of a folder.
+[[nodiscard]] Section rockets_section(const Options& options);
 /// Segments cast into scenes beside Embree and Bullet.
 [[nodiscard]] Section casts_section(const Options& options);
 /// How long a mesh takes to be added, and what it takes in memory.

@@ -37,6 +37,9 @@ struct ShotSet {
 /// standard drag functions and four curves of our own. With `searched`, those have points at odd Mach numbers.
 [[nodiscard]] ShotSet mixed_shots(std::size_t count, bool searched = false);
 
+/// A rocket of the class that students fly, figures of our own: 20 kg, 3 m long, 3 s of 1500 N, fins that make two
+/// calibres of stability.
+[[nodiscard]] Study rocket_study();
 /// The .308 with seven uncertain inputs: speed, elevation, azimuth, wind across and along, temperature, ballistic
 /// coefficient. Four shards of 4096 shots.
 [[nodiscard]] Study uncertain_308(const Fidelity& fidelity, const Tolerance& tolerance);

@@ -18,37 +18,6 @@ StudyInput added(const char* path, double deviation) {
   return {.path = path, .distribution = NormalDistribution{0, deviation}, .added = true};
 }
 
-/// A rocket of the class that students fly, figures of our own: 20 kg, 3 m long, 3 s of 1500 N, fins that make two
-/// calibres of stability.
-Study rocket_study() {
-  Study study;
-  ProjectileDef& p = study.projectile;
-  p.mass = 20;
-  p.diameter = 0.15;
-  p.inertia.moments = {0.06, 12, 12};
-  p.drag.coefficient = 0.45;
-  p.motor = {.thrust = {{0, 0}, {0.05, 1500}, {3, 1400}, {3.2, 0}}, .propellant_mass = 2.4};
-  p.aero.lift = {{0, 0, 9}};
-  p.aero.pitching = {{0, 0, -18}};
-  p.aero.pitch_damping = {{0, 0, -400}};
-  p.aero.roll_damping = {{0, 0, -5}};
-  study.launch = {.speed = 0, .elevation = 85_deg, .rail_length = 5};
-  study.fidelity = Fidelity::simulation();
-  study.fidelity.rotation = RotationModel::rigid_body;
-  study.until = {.time = 200, .events = {{.kind = EventKind::apex, .terminal = true}}};
-  study.inputs = {{.path = "shot.motor.thrust", .distribution = NormalDistribution{1, 0.03}},
-                  {.path = "shot.drag.form_factor", .distribution = NormalDistribution{1, 0.05}},
-                  added("shot.mass", 0.1),
-                  added("shot.elevation", 1_deg),
-                  added("shot.azimuth", 2_deg),
-                  added("environment.wind.velocity.x", 2),
-                  added("environment.wind.velocity.z", 2)};
-  study.quantities = {StudyQuantity::x, StudyQuantity::z, StudyQuantity::y};
-  study.shard_shots = 1024;
-  study.shots = 1024;
-  return study;
-}
-
 StudyPlan planned(const Study& study) {
   const auto plan = plan_study(study);
   if (plan) return *plan;
@@ -92,6 +61,35 @@ void add_pair(const char* name, const Fidelity& fidelity, const ShotSet& probes,
 }
 
 }  // namespace
+
+Study rocket_study() {
+  Study study;
+  ProjectileDef& p = study.projectile;
+  p.mass = 20;
+  p.diameter = 0.15;
+  p.inertia.moments = {0.06, 12, 12};
+  p.drag.coefficient = 0.45;
+  p.motor = {.thrust = {{0, 0}, {0.05, 1500}, {3, 1400}, {3.2, 0}}, .propellant_mass = 2.4};
+  p.aero.lift = {{0, 0, 9}};
+  p.aero.pitching = {{0, 0, -18}};
+  p.aero.pitch_damping = {{0, 0, -400}};
+  p.aero.roll_damping = {{0, 0, -5}};
+  study.launch = {.speed = 0, .elevation = 85_deg, .rail_length = 5};
+  study.fidelity = Fidelity::simulation();
+  study.fidelity.rotation = RotationModel::rigid_body;
+  study.until = {.time = 200, .events = {{.kind = EventKind::apex, .terminal = true}}};
+  study.inputs = {{.path = "shot.motor.thrust", .distribution = NormalDistribution{1, 0.03}},
+                  {.path = "shot.drag.form_factor", .distribution = NormalDistribution{1, 0.05}},
+                  added("shot.mass", 0.1),
+                  added("shot.elevation", 1_deg),
+                  added("shot.azimuth", 2_deg),
+                  added("environment.wind.velocity.x", 2),
+                  added("environment.wind.velocity.z", 2)};
+  study.quantities = {StudyQuantity::x, StudyQuantity::z, StudyQuantity::y};
+  study.shard_shots = 1024;
+  study.shots = 1024;
+  return study;
+}
 
 Section study_section(const Options& options) {
   const auto data = peer_data();

@@ -55,14 +55,9 @@ struct Upload {
   std::vector<WorldColumns> columns{};
   std::array<std::byte, 4096> page{};
 
-  double of_columns(const World& w) {
+  double operator()(const World& w) {
     w.columns(columns);
     for (const WorldColumns& some : columns) std::visit([this](const auto& of) { take_all(of.position); }, some);
-    return static_cast<double>(page[0]);
-  }
-  double of_positions(const World& w) {
-    w.read_positions(
-        [this](const WorldPositions& some) { std::visit([this](const auto& of) { take_all(of.position); }, some); });
     return static_cast<double>(page[0]);
   }
 
@@ -84,9 +79,7 @@ struct Upload {
 std::vector<SteppedWorld> worlds() {
   std::vector<SteppedWorld> list;
   list.push_back({"nothing happens", falling(free_flight())});
-  list.push_back(read("all positions", [upload = Upload()](World& w) mutable { return upload.of_positions(w); }));
-  list.push_back(
-      read("all positions from columns", [upload = Upload()](World& w) mutable { return upload.of_columns(w); }));
+  list.push_back(read("all positions", [upload = Upload()](World& w) mutable { return upload(w); }));
   list.push_back(read("all positions by ids",
                       [ids = std::vector<ProjectileId>(), places = std::vector<Vec3d>()](World& w) mutable {
                         if (ids.empty()) ids = w.ids(), places.resize(ids.size());
@@ -113,9 +106,7 @@ std::vector<SteppedWorld> worlds() {
 Section closed_forms_section(const Options& options) {
   Section s = steps_section(worlds(), "nothing", "in each step", options);
   s.title = "Worlds: closed forms";
-  s.notes = {
-      "The arcade preset. Rows wait until somebody reads them or something may happen to them. All positions: "
-      "World::read_positions(); from columns: World::columns(), velocities too; by ids: World::render_positions()."};
+  s.notes = {"The arcade preset. All positions: World::columns(); by ids: World::render_positions()."};
   return s;
 }
 

@@ -9,7 +9,7 @@ physim_add_executable(physim_bench ${bench_sources})
 physim_add_kernels(physim_bench ${bench_kernels})
 target_include_directories(physim_bench PRIVATE tests)  # random_shots.hpp
 target_include_directories(physim_bench SYSTEM PRIVATE ${SUNDIALS_INCLUDE_DIR})
-target_link_libraries(physim_bench PRIVATE Boost::headers)
+target_link_libraries(physim_bench PRIVATE physim_scenario Boost::headers)
 foreach(part IN ITEMS arkode cvode nvecserial sunmatrixdense sunlinsoldense sunnonlinsolfixedpoint)
   find_library(SUNDIALS_${part} sundials_${part} REQUIRED)
   target_link_libraries(physim_bench PRIVATE ${SUNDIALS_${part}})

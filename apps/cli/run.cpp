@@ -87,9 +87,8 @@ Status draw_each(const std::vector<std::string>& paths, const FlownScenario& flo
     print_warning("only the first " + std::to_string(paths.size()) + " shots get their own plot");
   const Progress bar = progress_bar("drawing");
   for (std::size_t i = 0; i < paths.size(); ++i) {
-    const Picture picture =
-        shots_picture(title_of(flown.scenario), {&flown.shots[i], 1}, flown.scene ? &*flown.scene : nullptr,
-                      flown.scenario.expect, with_jerk);
+    const Picture picture = shots_picture(title_of(flown.scenario), {&flown.shots[i], 1},
+                                          flown.scene ? &*flown.scene : nullptr, flown.scenario.expect, with_jerk);
     if (Status status = draw(paths[i], picture); !status) return status;
     bar(i + 1, paths.size());
   }

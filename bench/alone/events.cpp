@@ -6,7 +6,7 @@
 //   ./events bounce 100000 200
 //
 // Closed forms, to which nothing happens while they are timed: fall alone; read by fall-segments, fall-places,
-// fall-positions, fall-columns, fall-hash and fall-snapshot in each step; watched by fall-ground, fall-rules and
+// fall-columns, fall-hash and fall-snapshot in each step; watched by fall-ground, fall-rules and
 // fall-detail. In fall-apex some reach their highest point in each step, in fall-land they land and are replaced.
 #include <algorithm>
 #include <chrono>
@@ -52,7 +52,6 @@ struct Case {
   std::vector<Segment> segments{};
   std::vector<WorldColumns> columns{};
   std::uint64_t hash = 0;
-  std::size_t pieces = 0;
 
   void fire(int first, int count) {
     for (int i = first; i < first + count; ++i) world.spawn(kind, launch_of(i, 0, 0.5 * kGravity * 100 * kFrame, 300));
@@ -63,7 +62,6 @@ struct Case {
     if (read == "fall-segments") world.segments(segments);
     if (read == "fall-places") world.render_positions(ids, places);
     if (read == "fall-columns") world.columns(columns);
-    if (read == "fall-positions") world.read_positions([this](const WorldPositions&) { ++pieces; });
     if (read == "fall-hash") hash += world.hash();
     if (read == "fall-snapshot") static_cast<void>(world.snapshot());
   }

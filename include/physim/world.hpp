@@ -179,10 +179,6 @@ class World {
   void segments(std::vector<Segment>& into) const;
   /// All that are alive as they lie in memory, some columns for each rung; nothing is copied. `into` is cleared.
   void columns(std::vector<WorldColumns>& into) const;
-  /// Calls `take` with the positions of all that are alive, some hundreds or more at a time, each once: those of
-  /// columns(), to the bit. What flies by a closed form costs least so: its positions are computed for the call and
-  /// stored nowhere. `take` may read the world, not change it; an empty function takes none.
-  void read_positions(const std::function<void(const WorldPositions&)>& take) const;
   /// The projectile that is alive at an index; null where none is.
   [[nodiscard]] ProjectileId id_at(std::uint32_t index) const;
   /// Moves projectiles to another rung, as they are; returns how many.

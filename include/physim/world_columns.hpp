@@ -20,14 +20,4 @@ struct ColumnsOf {
 
 using WorldColumns = std::variant<ColumnsOf<float>, ColumnsOf<double>>;
 
-/// Positions of projectiles of one rung, as in ColumnsOf. The spans hold as long as the function that is given them
-/// runs.
-template <class R>
-struct PositionsOf {
-  std::span<const std::uint32_t> index{};        ///< ProjectileId::index; World::id_at() makes it one [-]
-  std::array<std::span<const R>, 3> position{};  ///< x, y and z [m]
-};
-
-using WorldPositions = std::variant<PositionsOf<float>, PositionsOf<double>>;
-
 }  // namespace physim

@@ -384,6 +384,7 @@ class LaneSet {
     Lanes<R>& l = march.lanes;
     const MaskOf<R> still = mask_of_lanes<R>(~flying_);
     l.control.h = select(still, l.step.h, l.control.h);
+    if (steps_itself(job_->course->conditions->fidelity)) l.cut = select(still, l.step.h, l.cut);
     l.tries = select(still, l.tries - R(S(1)), l.tries);
   }
 

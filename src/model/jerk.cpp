@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "base/assert.hpp"
 #include "math/elementary.hpp"
 
 namespace physim {
@@ -29,6 +30,7 @@ class Nearby {
     const double nose = sqrt(turn_slope_.w * turn_slope_.w + length_squared(turn_slope_.u));
     const bool has_nose = turns(c.fidelity) && !is_in_repose(c.fidelity);
     step_ = std::min(kLongest, kMostPart / std::max({stops, has_nose ? nose : 0.0, kMostPart / kLongest}));
+    PHYSIM_ASSERT(!(step_ < 0) && step_ <= kLongest);
   }
 
   [[nodiscard]] Vec3d jerk() const { return (slope_over(0.5 * step_) * 4 - slope_over(step_)) * (1.0 / 3); }
@@ -37,6 +39,7 @@ class Nearby {
   [[nodiscard]] Vec3d slope_over(double h) const { return (at(h) - at(-h)) * (0.5 / h); }
 
   [[nodiscard]] Vec3d at(double h) const {
+    PHYSIM_ASSERT(h >= -kLongest && h <= kLongest);
     const State<double> s{s_.x + s_.v * h + slope_ * (0.5 * h * h), s_.v + slope_ * h};
     const double t = t_ + h;
     Vec3d a;

@@ -38,10 +38,11 @@ struct Lanes : Flyer<R> {
 
   StepControl<R> control;
   Regime<R> regime;  // at the start of the step
+  Vec3<R> jerk;      // of the last step, where corners are looked for [m/s^3]
   R count;           // steps accepted; of fixed steps, whole ones
   R parts;           // parts of fixed steps accepted beside them
   R tries;           // steps tried
-  R cut;             // 1: this step was cut to end behind a corner
+  R cut;             // the step that the error allowed, where this one was cut to end behind a corner; else 0 [s]
 };
 
 }  // namespace physim
@@ -104,7 +105,10 @@ PHYSIM_INLINE void copy_start(const Course<S>& course, const Lanes<R>& from, int
   };
   for_parts(f, copy_part, from.step, into.step);
   copy(from.control, into.control);
-  if (course.corners) copy(from.regime, into.regime);
+  if (course.corners) {
+    copy(from.regime, into.regime);
+    copy(from.jerk, into.jerk);
+  }
   set_lane(into.step.t, lane, S(0));
   set_lane(into.count, lane, S(0));
   set_lane(into.parts, lane, S(0));

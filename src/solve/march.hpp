@@ -145,6 +145,11 @@ class March {
     }
     PHYSIM_ASSERT(!any(accepted & (l.step.t_end < l.step.t)));  // clocks run forwards
     l.step.t = select(accepted, l.step.t_end, l.step.t);
+    if (course_->corners && expects_kinks(c)) {
+      const R rate = R(S(1)) / l.step.h;
+      const Vec3<R> change = l.step.slope[last].v - l.step.slope[0].v;
+      l.jerk = select(accepted, Vec3<R>{change.x * rate, change.y * rate, change.z * rate}, l.jerk);
+    }
     const auto move_on = [&](auto& part) {
       part.start = select(accepted, part.end, part.start);
       part.slope[0] = select(accepted, part.slope[last], part.slope[0]);
@@ -199,7 +204,9 @@ class March {
 
   PHYSIM_INLINE void note_regime() {
     Lanes<R>& l = lanes;
-    if (course_->corners) l.regime = regime(conditions(), l.body, *l.rotor, l.step.t, l.step.start);
+    if (!course_->corners) return;
+    l.regime = regime(conditions(), l.body, *l.rotor, l.step.t, l.step.start);
+    l.jerk = {R(S(0)), R(S(0)), R(S(0))};
   }
 
   /// The length of a flight's first step.
@@ -226,9 +233,13 @@ class March {
     return none();
   }
 
-  /// The coming step: as long as its control wants it, or what is left of a whole one, or up to a stop. Fixed steps
-  /// count, so that time does not gather rounding errors.
+  /// The coming step: as long as its control wants it, or what is left of a whole one, or up to a stop or a kink.
   PHYSIM_INLINE void set_step(const Conditions<S>& c) {
+    set_length(c);
+    if (course_->corners && expects_kinks(c)) end_behind_kinks(*course_, lanes);
+  }
+  /// Fixed steps count, so that time does not gather rounding errors.
+  PHYSIM_INLINE void set_length(const Conditions<S>& c) {
     Lanes<R>& l = lanes;
     const bool counted = !steps_itself(c.fidelity);
     if (!framed_ && !has_stops(c)) {
@@ -258,9 +269,11 @@ class March {
     if (steps_itself(c.fidelity) && c.fidelity.motion != Motion::closed_form) {
       const R proposed = l.control.h;
       accepted = judge_error(c.fidelity.integrator, l.step.h, l.step.error, asked, course_->plan.max_step, l.control);
-      // A step that had to end at a stop or a frame says nothing against the longer one that it would have been.
-      if (framed_ || has_stops(c))
+      // A step that had to end at a stop, a kink or a frame says nothing against the longer one it would have been.
+      if (framed_ || has_stops(c) || expects_kinks(c))
         l.control.h = select(accepted & (l.step.h < proposed), max(l.control.h, proposed), l.control.h);
+      // Behind a corner it bends in another way: half of the step that was allowed before is tried.
+      if (course_->corners) l.control.h = select(accepted, max(l.control.h, R(S(0.5)) * l.cut), l.control.h);
     }
     if (!course_->corners) return accepted;
     if constexpr (std::is_floating_point_v<R>) {

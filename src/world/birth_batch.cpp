@@ -80,12 +80,9 @@ void BirthBatches::prepare(const BirthPlan& plan, BirthColumns& births) const {
 std::size_t BirthBatches::room(const BirthPlan& plan, std::size_t departed) const {
   const auto left = [](std::uint64_t most, std::uint64_t there) { return most - std::min(most, there); };
   const Emitter& e = w_.state.emitters[plan.emitter];
-  return std::min(static_cast<std::size_t>(left(e.def().maximum, e.counts.alive + departed)), shared_room(plan));
-}
-
-std::size_t BirthBatches::shared_room(const BirthPlan& plan) const {
-  const std::size_t alive = w_.state.slots.alive(), most = w_.def.max_projectiles;
-  return std::min({most - std::min(most, alive), std::size_t{w_.state.pools.left(plan.pool)}, w_.room_for_events()});
+  const std::size_t own = left(e.def().maximum, e.counts.alive + departed);
+  const std::size_t shared = left(w_.def.max_projectiles, w_.state.slots.alive());
+  return std::min({own, shared, std::size_t{w_.state.pools.left(plan.pool)}, w_.room_for_events()});
 }
 
 std::size_t BirthBatches::plain(const BirthPlan& plan, const BirthColumns& b) const {
@@ -99,51 +96,36 @@ std::size_t BirthBatches::plain(const BirthPlan& plan, const BirthColumns& b) co
 }
 
 std::size_t BirthBatches::bear(const BirthPlan& plan, BirthColumns& b, std::size_t most, const Particle& like) {
-  static constexpr std::array<std::uint8_t, BirthColumns::kLanes> kOneLine{};
-  alone_.plan = &plan, alone_.births = &b, alone_.like = like;
-  return bear(std::span(&alone_, 1), std::span(kOneLine).first(std::min(most, plain(plan, b))));
+  const std::size_t count = take_places(plan, std::min(most, plain(plan, b)));
+  if (count == 0) return 0;
+  come_alive(plan, b, count);
+  const auto put = [&](const auto& flights) {
+    put_rows(plan, b, flights, count);
+    join(plan, b, like, count);
+    tell(plan, b, flights, count);
+  };
+  plan.float32 ? put(std::get<0>(b.flights)) : put(std::get<1>(b.flights));
+  Emitter& e = w_.state.emitters[plan.emitter];
+  e.born += count;
+  e.counts.born += count;
+  b.next += count;
+  return count;
 }
 
-std::size_t BirthBatches::bear(std::span<BirthLine> lines, std::span<const std::uint8_t> order) {
-  for (BirthLine& line : lines) line.count = 0;
-  if (order.empty()) return 0;
-  order = order.first(take_places(lines, order));
-  for (const BirthLine& line : lines) {
-    if (line.count == 0) continue;
-    come_alive(line);
-    if (line.plan->float32)
-      put_rows(line, std::get<0>(line.births->flights));
-    else
-      put_rows(line, std::get<1>(line.births->flights));
-    join(line);
-  }
-  tell(lines, order);
-  for (const BirthLine& line : lines) {
-    Emitter& e = w_.state.emitters[line.plan->emitter];
-    e.born += line.count;
-    e.counts.born += line.count;
-    line.births->next += line.count;
-  }
-  return order.size();
-}
-
-/// Slots and rows for so many, or for fewer where memory ends: the others are tried, and refused, one by one.
-std::size_t BirthBatches::take_places(std::span<BirthLine> lines, std::span<const std::uint8_t> order) {
+/// Takes `most` slots and rows, or fewer if memory ends: the other births are tried, and refused, one by one.
+std::size_t BirthBatches::take_places(const BirthPlan& plan, std::size_t most) {
+  PHYSIM_ASSERT(most <= slot_.size() && plan.cohort < w_.state.rows.size());
   SlotTable& table = w_.state.slots;
   std::size_t count = 0;
   std::uint32_t index = 0;
   try {
-    const auto in_float = static_cast<std::size_t>(
-        std::ranges::count_if(order, [&](std::uint8_t at) { return lines[at].plan->float32; }));
-    w_.state.events.reserve(in_float, order.size() - in_float);
-    for (; count < order.size(); ++count) {
-      BirthLine& line = lines[order[count]];
+    w_.state.events.reserve(plan.float32 ? most : 0, plan.float32 ? 0 : most);
+    for (; count < most; ++count) {
       index = 0;
       index = table.take();
-      const std::uint32_t row = w_.state.rows[line.plan->cohort].push(index);
+      const std::uint32_t row = w_.state.rows[plan.cohort].push(index);
       table[index].row = row;
-      line.slot[line.count] = index, line.row[line.count] = row;
-      ++line.count;
+      slot_[count] = index, row_[count] = row;
       w_.state.emitters.prefetch(index);
     }
   } catch (const std::bad_alloc&) {
@@ -152,26 +134,26 @@ std::size_t BirthBatches::take_places(std::span<BirthLine> lines, std::span<cons
   return count;
 }
 
-void BirthBatches::come_alive(const BirthLine& line) {
+void BirthBatches::come_alive(const BirthPlan& plan, const BirthColumns& b, std::size_t count) {
+  PHYSIM_ASSERT(count > 0 && b.next + count <= b.count);
   SlotTable& table = w_.state.slots;
-  const BirthPlan& plan = *line.plan;
-  for (std::size_t i = 0; i < line.count; ++i) {
-    const std::uint32_t index = line.slot[i];
+  for (std::size_t i = 0; i < count; ++i) {
+    const std::uint32_t index = slot_[i];
     table.come_alive(index, plan.flags & ~std::uint32_t{kAlive});
     Slot& slot = table[index];
     slot.kind = plan.kind;
     slot.rung = 0;
     slot.cohort = plan.cohort;
-    table.birth(index) = line.births->time[line.births->next + i];
+    table.birth(index) = b.time[b.next + i];
     table.rest(index) = {};
   }
-  w_.registry.kinds.join(plan.kind, static_cast<std::uint32_t>(line.count));
+  w_.registry.kinds.join(plan.kind, static_cast<std::uint32_t>(count));
 }
 
 template <class S>
-void BirthBatches::put_rows(const BirthLine& line, const NewbornFlights<S>& flights) {
-  Rows& rows = w_.state.rows[line.plan->cohort];
-  const BirthColumns& b = *line.births;
+void BirthBatches::put_rows(const BirthPlan& plan, const BirthColumns& b, const NewbornFlights<S>& flights,
+                            std::size_t count) {
+  Rows& rows = w_.state.rows[plan.cohort];
   const auto fill = [&](std::uint32_t row, std::size_t lane) {
     const RowColumns<S>& c = rows.columns<S>();
     for (std::size_t axis = 0; axis < 3; ++axis) {
@@ -187,11 +169,11 @@ void BirthBatches::put_rows(const BirthLine& line, const NewbornFlights<S>& flig
       c.field[kBodyNumber.launch.v[axis]][row] = flights.v[axis][lane];
     }
   };
-  const std::uint32_t first = line.row[0];
-  rows.write_fields(first, *line.plan->body);  // looks whether they are those of the others
-  for (std::size_t i = 0; i < line.count; ++i) {
-    const std::uint32_t row = line.row[i];
-    PHYSIM_ASSERT(rows.slot(row) == line.slot[i]);
+  const std::uint32_t first = row_[0];
+  rows.write_fields(first, *plan.body);  // compares them with those of the other rows
+  for (std::size_t i = 0; i < count; ++i) {
+    const std::uint32_t row = row_[i];
+    PHYSIM_ASSERT(rows.slot(row) == slot_[i]);
     for (const std::uint8_t number : rows.layout().fields) {
       S* const column = rows.columns<S>().field[number];
       column[row] = column[first];
@@ -201,48 +183,26 @@ void BirthBatches::put_rows(const BirthLine& line, const NewbornFlights<S>& flig
   }
 }
 
-void BirthBatches::join(const BirthLine& line) {
-  const BirthColumns& b = *line.births;
-  Particle like = line.like;
-  like.emitter = line.plan->emitter;
-  w_.state.emitters.join_each(like, line.count, end_, [&](std::size_t i) {
+void BirthBatches::join(const BirthPlan& plan, const BirthColumns& b, Particle like, std::size_t count) {
+  like.emitter = plan.emitter;
+  w_.state.emitters.join_each(like, count, end_, [&](std::size_t i) {
     const std::size_t lane = b.next + i;
-    return Joining{w_.state.slots.id_of(line.slot[i]), b.number[lane], b.phase[lane], b.dies[lane], b.time[lane]};
+    return Joining{w_.state.slots.id_of(slot_[i]), b.number[lane], b.phase[lane], b.dies[lane], b.time[lane]};
   });
 }
 
 /// In order of time, which pools that replace their oldest keep, too.
-void BirthBatches::tell(std::span<BirthLine> lines, std::span<const std::uint8_t> order) {
-  bool in_float = true;
-  for (BirthLine& line : lines) {
-    in_float = in_float && line.plan->float32;
-    line.count = 0;
-  }
-  const auto join_pool = [&](const BirthLine& line) {
-    w_.state.pools.join(line.plan->pool, line.slot[line.count]);
-    return PlainEvent{EventKind::spawned, Reason::none, w_.state.slots.id_of(line.slot[line.count]), line.plan->emitter,
-                      line.births->time[line.births->next + line.count]};
-  };
-  const auto vector = [](const BirthLine& line, const auto& of) {
-    const std::size_t lane = line.births->next + line.count;
-    return Vec3{of[0][lane], of[1][lane], of[2][lane]};
-  };
-  if (in_float)
-    return w_.state.events.add_each<float>(order.size(), [&](std::size_t i) {
-      BirthLine& line = lines[order[i]];
-      const auto& flights = std::get<0>(line.births->flights);
-      const Told<float> told{join_pool(line), vector(line, flights.x), vector(line, flights.v)};
-      ++line.count;
-      return told;
-    });
-  for (const std::uint8_t at : order) {
-    BirthLine& line = lines[at];
-    const auto add = [&](const auto& flights) {
-      w_.state.events.add(join_pool(line), vector(line, flights.x), vector(line, flights.v));
-    };
-    line.plan->float32 ? add(std::get<0>(line.births->flights)) : add(std::get<1>(line.births->flights));
-    ++line.count;
-  }
+template <class S>
+void BirthBatches::tell(const BirthPlan& plan, const BirthColumns& b, const NewbornFlights<S>& flights,
+                        std::size_t count) {
+  w_.state.events.add_each<S>(count, [&](std::size_t i) {
+    const std::size_t lane = b.next + i;
+    const auto vector = [lane](const auto& of) { return Vec3{of[0][lane], of[1][lane], of[2][lane]}; };
+    w_.state.pools.join(plan.pool, slot_[i]);
+    const PlainEvent spawned{EventKind::spawned, Reason::none, w_.state.slots.id_of(slot_[i]), plan.emitter,
+                             b.time[lane]};
+    return Told<S>{spawned, vector(flights.x), vector(flights.v)};
+  });
 }
 
 }  // namespace physim

@@ -8,8 +8,12 @@
 #include "base/append.hpp"
 #include "base/restored.hpp"
 #include "emit/flight_law.hpp"
+#include "emit/rain.hpp"
 #include "math/elementary.hpp"
-#include "world/emitter_ahead.hpp"
+#include "model/closed_form.hpp"
+#include "world/birth_batch.hpp"
+#include "world/emitter_firing.hpp"
+#include "world/emitter_rain.hpp"
 #include "world/emitter_watch.hpp"
 #include "world/world_impl.hpp"
 
@@ -18,13 +22,36 @@ namespace {
 
 /// Births of a past, most of which nobody has to fly.
 constexpr std::uint32_t kMostOfPast = 1u << 26;
-class EmitterBirths : EmitterAhead {
+/// So many at least are worth being drawn side by side.
+constexpr std::uint32_t kFew = 4;
+
+/// One particle, that is no round of a gun.
+bool lets_out_one(const EmitMoment& moment) { return moment.count == 1 && !moment.is_round; }
+
+/// When emitters fire in a step, in order of time, where they are then, and what is born.
+///
+/// Each emitter's next moment waits in a queue, beside those of its metres and its rain, and beside what sub-emitters
+/// were set off by. Moments of one emitter by itself are taken from its timeline several at a time, so that their
+/// births are drawn and flown side by side; they wait in the queue one by one as all others do.
+class EmitterBirths {
  public:
+  /// The step ends at `end` [s].
   EmitterBirths(WorldImpl& world, const SettleContext& context, double end)
-      : EmitterAhead(world, context, end), w_(world), watch_(world, context, end) {
+      : w_(world),
+        context_(context),
+        all_(world.state.emitters),
+        s_(world.emitting),
+        end_(end),
+        rain_(world),
+        batches_(world, context, end),
+        watch_(world, context, end) {
+    if (s_.ahead.size() < all_.size()) s_.ahead.resize(all_.size());
+    for (const auto& births : s_.ahead)
+      if (births) births->begin();
     s_.causes.clear();
   }
-  using EmitterAhead::close_ways;
+  /// The ways of those that are led through the step are known by now.
+  void close_ways();
 
   [[nodiscard]] EmitterWatch& watch() { return watch_; }
 
@@ -95,6 +122,72 @@ class EmitterBirths : EmitterAhead {
   }
 
  private:
+  enum Rank : std::uint32_t { kOwnMoment, kMetre, kFill, kRain, kSub };
+  /// Births that lead to one another at one moment, and those of all sub-emitters, or of one emitter by itself, in one
+  /// step: more are cut.
+  static constexpr std::uint32_t kDeepest = 32;
+  static constexpr std::uint32_t kMostBirths = 1u << 20;
+
+  // ------------------------------------------------------------------------------------------- when and where they
+  // fire
+  /// Where one is and which way it points; none: what it follows is gone.
+  [[nodiscard]] std::optional<Pose> pose_at(std::uint32_t emitter, double time) const;
+  /// So far it is led in this step; what lies before the first cycle does not count [m].
+  [[nodiscard]] double led_way(std::uint32_t emitter) const;
+
+  /// An emitter's own moment, and when that is in the world [s].
+  struct OwnMoment {
+    double time;
+    EmitMoment moment;
+  };
+  /// The next one in the step that is not taken.
+  [[nodiscard]] std::optional<OwnMoment> next_moment(const Emitter& emitter) const;
+  void queue_moment(std::uint32_t emitter);
+  void queue_metre(std::uint32_t emitter);
+  /// The box of its rain goes through the step, along a straight way.
+  void begin_rain(std::uint32_t emitter);
+  void queue_rain(std::uint32_t emitter);
+
+  /// Whether moments of one are taken ahead: nothing between them changes which they are, or their numbers.
+  [[nodiscard]] bool sees_ahead(const Firing& first) const;
+  /// Takes its first moment, `first`, and those after it that let out one particle each, at most so many.
+  BirthColumns& look_ahead(const Firing& first, std::size_t most);
+  [[nodiscard]] bool has_ahead(std::uint32_t emitter) const {
+    return s_.ahead[emitter] && !s_.ahead[emitter]->is_over();
+  }
+  /// One of those that were taken ahead.
+  [[nodiscard]] Firing firing_of(std::uint32_t emitter, const BirthColumns& births, std::size_t lane) const;
+  /// How many of them come before all else that waits, from the next on, which does.
+  [[nodiscard]] std::size_t first_ahead(std::uint32_t emitter, const BirthColumns& births) const;
+
+  void take_steady(Emitter& emitter, std::size_t room, BirthColumns& births) const;
+  [[nodiscard]] std::optional<double> when_led(std::uint32_t emitter, double distance) const;
+  [[nodiscard]] EmitMoment rain_moment(std::uint32_t emitter, double time, std::uint32_t count) const;
+
+  // ------------------------------------------------------------------------------------------- drawn ahead
+  /// What set off a sub-emitter, until others are queued; null: it fires by itself.
+  [[nodiscard]] const EmitterTrigger* cause_of(const Firing& firing) const {
+    return firing.by == Firing::kNothing ? nullptr : &s_.causes[firing.by];
+  }
+  [[nodiscard]] const SubEmitter& sub_of(const Firing& firing) const {
+    return all_[firing.parent_emitter].def().subs[firing.sub];
+  }
+  [[nodiscard]] std::uint32_t depth_of(const Firing& firing) const {
+    const EmitterTrigger* by = cause_of(firing);
+    return by && by->time == by->birth ? by->particle.depth + 1 : 0;
+  }
+
+  /// How a moment's births go side by side; null: one by one.
+  [[nodiscard]] const BirthPlan* plan_of(const Firing& firing);
+  /// How the births of an emitter's own moments go side by side, which are drawn ahead; null: they go one by one.
+  [[nodiscard]] const BirthPlan* plan_ahead(const Firing& firing);
+  /// Births of a moment, from that one on.
+  void look_at_moment(const BirthPlan& plan, const Firing& firing, const Pose& pose, std::uint32_t from);
+  /// How many more one lets out by its maximum, at least.
+  [[nodiscard]] std::size_t room(const BirthPlan& plan) const;
+  /// How many more are not cut.
+  [[nodiscard]] std::size_t may_be_born(const Firing& firing) const;
+
   void queue_triggers() {
     for (const EmitterTrigger& trigger : s_.triggers) {
       const Emitter& parent = all_[trigger.particle.emitter];
@@ -133,7 +226,6 @@ class EmitterBirths : EmitterAhead {
       queue_moment(index);
       return fire(firing);
     }
-    if (fire_in_turns(firing, *plan)) return;
     BirthColumns& births = *s_.ahead[index];
     for (std::size_t left = first_ahead(index, births); left > 0 && s_.triggers.empty();) {
       const Pose& pose = births.pose[births.one_pose ? 0 : births.next];
@@ -319,11 +411,236 @@ class EmitterBirths : EmitterAhead {
   }
 
   WorldImpl& w_;
+  const SettleContext& context_;
+  Emitters& all_;
+  EmitterScratch& s_;
+  double end_;            // of the step [s]
+  bool is_past_ = false;  // the step is the time before the world's
+  FiringQueue queue_;
+  RainStep rain_;
+  BirthBatches batches_;
+  std::uint64_t departed_ = 0;  // particles that left in this step and were asked about
   EmitterWatch watch_;
   std::uint64_t found_ = 0;
   // When particles of each emitter left in this step, where somebody had to ask.
   std::unordered_map<std::uint32_t, std::priority_queue<double, std::vector<double>, std::greater<>>> later_;
 };
+
+// ------------------------------------------------------------------------------------------- where they are
+std::optional<Pose> EmitterBirths::pose_at(std::uint32_t index, double time) const {
+  PHYSIM_ASSERT(index > 0 && index < all_.size() && index < s_.led.size());
+  const Emitter& e = all_[index];
+  const std::optional<Led>& led = s_.led[index];
+  if (e.def().follows && (!led || (led->is_left && time > led->way.end()))) return std::nullopt;
+  const bool is_on_legs = !e.lead.empty() && !is_past_;
+  if (!e.path && !led && !is_on_legs) return Pose{e.at.position, e.at.rotation, {}};
+  if (e.def().follows && led->by_launch && !is_past_ && time <= led->by_launch->until) {
+    const LedByLaunch& by = *led->by_launch;
+    const State<double> at = closed_form(w_.registry.cohort(by.cohort).conditions, by.body, time - by.launched);
+    return Pose{at.x, e.at.rotation, at.v};
+  }
+  const MotionState at = !led ? *e.on_way(time) : led->path->at(is_past_ ? led->way.end() : time);
+  return Pose{at.position, e.def().follows ? e.at.rotation : at.rotation, at.velocity};
+}
+
+void EmitterBirths::close_ways() {
+  for (std::uint32_t i = 1; i < all_.size(); ++i) {
+    const Emitter& e = all_[i];
+    if (!e.active) continue;
+    std::optional<Led>& led = s_.led[i];
+    if (e.to && !is_past_) {
+      led.emplace(MotionKey{.time = context_.time, .position = e.at.position, .rotation = e.at.rotation});
+      led->way.go_straight({.time = end_, .position = e.to->position, .rotation = e.to->rotation});
+    }
+    if (!led) continue;
+    if (led->at_end)
+      led->way.arrive({.time = end_, .position = led->at_end->position, .velocity = led->at_end->velocity});
+    led->path = led->way.path();
+    if (is_past_ || !e.plays || !(e.def().per_metre > 0)) continue;
+    led->odometer.emplace(*led->path, std::clamp(e.counted_from(), context_.time, end_));
+  }
+}
+
+void EmitterBirths::queue_moment(std::uint32_t index) {
+  PHYSIM_ASSERT(index < s_.ahead.size());
+  const Emitter& e = all_[index];
+  if (!e.active || !e.plays) return;
+  if (has_ahead(index)) return queue_.push(firing_of(index, *s_.ahead[index], s_.ahead[index]->next));
+  if (const auto next = next_moment(e))
+    queue_.push({.time = next->time, .emitter = index, .rank = kOwnMoment, .moment = next->moment});
+}
+
+std::optional<EmitterBirths::OwnMoment> EmitterBirths::next_moment(const Emitter& e) const {
+  const auto moment = Timeline(*e.emission).next(e.timeline);
+  if (!moment) return std::nullopt;
+  const double time = e.began + moment->time / e.def().cycle.rate;
+  if (time > end_) return std::nullopt;
+  return OwnMoment{std::max(time, context_.time), *moment};
+}
+
+void EmitterBirths::queue_metre(std::uint32_t index) {
+  const Emitter& e = all_[index];
+  if (!e.active || !e.plays || !(e.def().per_metre > 0)) return;
+  const double distance = static_cast<double>(e.metre + 1) / e.def().per_metre;
+  const std::optional<double> time = e.odometer       ? e.odometer->when(distance, end_)
+                                     : e.lead.empty() ? when_led(index, distance)
+                                                      : e.lead.when(distance, e.travelled, e.counted_from(), end_);
+  const double rate = e.def().cycle.rate, last = Timeline(*e.emission).span(e.timeline.play).second;
+  if (!time || *time > e.began + last / rate) return;
+  const double now = std::max(*time, context_.time);  // rounding may put it just before
+  const double own = (now - e.began) * rate;
+  EmitMoment moment{.time = own, .phase = Timeline(*e.emission).phase_at(e.timeline.play, own)};
+  queue_.push({.time = now, .emitter = index, .rank = kMetre, .moment = moment});
+}
+
+/// By when it has come so far, where calls or a projectile lead it.
+std::optional<double> EmitterBirths::when_led(std::uint32_t index, double distance) const {
+  const std::optional<Led>& led = s_.led[index];
+  if (!led || !led->odometer) return std::nullopt;
+  const double left = distance - all_[index].travelled, to = std::min(led->way.end(), end_);
+  return left > 0 ? led->odometer->when(left, to) : led->odometer->from();
+}
+
+double EmitterBirths::led_way(std::uint32_t index) const {
+  const std::optional<Led>& led = s_.led[index];
+  if (!led || !led->odometer) return 0;
+  const double to = std::min(led->way.end(), end_);
+  return to > led->odometer->from() ? led->odometer->at(to) : 0;
+}
+
+void EmitterBirths::begin_rain(std::uint32_t index) {
+  const Emitter& e = all_[index];
+  if (!e.active || !e.plays || !e.emission->rain().falls()) return;
+  const auto [first, last] = Timeline(*e.emission).span(e.timeline.play);
+  const double from = std::max(context_.time, e.began + first / e.def().cycle.rate);
+  double to = std::min(end_, e.began + last / e.def().cycle.rate);
+  if (s_.led[index] && s_.led[index]->is_left) to = std::min(to, s_.led[index]->way.end());
+  const std::optional<Pose> begin = pose_at(index, from), end = pose_at(index, to);
+  if (!(from <= to) || !begin || !end) return;
+  const std::uint32_t filling = rain_.begin(index, *begin, *end, from, to);
+  if (filling > 0)
+    queue_.push({.time = from, .emitter = index, .rank = kFill, .moment = rain_moment(index, from, filling)});
+  queue_rain(index);
+}
+
+void EmitterBirths::queue_rain(std::uint32_t index) {
+  if (const std::optional<double> time = rain_.next(index))
+    queue_.push({.time = *time, .emitter = index, .rank = kRain, .moment = rain_moment(index, *time, 1)});
+}
+
+EmitMoment EmitterBirths::rain_moment(std::uint32_t index, double time, std::uint32_t count) const {
+  const Emitter& e = all_[index];
+  const double own = (time - e.began) * e.def().cycle.rate;
+  return {.time = own, .phase = Timeline(*e.emission).phase_at(e.timeline.play, own), .count = count};
+}
+
+// ------------------------------------------------------------------------------------------- several at a time
+bool EmitterBirths::sees_ahead(const Firing& first) const {
+  const EmitterDef& def = all_[first.emitter].def();
+  return !is_past_ && lets_out_one(first.moment) && !def.follows && !(def.per_metre > 0) &&
+         !all_[first.emitter].emission->rain().falls();
+}
+
+BirthColumns& EmitterBirths::look_ahead(const Firing& first, std::size_t most) {
+  PHYSIM_ASSERT(sees_ahead(first) && !has_ahead(first.emitter));
+  Emitter& e = all_[first.emitter];
+  if (!s_.ahead[first.emitter]) s_.ahead[first.emitter] = std::make_unique<BirthColumns>();
+  BirthColumns& births = *s_.ahead[first.emitter];
+  births.begin();
+  births.one_pose = !e.path && !s_.led[first.emitter];
+  births.inherited = e.def().inherit_velocity;
+  const std::size_t room = std::clamp<std::size_t>(most, 1, BirthColumns::kLanes);
+  const Timeline timeline(*e.emission);
+  take_steady(e, room, births);
+  const auto begin = births.count == 0 ? std::optional<OwnMoment>({first.time, first.moment}) : next_moment(e);
+  for (auto next = begin; births.count < room && next && lets_out_one(next->moment); next = next_moment(e)) {
+    const std::size_t lane = births.count++;
+    births.time[lane] = next->time;
+    births.own_time[lane] = next->moment.time, births.phase[lane] = next->moment.phase;
+    timeline.take(e.timeline);
+  }
+  for (std::size_t lane = 0; lane < births.count; ++lane) {
+    births.number[lane] = e.born + lane;
+    births.of_moment[lane] = 0, births.moment[lane] = 1;
+    if (lane == 0 || !births.one_pose) births.pose[lane] = *pose_at(first.emitter, births.time[lane]);
+  }
+  return births;
+}
+
+/// Births of a steady rate, which are known at once.
+void EmitterBirths::take_steady(Emitter& e, std::size_t room, BirthColumns& births) const {
+  const Timeline timeline(*e.emission);
+  const std::span own(births.own_time.data(), room), phase(births.phase.data(), room);
+  const std::size_t steady = timeline.steady(e.timeline, own, phase);
+  const double rate = e.def().cycle.rate;
+  while (births.count < steady) {
+    const double time = e.began + own[births.count] / rate;
+    if (time > end_) break;
+    births.time[births.count++] = std::max(time, context_.time);
+  }
+  if (births.count > 0) timeline.take_steady(e.timeline, births.count);
+}
+
+Firing EmitterBirths::firing_of(std::uint32_t index, const BirthColumns& births, std::size_t lane) const {
+  PHYSIM_ASSERT(lane < births.count);
+  return {.time = births.time[lane],
+          .emitter = index,
+          .rank = kOwnMoment,
+          .moment = {.time = births.own_time[lane], .phase = births.phase[lane]}};
+}
+
+std::size_t EmitterBirths::first_ahead(std::uint32_t index, const BirthColumns& births) const {
+  PHYSIM_ASSERT(!births.is_over());
+  std::size_t lane = births.next + 1;
+  const double until = queue_.next_time();
+  while (lane < births.count && (births.time[lane] < until || queue_.comes_before_all(firing_of(index, births, lane))))
+    ++lane;
+  return lane - births.next;
+}
+
+// ------------------------------------------------------------------------------------------- drawn ahead
+const BirthPlan* EmitterBirths::plan_of(const Firing& firing) {
+  const bool is_many = firing.moment.count >= kFew && !firing.moment.is_round;
+  return is_many && !is_past_ && firing.rank != kRain && firing.rank != kFill ? batches_.plan(firing.emitter) : nullptr;
+}
+
+const BirthPlan* EmitterBirths::plan_ahead(const Firing& firing) {
+  const BirthPlan* const plan = batches_.plan(firing.emitter);
+  if (!plan || has_ahead(firing.emitter)) return plan;
+  if (!sees_ahead(firing)) return nullptr;
+  BirthColumns& births = look_ahead(firing, may_be_born(firing));
+  if (births.count >= kFew && room(*plan) > 0) batches_.prepare(*plan, births);
+  return plan;
+}
+
+void EmitterBirths::look_at_moment(const BirthPlan& plan, const Firing& firing, const Pose& pose, std::uint32_t from) {
+  BirthColumns& b = s_.together;
+  b.begin();
+  if (room(plan) == 0) return;
+  const EmitMoment& m = firing.moment;
+  b.count = std::min<std::size_t>(BirthColumns::kLanes, m.count - from);
+  b.pose[0] = pose, b.one_pose = true;
+  b.inherited = cause_of(firing) ? sub_of(firing).inherit_velocity : all_[firing.emitter].def().inherit_velocity;
+  for (std::uint32_t lane = 0; lane < b.count; ++lane) {
+    b.number[lane] = all_[firing.emitter].born + lane;
+    b.own_time[lane] = m.time, b.phase[lane] = m.phase;
+    b.of_moment[lane] = from + lane, b.moment[lane] = m.count;
+    b.time[lane] = firing.time;
+  }
+  batches_.prepare(plan, b);
+}
+
+std::size_t EmitterBirths::room(const BirthPlan& plan) const {
+  PHYSIM_ASSERT(plan.kind != 0 && plan.emitter < all_.size());
+  const bool refuses = all_[plan.emitter].def().when_full == WhenFull::refuse;
+  return batches_.room(plan, refuses ? departed_ + s_.departures.size() : 0);
+}
+
+std::size_t EmitterBirths::may_be_born(const Firing& firing) const {
+  const std::uint32_t born = cause_of(firing) ? s_.births : s_.own_births[firing.emitter];
+  if (cause_of(firing) && depth_of(firing) > kDeepest) return 0;
+  return kMostBirths - std::min(kMostBirths, born);
+}
 
 /// What settling would need between two steps.
 SettleContext now_of(WorldImpl& world) {

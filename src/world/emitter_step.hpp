@@ -12,7 +12,7 @@
 #include <vector>
 
 #include "emit/odometer.hpp"
-#include "world/birth_turn.hpp"
+#include "world/birth_columns.hpp"
 #include "world/emitter_pose.hpp"
 #include "world/emitters.hpp"
 #include "world/known_flight.hpp"
@@ -70,7 +70,6 @@ struct EmitterScratch {
   KnownFlights known;                                // of the step at hand
   std::vector<std::unique_ptr<BirthColumns>> ahead;  // of each emitter by itself, in the step at hand
   BirthColumns together;                             // of one moment
-  BirthTurn turn;                                    // of the moments that come next
 };
 
 struct WorldImpl;

@@ -53,7 +53,7 @@ auto with_held_forces(const WorldImpl& world, const SettleContext& context, cons
 
 /// It was where it is, and is there now.
 void move_on(const Rows& rows, std::uint32_t row, const State<double>& to) {
-  rows.change(row, [&](const auto& c) {
+  rows.visit([&](const auto& c) {
     Rows::put(c.previous, row, Rows::at(c.position, row));
     Rows::put(c.position, row, to.x);
     Rows::put(c.velocity, row, to.v);
@@ -62,7 +62,7 @@ void move_on(const Rows& rows, std::uint32_t row, const State<double>& to) {
 
 /// It is so old at that step.
 void start_clock(const Rows& rows, std::uint32_t row, double age, double step) {
-  rows.change(row, [&]<class S>(const RowColumns<S>& c) {
+  rows.visit([&]<class S>(const RowColumns<S>& c) {
     if (!rows.layout().clocked) return;
     c.offset[row] = static_cast<S>(age);
     c.born[row] = static_cast<S>(step);
@@ -351,7 +351,7 @@ bool EmitterWatch::fly_in_parts(std::uint32_t index, double from, double to, boo
     w_.state.rows_of(slot).swap_positions(slot.row);
     if (tell_chunk()) return false;
   }
-  w_.state.rows_of(slot).change(slot.row, [&]<class S>(const RowColumns<S>& c) {
+  w_.state.rows_of(slot).visit([&]<class S>(const RowColumns<S>& c) {
     if (!w_.state.rows_of(slot).layout().clocked) return;
     c.offset[slot.row] += (static_cast<S>(now) - c.born[slot.row]) * static_cast<S>(part.dt);
   });
@@ -363,7 +363,7 @@ bool EmitterWatch::fly_in_parts(std::uint32_t index, double from, double to, boo
 void EmitterWatch::count_from(const Slot& slot, double step) {
   const Rows& rows = w_.state.rows_of(slot);
   if (!rows.layout().clocked) return;
-  rows.change(slot.row, [&]<class S>(const RowColumns<S>& c) { c.born[slot.row] = static_cast<S>(step); });
+  rows.visit([&]<class S>(const RowColumns<S>& c) { c.born[slot.row] = static_cast<S>(step); });
 }
 
 }  // namespace physim

@@ -1,6 +1,8 @@
 // The loop over forced rows, pack by pack: from the forces in one stage to the next stage.
 #pragma once
 
+#include <limits>
+
 #include "solve/stages.hpp"
 #include "world/forced_job.hpp"
 #include "world/step_rows.hpp"
@@ -86,6 +88,13 @@ Advanced advance_any(const ForcedJob<S>& job) {
   return {attention, false};
 }
 
+/// Lets a body feel a push whatever its clock shows.
+template <class R>
+PHYSIM_INLINE void put_push(const Vec3<R>& push, Body<R>& b) {
+  b.applied = push;
+  b.applied_until = constant<R>(std::numeric_limits<double>::infinity());
+}
+
 /// A known rung whose rows feel a push beside.
 template <class Rung>
 struct PushedRung {
@@ -99,7 +108,6 @@ struct PushedRung {
   PHYSIM_INLINE static Conditions<S> known(const Conditions<S>& c) {
     Conditions<S> k = Rung::known(c);
     k.has_applied = true;
-    k.fidelity.original_one_shot_forces = true;  // the push is felt whatever the clock shows
     return k;
   }
 
@@ -108,7 +116,7 @@ struct PushedRung {
   PHYSIM_INLINE static unsigned step(const ForcedJob<S>& told, const ForcedJob<S>& job, const Conditions<S>& given,
                                      std::uint32_t row) {
     Body<R> b = Rung::template load_body<R>(job.rows, row);
-    b.applied = first_push<R>(job, row);
+    put_push(first_push<R>(job, row), b);
     const R h(job.rows.h);
     Moved<R> m;
     m.start = load_state<R>(job.rows, row);

@@ -228,7 +228,7 @@ class NetStep {
         continue;
       const Vec3d previous = state_.rows_of(slot).previous(slot.row);
       w_.placement.set_row_state(slots_[i], to);
-      state_.rows_of(slot).change(slot.row, [&](const auto& c) { Rows::put(c.previous, slot.row, previous); });
+      state_.rows_of(slot).visit([&](const auto& c) { Rows::put(c.previous, slot.row, previous); });
     }
   }
 

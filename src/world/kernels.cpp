@@ -9,16 +9,12 @@ namespace physim {
 
 PHYSIM_KERNEL_COPIES(bool step_rows(const WorldJob<float>& job); bool step_rows(const WorldJob<double>& job);
                      Advanced advance_forced(const ForcedJob<float>& job);
-                     Advanced advance_forced(const ForcedJob<double>& job); void place_rows(const WorldJob<float>& job);
-                     void place_rows(const WorldJob<double>& job);
-                     bool are_quiet(const WorldJob<float>& job, std::uint32_t steps);
-                     bool are_quiet(const WorldJob<double>& job, std::uint32_t steps);
-                     void strike_rows(StrikeJob<float>& job); void strike_rows(StrikeJob<double>& job);)
+                     Advanced advance_forced(const ForcedJob<double>& job); void strike_rows(StrikeJob<float>& job);
+                     void strike_rows(StrikeJob<double>& job);)
 
-#define PHYSIM_WORLD_KERNEL(isa)                                                                                \
-  WorldKernel {                                                                                                 \
-    isa::step_rows, isa::step_rows, isa::advance_forced, isa::advance_forced, isa::place_rows, isa::place_rows, \
-        isa::are_quiet, isa::are_quiet, isa::strike_rows, isa::strike_rows                                      \
+#define PHYSIM_WORLD_KERNEL(isa)                                                                                 \
+  WorldKernel {                                                                                                  \
+    isa::step_rows, isa::step_rows, isa::advance_forced, isa::advance_forced, isa::strike_rows, isa::strike_rows \
   }
 
 WorldKernel world_kernel() {

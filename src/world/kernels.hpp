@@ -11,10 +11,6 @@ struct WorldKernel {
   bool (*step_double)(const WorldJob<double>& job);
   Advanced (*advance_float)(const ForcedJob<float>& job);
   Advanced (*advance_double)(const ForcedJob<double>& job);
-  void (*place_float)(const WorldJob<float>& job);
-  void (*place_double)(const WorldJob<double>& job);
-  bool (*quiet_float)(const WorldJob<float>& job, std::uint32_t steps);
-  bool (*quiet_double)(const WorldJob<double>& job, std::uint32_t steps);
   void (*strike_float)(StrikeJob<float>& job);
   void (*strike_double)(StrikeJob<double>& job);
 };
@@ -28,16 +24,6 @@ inline Advanced advance_with(const WorldKernel& kernel, const ForcedJob<float>& 
 }
 inline Advanced advance_with(const WorldKernel& kernel, const ForcedJob<double>& job) {
   return kernel.advance_double(job);
-}
-/// Rows that wait: where they are at the end of the step job.now; whether they go on doing so for so many steps from
-/// it.
-inline void place_rows_with(const WorldKernel& kernel, const WorldJob<float>& job) { kernel.place_float(job); }
-inline void place_rows_with(const WorldKernel& kernel, const WorldJob<double>& job) { kernel.place_double(job); }
-inline bool are_quiet_with(const WorldKernel& kernel, const WorldJob<float>& job, std::uint32_t steps) {
-  return kernel.quiet_float(job, steps);
-}
-inline bool are_quiet_with(const WorldKernel& kernel, const WorldJob<double>& job, std::uint32_t steps) {
-  return kernel.quiet_double(job, steps);
 }
 /// Rows that may have struck the ground.
 inline void strike_rows_with(const WorldKernel& kernel, StrikeJob<float>& job) { kernel.strike_float(job); }

@@ -150,7 +150,6 @@ template <class Rung, class S>
 std::optional<State<double>> KnownFlights::fly_alone(const Cohort& cohort, const SettleContext& context,
                                                      const Part& part) {
   const std::uint32_t row = part.row;
-  context.state->rows[part.cohort].bring_up(row);
   const RowColumns<S>& columns = context.state->rows[part.cohort].columns<S>();
   const auto vector = [row](S* const(&of)[3]) { return Vec3<S>{of[0][row], of[1][row], of[2][row]}; };
   const Conditions<S>& c = Rung::known(*context.registry->cohort(part.cohort).course<S>().conditions);
@@ -161,7 +160,7 @@ std::optional<State<double>> KnownFlights::fly_alone(const Cohort& cohort, const
   if constexpr (Rung::kPushed) {
     const auto push = push_of(context, part.cohort, row, part.born.value_or(0), length, start);
     if (!push) return std::nullopt;
-    b.applied = *push;
+    put_push(*push, b);
   }
   const State<S> end = Rung::end(c, b, start, length);
   const S floor = static_cast<S>(cohort.floor), slowest = static_cast<S>(cohort.slowest);
@@ -192,7 +191,7 @@ void KnownFlights::fly_together(const Cohort& cohort, const SettleContext& conte
       b = Rung::body_of(start);
     else
       b = Rung::body_of(c, start, [number](unsigned field) { return static_cast<S>(number[field]); });
-    if constexpr (Rung::kPushed) b.applied = load(n.push);
+    if constexpr (Rung::kPushed) put_push(load(n.push), b);
     const State<R> end = Rung::end(c, b, start, R::load(n.length.data() + i));
     for (std::size_t axis = 0; axis < 3; ++axis) {
       end.x[axis].store(n.end_x[axis].data() + i);

@@ -105,7 +105,7 @@ template <class F>
 auto with_row(const SettleContext& context, const Chunk& chunk, std::uint32_t row, const F& f) {
   const Rows& rows = context.state->rows[chunk.cohort];
   const Slot& slot = context.state->slots[rows.slot(row)];
-  return rows.read([&](const auto& columns) { return f(columns, context.registry->kind(slot.kind).body.collision); });
+  return rows.visit([&](const auto& columns) { return f(columns, context.registry->kind(slot.kind).body.collision); });
 }
 
 }  // namespace

@@ -26,7 +26,7 @@ struct RowNumbers {
 void put_row(Rows& rows, std::uint32_t row, const BodyState& at, const Body<double>& body, const RowNumbers& n) {
   PHYSIM_ASSERT(row < rows.size());
   const RowLayout& layout = rows.layout();
-  rows.change(row, [&]<class S>(const RowColumns<S>& c) {
+  rows.visit([&]<class S>(const RowColumns<S>& c) {
     Rows::put(c.position, row, at.position);
     Rows::put(c.previous, row, n.previous);
     Rows::put(c.velocity, row, at.velocity);
@@ -161,7 +161,7 @@ void Placement::set_row_state(std::uint32_t index, const BodyState& given) {
   if (slot.is(kOwn)) at.velocity = component_product(at.velocity, free_axes(state_.extras.own_of(index).frozen));
   const bool closed = registry_.cohort(slot.cohort).key.fidelity.motion == Motion::closed_form;
   if (closed) return refill_row(index, at, {.previous = at.position});  // the clock starts anew
-  state_.rows_of(slot).change(slot.row, [&](const auto& c) {
+  state_.rows_of(slot).visit([&](const auto& c) {
     Rows::put(c.position, slot.row, at.position);
     Rows::put(c.velocity, slot.row, at.velocity);
   });
@@ -173,16 +173,16 @@ void Placement::jump(std::uint32_t index, const BodyState& to) {
   const Rows& rows = state_.rows_of(slot);
   const Vec3d way = rows.previous(slot.row) - rows.position(slot.row);
   set_row_state(index, to);
-  rows.change(slot.row, [&](const auto& c) { Rows::put(c.previous, slot.row, to.position + way); });
+  rows.visit([&](const auto& c) { Rows::put(c.previous, slot.row, to.position + way); });
 }
 
 void Placement::refill_row(std::uint32_t index, const BodyState& at, const RowStart& start) {
   const Slot& slot = state_.slots[index];
   const Rows& rows = state_.rows_of(slot);
   if (!rows.layout().launched) return write_row(index, at, start);
-  const Vec3d launch = rows.read_fixed([&](const auto& c) { return Rows::at(c.launch, slot.row); });
+  const Vec3d launch = rows.visit([&](const auto& c) { return Rows::at(c.launch, slot.row); });
   write_row(index, at, start);
-  rows.change(slot.row, [&](const auto& c) { Rows::put(c.launch, slot.row, launch); });
+  rows.visit([&](const auto& c) { Rows::put(c.launch, slot.row, launch); });
 }
 
 void Placement::take_out(Slot& slot) {
@@ -226,15 +226,15 @@ Status Placement::relocate(std::uint32_t index) {
   const Vec3d previous = source.previous(old_row);
   Vec3d launch{}, carried{};
   const std::optional<Attitude> turned = source.layout().turning ? attitude(index) : std::nullopt;
-  if (source.layout().launched) launch = source.read_fixed([&](const auto& c) { return Rows::at(c.launch, old_row); });
-  if (source.layout().carried) carried = source.read_fixed([&](const auto& c) { return Rows::at(c.carried, old_row); });
+  if (source.layout().launched) launch = source.visit([&](const auto& c) { return Rows::at(c.launch, old_row); });
+  if (source.layout().carried) carried = source.visit([&](const auto& c) { return Rows::at(c.carried, old_row); });
   take_out(slot);
   slot.cohort = to;
   slot.row = state_.rows[to].push(index);
   write_row(index, at, {.previous = previous, .old = old, .age = age});
   if (layout.turning) set_attitude(index, turned ? *turned : attitude_at_launch(slot, at.velocity, Launch{}, 0));
-  if (layout.launched) state_.rows[to].change(slot.row, [&](const auto& c) { Rows::put(c.launch, slot.row, launch); });
-  if (layout.carried) state_.rows[to].change(slot.row, [&](const auto& c) { Rows::put(c.carried, slot.row, carried); });
+  if (layout.launched) state_.rows[to].visit([&](const auto& c) { Rows::put(c.launch, slot.row, launch); });
+  if (layout.carried) state_.rows[to].visit([&](const auto& c) { Rows::put(c.carried, slot.row, carried); });
   PHYSIM_ASSERT(state_.rows_of(slot).is_filled(slot.row));
   return {};
 }
@@ -249,7 +249,7 @@ void Placement::relaunch(std::uint32_t index) {
   Body<double> body = body_of(slot);
   body.launch = {at.position, at.velocity};
   body.damping_rate = registry_.kind(slot.kind).on(slot.rung).body.damping_rate;
-  rows.change(slot.row, [&]<class S>(const RowColumns<S>& c) {
+  rows.visit([&]<class S>(const RowColumns<S>& c) {
     c.offset[slot.row] = S(0);
     c.born[slot.row] = static_cast<S>(state_.clock.now());
   });
@@ -276,10 +276,10 @@ void Placement::rewrite_row(std::uint32_t index) {
   const Body<double> old = body_of(slot);
   const Rows& rows = state_.rows_of(slot);
   Vec3d carried{};
-  if (rows.layout().carried) carried = rows.read_fixed([&](const auto& c) { return Rows::at(c.carried, slot.row); });
+  if (rows.layout().carried) carried = rows.visit([&](const auto& c) { return Rows::at(c.carried, slot.row); });
   refill_row(index, state_.state_of(slot),
              {.previous = rows.previous(slot.row), .old = &old, .age = goes_on ? clock_of(slot) : 0});
-  if (rows.layout().carried) rows.change(slot.row, [&](const auto& c) { Rows::put(c.carried, slot.row, carried); });
+  if (rows.layout().carried) rows.visit([&](const auto& c) { Rows::put(c.carried, slot.row, carried); });
 }
 
 Body<double> Placement::body_of(const Slot& slot) const {
@@ -303,7 +303,7 @@ void Placement::rebase(double new_dt) {
   if (!new_length && shift < kMostSteps) return;
   for (Rows& rows : state_.rows) {
     if (!rows.layout().clocked) continue;
-    rows.change([&]<class S>(const RowColumns<S>& c) {
+    rows.visit([&]<class S>(const RowColumns<S>& c) {
       const S now = static_cast<S>(shift);
       for (std::uint32_t row = 0; row < rows.size(); ++row) {
         if (new_length) {

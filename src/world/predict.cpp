@@ -103,7 +103,7 @@ FrameStart start_of(const WorldImpl& w, const Slot& slot, const Clock& clock) {
   start.run_start = clock.run_start;
   start.run_steps = clock.run_steps;
   if (rows.layout().turning) start.turn = rows.turn(slot.row);
-  rows.read_fixed([&]<class S>(const RowColumns<S>& c) {
+  rows.visit([&]<class S>(const RowColumns<S>& c) {
     if (rows.layout().carried) start.carried = Rows::at(c.carried, slot.row);
     start.is_clocked = rows.layout().clocked;
     if (!start.is_clocked) return;

@@ -4,7 +4,6 @@
 
 #include <deque>
 #include <memory>
-#include <mutex>
 #include <optional>
 #include <utility>
 
@@ -60,7 +59,6 @@ struct WorldCohort {
   double most_radius = 0;  // with which any kind that is in it meets things [m]
   Course<float> course_float;
   Course<double> course_double;
-  mutable std::mutex bringing_up;  // rows that wait, see Rows
 
   template <class S>
   [[nodiscard]] const Course<S>& course() const {

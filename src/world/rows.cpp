@@ -36,10 +36,9 @@ Rows::Rows(RowLayout layout) {
   numbers_ = count_columns(layout_);
 }
 
-Rows::Rows(const Rows& o) : RowMemory((o.bring_up(), o)) { find_columns(); }
+Rows::Rows(const Rows& o) : RowMemory(o) { find_columns(); }
 
 Rows& Rows::operator=(const Rows& o) {
-  o.bring_up();
   static_cast<RowMemory&>(*this) = o;
   find_columns();
   return *this;
@@ -62,13 +61,6 @@ void Rows::reserve(std::size_t rows) {
 
 void Rows::grow() { reserve(std::max<std::size_t>(64, std::size_t(capacity_) * 3 / 2)); }
 
-void Rows::come_to_wait() {
-  if (size_ % kRowsPerWord == 0)
-    waiting_.add(size_ / static_cast<std::uint32_t>(kRowsPerWord));
-  else
-    touch(size_);
-}
-
 #if PHYSIM_ASSERTS
 void Rows::mark_unset(std::uint32_t row) {
   for (unsigned k = 0; k < numbers_; ++k) std::memset(column(k) + row * number_size(), kUnset, number_size());
@@ -88,7 +80,6 @@ bool Rows::is_filled(std::uint32_t row) const {
 
 std::uint32_t Rows::push_copy(const Rows& from, std::uint32_t row) {
   PHYSIM_ASSERT(row < from.size_ && from.layout_ == layout_);
-  from.bring_up(row);
   const std::uint32_t at = push(from.slot(row));
   const std::size_t bytes = number_size();
   const bool turned = from.swapped_ != swapped_;  // positions and previous ones lie the other way round
@@ -108,7 +99,6 @@ void Rows::put_back(std::uint32_t row, const Rows& copy) {
 
 void Rows::write_fields(std::uint32_t row, const Body<double>& body) {
   PHYSIM_ASSERT(row < size_);
-  touch(row);
   const double* number = numbers(body);
   visit([&]<class S>(const RowColumns<S>& c) {
     for (const std::uint8_t field : layout_.fields) c.field[field][row] = static_cast<S>(number[field]);
@@ -138,10 +128,6 @@ void Rows::copy_numbers(std::uint32_t from, std::uint32_t to) {
 std::uint32_t Rows::swap_remove(std::uint32_t row) {
   PHYSIM_ASSERT(row < size_);
   const std::uint32_t last = size_ - 1;
-  if (may_wait() && row != last) {
-    bring_up(row), bring_up(last);
-    waiting_.join(row / static_cast<std::uint32_t>(kRowsPerWord), last / static_cast<std::uint32_t>(kRowsPerWord));
-  }
   size_ = last;
   if (row == last) return 0;
   if (layout_.float32)
@@ -153,15 +139,7 @@ std::uint32_t Rows::swap_remove(std::uint32_t row) {
   return all[row] = all[last];
 }
 
-void Rows::let_wait(const WorldCohort* cohort, std::uint32_t now, double dt) {
-  PHYSIM_ASSERT(!may_wait() || waiting_.now() == now);
-  if (waiting_.goes_on(cohort, dt)) return;
-  touch();
-  if (cohort != nullptr) waiting_.begin(*cohort, now, dt, size_);
-}
-
 void Rows::swap_positions() {
-  if (may_wait()) waiting_.tick();
   swapped_ = !swapped_;
   for (int axis = 0; axis < 3; ++axis) {
     std::swap(float_.position[axis], float_.previous[axis]);

@@ -13,7 +13,6 @@
 #include "model/body.hpp"
 #include "model/rotor.hpp"
 #include "world/clear_tube.hpp"
-#include "world/waiting_rows.hpp"
 
 namespace physim {
 
@@ -58,13 +57,6 @@ struct RowColumns {
 /// number. Such a column is read in its first rows only, which stay in the nearest cache.
 using RowMasks = std::array<std::uint32_t, kNumbers<Body>>;
 
-/// Memory for the positions of some rows that wait, beside their columns: it stays in the nearest cache.
-template <class S>
-struct PlacedRows {
-  static constexpr std::uint32_t kMost = 512;
-  alignas(64) S position[3][kMost];
-};
-
 /// What rows are copied by; the columns point into it.
 struct RowMemory {
   struct alignas(64) Line {
@@ -78,17 +70,11 @@ struct RowMemory {
   std::uint32_t size_ = 0;
   bool swapped_ = false;
   RowMasks field_masks_{};
-  mutable WaitingRows waiting_;
   bool notes_changes_ = false;
   std::vector<std::uint64_t> changed_;  // bit i of word w: row 64 w + i
 };
 
 class Rows : RowMemory {
-  template <class F>
-  decltype(auto) visit(F&& f) const {
-    return layout_.float32 ? f(float_) : f(double_);
-  }
-
  public:
   explicit Rows(RowLayout layout);
   Rows(const Rows& other);
@@ -100,7 +86,7 @@ class Rows : RowMemory {
   [[nodiscard]] const RowLayout& layout() const { return layout_; }
   [[nodiscard]] std::uint32_t size() const { return size_; }
   [[nodiscard]] std::size_t bytes() const {
-    return lines_.size() * sizeof(Line) + waiting_.bytes() + changed_.capacity() * sizeof(std::uint64_t);
+    return lines_.size() * sizeof(Line) + changed_.capacity() * sizeof(std::uint64_t);
   }
   [[nodiscard]] std::size_t row_bytes() const { return numbers_ * number_size() + sizeof(std::uint32_t); }
   void reserve(std::size_t rows);
@@ -108,7 +94,6 @@ class Rows : RowMemory {
   std::uint32_t push(std::uint32_t slot) {
     if (size_ == capacity_) grow();
     PHYSIM_ASSERT(size_ < capacity_);
-    if (may_wait()) come_to_wait();
     column_of<std::uint32_t>(numbers_)[size_] = slot;
     note_change(size_);
 #if PHYSIM_ASSERTS
@@ -147,38 +132,6 @@ class Rows : RowMemory {
     }
   }
 
-  // ------------------------------------------------------------------------------------------- rows that wait
-  // Places, previous places and velocities of rows that wait are not written step by step but when somebody asks.
-  // Reading is const and may come from several threads. Clocks, launches and all else is always right.
-
-  /// Lets rows wait that fly by the closed form of their cohort, or, where it is null, none. A step that has this
-  /// number and length [s] comes next.
-  void let_wait(const WorldCohort* cohort, std::uint32_t now, double dt);
-  [[nodiscard]] bool may_wait() const { return waiting_.cohort() != nullptr; }
-  [[nodiscard]] WaitingRows& waiting() { return waiting_; }
-  /// Brings words up to date; threads may do so with words of their own. For the step alone, since nobody else reads.
-  void bring_up_words(std::uint32_t first, std::uint32_t last) const;
-  /// Brings all rows up to date.
-  void bring_up() const {
-    if (may_wait()) bring_up_shared(0, words());
-  }
-  /// Brings one row up to date, with those of its word.
-  void bring_up(std::uint32_t row) const {
-    if (!may_wait()) return;
-    const auto word = static_cast<std::uint32_t>(row / kRowsPerWord);
-    if (waiting_.is_stale(word)) bring_up_shared(word, word + 1);
-  }
-  /// It is about to be changed: up to date, and nobody knows any more how long it may wait.
-  void touch(std::uint32_t row) const {
-    if (!may_wait()) return;
-    bring_up(row);
-    waiting_.forget(static_cast<std::uint32_t>(row / kRowsPerWord));
-  }
-  /// All of them are about to be changed: up to date, and none waits from now on.
-  void touch() const {
-    bring_up();
-    waiting_.end();
-  }
   /// Whether every number of a row was filled in since it was pushed; always true in builds without asserts.
   [[nodiscard]] bool is_filled(std::uint32_t row) const;
   /// The row's numbers will be used soon.
@@ -193,7 +146,6 @@ class Rows : RowMemory {
     return slots()[row];
   }
   [[nodiscard]] const std::uint32_t* slots() const { return column_of<std::uint32_t>(numbers_); }
-  /// The columns as they are: of rows that were brought up to date.
   template <class S>
   [[nodiscard]] const RowColumns<S>& columns() const {
     PHYSIM_ASSERT((sizeof(S) == sizeof(float)) == layout_.float32);
@@ -203,61 +155,27 @@ class Rows : RowMemory {
   /// After a step: what was written as the next position is the current one.
   void swap_positions();
 
-  /// Calls f with the columns, of float or of double, to read and change one row.
+  /// Calls f with the columns, of float or of double.
   template <class F>
-  decltype(auto) change(std::uint32_t row, F&& f) const {
-    touch(row);
-    return visit(f);
-  }
-  /// Calls f with the columns, to read and change all rows.
-  template <class F>
-  decltype(auto) change(F&& f) const {
-    touch();
-    return visit(f);
-  }
-  /// Calls f with the columns, to read all rows.
-  template <class F>
-  decltype(auto) read(F&& f) const {
-    bring_up();
-    return visit(f);
-  }
-  /// Calls f with the first of some rows, how many they are, and their positions, until all rows have come by. Rows
-  /// that wait go on waiting: theirs are computed for the call, and gone after it.
-  template <class F>
-  void read_positions(const F& f) const {
-    visit([&]<class S>(const RowColumns<S>& c) {
-      if (!may_wait()) return f(0u, size_, std::array<const S*, 3>{c.position[0], c.position[1], c.position[2]});
-      PlacedRows<S> beside;
-      for (std::uint32_t first = 0; first < size_; first += beside.kMost) {
-        const std::uint32_t count = std::min(size_ - first, beside.kMost);
-        f(first, count, positions(first, count, beside));
-      }
-    });
-  }
-  /// Calls f with the columns, to read what never waits.
-  template <class F>
-  decltype(auto) read_fixed(F&& f) const {
-    return visit(f);
+  decltype(auto) visit(F&& f) const {
+    return layout_.float32 ? f(float_) : f(double_);
   }
   /// What was written as the next position of one row is its current one.
   void swap_positions(std::uint32_t row) const {
     PHYSIM_ASSERT(row < size_);
-    change(row, [row](const auto& c) {
+    visit([row](const auto& c) {
       for (int axis = 0; axis < 3; ++axis) std::swap(c.position[axis][row], c.previous[axis][row]);
     });
   }
   [[nodiscard]] Vec3d position(std::uint32_t row) const {
     PHYSIM_ASSERT(row < size_);
-    bring_up(row);
     return visit([row](const auto& c) { return at(c.position, row); });
   }
   [[nodiscard]] Vec3d previous(std::uint32_t row) const {
-    bring_up(row);
     return visit([row](const auto& c) { return at(c.previous, row); });
   }
   [[nodiscard]] Vec3d velocity(std::uint32_t row) const {
     PHYSIM_ASSERT(row < size_);
-    bring_up(row);
     return visit([row](const auto& c) { return at(c.velocity, row); });
   }
   /// The numbers of a row that the models read.
@@ -333,15 +251,6 @@ class Rows : RowMemory {
   }
 
  private:
-  [[nodiscard]] std::uint32_t words() const {
-    return static_cast<std::uint32_t>((size_ + kRowsPerWord - 1) / kRowsPerWord);
-  }
-  /// Positions of rows from the first of a word on: where they lie, or where some wait, in `beside`.
-  template <class S>
-  [[nodiscard]] std::array<const S*, 3> positions(std::uint32_t first, std::uint32_t count,
-                                                  PlacedRows<S>& beside) const;
-  /// As readers do, of which there may be several.
-  void bring_up_shared(std::uint32_t first, std::uint32_t last) const;
   [[nodiscard]] std::byte* column(unsigned k) const {
     PHYSIM_ASSERT(k <= numbers_ && !lines_.empty());
     return const_cast<std::byte*>(lines_.data()->bytes) + k * stride_;
@@ -352,8 +261,6 @@ class Rows : RowMemory {
   }
   [[nodiscard]] std::size_t number_size() const { return layout_.float32 ? sizeof(float) : sizeof(double); }
   void grow();
-  /// One row more, of those that may wait.
-  void come_to_wait();
   /// So that builds with asserts find numbers that nobody wrote.
   void mark_unset(std::uint32_t row);
   /// Copies the numbers of a row over those of another one.

@@ -47,8 +47,7 @@ std::vector<double> Placement::saved_numbers(std::uint32_t index) const {
   const Rows& rows = state_.rows_of(slot);
   const RowLayout& layout = rows.layout();
   std::vector<double> numbers;
-  rows.bring_up(slot.row);
-  rows.read_fixed([&](const auto& c) {
+  rows.visit([&](const auto& c) {
     each_number(layout, c, slot.row, [&](auto& number, bool) { numbers.push_back(static_cast<double>(number)); });
     for (const std::uint8_t field : layout.own) numbers.push_back(static_cast<double>(c.field[field][slot.row]));
   });
@@ -68,7 +67,7 @@ bool Placement::put_saved(std::uint32_t index, const std::vector<double>& number
   std::size_t at = 0;
   bool good = true;
   const auto next = [&] { return at < numbers.size() ? numbers[at++] : (good = false, 0.0); };
-  rows.change(slot.row, [&](const auto& columns) {
+  rows.visit([&](const auto& columns) {
     each_number(layout, columns, slot.row, [&]<class S>(S& number, bool finite) {
       number = static_cast<S>(next());
       good = good && (!finite || std::isfinite(number));

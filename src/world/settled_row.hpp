@@ -35,7 +35,6 @@ class SettledRow {
         told_{chunk.events.size(), chunk.changes.size(), chunk.traces.size()},
         march(cohort_.course<S>()) {
     PHYSIM_ASSERT(row < rows_.size());
-    rows_.touch(row);
     read();
     start_ = here();
     if (cohort_.key.forced) find_drive();

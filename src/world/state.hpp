@@ -55,7 +55,7 @@ class WorldState {
   }
   /// Time since launch of a row that has a clock [s].
   [[nodiscard]] double row_clock(const Slot& slot) const {
-    return rows[slot.cohort].read_fixed([&]<class S>(const RowColumns<S>& c) {
+    return rows[slot.cohort].visit([&]<class S>(const RowColumns<S>& c) {
       const S steps = static_cast<S>(clock.now()) - c.born[slot.row];
       return static_cast<double>(c.offset[slot.row] + steps * static_cast<S>(clock.dt));
     });

@@ -468,15 +468,46 @@ struct KnownFall {
       m.lost = R(S(0)) != R(S(0));
       return m;
     }
-    PHYSIM_INLINE MaskOf<R> noteworthy(const Moved<R>& m, std::uint32_t) const {
-      return plainly_noteworthy(job.watchdog, known(given), m);
+    PHYSIM_INLINE MaskOf<R> noteworthy(const Moved<R>& m, std::uint32_t row) const {
+      return physim::noteworthy(job, known(given), m, row);
     }
     PHYSIM_INLINE void finish(std::uint32_t, const MaskOf<R>&) const {}
   };
   template <class R, class S>
   static bool step(const WorldJob<S>& given) {
-    PHYSIM_ASSERT(given.watchdog.simple);
-    return step_packs<R>(given, Frame<R, S>{given, *given.course->conditions});
+    PHYSIM_ASSERT(!given.watchdog.watched);
+    const Frame<R, S> frame{given, *given.course->conditions};
+    const bool needs_start = given.columns.clear != nullptr || !given.watchdog.simple;
+    return needs_start ? step_packs<R>(given, frame) : step_alone<R>(given);
+  }
+  /// Where no things are and the ends of steps say all, only rows that stay where they were need their start. The
+  /// horizontal velocity is the one at launch and stays where it stands, which spares a fifth of the memory that
+  /// stepping many rows waits for.
+  template <class R, class S>
+  PHYSIM_INLINE static bool step_alone(const WorldJob<S>& given) {
+    const WorldJob<S> job = given;  // as in step_packs()
+    const Conditions<S>& conditions = *given.course->conditions;
+    bool attention = false;
+    for (std::uint32_t row = job.first; row < job.last; row += unsigned(kLanes<R>)) {
+      Body<R> b;
+      load_part<LaunchPart>(job, row, b);
+      Moved<R> m;
+      m.end = closed_form_of_free(known(conditions), b, end_on_clock<R>(job, row));
+      const MaskOf<R> left = plainly_noteworthy(job.watchdog, known(conditions), m);
+      const unsigned bits = lane_bits(left) & filled_lanes<R>(job.last - row);
+      mark(job.attention, row, bits);
+      if (bits != 0) {
+        attention = true;
+        m.end = select(left, load_state<R>(job, row), m.end);
+      }
+      put_positions(job, m.end.x, row);
+      m.end.v.y.store(job.columns.velocity[1] + row);
+      PHYSIM_ASSERT((lane_bits((load<R>(job.columns.velocity[0], row) != m.end.v.x) |
+                               (load<R>(job.columns.velocity[2], row) != m.end.v.z)) &
+                     filled_lanes<R>(job.last - row)) == 0);
+    }
+    if (job.stream) finish_streams();
+    return attention;
   }
 };
 
@@ -489,7 +520,8 @@ bool step_packs_of(const WorldJob<S>& job) {
     known = true;
     attention = Rung::template step<R>(job);
   };
-  if (job.watchdog.simple) each_known_rung<KnownRung>(try_rung), try_rung(KnownFall{});
+  if (job.watchdog.simple) each_known_rung<KnownRung>(try_rung);
+  if (!job.watchdog.watched) try_rung(KnownFall{});
   return known ? attention : step_any<R>(job);
 }
 

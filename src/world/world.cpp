@@ -71,7 +71,6 @@ Status World::set_environment(std::uint32_t index, const Environment& environmen
   WorldImpl& w = impl();
   const Recorded<Call::set_environment> call(w, index, environment);
   if (call.is_refused()) return call.refusal();
-  for (const Rows& rows : w.state.rows) rows.touch();  // by the laws until now
   const std::vector<ClosedFormLaw> before = w.placement.closed_forms();
   if (Status status = w.registry.set_environment(index, environment); !status) return status;
   w.state.slots.each_alive([&](std::uint32_t slot) {

@@ -27,8 +27,7 @@ void WorldImpl::tell(EventKind kind, std::uint32_t slot, Reason reason, std::opt
   const Slot& who = state.slots[slot];
   const Rows& rows = state.rows_of(who);
   const PlainEvent event{kind, reason, {slot, who.generation}, value, moment ? *moment : state.clock.time()};
-  rows.bring_up(who.row);
-  rows.read_fixed([&, row = who.row](const auto& c) {
+  rows.visit([&, row = who.row](const auto& c) {
     state.events.add(event, Rows::numbers_at(c.position, row), Rows::numbers_at(c.velocity, row));
   });
 }
@@ -392,6 +391,7 @@ Status WorldImpl::change_fidelity(std::uint32_t index, const Fidelity& asked) {
 
 Status WorldImpl::change_rung(std::uint32_t index, std::uint16_t rung) {
   Slot& slot = state.slots[index];
+  PHYSIM_ASSERT(slot.is(kAlive) && rung < registry.kind(slot.kind).rungs.size());
   if (rung == slot.rung) return {};
   const Slot before = slot;
   slot.rung = rung;

@@ -50,8 +50,6 @@ struct WorldJob {
   bool stream;  // positions are stored past the caches
   bool clocked;
   bool launched;
-  bool velocities;                   // are wanted where rows are placed
-  const WordClock* clocks;           // of words, where rows are placed
   S now;                             // number of this step
   S h;                               // [s]
   S radius;                          // of none of the rows is it larger [m]

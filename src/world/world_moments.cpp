@@ -89,7 +89,7 @@ std::uint64_t sum_of_rows(const WorldState& s, const Kinds& kinds) {
   std::uint64_t sum = 0;
   const auto last_step = static_cast<std::uint32_t>(s.clock.steps);
   for (const Rows& rows : s.rows) {
-    rows.read([&]<class S>(const RowColumns<S>& c) {
+    rows.visit([&]<class S>(const RowColumns<S>& c) {
       const S now = static_cast<S>(s.clock.now());
       for (std::uint32_t row = 0; row < rows.size(); ++row) {
         const std::uint32_t index = rows.slot(row);

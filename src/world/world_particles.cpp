@@ -139,8 +139,7 @@ class ParticleReader {
   /// Puts the states of particles whose rows are of one cohort.
   void put_rows(const Rows& rows, std::size_t first, std::size_t last) {
     PHYSIM_ASSERT(first < last && last <= now_->count);
-    for (std::size_t i = first; i < last && rows.may_wait(); ++i) rows.bring_up(now_->row[i]);
-    rows.read_fixed([&](const auto& c) {
+    rows.visit([&](const auto& c) {
       const auto put = [&](const Column<Vec3d>& column, const auto& of) {
         each_in(column, first, last, [&](std::size_t i) { return Rows::at(of, now_->row[i]); });
       };

@@ -48,26 +48,15 @@ BodyState ProjectileView::state_of(const WorldImpl* world, ProjectileId id) {
   const Slot* slot = world->find(id);
   return slot ? world->state.state_of(*slot) : BodyState{};
 }
-namespace {
-
-/// Where many are read, all that wait are brought up to date together, which costs less than word by word.
-void bring_up_for(const WorldImpl& world, std::size_t count) {
-  if (count < world.state.slots.alive() / 16) return;
-  for (const Rows& rows : world.state.rows) rows.bring_up();
-}
-
-}  // namespace
 
 void World::states(std::span<const ProjectileId> ids, std::span<BodyState> into) const {
   const IeeeMode mode;
   const std::size_t count = std::min(ids.size(), into.size());
-  bring_up_for(impl(), count);
   for (std::size_t i = 0; i < count; ++i) into[i] = (*this)[ids[i]].state();
 }
 void World::render_positions(std::span<const ProjectileId> ids, std::span<Vec3d> into) const {
   const IeeeMode mode;
   const std::size_t count = std::min(ids.size(), into.size());
-  bring_up_for(impl(), count);
   for (std::size_t i = 0; i < count; ++i) {
     impl().prefetch(ids, i);
     into[i] = (*this)[ids[i]].render_position();
@@ -103,7 +92,7 @@ void World::segments(std::vector<Segment>& into) const {
     const Rows& rows = impl().state.rows[c];
     const std::size_t first = into.size();
     into.resize(first + rows.size());
-    rows.read([&](const auto& columns) {
+    rows.visit([&](const auto& columns) {
       for (std::uint32_t row = 0; row < rows.size(); ++row)
         into[first + row] = {impl().state.slots.id_of(rows.slot(row)), Rows::at(columns.previous, row),
                              Rows::at(columns.position, row)};
@@ -120,7 +109,7 @@ void World::columns(std::vector<WorldColumns>& into) const {
     PHYSIM_ASSERT(count <= impl().state.slots.size());
     if (count == 0) continue;
     const bool still = impl().registry.cohort(c).key.still;
-    rows.read([&]<class S>(const RowColumns<S>& from) {
+    rows.visit([&]<class S>(const RowColumns<S>& from) {
       ColumnsOf<S> columns{.index = {rows.slots(), count}};
       for (std::size_t axis = 0; axis < 3; ++axis) {
         columns.position[axis] = {from.position[axis], count};
@@ -130,17 +119,6 @@ void World::columns(std::vector<WorldColumns>& into) const {
       into.emplace_back(columns);
     });
   }
-}
-
-void World::read_positions(const std::function<void(const WorldPositions&)>& take) const {
-  const IeeeMode mode;
-  if (!take) return;
-  for (const Rows& rows : impl().state.rows)
-    rows.read_positions([&]<class S>(std::uint32_t first, std::uint32_t count, const std::array<const S*, 3>& from) {
-      if (count == 0) return;
-      const auto column = [&](std::size_t axis) { return std::span(from[axis], count); };
-      take(PositionsOf<S>{{rows.slots() + first, count}, {column(0), column(1), column(2)}});
-    });
 }
 
 ProjectileId World::id_at(std::uint32_t index) const {
@@ -182,7 +160,7 @@ Accelerations ProjectileView::accelerations() const {
   Accelerations a = accelerations_of(c, b, turning ? rows.rotor(slot->row) : Rotor<double>{}, t,
                                      {now.position, now.velocity}, turning ? rows.turn(slot->row) : Turn<double>{});
   if (rows.layout().carried)  // the original's register, as Flight tells it
-    a.total = rows.read_fixed([&](const auto& columns) { return Rows::at(columns.carried, slot->row); });
+    a.total = rows.visit([&](const auto& columns) { return Rows::at(columns.carried, slot->row); });
   return a;
 }
 

@@ -95,62 +95,6 @@ struct StepWork {
   bool asks_engine;  // rows are looked at when all have moved, in the caller's thread
 };
 
-constexpr auto kWordRows = static_cast<std::uint32_t>(kRowsPerWord);
-
-/// Words of a chunk: the first, and the one behind the last.
-std::pair<std::uint32_t, std::uint32_t> words_of(const Chunk& chunk) {
-  return {chunk.first / kWordRows, (chunk.last + kWordRows - 1) / kWordRows};
-}
-
-/// Steps those rows of a chunk that do not wait. Says whether some were left where they were.
-template <class S>
-bool move_due(const StepWork& work, const Chunk& chunk, WorldJob<S> job) {
-  const Rows& rows = work.context.state->rows[chunk.cohort];
-  WaitingRows& waiting = work.context.state->rows[chunk.cohort].waiting();
-  const auto [first, last] = words_of(chunk);
-  bool attention = false;
-  for (std::uint32_t word = first; word < last;) {
-    if (!waiting.is_due(word)) {
-      job.attention[word++] = 0;
-      continue;
-    }
-    std::uint32_t end = word + 1;
-    while (end < last && waiting.is_due(end)) ++end;
-    rows.bring_up_words(word, end);
-    job.first = word * kWordRows;
-    job.last = std::min(end * kWordRows, chunk.last);
-    attention = step_rows_with(work.kernel, job) || attention;
-    for (; word < end; ++word) waiting.set_stepped(word);
-  }
-  return attention;
-}
-
-/// What the clocks of some rows show.
-template <class S>
-WordClock clock_of(const RowColumns<S>& columns, std::uint32_t first, std::uint32_t last) {
-  PHYSIM_ASSERT(first < last);
-  const S offset = columns.offset[first], born = columns.born[first];
-  for (std::uint32_t row = first + 1; row < last; ++row)
-    if (columns.offset[row] != offset || columns.born[row] != born) return {};
-  return {static_cast<double>(offset), static_cast<double>(born)};
-}
-
-/// Asks how long rows that were stepped may wait now.
-template <class S>
-void look_ahead(const StepWork& work, const Chunk& chunk) {
-  WaitingRows& waiting = work.context.state->rows[chunk.cohort].waiting();
-  WorldJob<S> job = rows_job<S>(work.context, chunk.cohort);
-  job.now += S(1);
-  const auto [first, last] = words_of(chunk);
-  for (std::uint32_t word = first; word < last; ++word) {
-    if (!waiting.is_due(word) || !waiting.wants_look(word)) continue;
-    job.first = word * kWordRows;
-    job.last = std::min(job.first + kWordRows, chunk.last);
-    if (waiting.look(word, [&](std::uint32_t steps) { return are_quiet_with(work.kernel, job, steps); }))
-      waiting.set_clock(word, clock_of(job.columns, job.first, job.last));
-  }
-}
-
 template <class S>
 void move_chunk(const StepWork& work, Chunk& chunk) {
   PHYSIM_ASSERT(chunk.first % kRowsPerWord == 0 && chunk.last <= work.context.state->rows[chunk.cohort].size());
@@ -168,8 +112,7 @@ void move_chunk(const StepWork& work, Chunk& chunk) {
   const RowLayout& layout = work.context.state->rows[chunk.cohort].layout();
   chunk.looks = layout.meeting && !layout.carried && !layout.turning;
   if (chunk.looks) job.near = work.near + work.words_before[chunk.cohort];
-  const bool waits = work.context.state->rows[chunk.cohort].may_wait();
-  chunk.attention = waits ? move_due(work, chunk, job) : step_rows_with(work.kernel, job);
+  chunk.attention = step_rows_with(work.kernel, job);
 }
 
 /// Calls f with every row of a chunk that came near a thing.
@@ -181,9 +124,6 @@ void each_near(const StepWork& work, const Chunk& chunk, const F& f) {
 void settle_chunk(const StepWork& work, Chunk& chunk) {
   if (chunk.attention)
     settle_marked(work.context, work.kernel, chunk, work.attention + work.words_before[chunk.cohort]);
-  const Rows& rows = work.context.state->rows[chunk.cohort];
-  if (!rows.may_wait()) return;
-  rows.layout().float32 ? look_ahead<float>(work, chunk) : look_ahead<double>(work, chunk);
 }
 
 /// All rows that came near something ask in one call.
@@ -262,16 +202,13 @@ void WorldImpl::step_free(double dt) {
     const CohortKey& key = registry.cohort(c).key;
     scratch.words_before[c] = words;
     if (key.still || key.forced) continue;
-    Rows& rows = state.rows[c];
+    const Rows& rows = state.rows[c];
     const std::uint32_t size = rows.size();
-    const bool waits = rows_may_wait() && !pairs.used && may_wait(registry.cohort(c));
-    rows.let_wait(waits ? &registry.cohort(c) : nullptr, static_cast<std::uint32_t>(state.clock.now()), dt);
     moving += size;
     bytes += size * rows.row_bytes();
     words += (size + kRowsPerWord - 1) / kRowsPerWord;
     for (std::uint32_t first = 0; first < size; first += kChunkRows) {
       const std::uint32_t last = std::min(size, first + kChunkRows);
-      if (waits && !rows.waiting().any_due(first / kWordRows, (last + kWordRows - 1) / kWordRows)) continue;
       if (scratch.chunk_count == scratch.chunks.size()) scratch.chunks.emplace_back();
       Chunk& chunk = scratch.chunks[scratch.chunk_count++];
       chunk.cohort = c;

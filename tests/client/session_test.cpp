@@ -123,6 +123,7 @@ TEST(Session, AFlightThatLandedFliesAgainAfterStepsBack) {
   Session session = range();
   ScenarioShot shot = laser();
   shot.projectile.fidelity = Fidelity::game();
+  shot.projectile.gravity_scale = 1;
   shot.body = {};
   shot.launch.speed = 5;
   ASSERT_TRUE(session.fire(shot));

@@ -22,8 +22,8 @@ namespace {
 /// What this version of the library must print. A change of the physics or the numerics changes it: say so in the
 /// commit.
 using Sums = std::array<std::uint64_t, 5>;
-constexpr Sums kExpectedSums = {0x598b5dd59c1d0ca6, 0xfcdbc54cfd238d98, 0x4e00955f69f0347b, 0x25e177dae2f59c78,
-                                0xead8b40f60374c21};
+constexpr Sums kExpectedSums = {0x6f175e23e7a5c379, 0xd0867af1c5e2cc7f, 0x4e00955f69f0347b, 0x99a6a795c8cfd320,
+                                0x54e16c2ac867429f};
 
 void print(std::FILE* file, const Sums& sums) {
   for (std::size_t i = 0; i < sums.size(); ++i)

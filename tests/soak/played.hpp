@@ -50,14 +50,13 @@ inline std::uint64_t hash_of_events(const World& w) {
 /// All that can be read of a world and is no part of its hash, or is read by another door.
 inline std::uint64_t hash_of_reading(const World& w, const Known& known) {
   std::uint64_t sum = 0;  // rows lie in any order
-  w.read_positions([&sum](const WorldPositions& all) {
-    std::visit(
-        [&sum](const auto& p) {
-          for (std::size_t i = 0; i < p.index.size(); ++i)
-            sum += hash_of(p.index[i], double{p.position[0][i]}, double{p.position[1][i]}, double{p.position[2][i]});
-        },
-        all);
-  });
+  std::vector<WorldColumns> columns;
+  w.columns(columns);
+  const auto add = [&sum](const auto& c) {
+    for (std::size_t i = 0; i < c.index.size(); ++i)
+      sum += hash_of(c.index[i], double{c.position[0][i]}, double{c.position[1][i]}, double{c.position[2][i]});
+  };
+  for (const WorldColumns& some : columns) std::visit(add, some);
   Hasher hasher;
   hasher.add(sum);
   const WorldCounters& c = w.counters();

@@ -48,27 +48,8 @@ TEST(Reading, places_to_draw_are_read_for_many) {
   for (std::size_t i = 0; i < ids.size(); ++i) EXPECT_EQ(places[i], world[ids[i]].render_position());
 }
 
-/// Positions of all that are read, each once.
-std::unordered_map<std::uint32_t, Vec3d> positions_of(const World& world) {
-  std::unordered_map<std::uint32_t, Vec3d> found;
-  world.read_positions([&](const WorldPositions& some) {
-    std::visit(
-        [&](const auto& p) {
-          EXPECT_FALSE(p.index.empty());
-          for (std::size_t i = 0; i < p.index.size(); ++i) {
-            const Vec3d at{double(p.position[0][i]), double(p.position[1][i]), double(p.position[2][i])};
-            EXPECT_TRUE(found.emplace(p.index[i], at).second);
-          }
-        },
-        some);
-  });
-  return found;
-}
-
 /// Each that is alive once, with the numbers that it tells itself.
 void expect_columns(const World& world) {
-  const auto positions = positions_of(world);  // first: of those that nobody asked for their columns yet
-  EXPECT_EQ(positions.size(), world.size());
   std::vector<WorldColumns> all(3);
   world.columns(all);
   std::set<ProjectileId> found;
@@ -83,7 +64,6 @@ void expect_columns(const World& world) {
             ASSERT_TRUE(id);
             EXPECT_TRUE(found.insert(id).second);
             EXPECT_EQ(at(c.position, i), world[id].position());
-            EXPECT_TRUE(test::same_bits(positions.at(c.index[i]), world[id].position()));
             EXPECT_EQ(at(c.previous, i), world[id].previous_position());
             EXPECT_EQ(at(c.velocity, i), world[id].velocity());
           }
@@ -117,55 +97,15 @@ TEST(Reading, columns_are_what_each_tells_itself) {
   EXPECT_EQ(world.id_at(1'000'000), ProjectileId{});
 }
 
-/// A thousand that fall, so that pieces end within and between words. Some bounce, some are moved, one to a place of
-/// negative zeros: their words were just stepped or changed while others wait.
-TEST(Reading, positions_are_those_of_columns_and_let_closed_forms_wait) {
-  const auto fallen = [](bool read, Precision precision) {
-    World world = World::create({.ground = {.mode = GroundMode::bounce}}).value();
-    ProjectileDef p = stone();
-    p.fidelity = Fidelity::arcade();
-    p.fidelity.precision = precision;
-    for (int i = 0; i < 1030; ++i) {
-      Launch launch{.position = {0.1 * i, i % 100 == 0 ? 2.0 : 900.0, 0}};
-      launch.velocity = Vec3d{5, 9, 0.3 * i};
-      EXPECT_TRUE(world.spawn(p, launch));
-    }
-    const std::vector<ProjectileId> ids = world.ids();
-    EXPECT_EQ(positions_of(world).size(), 1030u);
-    for (std::size_t i = 0; i < 200; ++i) {
-      world.step(1.0 / 60);
-      if (i % 7 == 0) world[ids[3 * i]].set_position(i % 2 == 0 ? Vec3d{-0.0, 700, -0.0} : Vec3d{1, 700, 1});
-      if (read && i % 2 == 0) positions_of(world);
-      if (read && i % 7 == 0) expect_columns(world);
-    }
-    return world.hash();
-  };
-  for (const Precision precision : {Precision::float32, Precision::float64})
-    EXPECT_EQ(fallen(true, precision), fallen(false, precision));
-}
-
-TEST(Reading, positions_and_columns_may_be_read_at_once) {
+TEST(Reading, columns_may_be_read_by_several_threads) {
   World world = World::create({.ground = {.mode = GroundMode::none}}).value();
   ProjectileDef p = stone();
   p.fidelity = Fidelity::arcade();
   for (int i = 0; i < 2000; ++i) EXPECT_TRUE(world.spawn(p, {.position = {0.1 * i, 900, 0}, .speed = 10}));
   for (int i = 0; i < 100; ++i) world.step(1.0 / 60);
   std::vector<std::thread> readers;
-  std::vector<std::size_t> found(6);
-  for (std::size_t i = 0; i < found.size(); ++i)
-    readers.emplace_back([&world, &found, i] {
-      std::vector<WorldColumns> columns;
-      if (i % 2 == 0) world.columns(columns);
-      found[i] = positions_of(world).size();
-    });
+  for (int i = 0; i < 6; ++i) readers.emplace_back([&world] { expect_columns(world); });
   for (std::thread& reader : readers) reader.join();
-  EXPECT_EQ(found, std::vector<std::size_t>(found.size(), 2000));
-}
-
-TEST(Reading, no_function_and_no_world_read_no_positions) {
-  World world = volley(3);
-  world.read_positions({});
-  EXPECT_TRUE(positions_of(World()).empty());
 }
 
 TEST(Reading, a_force_tells_how_many_feel_it) {

@@ -15,7 +15,7 @@ constexpr int kMaxSetting = 5;
 constexpr double kElevationStep = 5 * kDegree, kMaxElevation = 45 * kDegree;
 constexpr double kSteepest = 89.9 * kDegree;
 
-// Of the original in motion `force`: its linear force pushes every shot from rest, and gravity is the world's.
+// In motion `force` of the original a constant force pushes every shot from rest, and gravity is the world's.
 constexpr double kPushForward = 10;           // [m/s^2]
 constexpr double kWorldGravity = 4;           // [m/s^2]
 constexpr double kStandardGravity = 9.80665;  // [m/s^2]
