@@ -100,7 +100,7 @@ if(test_sources AND NOT GTest_FOUND)  # the programs build all the same, the tes
   add_test(NAME GoogleTest_is_missing COMMAND ${CMAKE_COMMAND} -E false)
 elseif(test_sources)
   physim_add_executable(physim_tests ${test_sources})
-  physim_compile_sooner(physim_tests)
+  physim_compile_tests(physim_tests)
   physim_compile_together(physim_tests 8)  # so a test's helpers stand in a namespace of its file's name
   target_include_directories(physim_tests PRIVATE tests)
   target_link_libraries(physim_tests PRIVATE GTest::gtest_main)
