@@ -1,5 +1,5 @@
 // physim fit: the drag of a shot from measured speeds, drops or times.
-#include "physim/fit.hpp"
+#include "physim/solve.hpp"
 
 #include <algorithm>
 #include <array>

@@ -2,7 +2,7 @@
 #include <memory>
 
 #include "asked.hpp"
-#include "physim/aim.hpp"
+#include "physim/solve.hpp"
 #include "terminal.hpp"
 
 namespace physim::cli {

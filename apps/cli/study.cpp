@@ -11,7 +11,7 @@
 
 #include "asked.hpp"
 #include "outputs.hpp"
-#include "physim/task_runner.hpp"
+#include "physim/result.hpp"
 #include "report/gnuplot.hpp"
 #include "report/number.hpp"
 #include "report/study_map.hpp"

@@ -7,26 +7,13 @@
 #include <string>
 #include <vector>
 
-#include "physim/column.hpp"
-#include "physim/ids.hpp"
-#include "physim/infinity.hpp"
+#include "physim/body.hpp"
+#include "physim/event.hpp"
+#include "physim/math.hpp"
 #include "physim/projectile.hpp"
-#include "physim/quat.hpp"
-#include "physim/scene_motion.hpp"
-#include "physim/shared_shape.hpp"
-#include "physim/vec3.hpp"
-#include "physim/world_def.hpp"
+#include "physim/scene.hpp"
 
 namespace physim {
-
-/// Names an emitter of one world; index 0 is none. Ids of what is gone are told from those of what took its place.
-struct EmitterId {
-  std::uint32_t index = 0;       ///< [-]
-  std::uint32_t generation = 0;  ///< [-]
-
-  explicit operator bool() const { return index != 0; }
-  auto operator<=>(const EmitterId&) const = default;
-};
 
 // ------------------------------------------------------------------------------------------------- numbers
 /// A point of a curve.

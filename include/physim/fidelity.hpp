@@ -4,7 +4,7 @@
 #include <string>
 #include <string_view>
 #include <vector>
-#include "physim/macros.hpp"
+#include "physim/math.hpp"
 
 namespace physim {
 

@@ -1,6 +1,8 @@
-// Flight: a whole trajectory that can be asked at any time or range. fly(): computes one. fly_batch(): computes many.
+// Flight: one trajectory or many, and what can be asked of it.
 #pragma once
 
+#include <algorithm>
+#include <cstddef>
 #include <cstdint>
 #include <memory>
 #include <optional>
@@ -9,21 +11,54 @@
 #include <utility>
 #include <vector>
 
-#include "physim/accelerations.hpp"
-#include "physim/collision.hpp"
-#include "physim/departure.hpp"
 #include "physim/environment.hpp"
 #include "physim/event.hpp"
 #include "physim/fidelity.hpp"
-#include "physim/frames.hpp"
-#include "physim/infinity.hpp"
+#include "physim/math.hpp"
 #include "physim/projectile.hpp"
-#include "physim/quat.hpp"
 #include "physim/result.hpp"
-#include "physim/vec3.hpp"
-#include "physim/weather.hpp"
 
 namespace physim {
+
+// ---------------------------------------------------------------------------------------------------------------------
+// Accelerations: what each effect does to a projectile at a moment.
+
+/// Acceleration by effect. The effects add up to the total, the force on the projectile over its mass; but on the
+/// `classic` integrator the total is the register of its loop: what the frame took over from the one before. Damping
+/// acts there on the velocity by itself, so that `drag` tells it and the register does not hold it.
+struct Accelerations {
+  Vec3d gravity{};      ///< [m/s^2]
+  Vec3d drag{};         ///< of `damping` ln(d) v, v through the air [m/s^2]
+  Vec3d lift{};         ///< of balls, by their spin [m/s^2]
+  Vec3d body{};         ///< by the attitude: drag of yaw, lift, Magnus force; of a yaw of repose too [m/s^2]
+  Vec3d thrust{};       ///< of the motor [m/s^2]
+  Vec3d coriolis{};     ///< [m/s^2]
+  Vec3d centrifugal{};  ///< of a rotating round Earth, where it is no part of gravity [m/s^2]
+  Vec3d applied{};      ///< by ProjectileDef::force, Environment::force and the generators of a world [m/s^2]
+  Vec3d constraint{};   ///< what planar flight, frozen axes and the launch rail take up of all others [m/s^2]
+  Vec3d total{};        ///< as it is flown [m/s^2]
+};
+
+// ---------------------------------------------------------------------------------------------------------------------
+// Departure: a projectile on its way, as it goes on in a world.
+
+/// How a rigid body points and turns.
+struct FlownAttitude {
+  Quatd orientation{};       ///< q_WB: takes body axes (x forward, y up, z right) into W [-]
+  Vec3d angular_velocity{};  ///< relative to inertial space, along body axes [rad/s]
+};
+
+/// What goes on in a world where it is: not launched there, but on its way already.
+struct Departure {
+  Vec3d position{};                         ///< in W [m]
+  Vec3d velocity{};                         ///< in W [m/s]
+  double age = 0;                           ///< since its launch: so long its motor and its own force have acted [s]
+  Vec3d spin{};                             ///< of a ball, in W [rad/s]
+  std::optional<FlownAttitude> attitude{};  ///< of a rigid body; none: along its path, without spin [-]
+};
+
+// ---------------------------------------------------------------------------------------------------------------------
+// Flight: a whole trajectory that can be asked at any time or range. fly(): computes one. fly_batch(): computes many.
 
 class Scene;
 
@@ -269,5 +304,82 @@ void fly_batch(const ProjectileDef& projectile, std::span<const Launch> launches
 /// Chooses the instruction set for all that flies later; "" chooses the best. The environment variable PHYSIM_KERNEL
 /// does the same at start. False where the machine or the build does not have it.
 bool use_kernel(const std::string& name);
+
+// ---------------------------------------------------------------------------------------------------------------------
+// fly_columns(): batches whose launches come, and whose ends go, as columns of numbers.
+
+/// Launches of one projectile: what differs from shot to shot is a column, and the rest stands in `common` once. All
+/// columns that are given have one length, the number of shots. A shot whose number is impossible is refused alone.
+struct LaunchColumns {
+  Launch common{};                      ///< without a velocity: give a speed and angles [-]
+  std::span<const double> x{};          ///< of Launch::position [m]
+  std::span<const double> y{};          ///< upwards [m]
+  std::span<const double> z{};          ///< [m]
+  std::span<const double> speed{};      ///< [m/s]
+  std::span<const double> elevation{};  ///< [rad]
+  std::span<const double> azimuth{};    ///< [rad]
+  /// In the place of DragDef::ballistic_coefficient, as rounds of one lot differ; above 0. Not read where the
+  /// projectile has DragDef::bands, as fly() does not read it there [kg/m^2]
+  std::span<const double> ballistic_coefficient{};
+  /// In the place of DragDef::form_factor; above 0. Not read where there is a ballistic coefficient [-]
+  std::span<const double> form_factor{};
+
+  /// Number of shots: the length of the longest column; none are given: no shots.
+  [[nodiscard]] std::size_t size() const {
+    return std::max({x.size(), y.size(), z.size(), speed.size(), elevation.size(), azimuth.size(),
+                     ballistic_coefficient.size(), form_factor.size()});
+  }
+  /// Whether shots differ in their projectiles' drag.
+  [[nodiscard]] bool has_drag() const { return !ballistic_coefficient.empty() || !form_factor.empty(); }
+  /// The launch of shot i < size().
+  [[nodiscard]] Launch at(std::size_t i) const {
+    Launch launch = common;
+    if (!x.empty()) launch.position.x = x[i];
+    if (!y.empty()) launch.position.y = y[i];
+    if (!z.empty()) launch.position.z = z[i];
+    if (!speed.empty()) launch.speed = speed[i];
+    if (!elevation.empty()) launch.elevation = elevation[i];
+    if (!azimuth.empty()) launch.azimuth = azimuth[i];
+    return launch;
+  }
+  /// Writes the drag of shot i < size() over that of a projectile.
+  void put(std::size_t i, ProjectileDef& own) const {
+    if (!ballistic_coefficient.empty()) own.drag.ballistic_coefficient = ballistic_coefficient[i];
+    if (!form_factor.empty()) own.drag.form_factor = form_factor[i];
+  }
+};
+
+/// Where the ends of the flights go: columns as long as there are shots, in the caller's memory. Those left empty are
+/// not wanted, and cost nothing. Of a shot that was refused all numbers are NaN. With Until::range a flight ends at a
+/// range line, and these are drop, windage, time and speed there.
+struct EndColumns {
+  std::span<Outcome> outcome{};  ///< [-]
+  std::span<double> time{};      ///< of flight [s]
+  std::span<double> x{};         ///< of the end [m]
+  std::span<double> y{};         ///< [m]
+  std::span<double> z{};         ///< [m]
+  std::span<double> vx{};        ///< velocity at the end [m/s]
+  std::span<double> vy{};        ///< [m/s]
+  std::span<double> vz{};        ///< [m/s]
+  std::span<double> speed{};     ///< at the end [m/s]
+  std::span<double> drop{};      ///< as Sample::drop: above the line of sight [m]
+  std::span<double> windage{};   ///< as Sample::windage: right of the line of sight [m]
+};
+
+/// What fly_columns() tells beside the columns.
+struct ColumnsResult {
+  std::size_t refused = 0;          ///< shots [-]
+  std::optional<Error> error{};     ///< the first of a shot refused, or of what all have in common [-]
+  std::string kernel{};             ///< as BatchResult::kernel [-]
+  FidelityInUse fidelity_in_use{};  ///< of the first shot that was not refused [-]
+};
+
+/// Flies launches of one projectile as fly_batch() does, with the same numbers, and writes what is asked for of how
+/// they end. There are no events; watch them with fly_batch(). Columns of different lengths, or a velocity in
+/// `launches.common`, refuse all; then nothing is written. Memory stays the same however many shots there are.
+[[nodiscard]] ColumnsResult fly_columns(const ProjectileDef& projectile, const LaunchColumns& launches,
+                                        const Environment& environment, const Fidelity& fidelity,
+                                        const Tolerance& tolerance, const Until& until, const EndColumns& into,
+                                        TaskRunner* runner = nullptr, const Weather& weather = {});
 
 }  // namespace physim

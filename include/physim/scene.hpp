@@ -1,4 +1,4 @@
-// Scene: solid things that segments and spheres are cast into: shapes, where they stand, what they are made of.
+// Scene: materials, shapes, things that stand and move, and impacts on them.
 #pragma once
 
 #include <array>
@@ -10,19 +10,174 @@
 #include <optional>
 #include <span>
 #include <string>
+#include <string_view>
 #include <variant>
 #include <vector>
 
-#include "physim/ids.hpp"
-#include "physim/infinity.hpp"
-#include "physim/material.hpp"
-#include "physim/quat.hpp"
+#include "physim/environment.hpp"
+#include "physim/event.hpp"
+#include "physim/math.hpp"
 #include "physim/result.hpp"
-#include "physim/scene_motion.hpp"
-#include "physim/task_runner.hpp"
-#include "physim/vec3.hpp"
 
 namespace physim {
+
+// ---------------------------------------------------------------------------------------------------------------------
+// Material: what a surface is made of, and what it does to what hits it.
+
+/// How a surface throws off what meets it flat (docs/models/ricochet.md). By itself: it throws nothing off.
+struct RicochetDef {
+  double critical_angle = 0;  ///< from the surface; what comes in flatter is thrown off; 0 to below pi/2 [rad]
+  double restitution = 0;     ///< part of the speed along the normal that is left, 0 to 1 [-]
+  double friction = 0;        ///< impulse along the surface over that along the normal [-]
+  bool liquid = false;        ///< angle and loss are those of spheres off a liquid of Material::density; the three
+                              ///< numbers above are not looked at [-]
+
+  bool operator==(const RicochetDef&) const = default;
+};
+
+// How deep a projectile goes, and with which speed it comes out behind.
+
+/// Nothing goes in.
+struct ImpenetrableDef {
+  bool operator==(const ImpenetrableDef&) const = default;
+};
+/// A resistance that does not change with depth: wood, concrete, soil, liquids (docs/models/poncelet.md).
+struct PonceletDef {
+  double strength = 0;  ///< resistance to what moves slowly; 0: a liquid, which stops nothing [Pa]
+  double inertia = 0;   ///< resistance by the speed is inertia N density v^2, N by the nose; solids 1, liquids 1/2 [-]
+  double crater = 0;    ///< depth over which the resistance grows from 0, in diameters; concrete 2 [-]
+
+  bool operator==(const PonceletDef&) const = default;
+};
+/// Soil, rock and concrete hit by heavy penetrators (docs/models/young.md).
+struct YoungDef {
+  double s_number = 0;  ///< penetrability: concrete about 1, soils more; above 0 [-]
+  bool hard = false;    ///< rock or concrete: the correction for light penetrators is theirs, not that of soil [-]
+
+  bool operator==(const YoungDef&) const = default;
+};
+/// Steel armour against solid shot (docs/models/de_marre.md).
+struct DeMarreDef {
+  double quality = 1;  ///< limit speed over that of nickel steel; above 0 [-]
+  double plug = 0;     ///< part of a plug of Material::density, as wide as the shot, that it drives out, 0 to 1 [-]
+
+  bool operator==(const DeMarreDef&) const = default;
+};
+/// Metal plates against long rods (docs/models/lambert_jonas.md); needs Material::density.
+struct LambertDef {
+  double coefficient = 4000;  ///< rolled homogeneous armour 4000, aluminium 1750 [m/s g^1/2 cm^-3/2]
+
+  bool operator==(const LambertDef&) const = default;
+};
+/// A plate whose ballistic limit was measured: v_r = a (v^p - limit^p)^(1/p) (docs/models/recht_ipson.md).
+struct BallisticLimitDef {
+  double speed = 0;  ///< the limit, straight on; above 0 [m/s]
+  double a = 1;      ///< part of the speed that is left at high speed, 0 to 1 [-]
+  double p = 2;      ///< 1 to 100; 2: a constant energy is lost [-]
+
+  bool operator==(const BallisticLimitDef&) const = default;
+};
+using PenetrationDef = std::variant<ImpenetrableDef, PonceletDef, YoungDef, DeMarreDef, LambertDef, BallisticLimitDef>;
+
+/// How what comes out behind, or ricochets, is turned at random (docs/models/exit_spread.md). By itself: not at all.
+struct SpreadDef {
+  double deflection = 0;  ///< standard deviation of its direction, in each of two planes, below pi/2 [rad]
+  double yaw = 0;         ///< that of the angle between its axis and its direction, below pi/2 [rad]
+
+  bool operator==(const SpreadDef&) const = default;
+};
+
+/// What a surface is made of. What is left out is not known, and then does not happen.
+struct Material {
+  std::string name{};            ///< for tables [-]
+  double restitution = 0.5;      ///< part of the speed along the normal that is left after a bounce, 0 to 1 [-]
+  double friction = 0.5;         ///< Coulomb's, of what slides on it [-]
+  double grip_restitution = 0;   ///< part of the slip that comes back after a ball gripped, 0 to 1 [-]
+  double density = 0;            ///< 0: not known [kg/m^3]
+  RicochetDef ricochet{};        ///< [-]
+  PenetrationDef penetration{};  ///< [-]
+  SpreadDef spread{};            ///< [-]
+
+  bool operator==(const Material&) const = default;
+};
+
+/// Materials whose numbers were published; restitution and friction are those of any material. Sources:
+/// docs/models/README.md#materials.
+namespace materials {
+
+/// Balls skip off it, and lose speed in it.
+[[nodiscard]] Material water();
+/// Concrete of a compressive strength [Pa], 13 to 100 MPa.
+[[nodiscard]] Material concrete(double compressive_strength);
+/// Softwood, as it met the cannon balls of Metz.
+[[nodiscard]] Material fir();
+/// Oak, as it met the cannon balls of Metz.
+[[nodiscard]] Material oak();
+/// Nickel steel armour against solid shot.
+[[nodiscard]] Material nickel_steel();
+/// Rolled homogeneous armour against long rods.
+[[nodiscard]] Material rolled_armour();
+/// Aluminium against long rods.
+[[nodiscard]] Material aluminium();
+
+}  // namespace materials
+
+// ---------------------------------------------------------------------------------------------------------------------
+// How things in a scene move: with a steady velocity and turn, or from key to key.
+
+/// Stands where its transform puts it.
+struct AtRest {
+  bool operator==(const AtRest&) const = default;
+};
+
+/// Moves and turns steadily, before `start` too; where its transform puts it, it is at `start`.
+struct SteadyMotion {
+  double start = 0;          ///< within 1e9 s [s]
+  Vec3d velocity{};          ///< of its own origin, in W, up to 1e9 m/s [m/s]
+  Vec3d angular_velocity{};  ///< about its own origin, in W, up to 1e6 rad/s [rad/s]
+
+  bool operator==(const SteadyMotion&) const = default;
+};
+
+/// Where a thing is at a time.
+struct MotionKey {
+  double time = 0;   ///< later than the key before, within 1e9 s [s]
+  Vec3d position{};  ///< of its own origin in W [m]
+  Quatd rotation{};  ///< from its own frame to W; of any length but zero [-]
+  Vec3d velocity{};  ///< of its own origin, where MotionCurve::smooth asks for it, up to 1e9 m/s [m/s]
+
+  bool operator==(const MotionKey&) const = default;
+};
+
+/// Which way a thing takes from one key to the next. It turns at a steady rate, the shorter way round, in either case.
+enum class MotionCurve {
+  straight,  ///< at a steady velocity
+  smooth,    ///< along the cubic (Hermite's) that has the positions and velocities of the keys
+};
+
+/// Goes from key to key; stands before the first and after the last one. Of its transform only the scale counts.
+struct KeyedMotion {
+  std::vector<MotionKey> keys{};              ///< one at least, 1e6 at most [-]
+  MotionCurve curve = MotionCurve::straight;  ///< [-]
+
+  bool operator==(const KeyedMotion&) const = default;
+};
+
+using SceneMotion = std::variant<AtRest, SteadyMotion, KeyedMotion>;
+
+/// Where a thing is and how it moves at one time.
+struct MotionState {
+  Vec3d position{};          ///< of its own origin in W [m]
+  Quatd rotation{};          ///< from its own frame to W [-]
+  Vec3d velocity{};          ///< of its own origin [m/s]
+  Vec3d angular_velocity{};  ///< in W [rad/s]
+};
+
+/// The velocity of the point of a thing that is at a place in W [m/s].
+[[nodiscard]] Vec3d velocity_at(const MotionState& state, const Vec3d& place);
+
+// ---------------------------------------------------------------------------------------------------------------------
+// Scene: solid things that segments and spheres are cast into: shapes, where they stand, what they are made of.
 
 class SceneCanvas;
 class SceneByMotion;
@@ -256,7 +411,7 @@ class Scene {
   /// Memory of shapes and things [bytes].
   [[nodiscard]] std::size_t bytes() const;
 
-  /// Shows it to whoever draws (physim/scene_draw.hpp).
+  /// Shows it to whoever draws (physim/scene.hpp).
   void draw(SceneCanvas& canvas, const SceneDrawing& what) const;
 
   // ---- saves
@@ -309,5 +464,151 @@ class Scene {
   struct Impl;
   std::unique_ptr<Impl> impl_;
 };
+
+// ---------------------------------------------------------------------------------------------------------------------
+// Scenes drawn for those who debug them: lines, triangles and texts, by whatever the caller draws with.
+
+/// What something that is drawn stands for; colours are the caller's.
+enum class SceneInk {
+  solid,   ///< a thing that is hit
+  sensor,  ///< a thing that tells only
+  path,    ///< where a thing goes
+  box,     ///< of the trees
+};
+
+/// Draws. The calls come from the thread that asks, in the order of things.
+class SceneCanvas {
+ public:
+  virtual ~SceneCanvas() = default;
+  /// What is drawn from now on is part of this thing.
+  virtual void begin(InstanceId thing) { static_cast<void>(thing); }
+  /// Triangles that are drawn from now on are made of this, up to the next thing.
+  virtual void material(MaterialId of) { static_cast<void>(of); }
+  /// Between two places in W [m].
+  virtual void line(const Vec3d& a, const Vec3d& b, SceneInk ink) = 0;
+  /// Counterclockwise as seen from outside [m].
+  virtual void triangle(const Vec3d& a, const Vec3d& b, const Vec3d& c, SceneInk ink) = 0;
+  /// At a place in W [m].
+  virtual void text(const Vec3d& place, std::string_view text) = 0;
+};
+
+/// What Scene::draw() draws.
+struct SceneDrawing {
+  bool shapes = true;        ///< their surfaces; planes as a square of lines [-]
+  bool plane_faces = false;  ///< planes as a square of two triangles instead [-]
+  bool names = false;        ///< at the origin of each thing that has one [-]
+  bool boxes = false;        ///< of the trees of things [-]
+  double time = 0;           ///< at which things stand [s]
+  double ahead = 0;          ///< so long the paths of things that move are drawn on [s]
+  double plane_size = 100;   ///< half of a plane's square [m]
+  SceneFilter filter{};      ///< things that are drawn [-]
+};
+
+// ---------------------------------------------------------------------------------------------------------------------
+// SharedShape: a mesh or a height field, prepared once and shared by all that hold it.
+
+/// A mesh or a height field that particles come out of. Copies share it, and so do the world's snapshots; a save holds
+/// it once, however many emitters have it.
+class SharedShape {
+ public:
+  /// None.
+  SharedShape() = default;
+  /// Made of a MeshShape or a HeightFieldShape; its materials do not count. Errors are those of Scene::add_shape().
+  [[nodiscard]] static Result<SharedShape> make(const ShapeDef& shape);
+  /// The mesh or height field of a scene, which is not copied.
+  [[nodiscard]] static Result<SharedShape> of(const Scene& scene, ShapeId shape);
+
+  /// Whether there is one.
+  explicit operator bool() const { return content_ != nullptr; }
+  /// What it was made of, without materials; a plane where there is none.
+  [[nodiscard]] ShapeDef definition() const;
+  /// Tells shapes of different content apart; 0: none [-].
+  [[nodiscard]] std::uint64_t hash() const;
+  /// Equal in content.
+  bool operator==(const SharedShape& other) const;
+
+  /// All of it as bytes, for saves and recordings.
+  [[nodiscard]] std::vector<std::byte> save() const;
+  /// The shape of such bytes. An error where they are none.
+  [[nodiscard]] static Result<SharedShape> load(std::span<const std::byte> save);
+
+  struct Content;
+  /// For the library; null: none.
+  [[nodiscard]] const Content* content() const { return content_.get(); }
+
+ private:
+  std::shared_ptr<const Content> content_;
+};
+
+// ---------------------------------------------------------------------------------------------------------------------
+// impact(): what happens to a projectile that meets a material.
+
+/// A projectile as it meets a surface.
+struct Impact {
+  double mass = 0;           ///< 0 to 1e100; 1e-15 to 1e15 if the material lets things in, or is a liquid that throws
+                             ///< them off [kg]
+  double diameter = 0;       ///< 1e-15 to 1e15, or 0: a point, which nothing spins; 1e-9 to 1e6 for such materials [m]
+  double length = 0;         ///< of a rod, for LambertDef, 0 to 1e15; 0: its diameter [m]
+  double nose_length = 0.5;  ///< in diameters: 0 flat, 1/2 a hemisphere, more an ogive [-]
+  double inertia = 0.4;      ///< moment of inertia over mass and radius squared: 2/5 a solid ball, 2/3 a hollow one [-]
+  Vec3d velocity{};          ///< in W, at most 1e9 [m/s]
+  Vec3d spin{};              ///< angular velocity in W, at most 1e15 [rad/s]
+  Vec3d normal{0, 1, 0};     ///< of the surface, of length 1, on the side that the projectile comes from [-]
+  Vec3d surface_velocity{};  ///< of the surface where it is met [m/s]
+  double thickness = 0;      ///< of the material along the way; 0: not known, and without end [m]
+  std::uint64_t seed = 0;    ///< of all spreads [-]
+  std::uint32_t projectile = 0;  ///< its number [-]
+  std::uint32_t hit = 0;         ///< the how many-th of its hits this is [-]
+};
+
+enum class ImpactKind {
+  none,        ///< it does not move towards the surface
+  bounced,     ///< thrown back by restitution
+  ricocheted,  ///< thrown off, as it came in flat
+  penetrated,  ///< came out behind
+  stopped,     ///< stuck in the material
+};
+
+/// What became of it.
+struct ImpactResult {
+  ImpactKind kind = ImpactKind::none;  ///< [-]
+  Vec3d velocity{};                    ///< where it is now: at the surface, behind the material, or in it [m/s]
+  Vec3d spin{};                        ///< [rad/s]
+  Vec3d nose{};          ///< of length 1: where its nose points now; {} where it was not turned by a yaw [-]
+  double depth = 0;      ///< how far it came along its way; the thickness where it came out [m]
+  double obliquity = 0;  ///< between its way and the normal; 0 straight on [rad]
+  double energy = 0;     ///< kinetic energy that it lost, as seen from the surface [J]
+};
+
+/// Refuses a material that no number can be computed with, or that gains energy; names the number.
+[[nodiscard]] Status check_material(const Material& material);
+
+/// What happens, decided in this order:
+/// 1. a projectile that does not move towards the surface goes on: `none`;
+/// 2. one that comes in flatter than the critical angle `ricocheted`;
+/// 3. one that the material lets through its thickness `penetrated`;
+/// 4. one that comes to rest in it, at least half its diameter deep, `stopped`;
+/// 5. what is left `bounced`, by restitution, friction and spin.
+/// The way through the material is straight and takes no time here. The same input gives the same bits everywhere; the
+/// spread depends on seed, projectile and hit alone. An error names the number that is wrong.
+[[nodiscard]] Result<ImpactResult> impact(const Impact& hit, const Material& material);
+
+// ---------------------------------------------------------------------------------------------------------------------
+// Terrain on the ellipsoid: heights over latitude and longitude, as a mesh of a scene.
+
+/// Heights over a grid of latitude and longitude, from its south-west corner on.
+struct GeodeticGrid {
+  double latitude = 0;            ///< of the first point, north positive [rad]
+  double longitude = 0;           ///< of the first point, east positive [rad]
+  double latitude_step = 0;       ///< from row to row northwards; the last one not beyond the pole [rad]
+  double longitude_step = 0;      ///< from column to column eastwards; all within once round [rad]
+  std::uint32_t columns = 0;      ///< points along a parallel, at least 2 [-]
+  std::uint32_t rows = 0;         ///< points along a meridian, at least 2 [-]
+  std::vector<double> heights{};  ///< above the ellipsoid, within 1e5 m: heights[row * columns + column] [m]
+};
+
+/// Two triangles to each cell of a grid, in W as the frames of an environment have it: on a round Earth the terrain
+/// falls away with it, 785 m below the tangent plane 100 km away. Errors name the member that is wrong.
+[[nodiscard]] Result<MeshShape> terrain_mesh(const GeodeticGrid& grid, const EarthFrames& frames);
 
 }  // namespace physim

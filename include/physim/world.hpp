@@ -1,28 +1,334 @@
-// World: many projectiles in real time, stepped by frame. Each is on its own rung; all are named by ids.
+// World: many projectiles in real time, with forces, joints, snapshots and recordings.
 #pragma once
 
+#include <array>
+#include <compare>
 #include <cstddef>
+#include <cstdint>
 #include <functional>
 #include <memory>
+#include <optional>
 #include <span>
 #include <string>
+#include <variant>
 #include <vector>
 
-#include "physim/accelerations.hpp"
-#include "physim/departure.hpp"
+#include "physim/body.hpp"
 #include "physim/emitter.hpp"
+#include "physim/event.hpp"
 #include "physim/flight.hpp"
-#include "physim/forces.hpp"
-#include "physim/hit_question.hpp"
-#include "physim/joint.hpp"
+#include "physim/math.hpp"
 #include "physim/result.hpp"
 #include "physim/scene.hpp"
-#include "physim/task_runner.hpp"
-#include "physim/world_columns.hpp"
-#include "physim/world_def.hpp"
-#include "physim/world_projectile.hpp"
 
 namespace physim {
+
+// ---------------------------------------------------------------------------------------------------------------------
+// Forces: generators that push projectiles of a world until they are removed or their time is over.
+
+/// F = force.
+struct ConstantForce {
+  Vec3d force{};  ///< [N]
+};
+/// F = m a: the same acceleration for every mass.
+struct ConstantAcceleration {
+  Vec3d acceleration{};  ///< [m/s^2]
+};
+/// F = m g in any direction: a gravity generator beside or instead of the world's own.
+struct GravityForce {
+  Vec3d gravity{0, -9.80665, 0};  ///< [m/s^2]
+};
+/// F = -(k1 + k2 |u|) u, with u the velocity relative to `wind`.
+struct LinearQuadraticDragForce {
+  double k1 = 0;  ///< [kg/s]
+  double k2 = 0;  ///< [kg/m]
+  Vec3d wind{};   ///< [m/s]
+};
+/// Hooke's spring between the projectile and a fixed point, with damping along the spring.
+struct AnchoredSpring {
+  Vec3d anchor{};          ///< [m]
+  double stiffness = 1;    ///< [N/m]
+  double rest_length = 0;  ///< [m]
+  double damping = 0;      ///< of the rate at which its length changes [kg/s]
+};
+/// Hooke's spring between the projectile and another one, which feels the opposite force where it can move.
+struct Spring {
+  ProjectileId other{};    ///< [-]
+  double stiffness = 1;    ///< [N/m]
+  double rest_length = 0;  ///< [m]
+  double damping = 0;      ///< [kg/s]
+};
+/// A spring that only pulls: nothing below its rest length. Between the projectile and `other`, or `anchor` where there
+/// is no other.
+struct Bungee {
+  ProjectileId other{};    ///< null: anchored [-]
+  Vec3d anchor{};          ///< [m]
+  double stiffness = 1;    ///< [N/m]
+  double rest_length = 0;  ///< [m]
+  double damping = 0;      ///< [kg/s]
+};
+/// Archimedes' lift of a liquid with a level surface, and its resistance. The projectile goes under between depth above
+/// and depth below the surface.
+struct Buoyancy {
+  double surface = 0;        ///< height of the liquid [m]
+  double volume = 0;         ///< of the projectile; 0: the sphere of its diameter [m^3]
+  double depth = 0;          ///< half the height of an upright cylinder or box; 0: a sphere of its diameter [m]
+  double density = 1000;     ///< of the liquid [kg/m^3]
+  double damping = 0;        ///< of the velocity in the liquid, times the part under it [kg/s]
+  double gravity = 9.80665;  ///< that weighs the liquid; 0: no lift [m/s^2]
+};
+/// Attraction to a point (repulsion where the strength is negative): F = m strength r / (r^2 + softening^2)^(3/2).
+struct PointAttractor {
+  Vec3d centre{};        ///< [m]
+  double strength = 1;   ///< G M of the attracting mass [m^3/s^2]
+  double softening = 0;  ///< keeps the force finite near the centre [m]
+};
+/// A box of moving air: inside, it takes the place of the air around, with the drag equation and the projectile's own
+/// area and Cd (by the Mach number in air of 15 degrees Celsius). Corners may be infinite.
+struct WindZone {
+  Vec3d velocity{};        ///< of the air [m/s]
+  Vec3d low{};             ///< corner of the box [m]
+  Vec3d high{};            ///< opposite corner [m]
+  double density = 1.225;  ///< of its air [kg/m^3]
+};
+/// A blast: an outward force that falls linearly from the centre to the radius, over the time it lasts.
+struct Explosion {
+  Vec3d centre{};     ///< [m]
+  double force = 0;   ///< at the centre [N]
+  double radius = 1;  ///< [m]
+};
+/// Thrust along the velocity (nothing at rest), or along a fixed direction, from a table of thrust over time.
+struct Thrust {
+  struct Point {
+    double time = 0;   ///< since the generator was added, or from each launch for kinds [s]
+    double force = 0;  ///< [N]
+  };
+  std::vector<Point> curve{};  ///< straight lines between rising times; nothing before and after [N]
+  Vec3d direction{};           ///< in W, of any length; zero: along the velocity [-]
+};
+
+/// What a force function sees and fills: all projectiles that it acts on, side by side.
+struct ForceBatch {
+  double time = 0;                     ///< of the world [s]
+  std::span<const ProjectileId> id{};  ///< [-]
+  std::span<const Vec3d> position{};   ///< [m]
+  std::span<const Vec3d> velocity{};   ///< [m/s]
+  std::span<const double> mass{};      ///< [kg]
+  std::span<Vec3d> force{};            ///< to be added to [N]
+};
+/// The user's own force. Called once per stage for all projectiles of a batch that it acts on, from one thread. It must
+/// be a function of what it sees. It may read its world, as that was when the step began, but not change it (see
+/// World), and must not throw: of a call that does, nothing is felt.
+struct CustomForce {
+  std::function<void(const ForceBatch&)> function{};  ///< [-]
+};
+
+using ForceLaw =
+    std::variant<ConstantForce, ConstantAcceleration, GravityForce, LinearQuadraticDragForce, AnchoredSpring, Spring,
+                 Bungee, Buoyancy, PointAttractor, WindZone, Explosion, Thrust, CustomForce>;
+
+/// What a generator acts on: projectiles one by one, or everything of a kind, or of some layers.
+struct ForceTarget {
+  std::vector<ProjectileId> ids{};  ///< these [-]
+  KindId kind{};                    ///< all of this kind, now and later [-]
+  std::uint32_t layers = 0;         ///< all with one of these layer bits, now and later [-]
+
+  static ForceTarget everything() { return {{}, {}, 0xffffffffu}; }
+};
+
+struct ForceDef {
+  ForceLaw law{};               ///< [-]
+  ForceTarget target{};         ///< [-]
+  double delay = 0;             ///< before it starts [s]
+  double duration = kInfinity;  ///< then it removes itself [s]
+};
+
+// ---------------------------------------------------------------------------------------------------------------------
+// Joint: a rod, a cable or a spring that holds a projectile of a world to another one, or to a fixed point.
+
+enum class JointKind : std::uint8_t {
+  rod,     ///< keeps the distance of its ends: it pulls and pushes
+  cable,   ///< lets them come nearer, and not farther apart: it only pulls
+  spring,  ///< Hooke's law with damping; it is stable however stiff it is
+};
+
+/// What holds two projectiles, or one to a point. It has no mass, is straight, meets nothing, and ends in the middles
+/// of projectiles, which it does not turn.
+struct Joint {
+  JointKind kind = JointKind::rod;  ///< [-]
+  ProjectileId a{};                 ///< one end [-]
+  ProjectileId b{};                 ///< the other end; null: `point` [-]
+  Vec3d point{};                    ///< of the world, where there is no b [m]
+  std::optional<double> length{};   ///< of a rod, of a cable that is taut, of a spring at rest; above 0; none: as far
+                                    ///< as its ends are apart when it is added [m]
+  double restitution = 0;           ///< of a cable: speed kept when it comes taut, 0..1; 0: its ends go on together [-]
+  double stiffness = 1;             ///< of a spring [N/m]
+  double damping = 0;               ///< of a spring: of the rate at which its length changes [kg/s]
+
+  bool operator==(const Joint&) const = default;
+};
+
+/// How a joint is now.
+struct JointState {
+  double length = 0;     ///< distance of its ends [m]
+  double tension = 0;    ///< with which it pulled them together, on the mean of the last step; negative: it pushed [N]
+  bool is_taut = false;  ///< rods and springs: always; a cable that is as long as it can be [-]
+};
+
+enum class JointEventKind : std::uint8_t {
+  came_taut,  ///< a cable that hung loose
+  ended,      ///< a projectile at one of its ends left the world
+};
+
+struct JointEvent {
+  JointEventKind kind = JointEventKind::ended;  ///< [-]
+  JointId joint{};                              ///< [-]
+  ProjectileId projectile{};                    ///< who left; of a cable that came taut: its first end [-]
+  double time = 0;                              ///< the end of the step in which it was [s]
+  double speed = 0;                             ///< at which the ends of a cable parted before [m/s]
+};
+
+/// How well joints were kept.
+struct JointCounts {
+  std::size_t joints = 0;      ///< there are now [-]
+  std::uint32_t rounds = 0;    ///< most that one net of joints took in the last step [-]
+  double residual = 0;         ///< the farthest that a rod or a taut cable was from its length after it [m]
+  std::uint64_t unsolved = 0;  ///< nets in a step that were not found within their rounds, since the world was made [-]
+};
+
+// ---------------------------------------------------------------------------------------------------------------------
+// A world's projectiles as they lie in memory: for renderers and others that read all of them in every frame.
+
+/// Projectiles of one rung, a column for each coordinate; the i-th number of each column is of the i-th of them. R is
+/// the precision in which they fly. Spans of the world's own memory: they hold until it is changed or steps.
+template <class R>
+struct ColumnsOf {
+  std::span<const std::uint32_t> index{};        ///< ProjectileId::index; World::id_at() makes it one [-]
+  std::array<std::span<const R>, 3> position{};  ///< x, y and z [m]
+  std::array<std::span<const R>, 3> previous{};  ///< at the start of the last step, see segments() [m]
+  std::array<std::span<const R>, 3> velocity{};  ///< [m/s]
+};
+
+using WorldColumns = std::variant<ColumnsOf<float>, ColumnsOf<double>>;
+
+// ---------------------------------------------------------------------------------------------------------------------
+// Projectile: a projectile of a world, by its id. What it does, and how to change it.
+
+/// Where a projectile is and how it moves.
+struct BodyState {
+  Vec3d position{};  ///< [m]
+  Vec3d velocity{};  ///< [m/s]
+
+  bool operator==(const BodyState&) const = default;
+};
+
+struct WorldImpl;
+
+/// A projectile of a world, to be read: `world[id]`. It is an id and a place to look it up, as cheap to make as to
+/// copy, and holds as long as its world. Of a projectile that is gone all is zero.
+class ProjectileView {
+ public:
+  ProjectileView(const WorldImpl* world, ProjectileId id) : world_(world), id_(id) {}
+
+  [[nodiscard]] ProjectileId id() const { return id_; }
+  [[nodiscard]] bool is_alive() const;
+  /// Also of one that is gone, until its slot is used again.
+  [[nodiscard]] LifeStatus status() const;
+  [[nodiscard]] bool is_asleep() const;
+  [[nodiscard]] bool is_kinematic() const;
+
+  [[nodiscard]] Vec3d position() const { return position_of(world_, id_); }  ///< [m]
+  [[nodiscard]] Vec3d velocity() const { return velocity_of(world_, id_); }  ///< [m/s]
+  [[nodiscard]] BodyState state() const { return state_of(world_, id_); }
+  [[nodiscard]] Vec3d previous_position() const;  ///< before the last step [m]
+  /// To draw, by its Smoothing: between steps by the leftover fraction of World::advance() [m].
+  [[nodiscard]] Vec3d render_position() const;
+  [[nodiscard]] Quatd orientation() const;       ///< takes body axes into W [-]
+  [[nodiscard]] Vec3d angular_velocity() const;  ///< [rad/s]
+  [[nodiscard]] double age() const;              ///< since launch [s]
+  [[nodiscard]] double mach() const;             ///< [-]
+  [[nodiscard]] double mass() const;             ///< infinite where nothing moves it [kg]
+  [[nodiscard]] double inverse_mass() const;     ///< [1/kg]
+  /// Mass times acceleration now: of all models and generators, as accelerations() [N].
+  [[nodiscard]] Vec3d resultant_force() const;
+  /// Acceleration by effect now; `applied` holds the generators too (inside a step of its world, without custom
+  /// forces).
+  [[nodiscard]] Accelerations accelerations() const;
+  /// How fast the acceleration changes along the path now, as Flight::jerk(); generators count by place and velocity
+  /// [m/s^3].
+  [[nodiscard]] Vec3d jerk() const;
+
+  [[nodiscard]] KindId kind() const;
+  [[nodiscard]] const ProjectileDef* definition() const;  ///< null where it is gone
+  /// What it really uses, and why.
+  [[nodiscard]] FidelityInUse fidelity_in_use() const;
+  /// How the world treats it now: as its kind, but for what was changed since.
+  [[nodiscard]] BodyDef body() const;
+  [[nodiscard]] std::uint64_t user_data() const;
+  [[nodiscard]] std::uint32_t layers() const;
+  [[nodiscard]] std::uint32_t colour() const;
+  [[nodiscard]] std::string label() const;
+
+ private:
+  // What is read most, so that the view itself need not be in memory.
+  static Vec3d position_of(const WorldImpl* world, ProjectileId id);
+  static Vec3d velocity_of(const WorldImpl* world, ProjectileId id);
+  static BodyState state_of(const WorldImpl* world, ProjectileId id);
+
+ protected:
+  const WorldImpl* world_;
+  ProjectileId id_;
+};
+
+/// A projectile of a world, to be changed too. What cannot be done is refused, with a reason: the projectile is gone,
+/// or the value makes no sense. A change of how it moves wakes it.
+class Projectile : public ProjectileView {
+ public:
+  Projectile(WorldImpl* world, ProjectileId id) : ProjectileView(world, id) {}
+
+  Status despawn();
+  /// A jump: it meets nothing on the way, and render_position() goes on behind it as it went before [m].
+  Status set_position(const Vec3d& position);
+  Status set_velocity(const Vec3d& velocity);
+  Status set_state(const BodyState& state);
+  Status apply_impulse(const Vec3d& impulse);  ///< [N s]
+  Status set_angular_velocity(const Vec3d& omega);
+  /// Moves it to another rung, as it is.
+  Status set_fidelity(const Fidelity& fidelity);
+  /// Changes all that ProjectileDef marks (live) at once: it becomes a projectile of another kind, and generators of
+  /// its former kind act on it no more. Place, velocity, spin and attitude stay, its momentum does not. A k2 that
+  /// stands in for the drag equation is found anew, where it is. Refused where `projectile` differs from definition()
+  /// in anything else or makes no sense, and for what has a motor, whose tables say how its mass and its drag change.
+  Status set_projectile(const ProjectileDef& projectile);
+  Status set_mass(double mass);          ///< [kg]; drag by a ballistic coefficient stays: it contains a mass of its own
+  Status set_drag(const DragDef& drag);  ///< all of it: table, coefficients, damping, k1 and k2
+  Status set_damping(double damping);    ///< DragDef::damping alone, above 0 and not above 1 [-]
+  /// Changes all that BodyDef marks (live) at once; refused where `body` differs from body() in anything else.
+  Status set_body(const BodyDef& body);
+  Status set_gravity_scale(double scale);
+  Status set_use_gravity(bool use);
+  Status set_kinematic(bool kinematic);
+  Status set_frozen(Axes position_axes, Axes rotation_axes);
+  Status set_can_sleep(bool can);
+  Status sleep();  ///< an error where it stands still already
+  Status wake();   ///< an error where it neither sleeps nor sticks
+  Status set_smoothing(Smoothing smoothing);
+  Status set_user_data(std::uint64_t data);
+  Status set_layers(std::uint32_t layers);
+  Status set_colour(std::uint32_t rgba);
+  Status set_label(const std::string& label);
+  /// A generator that acts on this one alone, until it is removed; or for a duration [s].
+  Result<ForceId> add_force(ForceLaw law);
+  Result<ForceId> add_force(ForceLaw law, double duration);
+  /// Takes it out of a generator's targets.
+  Status remove_force(ForceId force);
+
+ private:
+  [[nodiscard]] WorldImpl& world() const { return const_cast<WorldImpl&>(*world_); }
+};
+
+// ---------------------------------------------------------------------------------------------------------------------
+// World: many projectiles in real time, stepped by frame. Each is on its own rung; all are named by ids.
 
 /// Where a projectile went in the last step: what a scene query needs.
 struct Segment {
@@ -348,5 +654,71 @@ class World {
   [[nodiscard]] const WorldImpl& impl() const;
   std::shared_ptr<WorldImpl> impl_;
 };
+
+// ---------------------------------------------------------------------------------------------------------------------
+// Recordings: every call that changed a world, to be made again. Replay: makes them, and compares.
+
+inline constexpr char kRecordingMagic[8] = {'P', 'H', 'Y', 'S', 'I', 'M', 'R', '\n'};
+/// The format of a recording's bytes; others are refused.
+inline constexpr std::uint32_t kRecordingFormat = 13;
+
+/// Keeps a recording in memory: world.record(record_into(bytes)). The bytes must outlive the recording.
+[[nodiscard]] RecordSink record_into(std::vector<std::byte>& bytes);
+
+/// Where a replay first did something else than the recording tells.
+struct ReplayDifference {
+  std::uint64_t step = 0;  ///< the step in which it was seen, from 1; of a call between steps: the last one before [-]
+  double time = 0;         ///< of the replayed world [s]
+  std::string call{};      ///< the call that was made, "advance" [-]
+  std::string what{};      ///< one sentence [-]
+  std::uint64_t recorded_hash = 0;  ///< where hashes differ [-]
+  std::uint64_t replayed_hash = 0;  ///< where hashes differ [-]
+  std::uint64_t place = 0;          ///< in the recording [bytes]
+};
+
+/// How far a replay is, and whether it agrees.
+struct ReplayReport {
+  std::string made_by{};       ///< version of the library that recorded [-]
+  bool complete = false;       ///< the recording has its end; else it was cut [-]
+  std::uint64_t bytes = 0;     ///< of the recording that are used: all, or up to where it was cut [bytes]
+  std::uint64_t calls = 0;     ///< made [-]
+  std::uint64_t steps = 0;     ///< taken, also those that restore() took back [-]
+  std::uint64_t hashes = 0;    ///< compared, and equal [-]
+  std::uint64_t restores = 0;  ///< made [-]
+  std::uint64_t spawned = 0;   ///< projectiles handed out [-]
+  std::optional<ReplayDifference> difference{};  ///< the first; the replay stops there [-]
+};
+
+/// Functions are those of the save that the recording begins with, or those of WorldDef::environment, then those that
+/// came while it was recorded: of each call that gives an environment anew. What a HitFunction said is recorded.
+using ReplayOptions = LoadOptions;
+
+/// A recording played call by call, for those who look at the world in between.
+class Replay {
+ public:
+  /// Checks all of the recording before anything is played. One that was cut, as by a crash, is played as far as it
+  /// goes; one that is damaged, of another format, or lacks functions is refused. Errors name the byte.
+  [[nodiscard]] static Result<Replay> open(std::vector<std::byte> recording, const ReplayOptions& options = {});
+  Replay(Replay&&) noexcept;
+  Replay& operator=(Replay&&) noexcept;
+  ~Replay();
+
+  /// Makes the next call; false at the end, and at the first difference.
+  bool next();
+  /// Makes calls up to and with the next one that took steps; false where there is none.
+  bool next_frame();
+  [[nodiscard]] const World& world() const;
+  [[nodiscard]] const ReplayReport& report() const;
+  /// The hash after every step of the last call, as far as the recording has them.
+  [[nodiscard]] std::span<const std::uint64_t> hashes() const;
+
+ private:
+  struct Impl;
+  explicit Replay(std::unique_ptr<Impl> impl);
+  std::unique_ptr<Impl> impl_;
+};
+
+/// Plays all of a recording.
+[[nodiscard]] Result<ReplayReport> replay(std::span<const std::byte> recording, const ReplayOptions& options = {});
 
 }  // namespace physim

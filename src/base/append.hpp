@@ -5,7 +5,7 @@
 #include <cstddef>
 #include <vector>
 
-#include "physim/macros.hpp"
+#include "physim/math.hpp"
 
 namespace physim {
 

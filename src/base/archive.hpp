@@ -1,6 +1,6 @@
 // Archives: values taken apart into whole numbers and put together again, structs member by member. So a recording is
 // written (Writer) and read (Reader), and definitions are hashed (Hasher). A struct that gains a member changes what
-// recordings hold: raise kRecordingFormat (include/physim/recording.hpp) with it.
+// recordings hold: raise kRecordingFormat (include/physim/world.hpp) with it.
 //
 // Format: little-endian; doubles as their bits; bool and enumerators 1 byte; texts and lists with their length in
 // 4 bytes before them; optionals with a bool before them; variants with their index in 1 byte.

@@ -9,9 +9,8 @@
 
 #include "base/assert.hpp"
 #include "base/text.hpp"
-#include "physim/infinity.hpp"
+#include "physim/math.hpp"
 #include "physim/result.hpp"
-#include "physim/vec3.hpp"
 
 namespace physim {
 

@@ -4,7 +4,7 @@
 // they instantiate lives in an inline namespace of that name, so that the copies never meet in the linker.
 #pragma once
 
-#include "physim/macros.hpp"
+#include "physim/math.hpp"
 
 /// A function template behind a call. Each kernel file has a copy of its own: of one that files may share clang thinks
 /// that another compiler's may take its place, and changes whatever it is told the place of.

@@ -8,7 +8,6 @@
 #include <string>
 
 #include "physim/result.hpp"
-#include "physim/version.hpp"
 
 namespace physim {
 

@@ -11,7 +11,6 @@
 #include "model/body.hpp"
 #include "model/contact.hpp"
 #include "physim/event.hpp"
-#include "physim/hit_question.hpp"
 #include "physim/scene.hpp"
 
 namespace physim {

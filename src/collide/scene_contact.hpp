@@ -27,8 +27,8 @@
 #include "collide/way_through.hpp"
 #include "model/ball_rolling.hpp"
 #include "model/body.hpp"
-#include "physim/collision.hpp"
-#include "physim/impact.hpp"
+#include "physim/event.hpp"
+#include "physim/scene.hpp"
 #include "solve/judge.hpp"
 
 namespace physim {

@@ -6,8 +6,7 @@
 #include <cstddef>
 #include <cstdint>
 
-#include "physim/quat.hpp"
-#include "physim/vec3.hpp"
+#include "physim/math.hpp"
 
 namespace physim {
 

@@ -7,7 +7,7 @@
 // nearer by an order of magnitude or two, and the last one is its own proof. Where the required speed is above the
 // launch speed at all times, the target is out of reach as far as the neighbours know. Before that is believed, a fan
 // of flights over all elevations and sides looks for paths that pass nearer, and descents start from those.
-#include "physim/aim.hpp"
+#include "physim/solve.hpp"
 
 #include <algorithm>
 #include <cmath>

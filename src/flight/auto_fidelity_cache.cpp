@@ -9,7 +9,7 @@
 #include "base/ieee_mode.hpp"
 #include "math/elementary.hpp"
 #include "math/vec3.hpp"
-#include "physim/auto_fidelity.hpp"
+#include "physim/solve.hpp"
 #include "prepare/check.hpp"
 #include "prepare/conditions.hpp"
 

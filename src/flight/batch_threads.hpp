@@ -6,7 +6,7 @@
 
 #include "base/ieee_mode.hpp"
 #include "flight/batch_part.hpp"
-#include "physim/task_runner.hpp"
+#include "physim/result.hpp"
 
 namespace physim {
 

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "model/earth.hpp"
-#include "physim/auto_fidelity.hpp"
+#include "physim/solve.hpp"
 #include "prepare/grant.hpp"
 
 namespace physim {

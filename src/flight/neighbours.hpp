@@ -17,7 +17,7 @@
 #include <vector>
 
 #include "model/body.hpp"
-#include "physim/aim.hpp"
+#include "physim/solve.hpp"
 
 namespace physim {
 

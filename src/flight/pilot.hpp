@@ -4,7 +4,7 @@
 #include <optional>
 
 #include "physim/flight.hpp"
-#include "physim/infinity.hpp"
+#include "physim/math.hpp"
 #include "prepare/cohort.hpp"
 
 namespace physim {

@@ -13,9 +13,9 @@
 #include "math/vec3.hpp"
 #include "model/earth.hpp"
 #include "model/sight.hpp"
-#include "physim/aim.hpp"
 #include "physim/names.hpp"
 #include "physim/scene.hpp"
+#include "physim/solve.hpp"
 #include "prepare/check.hpp"
 #include "prepare/grant.hpp"
 

@@ -8,7 +8,7 @@
 #include "math/minimum.hpp"
 #include "math/root.hpp"
 #include "math/vec3.hpp"
-#include "physim/aim.hpp"
+#include "physim/solve.hpp"
 
 namespace physim {
 

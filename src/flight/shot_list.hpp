@@ -8,7 +8,6 @@
 #include "base/prefetch.hpp"
 #include "model/sight.hpp"
 #include "physim/flight.hpp"
-#include "physim/flight_columns.hpp"
 
 namespace physim {
 

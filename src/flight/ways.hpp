@@ -1,7 +1,7 @@
 // Ways to a target that a scene leaves open, and what stands in the others.
 #pragma once
 
-#include "physim/aim.hpp"
+#include "physim/solve.hpp"
 
 namespace physim {
 

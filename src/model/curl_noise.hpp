@@ -22,7 +22,7 @@
 #include <array>
 #include <cstdint>
 
-#include "physim/vec3.hpp"
+#include "physim/math.hpp"
 
 namespace physim {
 

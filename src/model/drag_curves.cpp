@@ -12,7 +12,7 @@
 #include "base/ieee_mode.hpp"
 #include "model/ladder.hpp"
 #include "model/sphere_drag.hpp"
-#include "physim/drag_curve.hpp"
+#include "physim/projectile.hpp"
 
 namespace physim {
 namespace {

@@ -41,8 +41,8 @@
 #include "math/pack.hpp"
 #include "math/vec3.hpp"
 #include "model/body.hpp"
-#include "physim/forces.hpp"
-#include "physim/quantity.hpp"
+#include "physim/units.hpp"
+#include "physim/world.hpp"
 
 namespace physim {
 

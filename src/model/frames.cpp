@@ -10,7 +10,7 @@
 // Source: D. A. Vallado, Fundamentals of Astrodynamics and Applications (2007), sec. 3.4 and 3.7, without precession,
 //   nutation and polar motion; W. D. Lambert, "The distance between two widely separated points on the surface of the
 //   Earth", J. Washington Academy of Sciences 32 (1942), 125-130; geometry.
-#include "physim/frames.hpp"
+#include "physim/environment.hpp"
 
 #include "base/ieee_mode.hpp"
 #include "math/elementary.hpp"

@@ -22,7 +22,7 @@
 #include "math/pack.hpp"
 #include "math/vec3.hpp"
 #include "model/conditions.hpp"
-#include "physim/geodesy.hpp"
+#include "physim/environment.hpp"
 
 PHYSIM_ISA_BEGIN
 

@@ -5,7 +5,7 @@
 #pragma once
 
 #include "model/constraint.hpp"
-#include "physim/accelerations.hpp"
+#include "physim/flight.hpp"
 
 namespace physim {
 

@@ -6,7 +6,7 @@
 #include "base/assert.hpp"
 #include "math/elementary.hpp"
 #include "math/pack.hpp"
-#include "physim/infinity.hpp"
+#include "physim/math.hpp"
 
 namespace physim {
 namespace {

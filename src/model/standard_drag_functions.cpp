@@ -6,7 +6,7 @@
 // When it is wrong: a real projectile has a curve of its own; its form factor against these changes with Mach number.
 // Source: U.S. Army Ballistic Research Laboratory, as tabulated by R. L. McCoy, Modern Exterior Ballistics (1999),
 //   ch. 6, and by the Sierra and JBM exterior-ballistics tables.
-#include "physim/drag_curve.hpp"
+#include "physim/projectile.hpp"
 
 namespace physim {
 namespace {

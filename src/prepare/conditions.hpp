@@ -2,7 +2,7 @@
 #pragma once
 
 #include "model/conditions.hpp"
-#include "physim/air.hpp"
+#include "physim/environment.hpp"
 
 namespace physim {
 

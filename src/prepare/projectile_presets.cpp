@@ -1,5 +1,5 @@
 // Presets of projectiles, each with the source of its numbers.
-#include "physim/presets.hpp"
+#include "physim/body.hpp"
 
 #include <algorithm>
 #include <array>

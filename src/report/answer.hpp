@@ -5,9 +5,7 @@
 #include <span>
 #include <string>
 
-#include "physim/aim.hpp"
-#include "physim/fit.hpp"
-#include "physim/suvat.hpp"
+#include "physim/solve.hpp"
 #include "report/flown.hpp"
 #include "report/style.hpp"
 #include "report/text.hpp"

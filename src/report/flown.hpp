@@ -7,9 +7,9 @@
 #include <vector>
 
 #include "physim/flight.hpp"
-#include "physim/flight_hits.hpp"
-#include "physim/progress.hpp"
-#include "physim/scenario.hpp"
+#include "physim/result.hpp"
+#include "scenario/scenario.hpp"
+#include "scenario/world_run.hpp"
 
 namespace physim::report {
 

@@ -1,12 +1,12 @@
 // The ladder of fidelity for one shot: which rungs there are, how far each ends from the reference, and what it costs.
 #pragma once
 
-#include "physim/compare.hpp"
 #include "physim/result.hpp"
-#include "physim/scenario.hpp"
+#include "physim/solve.hpp"
 #include "report/picture.hpp"
 #include "report/records.hpp"
 #include "report/style.hpp"
+#include "scenario/scenario.hpp"
 
 namespace physim::report {
 

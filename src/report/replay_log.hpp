@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "physim/recording.hpp"
+#include "physim/world.hpp"
 #include "report/picture.hpp"
 #include "report/records.hpp"
 #include "report/style.hpp"

@@ -3,11 +3,11 @@
 
 #include <deque>
 
-#include "physim/world_run.hpp"
 #include "report/flown.hpp"
 #include "report/picture.hpp"
 #include "report/records.hpp"
 #include "report/style.hpp"
+#include "scenario/world_run.hpp"
 
 namespace physim::report {
 

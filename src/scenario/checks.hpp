@@ -1,9 +1,9 @@
 // Checks that need more than one setting; of scenarios with a [world], what its tables cannot say about themselves.
 #pragma once
 
-#include "physim/scenario.hpp"
 #include "scenario/document.hpp"
 #include "scenario/names.hpp"
+#include "scenario/scenario.hpp"
 
 namespace physim {
 

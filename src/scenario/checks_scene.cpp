@@ -5,8 +5,8 @@
 #include <set>
 
 #include "base/assert.hpp"
-#include "physim/frames.hpp"
-#include "physim/mesh_file.hpp"
+#include "physim/environment.hpp"
+#include "physim/files.hpp"
 #include "scenario/checks.hpp"
 #include "scenario/checks_motion.hpp"
 #include "scenario/expectation.hpp"

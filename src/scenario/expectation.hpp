@@ -4,8 +4,8 @@
 #include <span>
 #include <string_view>
 
-#include "physim/scenario.hpp"
-#include "physim/world_run.hpp"
+#include "scenario/scenario.hpp"
+#include "scenario/world_run.hpp"
 
 namespace physim {
 

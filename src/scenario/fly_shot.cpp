@@ -3,8 +3,8 @@
 
 #include "base/ieee_mode.hpp"
 #include "flight/flight_record.hpp"
-#include "physim/auto_fidelity.hpp"
-#include "physim/scenario.hpp"
+#include "physim/solve.hpp"
+#include "scenario/scenario.hpp"
 #include "world/registry.hpp"
 
 namespace physim {

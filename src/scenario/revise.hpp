@@ -4,7 +4,7 @@
 #include <optional>
 #include <string>
 
-#include "physim/scenario.hpp"
+#include "scenario/scenario.hpp"
 
 namespace physim {
 

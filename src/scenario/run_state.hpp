@@ -1,8 +1,8 @@
 // RunState: what changes during a run of a scenario's world, beside the world.
 #pragma once
 
-#include "physim/scenario.hpp"
-#include "physim/world_run.hpp"
+#include "scenario/scenario.hpp"
+#include "scenario/world_run.hpp"
 
 namespace physim {
 

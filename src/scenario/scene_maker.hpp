@@ -3,8 +3,8 @@
 
 #include <map>
 
-#include "physim/scenario.hpp"
 #include "scenario/names.hpp"
+#include "scenario/scenario.hpp"
 
 namespace physim {
 

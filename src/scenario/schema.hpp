@@ -18,7 +18,7 @@
 
 #include "base/members.hpp"
 #include "physim/names.hpp"
-#include "physim/scenario.hpp"
+#include "scenario/scenario.hpp"
 #include "settings/row.hpp"
 
 namespace physim {

@@ -2,8 +2,8 @@
 #include <algorithm>
 #include <filesystem>
 
-#include "physim/motor_file.hpp"
-#include "physim/presets.hpp"
+#include "physim/body.hpp"
+#include "physim/files.hpp"
 #include "scenario/settings_parts.hpp"
 #include "settings/flight_rows.hpp"
 #include "settings/shot_rows.hpp"

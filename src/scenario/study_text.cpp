@@ -4,8 +4,8 @@
 #include <filesystem>
 
 #include "base/assert.hpp"
-#include "physim/scenario.hpp"
 #include "scenario/measured_column.hpp"
+#include "scenario/scenario.hpp"
 #include "scenario/schema.hpp"
 #include "scenario/study_text.hpp"
 #include "scenario/suggest.hpp"

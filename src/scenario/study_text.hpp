@@ -5,7 +5,7 @@
 #include <string_view>
 #include <vector>
 
-#include "physim/scenario_study.hpp"
+#include "scenario/scenario.hpp"
 
 namespace physim {
 

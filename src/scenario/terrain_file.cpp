@@ -1,5 +1,5 @@
 // The only file that knows GDAL.
-#include "physim/terrain_file.hpp"
+#include "physim/files.hpp"
 
 #include <algorithm>
 #include <array>

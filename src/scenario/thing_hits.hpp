@@ -3,8 +3,8 @@
 
 #include <span>
 
-#include "physim/world_run.hpp"
 #include "scenario/run_state.hpp"
+#include "scenario/world_run.hpp"
 
 namespace physim {
 

@@ -5,7 +5,7 @@
 #include <string>
 #include <string_view>
 
-#include "physim/scenario.hpp"
+#include "scenario/scenario.hpp"
 #include "settings/units.hpp"
 
 namespace physim {

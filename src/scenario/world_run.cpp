@@ -1,5 +1,5 @@
 // A scenario's world, step by step: fires what is due, steps, looks at the wall, and counts.
-#include "physim/world_run.hpp"
+#include "scenario/world_run.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -11,7 +11,7 @@
 #include "flight/zero.hpp"
 #include "model/force_laws.hpp"
 #include "model/sight.hpp"
-#include "physim/recording_file.hpp"
+#include "physim/files.hpp"
 #include "scenario/checks.hpp"
 #include "scenario/emitter_maker.hpp"
 #include "scenario/files_in_use.hpp"

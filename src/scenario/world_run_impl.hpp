@@ -8,9 +8,9 @@
 #include <vector>
 
 #include "base/assert.hpp"
-#include "physim/world_run.hpp"
 #include "scenario/names.hpp"
 #include "scenario/run_state.hpp"
+#include "scenario/world_run.hpp"
 
 namespace physim {
 

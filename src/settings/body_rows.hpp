@@ -1,7 +1,7 @@
 // Rows of a BodyDef. How a ContactDef meets things has the same rows.
 #pragma once
 
-#include "physim/world_def.hpp"
+#include "physim/body.hpp"
 #include "settings/row.hpp"
 
 namespace physim::setting_rows {

@@ -4,8 +4,7 @@
 #include <string>
 #include <string_view>
 
-#include "physim/infinity.hpp"
-#include "physim/macros.hpp"
+#include "physim/math.hpp"
 
 namespace physim {
 

@@ -16,8 +16,8 @@
 #include <utility>
 
 #include "base/checker.hpp"
-#include "physim/flight_columns.hpp"
-#include "physim/quantity.hpp"
+#include "physim/flight.hpp"
+#include "physim/units.hpp"
 #include "settings/range.hpp"
 
 namespace physim {

@@ -5,7 +5,7 @@
 #include <string>
 #include <string_view>
 
-#include "physim/quantity.hpp"
+#include "physim/units.hpp"
 
 namespace physim {
 

@@ -8,7 +8,7 @@
 
 #include <span>
 
-#include "physim/study_result.hpp"
+#include "physim/study.hpp"
 #include "study/shard_job.hpp"
 
 namespace physim {

@@ -3,7 +3,7 @@
 #include <mutex>
 
 #include "base/ieee_mode.hpp"
-#include "physim/task_runner.hpp"
+#include "physim/result.hpp"
 #include "study/engine.hpp"
 #include "study/estimates.hpp"
 #include "study/part.hpp"

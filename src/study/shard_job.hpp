@@ -7,7 +7,7 @@
 #include <cstddef>
 #include <cstdint>
 
-#include "physim/vec3.hpp"
+#include "physim/math.hpp"
 
 namespace physim {
 

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "physim/study_result.hpp"
+#include "physim/study.hpp"
 #include "study/moments.hpp"
 
 namespace physim {

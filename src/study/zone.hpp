@@ -16,7 +16,7 @@
 #include <span>
 #include <vector>
 
-#include "physim/study_result.hpp"
+#include "physim/study.hpp"
 
 namespace physim {
 

@@ -3,7 +3,7 @@
 #include <cmath>
 #include <optional>
 
-#include "physim/air.hpp"
+#include "physim/environment.hpp"
 #include "report/number.hpp"
 #include "validation/suite.hpp"
 

@@ -7,7 +7,6 @@
 #include <utility>
 #include <vector>
 
-#include "physim/progress.hpp"
 #include "physim/result.hpp"
 #include "report/style.hpp"
 

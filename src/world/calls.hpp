@@ -7,8 +7,8 @@
 #include <unordered_map>
 
 #include "base/archive.hpp"
+#include "physim/body.hpp"
 #include "physim/world.hpp"
-#include "physim/world_def.hpp"
 
 namespace physim {
 

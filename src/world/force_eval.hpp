@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "model/body.hpp"
-#include "physim/forces.hpp"
 #include "physim/result.hpp"
+#include "physim/world.hpp"
 
 namespace physim {
 

@@ -6,8 +6,8 @@
 
 #include "base/assert.hpp"
 #include "base/hash.hpp"
-#include "physim/forces.hpp"
-#include "physim/world_def.hpp"
+#include "physim/body.hpp"
+#include "physim/world.hpp"
 #include "world/kinds.hpp"
 
 namespace physim {

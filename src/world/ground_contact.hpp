@@ -10,7 +10,7 @@
 #include "collide/scene_contact.hpp"
 #include "flight/step_parts.hpp"
 #include "model/contact.hpp"
-#include "physim/world_def.hpp"
+#include "physim/body.hpp"
 
 namespace physim {
 

@@ -11,7 +11,7 @@
 #include <unordered_map>
 #include <vector>
 
-#include "physim/hit_question.hpp"
+#include "physim/event.hpp"
 
 namespace physim {
 

@@ -7,7 +7,7 @@
 
 #include "base/assert.hpp"
 #include "math/vec3.hpp"
-#include "physim/infinity.hpp"
+#include "physim/math.hpp"
 #include "world/envelope.hpp"
 
 namespace physim {

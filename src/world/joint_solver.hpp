@@ -31,7 +31,7 @@
 #include <cstdint>
 #include <span>
 
-#include "physim/vec3.hpp"
+#include "physim/math.hpp"
 
 namespace physim {
 

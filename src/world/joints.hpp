@@ -10,9 +10,8 @@
 
 #include "base/assert.hpp"
 #include "base/hash.hpp"
-#include "physim/joint.hpp"
 #include "physim/result.hpp"
-#include "physim/world_projectile.hpp"
+#include "physim/world.hpp"
 #include "world/joint_solver.hpp"
 
 namespace physim {

@@ -13,7 +13,7 @@
 #include <vector>
 
 #include "base/assert.hpp"
-#include "physim/world_def.hpp"
+#include "physim/body.hpp"
 #include "prepare/cohort.hpp"
 #include "prepare/equivalent_drag.hpp"
 #include "world/live.hpp"

@@ -4,7 +4,7 @@
 #include <array>
 
 #include "model/body.hpp"
-#include "physim/world_def.hpp"
+#include "physim/body.hpp"
 
 namespace physim {
 

@@ -4,7 +4,7 @@
 #include <optional>
 
 #include "model/attitude.hpp"
-#include "physim/departure.hpp"
+#include "physim/flight.hpp"
 #include "world/closed_form_law.hpp"
 #include "world/registry.hpp"
 #include "world/state.hpp"

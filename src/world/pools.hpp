@@ -5,7 +5,7 @@
 
 #include "base/assert.hpp"
 #include "base/hash.hpp"
-#include "physim/world_def.hpp"
+#include "physim/body.hpp"
 
 namespace physim {
 

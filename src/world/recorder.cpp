@@ -2,8 +2,8 @@
 
 #include <limits>
 
-#include "physim/recording.hpp"
-#include "physim/version.hpp"
+#include "physim/result.hpp"
+#include "physim/world.hpp"
 #include "world/world_impl.hpp"
 
 namespace physim {

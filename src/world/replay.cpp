@@ -7,7 +7,7 @@
 #include <utility>
 
 #include "base/written_by.hpp"
-#include "physim/recording.hpp"
+#include "physim/world.hpp"
 #include "world/recorder.hpp"
 #include "world/save.hpp"
 #include "world/world_impl.hpp"

@@ -4,7 +4,7 @@
 #include <functional>
 #include <mutex>
 
-#include "physim/auto_fidelity.hpp"
+#include "physim/solve.hpp"
 #include "physim/world.hpp"
 #include "world/emitter_step.hpp"
 #include "world/forced_step.hpp"

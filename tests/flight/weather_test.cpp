@@ -1,9 +1,9 @@
 // Batches whose shots have weather of their own: each flies as fly() lets it fly in its own environment.
-#include "physim/weather.hpp"
+#include "physim/environment.hpp"
 
 #include "flight/batch_support.hpp"
-#include "physim/flight_columns.hpp"
-#include "physim/task_runner.hpp"
+#include "physim/flight.hpp"
+#include "physim/result.hpp"
 
 namespace physim {
 namespace flight_weather_test {

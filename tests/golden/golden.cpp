@@ -10,7 +10,7 @@
 
 #include "base/ieee_mode.hpp"
 #include "math/elementary.hpp"
-#include "physim/air.hpp"
+#include "physim/environment.hpp"
 #include "physim/physim.hpp"
 #include "random_shots.hpp"
 #include "scenes.hpp"

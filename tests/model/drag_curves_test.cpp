@@ -6,7 +6,7 @@
 #include <gtest/gtest.h>
 
 #include "model/drag.hpp"
-#include "physim/drag_curve.hpp"
+#include "physim/projectile.hpp"
 #include "support.hpp"
 
 namespace physim {

@@ -1,9 +1,9 @@
 // Motor files and [shot.motor]: what is read, and that every mistake names its line.
-#include "physim/motor_file.hpp"
+#include "physim/files.hpp"
 
 #include <gtest/gtest.h>
 
-#include "physim/scenario.hpp"
+#include "scenario/scenario.hpp"
 
 namespace physim {
 namespace scenario_motor_file_test {

@@ -1,5 +1,5 @@
 // Scenario files: what they say and where it goes.
-#include "physim/scenario.hpp"
+#include "scenario/scenario.hpp"
 
 #include <gtest/gtest.h>
 

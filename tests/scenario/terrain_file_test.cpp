@@ -1,5 +1,5 @@
 // Terrain out of files: SRTM and GeoTIFF that the test writes, in latitude and longitude and in another projection.
-#include "physim/terrain_file.hpp"
+#include "physim/files.hpp"
 
 #include <gtest/gtest.h>
 
@@ -9,9 +9,8 @@
 #include <functional>
 
 #include "cli/program.hpp"
-#include "physim/frames.hpp"
-#include "physim/mesh_file.hpp"
-#include "physim/scenario.hpp"
+#include "physim/environment.hpp"
+#include "scenario/scenario.hpp"
 
 namespace physim {
 namespace scenario_terrain_file_test {

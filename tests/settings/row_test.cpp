@@ -6,9 +6,9 @@
 #include <string>
 #include <vector>
 
-#include "physim/scenario.hpp"
 #include "physim/study.hpp"
 #include "prepare/check.hpp"
+#include "scenario/scenario.hpp"
 #include "settings/environment_rows.hpp"
 #include "settings/flight_rows.hpp"
 #include "settings/shot_rows.hpp"

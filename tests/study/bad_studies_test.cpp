@@ -1,6 +1,6 @@
 // What studies refuse, and with which words.
 #include "base/archive.hpp"
-#include "physim/version.hpp"
+#include "physim/result.hpp"
 #include "study_support.hpp"
 
 namespace physim {

@@ -1,19 +1,24 @@
-// WorldDef: what a world is made with. BodyDef: how a world treats a kind of projectile, beside what it is.
+// Body: how a world treats a kind of projectile; what a world is made with; presets of projectiles.
 #pragma once
 
 #include <cstdint>
 #include <limits>
+#include <optional>
+#include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
-#include "physim/collision.hpp"
 #include "physim/environment.hpp"
+#include "physim/event.hpp"
 #include "physim/flight.hpp"
-#include "physim/ids.hpp"
-#include "physim/infinity.hpp"
+#include "physim/math.hpp"
 #include "physim/projectile.hpp"
 
 namespace physim {
+
+// ---------------------------------------------------------------------------------------------------------------------
+// WorldDef: what a world is made with. BodyDef: how a world treats a kind of projectile, beside what it is.
 
 /// Axes of the world frame, to be joined with |.
 enum class Axes : std::uint8_t { none = 0, x = 1, y = 2, z = 4, all = 7 };
@@ -147,5 +152,44 @@ enum class LifeStatus : std::uint8_t {
   expired,    ///< left by its despawn rules
   retired,    ///< taken out: despawned, replaced in a full pool, or turned into something that is not a number
 };
+
+// ---------------------------------------------------------------------------------------------------------------------
+// Presets of projectiles: what flies, how a world treats it, and how fast it usually starts. The fidelity is your
+// choice.
+
+/// A projectile to start from.
+struct ProjectilePreset {
+  ProjectileDef projectile{};  ///< [-]
+  BodyDef body{};              ///< [-]
+  double speed = 0;            ///< usual at launch [m/s]
+  std::string doc{};           ///< what it is [-]
+  std::string source{};        ///< where its numbers come from [-]
+};
+
+namespace presets {
+
+// The projectiles of the original PhySim (2017): damping and a gravity of their own, in its own frame loop
+// (Fidelity::classic()).
+[[nodiscard]] ProjectilePreset artillery();
+[[nodiscard]] ProjectilePreset bullet();
+[[nodiscard]] ProjectilePreset laser();
+[[nodiscard]] ProjectilePreset sphere();
+
+[[nodiscard]] ProjectilePreset rifle_bullet();
+[[nodiscard]] ProjectilePreset arrow();
+[[nodiscard]] ProjectilePreset grenade();
+[[nodiscard]] ProjectilePreset paintball();
+[[nodiscard]] ProjectilePreset tennis_ball();
+[[nodiscard]] ProjectilePreset golf_ball();
+[[nodiscard]] ProjectilePreset baseball();
+[[nodiscard]] ProjectilePreset football();
+[[nodiscard]] ProjectilePreset table_tennis_ball();
+
+}  // namespace presets
+
+/// Names of all presets of projectiles.
+[[nodiscard]] std::span<const std::string_view> projectile_presets();
+/// The preset of a name ("rifle_bullet"), if it is one.
+[[nodiscard]] std::optional<ProjectilePreset> projectile_preset(std::string_view name);
 
 }  // namespace physim

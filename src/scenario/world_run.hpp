@@ -1,4 +1,4 @@
-// WorldRun: a scenario with a [world], run step by step. Part of the library physim_scenario.
+// A scenario flown: its scene, the hits of its flights, and its world run step by step.
 #pragma once
 
 #include <cstdint>
@@ -8,11 +8,27 @@
 #include <string>
 #include <vector>
 
-#include "physim/infinity.hpp"
-#include "physim/scenario.hpp"
+#include "physim/math.hpp"
 #include "physim/world.hpp"
+#include "scenario/scenario.hpp"
 
 namespace physim {
+
+// ---------------------------------------------------------------------------------------------------------------------
+// SceneParts: the scene of a scenario, and by which ids it knows the scenario's parts.
+
+/// The scene of a scenario and the ids of its parts.
+struct SceneParts {
+  Scene scene{};                        ///< as scene_of() makes it [-]
+  std::vector<MaterialId> materials{};  ///< of Scenario::materials, in their order [-]
+  std::vector<InstanceId> things{};     ///< of Scenario::things, in their order [-]
+};
+
+/// An error names the shape, material or thing that is wrong.
+[[nodiscard]] Result<SceneParts> scene_parts(const Scenario& scenario);
+
+// ---------------------------------------------------------------------------------------------------------------------
+// WorldRun: a scenario with a [world], run step by step.
 
 /// Many numbers in short.
 struct Series {
@@ -181,5 +197,26 @@ class WorldRun {
 
 /// The value of an expectation on a group at the end of a run [SI unit of the quantity], or why there is none.
 [[nodiscard]] Result<double> measure(const WorldGroup& group, const Expectation& expectation);
+
+// ---------------------------------------------------------------------------------------------------------------------
+// FlightHits: what the flight of a scenario's shot did with the scenario's things.
+
+/// Hits of one flight. A contact that goes on, of what slides, rolls or rests on a thing, is none.
+struct FlightHits {
+  /// In order of time, with what is passed or left; ThingHit::time is since launch, Launched::group the index of the
+  /// shot in Scenario::shots, 0 where it is none of them, Launched::number 1, and there is no ThingHit::id [-]
+  std::vector<ThingHit> all{};
+  ThingHits on_things{};              ///< those that hit something [-]
+  std::vector<ThingHits> by_thing{};  ///< ... of each thing, in the order of its first [-]
+};
+
+/// Puts the events of a flight together to hits: of a shot of a scenario that flew through the scenario's scene, as
+/// fly_shot() flies it.
+[[nodiscard]] FlightHits flight_hits(const Scenario& scenario, const ScenarioShot& shot, const Flight& flight,
+                                     const SceneParts& parts);
+
+/// The value of an expectation on a flown shot and its hits [SI unit of the quantity], or why there is none: figures of
+/// hits ("hits", "hit_depth", ...) on Expectation::thing, or on all things; all others as measure() of the flight.
+[[nodiscard]] Result<double> measure(const Flight& flight, const FlightHits& hits, const Expectation& expectation);
 
 }  // namespace physim
