@@ -296,10 +296,14 @@ class EarthFrames {
 /// such flights differ from those of fly() by as much as their tolerance lets them; where the rounding changes no
 /// number, as of a wind of 2.5 m/s, by nothing. All others, and all in float64, are equal bit for bit.
 struct Weather {
-  // Wind that is the same everywhere, in the place of all that Environment::wind has; see there for the signs.
+  // Wind that is the same everywhere, in the place of all that Environment::wind has; or, with `moves_profile`, added to
+  // its profile. See there for the signs.
   std::span<const double> wind_x{};  ///< empty, though another is given: that of Wind::velocity [m/s]
   std::span<const double> wind_y{};  ///< upwards [m/s]
   std::span<const double> wind_z{};  ///< [m/s]
+  /// Each point of Wind::profile moves by the difference between the columns and Wind::velocity; a projectile that sees
+  /// one wind everywhere has Wind::velocity moved, or the first point if that is zero. Without a profile: nothing [-]
+  bool moves_profile = false;
   // As the members of Atmosphere of these names.
   std::span<const double> temperature{};  ///< at the station [K]
   std::span<const double> pressure{};     ///< at the station [Pa]
@@ -315,6 +319,11 @@ struct Weather {
     return std::max({wind_x.size(), wind_y.size(), wind_z.size(), temperature.size(), pressure.size(), humidity.size(),
                      density.size()});
   }
+  /// The numbers of shot i < size() in the columns of the wind; those of `common` where a column is empty [m/s].
+  [[nodiscard]] Vec3d wind(std::size_t i, const Wind& common) const {
+    return {wind_x.empty() ? common.velocity.x : wind_x[i], wind_y.empty() ? common.velocity.y : wind_y[i],
+            wind_z.empty() ? common.velocity.z : wind_z[i]};
+  }
   /// The environment of shot i < size().
   [[nodiscard]] Environment at(std::size_t i, const Environment& common) const {
     Environment own = common;
@@ -323,17 +332,22 @@ struct Weather {
   }
   /// Writes the weather of shot i < size() over that of an environment.
   void put(std::size_t i, Environment& own) const {
-    if (has_wind()) {
-      own.wind.profile.clear();
-      own.wind.field = {};
-    }
-    if (!wind_x.empty()) own.wind.velocity.x = wind_x[i];
-    if (!wind_y.empty()) own.wind.velocity.y = wind_y[i];
-    if (!wind_z.empty()) own.wind.velocity.z = wind_z[i];
+    if (has_wind()) put_wind(i, own.wind);
     if (!temperature.empty()) own.atmosphere.temperature = temperature[i];
     if (!pressure.empty()) own.atmosphere.pressure = pressure[i];
     if (!humidity.empty()) own.atmosphere.humidity = humidity[i];
     if (!density.empty()) own.atmosphere.density = density[i];
+  }
+
+ private:
+  void put_wind(std::size_t i, Wind& own) const {
+    const Vec3d common = own.velocity;
+    own.velocity = wind(i, own);
+    own.field = {};
+    if (!moves_profile) return own.profile.clear();
+    const Vec3d moved = own.velocity - common;
+    for (WindPoint& point : own.profile) point.velocity += moved;
+    if (!own.profile.empty() && common == Vec3d{}) own.velocity = common;  // the first point stands for it
   }
 };
 

@@ -27,6 +27,7 @@ struct NumberColumn {
 /// Weather that lanes compute themselves.
 struct WeatherSource {
   NumberColumn wind_x, wind_y, wind_z;           // [m/s]
+  Vec3d wind_less_column;                        // what the wind has beside these numbers [m/s]
   NumberColumn temperature, pressure, humidity;  // at the station [K], [Pa], [-]
   NumberColumn density;                          // at the origin, in the place of the station's [kg/m^3]
   bool has_station, has_density, has_sound_speed;

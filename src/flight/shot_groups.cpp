@@ -192,7 +192,10 @@ ShotState ShotGroups::prepare(std::size_t shot) {
   Cohort& cohort = kind.group->cohort;
   const Fidelity& granted = cohort.in_use.fidelity;
   Body<double>& body = kind.body;
-  if (task_.weather.has_wind()) body.wind = environment_->wind.velocity;
+  if (task_.weather.has_wind()) {
+    const Wind& common = task_.environment.wind;
+    body.wind = task_.weather.wind(shot, common) + own_wind_less_column(task_.weather, common, granted.wind);
+  }
   if (task_.weather.has_air()) body.air = prepare_air_numbers(*environment_, granted.air);
   put_launch(projectile, launch, sight_frame(launch), elevation, cohort.conditions, body);
   if (auto status = check_fits(body.launch.x, body.launch.v, granted.precision); !status)

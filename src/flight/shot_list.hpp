@@ -59,7 +59,8 @@ struct BatchTask {
   /// they bring is no vacuum: what is granted must suit them all.
   [[nodiscard]] Environment granting() const {
     Environment all = environment;
-    if (weather.has_wind()) all.wind = {.velocity = {1, 0, 0}};
+    if (weather.has_wind() && !weather.moves_profile) all.wind = {};
+    if (weather.has_wind()) all.wind.velocity = {1, 0, 0}, all.wind.field = {};
     if (!weather.density.empty()) all.atmosphere.density = 1;
     return all;
   }
@@ -92,6 +93,7 @@ class ShotEnvironments {
   [[nodiscard]] const Environment& of(std::size_t shot) {
     PHYSIM_ASSERT(shot < task_.shots.size());
     if (task_.weather.empty()) return task_.environment;
+    if (task_.weather.moves_profile) own_.wind = task_.environment.wind;
     task_.weather.put(shot, own_);
     return own_;
   }

@@ -77,6 +77,7 @@ struct WindProfile {
   S at[kMaxWindPoints];                    // [m]
   Components<S> velocity[kMaxWindPoints];  // [m/s]
   Components<S> slope[kMaxWindPoints];     // from point i to i + 1 [1/s]
+  S per_length[kMaxWindPoints];            // 1 / (at[i + 1] - at[i]) [1/m]
 };
 
 /// The round Earth ready to compute; see model/earth.hpp, model/geodesy.hpp and model/gravity.hpp.

@@ -23,10 +23,27 @@ void put_profile(std::span<const WindPoint> points, WindProfile<double>& profile
     PHYSIM_ASSERT(i == 0 || p.at > profile.at[i - 1]);
     profile.at[i] = p.at;
     profile.velocity[i] = p.velocity;
-    profile.slope[i] = Vec3d{};
-    if (i > 0) profile.slope[i - 1] = (p.velocity - Vec3d(profile.velocity[i - 1])) * (1 / (p.at - profile.at[i - 1]));
+    profile.slope[i] = Vec3d{}, profile.per_length[i] = 0;
+    if (i == 0) continue;
+    profile.per_length[i - 1] = 1 / (p.at - profile.at[i - 1]);
+    profile.slope[i - 1] = (p.velocity - Vec3d(profile.velocity[i - 1])) * profile.per_length[i - 1];
   }
 }
+
+}  // namespace
+
+Vec3d steady_wind(const Wind& wind) {
+  return wind.profile.empty() || wind.velocity != Vec3d{} ? wind.velocity : wind.profile.front().velocity;
+}
+
+Vec3d own_wind_less_column(const Weather& weather, const Wind& common, WindModel granted) {
+  constexpr Vec3d nothing{-0.0, -0.0, -0.0};
+  if (!weather.moves_profile || common.profile.empty()) return nothing;
+  if (granted == WindModel::profile) return -common.velocity;
+  return common.velocity == Vec3d{} ? common.profile.front().velocity : nothing;
+}
+
+namespace {
 
 /// Into a field that is all zero.
 void put_wind(const Wind& wind, WindModel model, WindField<double>& field, WindProfile<double>& profile) {
@@ -36,9 +53,7 @@ void put_wind(const Wind& wind, WindModel model, WindField<double>& field, WindP
   switch (wind.profile.empty() ? lower_of(model, WindModel::constant) : model) {
     case WindModel::off: return;
     case WindModel::constant:
-      // A low rung has one wind: the profile's first point stands for it where no other is given.
-      field.velocity = wind.velocity;
-      if (!wind.profile.empty() && wind.velocity == Vec3d{}) field.velocity = wind.profile.front().velocity;
+      field.velocity = steady_wind(wind);
       return;
     case WindModel::profile: break;
   }
@@ -110,6 +125,7 @@ Conditions<float> to_float(const Conditions<double>& c) {
     cast_members(c.profile->at[i], f.profile->at[i]);
     cast_members(c.profile->velocity[i], f.profile->velocity[i]);
     cast_members(c.profile->slope[i], f.profile->slope[i]);
+    cast_members(c.profile->per_length[i], f.profile->per_length[i]);
   }
   return f;
 }

@@ -122,7 +122,7 @@ void FlightModel::take(const StudyInput& input, std::size_t index) {
   if (row->is_wind && row->weather && study_.environment.wind.profile.size() > 0) moves_profile_ = true;
   if (row->compass != CompassWind::none)
     by_compass_ = true;
-  else if ((!row->launches && !row->weather) || moves_profile_)
+  else if (!row->launches && !row->weather)
     as_columns_ = false;
   if (row->is_of_place()) has_own_place_ = true;
   if (row->scale) has_factor_ = true;
@@ -207,8 +207,9 @@ Weather FlightModel::weather_of(const std::vector<std::span<const double>>& colu
   Weather weather;
   for (std::size_t i = 0; i < numbers_.size(); ++i) {
     const PathRow& row = numbers_[i].row();
-    if (row.weather && !(moves_profile_ && row.is_wind)) weather.*row.weather = columns[i];
+    if (row.weather) weather.*row.weather = columns[i];
   }
+  weather.moves_profile = moves_profile_;
   if (by_compass_) weather.wind_x = columns[numbers_.size()], weather.wind_z = columns[numbers_.size() + 1];
   return weather;
 }
@@ -267,7 +268,7 @@ ModelTold FlightModel::fly_shots_of(const std::vector<std::span<const double>>& 
       numbers_[i].row().scale(shots[shot], columns[i][shot]);
   if (study_.scene)
     fly_among_things(columns, weather, shots, inputs, scratch);
-  else if (moves_profile_ || has_own_place_)
+  else if (has_own_place_)
     fly_in_own_places(columns, weather, shots, scratch);
   else
     fly_batch(shots, study_.environment, study_.fidelity, study_.tolerance, study_.until, scratch.batch, nullptr,
@@ -302,25 +303,17 @@ ModelTold FlightModel::take_batch(std::size_t count, ModelScratch& scratch, cons
   return told;
 }
 
-/// The environment that a shot flies in alone. What is drawn moves all points of a profile of wind by one velocity.
+/// The environment that a shot flies in alone.
 Environment FlightModel::environment_of(std::size_t shot, const std::vector<std::span<const double>>& columns,
                                         const Weather& weather) const {
-  const Vec3d& there = study_.environment.wind.velocity;
-  Environment own = weather.empty() ? study_.environment : weather.at(shot, study_.environment);
-  for (std::size_t k = 0; k < numbers_.size(); ++k) numbers_[k].path.put(own, columns[k][shot]);
-  if (!moves_profile_) return own;
-  Vec3d moved{};
-  for (std::size_t k = 0; k < numbers_.size(); ++k) {
-    const auto column = numbers_[k].row().weather;
-    if (column == &Weather::wind_x) moved.x = columns[k][shot] - there.x;
-    if (column == &Weather::wind_y) moved.y = columns[k][shot] - there.y;
-    if (column == &Weather::wind_z) moved.z = columns[k][shot] - there.z;
-  }
-  for (WindPoint& point : own.wind.profile) point.velocity += moved;
+  Environment own = study_.environment;
+  for (std::size_t k = 0; k < numbers_.size(); ++k)
+    if (!numbers_[k].row().weather) numbers_[k].path.put(own, columns[k][shot]);
+  if (!weather.empty()) weather.put(shot, own);
   return own;
 }
 
-/// Each shot alone, at a place or in a profile of wind of its own.
+/// Each shot alone, at a place of its own.
 void FlightModel::fly_in_own_places(const std::vector<std::span<const double>>& columns, const Weather& weather,
                                     std::span<const Shot> shots, ModelScratch& scratch) const {
   BatchResult all, one;
