@@ -43,7 +43,7 @@ struct Ground {
   double friction = 1;                 ///< times BodyDef::friction [-]
 };
 
-/// When a projectile leaves the world by itself; LifeStatus::expired. Rules are data, looked at after every step.
+/// When a projectile is removed without a call; LifeStatus::expired. Rules are data, evaluated after every step.
 struct DespawnRules {
   double below = -kInfinity;   ///< height above the origin [m]
   double farther = kInfinity;  ///< distance from where it was launched [m]
@@ -70,7 +70,7 @@ struct BodyDef {
   double drag_scale = 1;              ///< times every drag; 0: none [-]
   double angular_drag = 0;            ///< rate at which turning dies away: d omega / dt = -angular_drag omega [1/s]
   Vec3d angular_velocity{};           ///< at launch, in W; shown only: it moves nothing [rad/s]
-  bool kinematic = false;             ///< (live) moves only when told to [-]
+  bool kinematic = false;             ///< (live) moves only as calls set it [-]
   bool infinite_mass = false;         ///< inverse mass 0: nothing ever moves it [-]
   Axes frozen = Axes::none;           ///< (live) axes of the world along which it does not move [-]
   Axes frozen_rotation = Axes::none;  ///< (live) axes of the world about which it does not turn [-]
@@ -85,8 +85,8 @@ struct BodyDef {
   Smoothing smoothing = Smoothing::interpolate;  ///< of World::render_position() (live) [-]
   std::uint32_t pool = 0;                        ///< index in WorldDef::pools [-]
   std::uint32_t environment = 0;                 ///< index of an environment of the world [-]
-  double cheapest_within = 0;         ///< > 0: instead of its own rung, the cheapest whose error stays below this [m]
-  double within_time = 2;             ///< ... for so long after its launch [s]
+  double cheapest_within = 0;         ///< > 0: instead of its own rung, the cheapest with an error below this [m]
+  double within_time = 2;             ///< ... during this time after its launch [s]
   std::uint32_t layers = 1;           ///< (live) bits, for group forces and for the user's own use [-]
   std::uint32_t colour = 0xffffffff;  ///< (live) carried along, RGBA [-]
   std::string label{};                ///< (live) carried along [-]
@@ -125,7 +125,7 @@ struct DetailRule {
 /// How many threads a world uses.
 struct Threading {
   unsigned threads = 0;                   ///< 0: all that the machine has [-]
-  std::uint32_t rows_per_thread = 16384;  ///< smaller worlds use fewer threads: one for every so many [-]
+  std::uint32_t rows_per_thread = 16384;  ///< smaller worlds use fewer threads: one per this many rows [-]
 };
 
 /// What a world is made with.
@@ -133,10 +133,10 @@ struct WorldDef {
   Environment environment{};     ///< environment 0; more by World::add_environment() [-]
   Ground ground{};               ///< [-]
   double step = 1.0 / 60;        ///< of World::advance() [s]
-  std::uint32_t max_steps = 8;   ///< of one World::advance(); time beyond is dropped, and told [-]
-  double time_scale = 1;         ///< World::advance() runs so many times as fast; 0..1000 [-]
+  std::uint32_t max_steps = 8;   ///< of one World::advance(); time beyond is dropped, and reported [-]
+  double time_scale = 1;         ///< factor on the time given to World::advance(); 0..1000 [-]
   Tolerance tolerance{};         ///< of adaptive integrators inside a step; only relative and absolute are read [-]
-  bool apex_events = false;      ///< tell when a projectile passes its highest point [-]
+  bool apex_events = false;      ///< emits an event when a projectile passes its highest point [-]
   std::vector<PoolDef> pools{};  ///< none: one pool without limit [-]
   DetailRule detail{};           ///< level of detail [-]
   Threading threading{};         ///< [-]

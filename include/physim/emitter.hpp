@@ -1,5 +1,5 @@
-// Emitters: what fires projectiles into a world by itself, at their own moments inside of its steps: guns, sprays,
-// fireworks. EmitterDef: what, when, from where and how.
+// Emitters fire projectiles into a world at their own moments inside its steps: guns, sprays, fireworks. EmitterDef:
+// what, when, from where and how.
 #pragma once
 
 #include <cstdint>
@@ -80,7 +80,7 @@ struct Barrel {
 /// Fires rounds one by one while the emitter plays.
 struct GunDef {
   double rounds_per_minute = 0;    ///< 0: no gun [1/min]
-  std::uint32_t burst_rounds = 0;  ///< rounds, then a pause; 0: one goes on after the other [-]
+  std::uint32_t burst_rounds = 0;  ///< rounds, then a pause; 0: fire without pauses [-]
   double burst_pause = 0;          ///< after the last round of a burst, on top of the time between rounds [s]
   std::uint32_t magazine = 0;      ///< rounds, then it reloads; 0: it never runs out [-]
   double reload = 0;               ///< from a magazine's last round to the next, never sooner than by the rate [s]
@@ -88,10 +88,10 @@ struct GunDef {
   double dispersion = 0;           ///< standard deviation of the direction, to each side and up and down [rad]
   std::uint32_t tracer_every = 0;  ///< every so manyth round is of the kind `tracer`; 0: none [-]
   KindId tracer{};                 ///< [-]
-  std::vector<Barrel> barrels{};   ///< in turn; none: one, at the origin [-]
+  std::vector<Barrel> barrels{};   ///< fired in rotation; none: one, at the origin [-]
   double convergence = 0;          ///< distance at which the barrels' lines meet; 0: they are parallel [m]
   Curve recoil_up{};               ///< over the rounds of a burst, else of a magazine, times recoil; no keys: 0 [-]
-  Curve recoil_right{};            ///< likewise [-]
+  Curve recoil_right{};            ///< as recoil_up, to the right [-]
   double recoil = 0;               ///< by which the direction climbs where a curve is 1 [rad]
 
   bool operator==(const GunDef&) const = default;
@@ -129,8 +129,8 @@ enum class EmitAlong : std::uint8_t {
   axis,    ///< forwards
 };
 
-/// What particles come out of where the shape is of triangles. It lies in the emitter's frame as it is: an emitter with
-/// the place and rotation of a thing that has the same shape lets them out of that thing.
+/// The surface that emits particles if the shape is made of triangles. It lies unchanged in the emitter's frame: an
+/// emitter with the place and rotation of a thing of the same shape emits from that thing.
 struct EmitSurface {
   SharedShape shape{};                  ///< a mesh, or a height field where the shape is terrain [-]
   double scale = 1;                     ///< along all axes, 1e-9 to 1e9 [-]
@@ -212,7 +212,7 @@ struct ParticleFlight {
   double fast = 0;               ///< speed at which drag_by_speed ends; 0: it does not count [m/s]
   Curve drag_by_speed{};         ///< over 0 .. fast, times the drag [-]
   DrawnNumber gravity{1};        ///< times the gravity that it feels anyway [-]
-  DrawnNumber velocity_x{0};     ///< added to its velocity: at birth as it is then, later by its changes [m/s]
+  DrawnNumber velocity_x{0};     ///< added to its velocity: at birth its value then, later its changes [m/s]
   DrawnNumber velocity_y{0};     ///< upwards [m/s]
   DrawnNumber velocity_z{0};     ///< to the right [m/s]
   DrawnNumber force_x{0};        ///< [N]
@@ -229,12 +229,12 @@ struct ParticleFlight {
   bool operator==(const ParticleFlight&) const = default;
 };
 
-/// Places where each particle has been, kept for whoever draws its trail: World::trails(). One is noted when it is
-/// born, and after each step.
+/// Past places of each particle, kept for drawing its trail: World::trails(). One is recorded at birth and after each
+/// step.
 struct TrailDef {
   std::uint32_t points = 0;  ///< of each particle at most, the oldest go first, up to 1e6; 0: none are kept [-]
-  double time = kInfinity;   ///< older ones are not told, above 0 [s]
-  double distance = 0;       ///< a place is noted so far from the one before, or farther [m]
+  double time = kInfinity;   ///< older ones are not returned, above 0 [s]
+  double distance = 0;       ///< least distance between recorded places [m]
 
   bool operator==(const TrailDef&) const = default;
 };
@@ -256,7 +256,7 @@ enum class SubEvent : std::uint8_t {
 /// Which way the axis of a sub-emitter's shape points.
 enum class SubAxis : std::uint8_t {
   emitter,   ///< as the emitter that it is
-  velocity,  ///< along the velocity that the event tells
+  velocity,  ///< along the velocity in the event
   normal,    ///< along the normal of what was hit; where nothing was, as the emitter
 };
 
@@ -264,7 +264,7 @@ enum class SubAxis : std::uint8_t {
 /// moment and place of the event.
 struct SubEmitter {
   SubEvent on = SubEvent::death;    ///< [-]
-  EmitterId emitter{};              ///< whose kind, shape and start are taken; it need not play; none: its own [-]
+  EmitterId emitter{};              ///< source of kind, shape and start; it need not play; none: its own [-]
   DrawnNumber count{1};             ///< rounded to the nearest whole number; curves do not count [-]
   double probability = 1;           ///< of each event [-]
   double age = 0;                   ///< of SubEvent::age, above 0 [s]
@@ -288,7 +288,7 @@ struct EmitterCycle {
   bool looping = true;                 ///< cycle after cycle [-]
   DrawnNumber delay{0};                ///< from the start to the first cycle; curves do not count [s]
   bool prewarm = false;                ///< starts as if it had played one cycle (looping ones, without a delay) [-]
-  double rate = 1;                     ///< its own clock runs so many times as fast as the world's, above 0 [-]
+  double rate = 1;                     ///< speed of its clock over that of the world's, above 0 [-]
   bool plays = true;                   ///< from the moment it is added; false: World::play_emitter() starts it [-]
   StopAction stop = StopAction::none;  ///< [-]
 
@@ -301,7 +301,7 @@ struct EmitterDef {
   Launch launch{};       ///< what else a launch says: rail, attitude, spin; the rest is the emitter's [-]
   EmitterCycle cycle{};  ///< [-]
   std::optional<std::uint64_t>
-      seed{};                    ///< of all that is drawn; none: one of its own, by the emitters added before [-]
+      seed{};                    ///< of all that is drawn; none: one that follows from the emitters added before [-]
   Vec3d position{};              ///< of its origin, where it does not move [m]
   Quatd rotation{};              ///< from its frame (x forward, y up, z right) to W; of any length but zero [-]
   SceneMotion motion{};          ///< its path over the world's time; at rest: as position and rotation say [-]
@@ -331,8 +331,8 @@ struct EmitterCounts {
   std::uint64_t landed = 0;    ///< gone on the ground or on a thing that stopped them [-]
   std::uint64_t expired = 0;   ///< gone by other rules of DespawnRules [-]
   std::uint64_t replaced = 0;  ///< gone for a newer one [-]
-  std::uint64_t taken = 0;     ///< despawned by a call, or retired as no number was left [-]
-  std::uint64_t cut = 0;       ///< not born: sub-emitters without end, or over 1e6 in a step, which stops it [-]
+  std::uint64_t taken = 0;     ///< despawned by a call, or retired at a NaN [-]
+  std::uint64_t cut = 0;       ///< not emitted: endless sub-emitters, or over 1e6 in a step, which stops it [-]
   std::uint32_t alive = 0;     ///< now [-]
 
   bool operator==(const EmitterCounts&) const = default;
@@ -343,7 +343,7 @@ struct EmitterCounts {
 struct ParticleColumns {
   Column<ProjectileId> id{};       ///< [-]
   Column<Vec3d> position{};        ///< [m]
-  Column<Vec3d> previous{};        ///< before the last step, or where it was born in it [m]
+  Column<Vec3d> previous{};        ///< before the last step, or at its birth in it [m]
   Column<Vec3d> velocity{};        ///< [m/s]
   Column<Vec3d> size{};            ///< by its own axes [m]
   Column<Vec3d> rotation{};        ///< about x (towards the viewer), y and z [rad]
@@ -355,8 +355,8 @@ struct ParticleColumns {
   std::optional<Vec3d> eye{};
 };
 
-/// Columns for whoever draws trails, in the caller's memory; those left empty are not wanted, and shorter ones get what
-/// comes first.
+/// Columns for drawing trails, in the caller's memory. Columns left empty are skipped, and shorter ones receive the
+/// first entries.
 struct TrailColumns {
   Column<ProjectileId> id{};      ///< of each particle [-]
   Column<std::uint32_t> first{};  ///< of each particle: which of all places is its first one [-]

@@ -38,11 +38,11 @@ struct FieldForceBatch {
 
 /// A function of one's own, from any callable that takes a `const Batch&`. Copies share it, and only they are equal.
 ///
-/// Each answer must be a function of its own place alone, the same bits for the same numbers, and use no world. It is
-/// called from any number of threads at once, any number of times, for steps that are given up and lanes that hold
-/// nobody, too (with finite numbers). Where it throws, each place is asked about alone. A place that throws again, or
-/// whose answer is not finite, ends the flight: as non_finite, or as stalled where adaptive steps come to a halt before
-/// it; in a world its projectile is retired. No file holds it: who loads a world gives it again.
+/// Each answer must depend on its own place alone, with the same bits for the same numbers, and use no world. The
+/// function is called from any number of threads at once, any number of times, also for rejected steps and for empty
+/// lanes (with finite numbers). If it throws, it is called again for each place alone. A place that throws again, or an
+/// answer that is not finite, ends the flight: as non_finite, or as stalled if adaptive steps come to a halt before it;
+/// in a world its projectile is retired. No file holds the function: a caller that loads a world sets it again.
 template <class Batch>
 class FieldFunction {
  public:
@@ -117,8 +117,9 @@ struct Geodetic {
 // and the lower of the two is granted: an environment with constant gravity has no inverse-square law to offer.
 
 /// The gravity field. acceleration and radius are those of `constant` and `inverse_square`; another planet has its own,
-/// and no more than `inverse_square`. The defaults are those of the US Standard Atmosphere 1976, whose g contains the
-/// centrifugal acceleration; where a rotating Earth adds that by itself, the defaults stand for the Earth's own
+/// and no more than `inverse_square`. The defaults are those of the US Standard Atmosphere 1976; its g contains the
+/// centrifugal acceleration. If a rotating Earth adds that acceleration separately, the defaults stand for the Earth's
+/// own
 /// GM = 3.986004418e14 m^3/s^2 and, under a sphere, its mean radius, 6371008.77 m.
 struct Gravity {
   GravityModel model = GravityModel::wgs84;  ///< the field there is [-]
@@ -164,8 +165,8 @@ struct Wind {
   std::vector<WindPoint> profile{};                             ///< at rising places; held outside; at most 32 [m]
   WindAxis by = WindAxis::height;                               ///< what the profile is read by [-]
   WindInterpolation interpolation = WindInterpolation::linear;  ///< between points of the profile [-]
-  /// By place and time, in the place of the profile: of fidelity `profile`; lower rungs know the others alone. It is
-  /// the wind in W as it is there: over a round Earth nothing turns it with the vertical. [m/s]
+  /// By place and time, in the place of the profile: of fidelity `profile`; lower rungs know the others alone. It
+  /// returns the wind in W: over a round Earth nothing turns it with the vertical. [m/s]
   WindFunction field{};
 
   bool operator==(const Wind&) const = default;
@@ -190,7 +191,7 @@ struct Environment {
   Atmosphere atmosphere{};  ///< [-]
   Wind wind{};              ///< [-]
   Earth earth{};            ///< [-]
-  ForceFunction force{};    ///< on all that flies here in motion `force`, told as `applied` [N]
+  ForceFunction force{};    ///< on all projectiles here in motion `force`, reported as `applied` [N]
 
   bool operator==(const Environment&) const = default;
 };
@@ -287,8 +288,8 @@ class EarthFrames {
 // Weather: what of an environment differs from shot to shot of a batch.
 
 /// The weather of each shot, as columns of one length, the number of shots. Those left empty are as Environment says.
-/// Shot i flies as fly() lets it fly in at(i, common): its air is that of its own station, and a zero range is found in
-/// its own air (give an elevation where the zero is that of another day).
+/// Shot i flies as fly() flies it in at(i, common): its air is that of its station, and a zero range is found in its
+/// own air (give an elevation where the zero is that of another day).
 ///
 /// In float32 places within a step are looked for in double, with air and wind that are rounded to float here and not
 /// in fly(): crossings of a Mach number, and the corners at which adaptive integrators end steps: knots of a linear

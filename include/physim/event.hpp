@@ -15,9 +15,9 @@ namespace physim {
 // ---------------------------------------------------------------------------------------------------------------------
 // Ids: what projectiles, kinds and force generators of a world are named by, and what stands in a scene.
 
-/// Names one of many in a world or a scene: the number of its slot, and how often that slot was used. Index 0 is none.
-/// Ids of what is gone are told from those of what took its place; every call ignores them or says so. An id is the
-/// same number on every machine that makes the same calls, so it does not say of which world it is: keep ids of
+/// Identifies one of many in a world or a scene: the number of its slot, and how often that slot was used. Index 0 is
+/// null. Ids of what is gone differ from those of what took its place; every call ignores them or reports them. An id
+/// is the same number on every machine that makes the same calls, so it does not say of which world it is: keep ids of
 /// different worlds apart. Ids can be compared, sorted (by index) and used as keys.
 template <class Named>
 struct Id {
@@ -27,7 +27,7 @@ struct Id {
   explicit operator bool() const { return index != 0; }
   auto operator<=>(const Id&) const = default;
 };
-/// Names one of those that stay as long as their world or scene. No number is given twice.
+/// Identifies an object that stays as long as its world or scene. Numbers are never used twice.
 template <class Named>
 struct LastingId {
   std::uint32_t index = 0;  ///< 0: none; of materials: the one that every scene begins with [-]
@@ -65,7 +65,7 @@ namespace physim {
 // ---------------------------------------------------------------------------------------------------------------------
 // CollisionDef: how a projectile meets the things of a scene, in a world and in a flight.
 
-/// What a projectile does where it meets a thing of the scene. Each hit is told, too.
+/// What a projectile does when it hits a thing of the scene. Each hit is also reported.
 enum class OnHit : std::uint8_t {
   pass,    ///< flies on
   stop,    ///< its flight ends; in a world: LifeStatus::landed, and it leaves the world
@@ -78,7 +78,7 @@ enum class OnHit : std::uint8_t {
 /// How a projectile meets the things of a scene.
 struct CollisionDef {
   OnHit on_hit = OnHit::stop;         ///< what it does then [-]
-  double radius = 0;                  ///< it meets them as a ball of so much, 1e-12 to 1e6; 0: as a point, which
+  double radius = 0;                  ///< of the ball that meets them, 1e-12 to 1e6; 0: a point, which
                                       ///< nothing spins [m]
   double inertia = 0.4;               ///< of the ball, over mass and radius squared: 2/5 solid, 2/3 hollow [-]
   std::uint32_t layers = 0xffffffff;  ///< bits: things of these layers; 0: none [-]
@@ -180,7 +180,7 @@ struct Event {
 };
 
 // ---------------------------------------------------------------------------------------------------------------------
-// Hits that ask: what a world tells of each hit of a projectile whose kind asks (OnHit::ask), and what is answered.
+// Queried hits: what a world reports of each hit of a projectile with OnHit::ask, and the answer.
 
 /// A hit about which a world asks.
 struct HitQuestion {

@@ -25,7 +25,7 @@ enum class Integrator {
   rk43,                 ///< order 4, adaptive (Sofroniou and Spaletta 2004)
   tsit5,                ///< order 5, adaptive (Tsitouras 2011), dense output of order 4
   dop853,               ///< order 8, adaptive (Dormand and Prince 8(5,3)), dense output of order 7
-  automatic,  ///< rk43 in single flights, which choose their steps; semi_implicit_euler in worlds, whose frames
+  automatic,  ///< rk43 in single flights, which choose their steps; semi_implicit_euler in worlds: their frames
               ///< are given, and in flights with Tolerance::step
 };
 
@@ -148,7 +148,7 @@ PHYSIM_INLINE constexpr bool turns(const Fidelity& f) {
   return false;
 }
 
-/// What can be told of a rung of the ladder.
+/// Description of a rung of the ladder.
 struct RungInfo {
   std::string_view name{};  ///< as its enumerator is spelled [-]
   std::string_view doc{};   ///< one line [-]

@@ -33,8 +33,8 @@ struct MotorFileEntry {
 /// Reads the motors of a RASP file: lines of comment start with ';'; a motor is a header of seven words (name, diameter
 /// in mm, length in mm, delays, propellant in kg, mass in kg, manufacturer) and lines of time in s and thrust in N, up
 /// to a thrust of zero. Thrust rises from zero at time 0, which the format leaves out; two points at one time are a
-/// step. A motor that cannot be flown is told by its MotorFileEntry::fault and does not stand in the way of the others;
-/// an error where no motor can, or where the file begins with something else. Errors carry file:line.
+/// step. A motor that cannot be flown is named by its MotorFileEntry::fault and does not affect the others. An error if
+/// no motor can be flown, or if the file begins with something else. Errors carry file:line.
 [[nodiscard]] Result<std::vector<MotorFileEntry>> read_motor_file(const std::string& file);
 /// Reads motors from the text of a RASP file; `file` only names it in errors.
 [[nodiscard]] Result<std::vector<MotorFileEntry>> parse_motor_file(const std::string& text, const std::string& file);
@@ -70,7 +70,7 @@ struct MotorFileEntry {
 struct TerrainCut {
   double latitude = 0;                                     ///< of the place about which it is cut [rad]
   double longitude = 0;                                    ///< of that place, east positive [rad]
-  double reach = std::numeric_limits<double>::infinity();  ///< so far north, south, east and west of it, above 0 [m]
+  double reach = std::numeric_limits<double>::infinity();  ///< extent north, south, east and west of it, above 0 [m]
   std::uint32_t every = 1;                                 ///< of its points along both directions, at least 1 [-]
   double geoid = 0;                 ///< of sea level above the ellipsoid there, added to all heights, within 200 m [m]
   std::optional<double> missing{};  ///< height of points that have none, above sea level; none: they are an error [m]

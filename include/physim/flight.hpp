@@ -25,7 +25,7 @@ namespace physim {
 
 /// Acceleration by effect. The effects add up to the total, the force on the projectile over its mass; but on the
 /// `classic` integrator the total is the register of its loop: what the frame took over from the one before. Damping
-/// acts there on the velocity by itself, so that `drag` tells it and the register does not hold it.
+/// acts there directly on the velocity, so that `drag` includes it and the register does not.
 struct Accelerations {
   Vec3d gravity{};      ///< [m/s^2]
   Vec3d drag{};         ///< of `damping` ln(d) v, v through the air [m/s^2]
@@ -36,11 +36,11 @@ struct Accelerations {
   Vec3d centrifugal{};  ///< of a rotating round Earth, where it is no part of gravity [m/s^2]
   Vec3d applied{};      ///< by ProjectileDef::force, Environment::force and the generators of a world [m/s^2]
   Vec3d constraint{};   ///< what planar flight, frozen axes and the launch rail take up of all others [m/s^2]
-  Vec3d total{};        ///< as it is flown [m/s^2]
+  Vec3d total{};        ///< as flown [m/s^2]
 };
 
 // ---------------------------------------------------------------------------------------------------------------------
-// Departure: a projectile on its way, as it goes on in a world.
+// Departure: a projectile in flight, for a world to continue.
 
 /// How a rigid body points and turns.
 struct FlownAttitude {
@@ -48,11 +48,11 @@ struct FlownAttitude {
   Vec3d angular_velocity{};  ///< relative to inertial space, along body axes [rad/s]
 };
 
-/// What goes on in a world where it is: not launched there, but on its way already.
+/// State of a projectile that a world continues: already in flight, not launched there.
 struct Departure {
   Vec3d position{};                         ///< in W [m]
   Vec3d velocity{};                         ///< in W [m/s]
-  double age = 0;                           ///< since its launch: so long its motor and its own force have acted [s]
+  double age = 0;                           ///< since its launch: its motor and its own force have acted during it [s]
   Vec3d spin{};                             ///< of a ball, in W [rad/s]
   std::optional<FlownAttitude> attitude{};  ///< of a rigid body; none: along its path, without spin [-]
 };
@@ -81,9 +81,9 @@ struct Until {
   double time = 3600;                  ///< after launch [s]
   std::optional<double> range{};       ///< along the line of sight [m]
   std::vector<EventSpec> events{};     ///< further events, at most 24 [-]
-  const Scene* scene = nullptr;  ///< things that it meets on its way; null: none. It must stay, and stay as it is,
-                                 ///< while the call runs, and is not read any more afterwards [-]
-  ContactDef contact{};          ///< how it meets them, and what it does then [-]
+  const Scene* scene = nullptr;        ///< things that it meets on its way; null: none. It must stay unchanged
+                                       ///< while the call runs, and is not read afterwards [-]
+  ContactDef contact{};                ///< how it meets them, and what it does then [-]
 };
 
 /// How a flight ended.
@@ -173,8 +173,8 @@ class Flight {
   [[nodiscard]] const std::optional<Error>& error() const;
 
   [[nodiscard]] double duration() const;  ///< time of flight [s]
-  /// State at a time [s]; times outside 0..duration() give the nearer end, what is no number the start. At the time of
-  /// a bounce it is that after it.
+  /// State at a time [s]; times outside 0..duration() give the nearer end, NaN the start. At the time of a bounce it is
+  /// the state after it.
   [[nodiscard]] Sample at(double time) const;
   /// State where the flight first crosses a range [m] along the line of sight; an error where it never does.
   [[nodiscard]] Result<Sample> at_range(double range) const;
@@ -189,8 +189,8 @@ class Flight {
 
   /// What flew, with the fidelity that was granted to it.
   [[nodiscard]] const ProjectileDef& projectile() const;
-  /// How it goes on from a time [s] in a world (World::spawn()); an error for a flight that was refused, and on a
-  /// launch rail. Spin drift, which is only added to the path, is in the place and the velocity.
+  /// Its state at a time [s], for a world to continue (World::spawn()); an error for a flight that was refused, and on
+  /// a launch rail. Spin drift, which is only added to the path, is in the place and the velocity.
   [[nodiscard]] Result<Departure> departure(double time) const;
   /// Stability at a time [s]; nothing where rotation is not flown, or without air or an overturning moment.
   [[nodiscard]] std::optional<Stability> stability(double time) const;
@@ -258,13 +258,13 @@ struct BatchResult {
 };
 
 /// Flies many shots at once, in packs of lanes that are refilled as shots end. The numbers are those of fly(), bit for
-/// bit; but apexes, ignition, burnout and rail exit are events of a batch only where Until asks for them. All shots
-/// share one fidelity, tolerance and set of events; an automatic step (Tolerance::step = 0) is found by pilot flights
-/// of a few of the shots, which makes it shorter than the step that fly() would find for one of them.
+/// bit; but apexes, ignition, burnout and rail exit are events of a batch only if Until requests them. All shots share
+/// one fidelity, tolerance and set of events; an automatic step (Tolerance::step = 0) is found by pilot flights of a
+/// few of the shots, which makes it shorter than the step that fly() would find for one of them.
 /// `weather`: what of the environment differs from shot to shot; such shots share packs as others do.
-/// `runner`: whose threads fly it (make_thread_pool(), or an engine's own); null: the caller's alone. Numbers, events
-/// and their order do not depend on it. Functions of the environment (Wind::field, Environment::force) are then called
-/// from all of its threads at once.
+/// `runner`: its threads fly the batch (make_thread_pool(), or an engine's own); null: the caller's alone. Numbers,
+/// events and their order do not depend on it. Functions of the environment (Wind::field, Environment::force) are then
+/// called from all of its threads at once.
 [[nodiscard]] BatchResult fly_batch(std::span<const Shot> shots, const Environment& environment,
                                     const Fidelity& fidelity, const Tolerance& tolerance = {}, const Until& until = {},
                                     TaskRunner* runner = nullptr, const Weather& weather = {});
@@ -273,7 +273,7 @@ struct BatchResult {
                                     const Environment& environment, const Fidelity& fidelity,
                                     const Tolerance& tolerance = {}, const Until& until = {},
                                     TaskRunner* runner = nullptr, const Weather& weather = {});
-/// Flies into a result of before: all of it is written anew, its memory is used again.
+/// Flies into an existing result: all of it is overwritten, and its memory is reused.
 void fly_batch(std::span<const Shot> shots, const Environment& environment, const Fidelity& fidelity,
                const Tolerance& tolerance, const Until& until, BatchResult& result, TaskRunner* runner = nullptr,
                const Weather& weather = {});
@@ -293,8 +293,8 @@ void fly_batch(const ProjectileDef& projectile, std::span<const Launch> launches
                                                      const Environment& environment);
 
 /// Step [s] of a fixed-step integrator that keeps the error below tolerance.position_error along the whole flight, in
-/// place and, times its greatest speed, in time; found by flying the shot at several steps against a reference. An
-/// error, which tells what was reached, where tolerance.max_steps or a million steps of all these flights come first.
+/// place and, times its greatest speed, in time; found by flying the shot at several steps against a reference. If
+/// tolerance.max_steps or a million steps of all these flights come first, the error names what was reached.
 [[nodiscard]] Result<double> pilot_step(const ProjectileDef& projectile, const Launch& launch,
                                         const Environment& environment, const Fidelity& fidelity,
                                         const Tolerance& tolerance, const Until& until);
@@ -306,10 +306,10 @@ void fly_batch(const ProjectileDef& projectile, std::span<const Launch> launches
 bool use_kernel(const std::string& name);
 
 // ---------------------------------------------------------------------------------------------------------------------
-// fly_columns(): batches whose launches come, and whose ends go, as columns of numbers.
+// fly_columns(): batches with launches and ends as columns of numbers.
 
 /// Launches of one projectile: what differs from shot to shot is a column, and the rest stands in `common` once. All
-/// columns that are given have one length, the number of shots. A shot whose number is impossible is refused alone.
+/// columns that are given have one length, the number of shots. A shot with an impossible number is refused alone.
 struct LaunchColumns {
   Launch common{};                      ///< without a velocity: give a speed and angles [-]
   std::span<const double> x{};          ///< of Launch::position [m]
@@ -366,7 +366,7 @@ struct EndColumns {
   std::span<double> windage{};   ///< as Sample::windage: right of the line of sight [m]
 };
 
-/// What fly_columns() tells beside the columns.
+/// What fly_columns() returns beside the columns.
 struct ColumnsResult {
   std::size_t refused = 0;          ///< shots [-]
   std::optional<Error> error{};     ///< the first of a shot refused, or of what all have in common [-]

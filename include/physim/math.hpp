@@ -43,7 +43,7 @@
 namespace physim {
 
 // ---------------------------------------------------------------------------------------------------------------------
-// kInfinity: the default of every limit that is none.
+// kInfinity: the default of every limit, which means no limit.
 
 /// Positive infinity, by its bits: where a program is compiled with -ffast-math, compilers warn of infinities that are
 /// written as such.
@@ -53,7 +53,7 @@ inline constexpr double kInfinity = std::bit_cast<double>(std::uint64_t{0x7ff000
 // Vec3: three components of any number type, with every operation a particle engine needs.
 //
 // What rounds each component once is computed where it is called. What rounds more than once is compiled inside the
-// library (src/math/vec3.hpp): its bits do not depend on the flags of whoever includes this header, neither on
+// library (src/math/vec3.hpp): its bits do not depend on the flags of the code that includes this header, neither on
 // -ffast-math nor on the fused multiply-add that -march=native allows.
 
 /// A vector of three components. World frame W: x downrange, y up, z right; right-handed.
@@ -183,9 +183,8 @@ Vec3<T> rotate(const Quat<T>& q, const Vec3<T>& v);
 template <class T>
 Quat<T> quat_from_axis_angle(const Vec3<T>& axis, T angle);
 
-/// q_WB of a body whose nose points `yaw` to the right of x, `pitch` up, and which is rolled by `roll`, right side
-/// down, all in [rad]. Order: yaw about -y (down), then pitch about the new z (right), then roll about the new x
-/// (forward).
+/// q_WB of a body with its nose `yaw` to the right of x and `pitch` up, rolled by `roll`, right side down, all in
+/// [rad]. Order: yaw about -y (down), then pitch about the new z (right), then roll about the new x (forward).
 template <class T>
 Quat<T> quat_from_yaw_pitch_roll(T yaw, T pitch, T roll);
 
@@ -219,7 +218,7 @@ class Column {
     size_ = all.size();
     stride_ = sizeof(S);
   }
-  /// So many values, each so many bytes behind the one before: a multiple of alignof(T), and at least sizeof(T).
+  /// `size` values, each `stride` bytes behind the one before: a multiple of alignof(T), and at least sizeof(T).
   constexpr Column(T* first, std::size_t size, std::size_t stride = sizeof(T))
       : first_(first), size_(size), stride_(stride) {}
 

@@ -267,7 +267,7 @@ struct Launch {
   double elevation = 0;             ///< of the bore above the horizon, before cant; 0 with a zero range [rad]
   double azimuth = 0;               ///< of the plane of fire, from x towards z (to the right) [rad]
   std::optional<Vec3d> velocity{};  ///< instead of speed, elevation and azimuth [m/s]
-  double rail_length = 0;           ///< it moves only forwards along the bore until it has come so far; 0: no rail [m]
+  double rail_length = 0;           ///< it moves only forwards along the bore over this way; 0: no rail [m]
   Sight sight{};                    ///< line of sight [-]
   LaunchAttitude attitude{};        ///< of rigid bodies [-]
   LaunchSpin spin{};                ///< of balls [-]

@@ -109,7 +109,7 @@ class Result<void> {
 using Status = Result<void>;
 
 // ---------------------------------------------------------------------------------------------------------------------
-// Progress: how far a long call has come.
+// Progress: reports of how much of a long call is done.
 
 /// Called after each part of the work with the number of parts done and of all; may be empty.
 using Progress = std::function<void(std::size_t done, std::size_t total)>;
@@ -130,7 +130,7 @@ class TaskRunner {
 inline constexpr unsigned kMostThreads = 1024;
 
 /// A pool of threads that sleep until there is work; `threads` counts the caller's, 0: all that the machine has. It has
-/// fewer where more than kMostThreads are asked for, or the system gives no more: threads() tells.
+/// fewer if more than kMostThreads are requested, or the system gives no more: threads() returns the number.
 [[nodiscard]] std::unique_ptr<TaskRunner> make_thread_pool(unsigned threads = 0);
 
 }  // namespace physim

@@ -29,7 +29,7 @@ struct Setting {
   std::string type{};
   Quantity quantity = Quantity::number;  ///< of quantities, vectors and lists of numbers [-]
   std::string unit{};                    ///< SI unit, "" for none, "of the kind" where another setting decides [-]
-  std::string default_value{};           ///< as typed in an override; "" where there is none [-]
+  std::string default_value{};           ///< as typed in an override; "" if there is no default [-]
   std::string range{};                   ///< "> 0", "0 .. 1", "off | constant | ..."; of lists: their length [-]
   std::string doc{};                     ///< one line [-]
   bool live = false;                     ///< worlds can change it for one projectile in flight [-]
@@ -48,7 +48,7 @@ class ScenarioRun {
 
   /// Fires what is due and takes one step.
   void step();
-  /// Steps that the scenario's duration asks for.
+  /// Number of steps in the scenario's duration.
   [[nodiscard]] std::uint64_t steps() const;
   [[nodiscard]] World& world();
   [[nodiscard]] const World& world() const;
@@ -71,7 +71,7 @@ class ScenarioFile {
   [[nodiscard]] static Result<ScenarioFile> parse(const std::string& text, const std::string& file,
                                                   std::span<const std::string> overrides = {});
 
-  /// What a reader should know of the file, with its place: former names of settings.
+  /// Notes on the file, with their places: former names of settings.
   [[nodiscard]] std::span<const std::string> notes() const;
   /// Names of the shots, in the order of the file; "" for a shot without a name.
   [[nodiscard]] std::vector<std::string> shots() const;
@@ -82,7 +82,7 @@ class ScenarioFile {
   /// The settings that differ from their defaults, as the text of a file.
   [[nodiscard]] std::string text() const;
 
-  /// Flies a shot as the file asks for: the first, or that of a name.
+  /// Flies a shot of the file: the first, or the named one.
   [[nodiscard]] Result<Flight> fly(std::string_view shot = {}) const;
   /// The world of the file, before its first step; an error if the file has no [world]. With `recording` every call is
   /// recorded into that file.

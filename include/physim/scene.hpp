@@ -24,7 +24,7 @@ namespace physim {
 // ---------------------------------------------------------------------------------------------------------------------
 // Material: what a surface is made of, and what it does to what hits it.
 
-/// How a surface throws off what meets it flat (docs/models/ricochet.md). By itself: it throws nothing off.
+/// How a surface throws off what meets it flat (docs/models/ricochet.md). The default throws nothing off.
 struct RicochetDef {
   double critical_angle = 0;  ///< from the surface; what comes in flatter is thrown off; 0 to below pi/2 [rad]
   double restitution = 0;     ///< part of the speed along the normal that is left, 0 to 1 [-]
@@ -69,7 +69,7 @@ struct LambertDef {
 
   bool operator==(const LambertDef&) const = default;
 };
-/// A plate whose ballistic limit was measured: v_r = a (v^p - limit^p)^(1/p) (docs/models/recht_ipson.md).
+/// A plate with a measured ballistic limit: v_r = a (v^p - limit^p)^(1/p) (docs/models/recht_ipson.md).
 struct BallisticLimitDef {
   double speed = 0;  ///< the limit, straight on; above 0 [m/s]
   double a = 1;      ///< part of the speed that is left at high speed, 0 to 1 [-]
@@ -79,7 +79,7 @@ struct BallisticLimitDef {
 };
 using PenetrationDef = std::variant<ImpenetrableDef, PonceletDef, YoungDef, DeMarreDef, LambertDef, BallisticLimitDef>;
 
-/// How what comes out behind, or ricochets, is turned at random (docs/models/exit_spread.md). By itself: not at all.
+/// How what exits behind, or ricochets, is turned at random (docs/models/exit_spread.md). The default: not at all.
 struct SpreadDef {
   double deflection = 0;  ///< standard deviation of its direction, in each of two planes, below pi/2 [rad]
   double yaw = 0;         ///< that of the angle between its axis and its direction, below pi/2 [rad]
@@ -101,7 +101,7 @@ struct Material {
   bool operator==(const Material&) const = default;
 };
 
-/// Materials whose numbers were published; restitution and friction are those of any material. Sources:
+/// Materials with published numbers; restitution and friction are those of any material. Sources:
 /// docs/models/README.md#materials.
 namespace materials {
 
@@ -133,7 +133,7 @@ struct AtRest {
 /// Moves and turns steadily, before `start` too; where its transform puts it, it is at `start`.
 struct SteadyMotion {
   double start = 0;          ///< within 1e9 s [s]
-  Vec3d velocity{};          ///< of its own origin, in W, up to 1e9 m/s [m/s]
+  Vec3d velocity{};          ///< of its origin, in W, up to 1e9 m/s [m/s]
   Vec3d angular_velocity{};  ///< about its own origin, in W, up to 1e6 rad/s [rad/s]
 
   bool operator==(const SteadyMotion&) const = default;
@@ -142,9 +142,9 @@ struct SteadyMotion {
 /// Where a thing is at a time.
 struct MotionKey {
   double time = 0;   ///< later than the key before, within 1e9 s [s]
-  Vec3d position{};  ///< of its own origin in W [m]
+  Vec3d position{};  ///< of its origin in W [m]
   Quatd rotation{};  ///< from its own frame to W; of any length but zero [-]
-  Vec3d velocity{};  ///< of its own origin, where MotionCurve::smooth asks for it, up to 1e9 m/s [m/s]
+  Vec3d velocity{};  ///< of its origin, read by MotionCurve::smooth, up to 1e9 m/s [m/s]
 
   bool operator==(const MotionKey&) const = default;
 };
@@ -167,9 +167,9 @@ using SceneMotion = std::variant<AtRest, SteadyMotion, KeyedMotion>;
 
 /// Where a thing is and how it moves at one time.
 struct MotionState {
-  Vec3d position{};          ///< of its own origin in W [m]
+  Vec3d position{};          ///< of its origin in W [m]
   Quatd rotation{};          ///< from its own frame to W [-]
-  Vec3d velocity{};          ///< of its own origin [m/s]
+  Vec3d velocity{};          ///< of its origin [m/s]
   Vec3d angular_velocity{};  ///< in W [rad/s]
 };
 
@@ -186,14 +186,14 @@ struct SceneDrawing;
 
 /// Where something stands: scaled, then turned, then moved.
 struct Transform {
-  Vec3d position{};  ///< of its own origin in W [m]
+  Vec3d position{};  ///< of its origin in W [m]
   Quatd rotation{};  ///< from its own frame to W; of any length but zero [-]
   double scale = 1;  ///< above 0, the same along all axes [-]
 
   bool operator==(const Transform&) const = default;
 };
 
-// What shapes are, each in a frame of its own.
+// Definitions of shapes, each in its own frame.
 
 /// Everything below the plane y = 0.
 struct PlaneShape {};
@@ -219,8 +219,8 @@ struct CylinderShape {
 struct ConvexHullShape {
   std::vector<Vec3d> points{};  ///< four at least, not all in one plane; those within count for nothing [m]
 };
-/// Triangles, counterclockwise as seen from outside. They are surfaces that are met from both sides; where they close a
-/// body, its inside is told from outside.
+/// Triangles, counterclockwise as seen from outside. They are surfaces that are met from both sides; if they close a
+/// body, its inside and outside are distinguished.
 struct MeshShape {
   std::vector<Vec3d> vertices{};                          ///< [m]
   std::vector<std::array<std::uint32_t, 3>> triangles{};  ///< indices of vertices; those without area are left out [-]
@@ -253,8 +253,8 @@ struct InstanceDef {
   ShapeId shape{};              ///< [-]
   Transform transform{};        ///< [-]
   MaterialId material{};        ///< where its triangles or parts have none of their own [-]
-  std::uint32_t layers = 1;     ///< bits; queries ask for some of them [-]
-  bool sensor = false;          ///< told of, and passed [-]
+  std::uint32_t layers = 1;     ///< bits; queries select some of them [-]
+  bool sensor = false;          ///< reported, and passed [-]
   std::uint64_t user_data = 0;  ///< for the caller [-]
   std::string name{};           ///< for tables [-]
   SceneMotion motion{};         ///< from its transform on [-]
@@ -269,7 +269,7 @@ struct SceneSegment {
   double duration = 0;  ///< that its way takes, up to 1e9 s; 0: things stand as they do at that time [s]
 };
 
-/// Which things a query asks for.
+/// Selects the things that a query considers.
 struct SceneFilter {
   std::uint32_t layers = 0xffffffff;  ///< those that have one of these bits [-]
   bool sensors = true;                ///< with sensors [-]
@@ -321,19 +321,19 @@ using EngineQuery = std::function<void(const EngineBatch&)>;
 ///
 /// A normal points outwards, of any length but zero. The solid in which a segment starts is best not met by it, as rays
 /// of most engines have it. A surface that is met from its back says so by `entering`: the wall of a closed mesh from
-/// within. One that tells nothing of its back is a sheet where both sides are met at one place.
+/// within. One that never reports its back is a sheet: both sides are met at one place.
 ///
-/// The answer must follow from the segment. Calls are made one after another by whoever asks the scene, a world from
-/// the thread that steps it; they may read that world, but not change it, nor ask its scene about the engine's things.
-/// An answer with a number that is none, a part outside 0 to 1 or a normal without length, and what throws twice, is no
-/// hit: EngineCounters::refused tells.
+/// The answer must follow from the segment. Calls are made one after another by the caller of the scene, a world from
+/// the thread that steps it; they may read that world, but not change it, nor query its scene about the engine's
+/// things. An answer with a NaN, a part outside 0 to 1 or a normal without length, and a call that throws twice, are no
+/// hit: EngineCounters::refused counts them.
 struct EngineScene {
   EngineQuery query{};  ///< empty: no engine [-]
-  double skin = 1e-3;   ///< things are met so far outside of their surfaces: ten times as much, or more, as the
-                        ///< engine's numbers may be off there; 1e-6 to 0.1 [m]
+  double skin = 1e-3;   ///< things are met this far outside their surfaces: at least ten times the error of the
+                        ///< engine's numbers there; 1e-6 to 0.1 [m]
 };
 
-/// What an engine was asked so far; copies of a scene count together.
+/// Counts of the calls of an engine; copies of a scene count together.
 struct EngineCounters {
   std::uint64_t calls = 0;     ///< of its query [-]
   std::uint64_t segments = 0;  ///< in these [-]
@@ -369,7 +369,7 @@ class Scene {
   Status remove_shape(ShapeId shape);
   [[nodiscard]] std::optional<ShapeInfo> info(ShapeId shape) const;
   [[nodiscard]] Result<MaterialId> add_material(const Material& material);
-  /// The material; that which every scene begins with where there is none of this name.
+  /// The material; for an unknown id the one that every scene begins with.
   [[nodiscard]] const Material& material(MaterialId material) const;
   [[nodiscard]] Result<InstanceId> add(const InstanceDef& instance);
   Status remove(InstanceId instance);
@@ -382,10 +382,10 @@ class Scene {
   /// each thing that moves. A scene begins with time 0 alone.
   Status cover(double from, double to);
   Status set_layers(InstanceId instance, std::uint32_t layers);
-  /// Lets an engine answer beside the things that stand here: first_hit(), first_hits(), any_hit() and all_hits() tell
-  /// what is met first of both. Its things are no sensors and not in motion to instance(), state() and others that name
-  /// one; nearest(), overlaps() and is_reached() leave them out, clearance() and clear_part() are 0. An error where the
-  /// skin is none.
+  /// Adds an engine that answers beside the things of this scene: first_hit(), first_hits(), any_hit() and all_hits()
+  /// return what is met first of both. Its things are no sensors and not in motion to instance(), state() and others
+  /// that name one; nearest(), overlaps() and is_reached() leave them out, clearance() and clear_part() are 0. An error
+  /// if the skin is out of its range.
   Status set_engine(const EngineScene& engine);
   /// The engine; null: none.
   [[nodiscard]] const EngineScene* engine() const;
@@ -394,7 +394,7 @@ class Scene {
   [[nodiscard]] double skin() const;
   /// What a thing was made of, where it is now; nothing where it is gone.
   [[nodiscard]] std::optional<InstanceDef> instance(InstanceId instance) const;
-  /// How many parts the compound has that a thing is; 0 where it is none, or gone [-].
+  /// Number of parts of a thing that is a compound; 0 if it is no compound, or gone [-].
   [[nodiscard]] std::size_t parts(InstanceId instance) const;
   /// Whether some of them are sensors.
   [[nodiscard]] bool has_sensors() const;
@@ -411,7 +411,7 @@ class Scene {
   /// Memory of shapes and things [bytes].
   [[nodiscard]] std::size_t bytes() const;
 
-  /// Shows it to whoever draws (physim/scene.hpp).
+  /// Draws it on a canvas.
   void draw(SceneCanvas& canvas, const SceneDrawing& what) const;
 
   // ---- saves
@@ -421,10 +421,10 @@ class Scene {
   /// where the bytes are none, cut, damaged or of another format, and where the scene had an engine and `query` is
   /// empty: functions are no data.
   [[nodiscard]] static Result<Scene> load(std::span<const std::byte> save, const EngineQuery& query = {});
-  /// Tells scenes of different content apart; what is covered does not count. A shape is looked at once [-].
+  /// Hash of the content; what cover() covers does not count. A shape is hashed once [-].
   [[nodiscard]] std::uint64_t hash() const;
 
-  // ---- questions; a segment with a number that is none, or beyond 1e15 m, meets nothing. What moves straight without
+  // ---- queries; a segment with a NaN, or beyond 1e15 m, meets nothing. What moves straight without
   // turning is met exactly; what turns or moves along a curve may be missed where it is grazed by less than 1e-6 m, and
   // by more where it turns so often within a segment's duration that 65536 chords are not enough.
   /// What a segment meets first.
@@ -434,8 +434,8 @@ class Scene {
   /// All that a segment's points meet, by part: entries and exits, so that the difference is a thickness. Its radius is
   /// not looked at.
   [[nodiscard]] std::vector<SceneHit> all_hits(const SceneSegment& segment, const SceneFilter& filter = {}) const;
-  /// What each of many segments meets first; `into` is as long as they are many. The answers do not depend on `runner`,
-  /// whose threads are lent.
+  /// What each of many segments meets first; `into` has the same length. The answers do not depend on `runner`, which
+  /// only lends threads.
   void first_hits(std::span<const SceneSegment> segments, std::span<SceneHit> into, const SceneFilter& filter = {},
                   TaskRunner* runner = nullptr) const;
   /// The surface nearest to a point within 1e15 m, not farther than `within` [m], at a time [s].
@@ -443,12 +443,12 @@ class Scene {
                                      double time = 0) const;
   /// A distance from a point within 1e15 m, `reach` at most, that nothing is nearer than at any time between two [m]: a
   /// lower bound, found by a look at few boxes. It is half of the true distance to what rests at least, but for
-  /// rounding; to what moves, less the way that it may go. 0 in a solid, and where a number is none.
+  /// rounding; to what moves, less the way that it may go. 0 in a solid, and if a number is NaN.
   [[nodiscard]] double clearance(const Vec3d& point, double reach, const SceneFilter& filter = {}, double from = 0,
                                  double to = 0) const;
   /// A part of a segment, 0 to 1, up to which the spheres of its radius about its points touch nothing: a lower bound,
-  /// wherever on it they are at any time between its own time and the end of its duration. 0 where it begins at a
-  /// surface or in a solid, where a number is none, and where an engine answers.
+  /// wherever on it they are at any time between its own time and the end of its duration. 0 if it begins at a surface
+  /// or in a solid, if a number is NaN, and if there is an engine.
   [[nodiscard]] double clear_part(const SceneSegment& segment, const SceneFilter& filter = {}) const;
   /// The things that a sphere touches at a time [s], by index.
   [[nodiscard]] std::vector<InstanceId> overlaps(const Vec3d& middle, double radius, const SceneFilter& filter = {},
@@ -466,12 +466,12 @@ class Scene {
 };
 
 // ---------------------------------------------------------------------------------------------------------------------
-// Scenes drawn for those who debug them: lines, triangles and texts, by whatever the caller draws with.
+// Drawing of scenes for debugging: lines, triangles and texts, on a canvas of the caller.
 
 /// What something that is drawn stands for; colours are the caller's.
 enum class SceneInk {
   solid,   ///< a thing that is hit
-  sensor,  ///< a thing that tells only
+  sensor,  ///< a thing that only reports
   path,    ///< where a thing goes
   box,     ///< of the trees
 };
@@ -499,7 +499,7 @@ struct SceneDrawing {
   bool names = false;        ///< at the origin of each thing that has one [-]
   bool boxes = false;        ///< of the trees of things [-]
   double time = 0;           ///< at which things stand [s]
-  double ahead = 0;          ///< so long the paths of things that move are drawn on [s]
+  double ahead = 0;          ///< duration of the drawn paths of things that move [s]
   double plane_size = 100;   ///< half of a plane's square [m]
   SceneFilter filter{};      ///< things that are drawn [-]
 };
@@ -520,9 +520,9 @@ class SharedShape {
 
   /// Whether there is one.
   explicit operator bool() const { return content_ != nullptr; }
-  /// What it was made of, without materials; a plane where there is none.
+  /// Its definition, without materials; a plane if it is null.
   [[nodiscard]] ShapeDef definition() const;
-  /// Tells shapes of different content apart; 0: none [-].
+  /// Hash of the content; 0: null [-].
   [[nodiscard]] std::uint64_t hash() const;
   /// Equal in content.
   bool operator==(const SharedShape& other) const;
@@ -580,11 +580,11 @@ struct ImpactResult {
   double energy = 0;     ///< kinetic energy that it lost, as seen from the surface [J]
 };
 
-/// Refuses a material that no number can be computed with, or that gains energy; names the number.
+/// Refuses a material with an impossible value, or one that gains energy; the error names the value.
 [[nodiscard]] Status check_material(const Material& material);
 
 /// What happens, decided in this order:
-/// 1. a projectile that does not move towards the surface goes on: `none`;
+/// 1. a projectile that does not move towards the surface continues: `none`;
 /// 2. one that comes in flatter than the critical angle `ricocheted`;
 /// 3. one that the material lets through its thickness `penetrated`;
 /// 4. one that comes to rest in it, at least half its diameter deep, `stopped`;

@@ -50,7 +50,7 @@ struct AimOptions {
   Tolerance flight{};              ///< of the flights [-]
   const Scene* scene = nullptr;  ///< things that may stand in the way; null: none. It must stay while the call runs [-]
   ContactDef contact{};          ///< of it collision.radius, collision.layers and scene_time are read [-]
-  InstanceId target_thing{};     ///< the thing of the scene that is to be hit, which is in nobody's way; or none [-]
+  InstanceId target_thing{};     ///< the thing of the scene to be hit, which blocks no path; or none [-]
 };
 
 /// A direction that was flown, and how it passed the target.
@@ -128,10 +128,10 @@ struct DangerSpace {
 /// The ranges around `range` [m] within which a target of a height [m], aimed at in its middle, is hit by a flight that
 /// passes its middle at `range`: the path lies within half the height of where it is there. Ends with the flight.
 [[nodiscard]] Result<DangerSpace> danger_space(const Flight& flight, double range, double height);
-/// ... of a target that stands on the ground of a scene, which is as it is at time 0: the ranges around `range` within
-/// which the path lies no more than `height` [m] above the nearest surface below it, of things of these layers but for
-/// sensors. It is looked at each quarter of the height along the path; where a step of the ground is narrower, it may
-/// be missed. Ends with the flight. An error where the path lies higher at `range`, or over no ground.
+/// ... of a target that stands on the ground of a scene at time 0: the ranges around `range` within which the path lies
+/// no more than `height` [m] above the nearest surface below it, of things of these layers but for sensors. It is
+/// looked at each quarter of the height along the path; where a step of the ground is narrower, it may be missed. Ends
+/// with the flight. An error where the path lies higher at `range`, or over no ground.
 [[nodiscard]] Result<DangerSpace> danger_space(const Flight& flight, double range, double height, const Scene& ground,
                                                std::uint32_t layers = 0xffffffff);
 
@@ -172,7 +172,7 @@ struct Fit {
   Launch launch{};                       ///< as given, with the muzzle speed fitted [-]
   double scale = 1;                      ///< drag of the fitted projectile over that of the given one [-]
   double scale_error = 0;                ///< standard error; 0 without more figures than unknowns [-]
-  double muzzle_speed_error = 0;         ///< standard error, likewise; 0 where it is not fitted [m/s]
+  double muzzle_speed_error = 0;         ///< standard error, as scale_error; 0 if it is not fitted [m/s]
   double rms = 0;                        ///< of the residuals over their errors; about 1 where the errors are right [-]
   std::vector<FitResidual> residuals{};  ///< in the order of the measurements [-]
   std::int64_t flights = 0;              ///< trajectories flown [-]
@@ -180,9 +180,9 @@ struct Fit {
 
 /// Finds by how much the drag of a projectile must be scaled for its flight to come nearest to measurements, in the
 /// sense of least squares. What is scaled is what the projectile has: its ballistic coefficients (by 1 / scale),
-/// without them the form factor (a scale on its drag curve); k1 and k2; the exponent of its damping. An error where the
-/// measurements make no sense, are too few, do not depend on drag, or ask for a drag beyond 1/1000 to 1000 times the
-/// given one, or where all flights together take more than five million steps or 20 million
+/// without them the form factor (a scale on its drag curve); k1 and k2; the exponent of its damping. An error if the
+/// measurements make no sense, are too few, do not depend on drag, or need a drag beyond 1/1000 to 1000 times the given
+/// one, or if all flights together take more than five million steps or 20 million
 /// evaluations of forces.
 [[nodiscard]] Result<Fit> fit_drag(const ProjectileDef& projectile, const Launch& launch,
                                    const Environment& environment, const Fidelity& fidelity,
@@ -215,9 +215,8 @@ struct SuvatGiven {
 [[nodiscard]] Result<std::vector<Suvat>> suvat(const SuvatGiven& given);
 
 // ---------------------------------------------------------------------------------------------------------------------
-// Auto fidelity: asks for a fidelity by purpose. cheapest_within() finds the cheapest rungs that stay within an error
-// of the truth over a time of flight, by flying them; AutoFidelityCache remembers the answer for each kind of
-// projectile.
+// Auto fidelity: chooses a fidelity by purpose. cheapest_within() finds the cheapest rungs that stay within an error of
+// the truth over a time of flight, by flying them; AutoFidelityCache remembers the answer for each kind of projectile.
 
 /// What a flight is for: how far it may be off, and for how long.
 struct Purpose {
@@ -263,18 +262,18 @@ struct AutoFidelity {
   [[nodiscard]] Tolerance tolerance() const;
 };
 
-/// The cheapest fidelity whose flight stays within purpose.error [m] of the truth. Error is the largest distance
-/// between the two at any time of the flight; one that has landed stays where it landed. An error where the input makes
-/// no sense, where the truth itself is not known so well, or where no fidelity comes so near. All flights of a search
-/// together take at most five million steps, some seconds; then the truth's own models are granted, stepped by
-/// purpose.tolerance, and explanation() says so; an error where the true flights alone take more.
+/// The cheapest fidelity with a flight within purpose.error [m] of the truth. Error is the largest distance between the
+/// two at any time of the flight; one that has landed stays where it landed. An error if the input makes no sense, if
+/// the truth itself is not known that well, or if no fidelity comes that near. All flights of a search together take at
+/// most five million steps, some seconds; then the truth's own models are granted, stepped by purpose.tolerance, and
+/// explanation() says so; an error where the true flights alone take more.
 [[nodiscard]] Result<AutoFidelity> cheapest_within(const ProjectileDef& projectile, const Launch& launch,
                                                    const Environment& environment, const Purpose& purpose);
 /// The cheapest fidelity for several launches at once; errors are the worst of them.
 [[nodiscard]] Result<AutoFidelity> cheapest_within(const ProjectileDef& projectile, std::span<const Launch> launches,
                                                    const Environment& environment, const Purpose& purpose);
 
-/// A flight as it was measured; its fidelity_in_use() tells how it was chosen.
+/// A flight as it was measured; its fidelity_in_use() says how it was chosen.
 [[nodiscard]] Flight fly_chosen(const ProjectileDef& projectile, const Launch& launch, const Environment& environment,
                                 const AutoFidelity& chosen, const Until& until = {});
 
@@ -294,7 +293,7 @@ class AutoFidelityCache {
  public:
   using Answer = Result<std::shared_ptr<const AutoFidelity>>;
 
-  /// Holds so many answers; the one not asked for the longest makes room.
+  /// Holds up to `capacity` answers; the least recently used one makes room.
   explicit AutoFidelityCache(std::size_t capacity = 256);
   ~AutoFidelityCache();
   AutoFidelityCache(AutoFidelityCache&&) noexcept;

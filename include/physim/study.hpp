@@ -1,4 +1,4 @@
-// Study: many flights of one shot whose numbers are uncertain.
+// Study: many flights of one shot with uncertain numbers.
 #pragma once
 
 #include <cstddef>
@@ -47,7 +47,7 @@ struct TriangularDistribution {
   bool operator==(const TriangularDistribution&) const = default;
 };
 
-/// A number above zero whose logarithm is normal, by what it has itself.
+/// A number above zero with a normal logarithm, by its own mean and deviation.
 struct LognormalDistribution {
   double mean = 1;       ///< of the number, above 0 [unit of the number]
   double deviation = 1;  ///< of the number, above 0 [unit of the number]
@@ -79,7 +79,7 @@ using Distribution = std::variant<NormalDistribution, UniformDistribution, Trian
 /// Says what is wrong with a distribution, by its member.
 [[nodiscard]] Status check(const Distribution& distribution);
 
-// The following are told of a distribution that check() finds nothing wrong with; of others they are NaN.
+// The following are defined for a distribution that passes check(); for others they are NaN.
 
 /// [unit of the number]
 [[nodiscard]] double mean_of(const Distribution& distribution);
@@ -126,7 +126,7 @@ struct HistogramBar {
 };
 
 /// Numbers counted in cells: as many bytes for a thousand as for 10^12, and joined without rounding. A cell around x is
-/// (1 + |x - centre| / scale) / 256 of the scale wide, or less: so far can a quantile be off.
+/// (1 + |x - centre| / scale) / 256 of the scale wide, or less: this is the largest error of a quantile.
 struct CountedCells {
   double centre = 0;                    ///< [unit of the quantity]
   double scale = 1;                     ///< about a standard deviation [unit of the quantity]
@@ -145,10 +145,10 @@ struct CountedCells {
   [[nodiscard]] double edge(std::size_t i) const;
   /// The most bars of a histogram [-].
   static constexpr std::size_t kMostBars = 100'000;
-  /// A histogram of `bars` bars, three to kMostBars (fewer count as three, more as so many): one at each end for about
-  /// 0.1 % that lie beyond, 0.2 % at most, those between about equally wide. No bar at an end whose outermost cell has
-  /// more than that, as where few values are drawn: then all bars are about equally wide there. Ends of bars are edges
-  /// of cells, so counts are exact, and widths are to a cell. Fewer bars where cells are wider than they would be; none
+  /// A histogram of `bars` bars, three to kMostBars (fewer count as three, more as kMostBars): one at each end for
+  /// about 0.1 % that lie beyond, 0.2 % at most, those between about equally wide. No bar at an end if its outermost
+  /// cell has more than that, as with few values: then all bars are about equally wide there. Ends of bars are edges of
+  /// cells, so counts are exact, and widths are to a cell. Fewer bars where cells are wider than they would be; none
   /// where nothing was counted.
   [[nodiscard]] std::vector<HistogramBar> histogram(std::size_t bars) const;
 
@@ -189,7 +189,7 @@ struct RadiusResult {
   bool operator==(const RadiusResult&) const = default;
 };
 
-/// An ellipse about the mean point of impact, one deviation wide; at 2 and 3 it is so many times as large.
+/// An ellipse about the mean point of impact, one deviation wide; at 2 and 3 deviations it is 2 and 3 times as large.
 struct EllipseResult {
   double right = 0;       ///< of the centre [m]
   double up = 0;          ///< or along [m]
@@ -212,7 +212,7 @@ struct PlanePoint {
 struct ZoneResult {
   std::vector<PlanePoint> corners{};  ///< counter-clockwise [m]
   double holds = 0;                   ///< at least this part of all shots, ... [-]
-  double confidence = 0.95;           ///< ... in so many of all studies [-]
+  double confidence = 0.95;           ///< ... in this part of all studies [-]
 
   bool operator==(const ZoneResult&) const = default;
 };
@@ -239,7 +239,7 @@ struct HitResult {
   bool operator==(const HitResult&) const = default;
 };
 
-/// Shots whose number of one input lies within a part of its distribution.
+/// Shots with the number of one input within a part of its distribution.
 struct InputPart {
   double low = 0;           ///< from here on; -infinity: no end [unit of the input]
   double middle = 0;        ///< as many of the distribution lie below within the part as above [unit of the input]
@@ -261,7 +261,7 @@ struct HitsOverInput {
 struct StudyStage {
   std::uint64_t shots = 0;        ///< [-]
   Estimate distance{};            ///< mean distance from the aim; without a plane the mean of the first quantity [unit]
-  std::vector<HitResult> hits{};  ///< of each target; without an interval where replicates tell errors [-]
+  std::vector<HitResult> hits{};  ///< of each target; without an interval if replicates give errors [-]
 
   bool operator==(const StudyStage&) const = default;
 };
@@ -279,7 +279,7 @@ struct WorstShot {
 /// for a quantity that does not vary (QuantityResult::varies()).
 struct IndexResult {
   std::vector<std::size_t> inputs{};  ///< indices in Study::inputs [-]
-  std::vector<Estimate> first{};      ///< for each quantity: share of the variance by itself [-]
+  std::vector<Estimate> first{};      ///< for each quantity: share of the variance alone [-]
   std::vector<Estimate> total{};      ///< ... and together with others [-]
 
   bool operator==(const IndexResult&) const = default;
@@ -303,7 +303,7 @@ struct StudyResult {
   std::vector<HitResult> hits{};              ///< of each target [-]
   std::vector<WorstShot> worst{};             ///< ten at most, the worst first [-]
   std::vector<IndexResult> indices{};         ///< where they are asked for [-]
-  std::vector<HitsOverInput> over_inputs{};   ///< of each input, where Study::over_inputs asks for it [-]
+  std::vector<HitsOverInput> over_inputs{};   ///< of each input, if Study::over_inputs is set [-]
   std::vector<StudyStage> stages{};           ///< from the first shard on, each a tenth more than the one before [-]
   bool width_reached = false;                 ///< Study::until_width ended it [-]
   bool time_was_up = false;                   ///< StudyOptions::time_is_up ended it [-]
@@ -336,14 +336,14 @@ struct LinearResult {
 };
 
 // ---------------------------------------------------------------------------------------------------------------------
-// Study: many flights of one shot whose numbers are uncertain, and how likely each end of them is.
+// Study: many flights of one shot with uncertain numbers, and the probability of each end.
 
 class Scene;
 class TaskRunner;
 
 /// How the numbers of a study are spread.
 enum class Sampling {
-  random,           ///< each shot by itself
+  random,           ///< each shot alone
   latin_hypercube,  ///< evenly over each input within a shard
   sobol,            ///< evenly over all inputs at once: Sobol's sequence, scrambled
 };
@@ -396,8 +396,8 @@ struct PolygonTarget {
 
   bool operator==(const PolygonTarget&) const = default;
 };
-/// A thing of Study::scene, or all that have its name: hit by whoever meets it, whatever becomes of the shot then; a
-/// sensor by whoever passes it.
+/// A thing of Study::scene, or all that have its name. A shot that meets it hits it, whatever becomes of the shot then;
+/// a shot that passes a sensor hits it.
 struct ThingTarget {
   std::string thing{};  ///< InstanceDef::name [-]
 
@@ -420,8 +420,8 @@ struct StudyWidth {
   bool operator==(const StudyWidth&) const = default;
 };
 
-/// A place on the way at which a study is told, too: where a shot first meets an event. Range lines stand where planes
-/// of impact do: all shots are seen on that of the shot without uncertainty.
+/// A place on the way that also gets results: where a shot first meets an event. Range lines stand where planes of
+/// impact do: all shots are seen on that of the shot without uncertainty.
 struct StudyPlace {
   EventSpec event{};                        ///< `terminal` is not read; an apex without a direction is a highest
                                             ///< point (falling) [-]
@@ -436,33 +436,33 @@ struct Study {
   ProjectileDef projectile{};  ///< [-]
   /// A zero range is put into an elevation once, without uncertainty [-]
   Launch launch{};
-  Environment environment{};         ///< [-]
-  Fidelity fidelity{};               ///< [-]
-  Tolerance tolerance{};             ///< [-]
-  Until until{};                     ///< with a range the plane of impact stands there; its own scene is none [-]
-  std::vector<StudyInput> inputs{};  ///< at most 64 [-]
-  std::vector<StudyCorrelation> correlated{};           ///< each input in one of them at most [-]
-  std::uint32_t rounds = 1;                             ///< of an occasion; divides shard_shots [-]
-  Sampling sampling = Sampling::random;                 ///< [-]
-  std::uint64_t seed = 1;                               ///< [-]
-  std::uint64_t shots = 100'000;                        ///< at least; the last shard is flown to its end [-]
-  std::optional<StudyWidth> until_width{};              ///< ends it earlier, at one of a row of shard counts [-]
-  std::uint32_t shard_shots = 4096;                     ///< 16 to 65536; for Sobol's sequence a power of two [-]
-  std::vector<StudyQuantity> quantities{};              ///< two for the plane of impact, then others; empty: right, up
-                                                        ///< (without a range: along), time, speed; with a scene
-                                                        ///< right, up, along, time, speed [-]
-  PlanePoint aim{};                                     ///< where shots should end, on the plane of impact [m]
-  std::vector<StudyTarget> targets{};                   ///< [-]
+  Environment environment{};                   ///< [-]
+  Fidelity fidelity{};                         ///< [-]
+  Tolerance tolerance{};                       ///< [-]
+  Until until{};                               ///< with a range the plane of impact stands there; its scene is null [-]
+  std::vector<StudyInput> inputs{};            ///< at most 64 [-]
+  std::vector<StudyCorrelation> correlated{};  ///< each input in one of them at most [-]
+  std::uint32_t rounds = 1;                    ///< of an occasion; divides shard_shots [-]
+  Sampling sampling = Sampling::random;        ///< [-]
+  std::uint64_t seed = 1;                      ///< [-]
+  std::uint64_t shots = 100'000;               ///< at least; the last shard is flown to its end [-]
+  std::optional<StudyWidth> until_width{};     ///< ends it earlier, at one of a row of shard counts [-]
+  std::uint32_t shard_shots = 4096;            ///< 16 to 65536; for Sobol's sequence a power of two [-]
+  std::vector<StudyQuantity> quantities{};     ///< two for the plane of impact, then others; empty: right, up
+                                               ///< (without a range: along), time, speed; with a scene
+                                               ///< right, up, along, time, speed [-]
+  PlanePoint aim{};                            ///< where shots should end, on the plane of impact [m]
+  std::vector<StudyTarget> targets{};          ///< [-]
   std::vector<std::uint32_t> group_sizes = {3, 5, 10};  ///< of extreme spreads, 2 to 100 shots [-]
   bool indices = false;                                 ///< Sobol indices: each shot is flown once more for each
                                                         ///< group of inputs, and once besides [-]
-  /// Things that shots meet as until.contact says, each by itself; what materials leave to chance is drawn anew for
-  /// each shot. Without an engine of its own. Null: none [-]
+  /// Things that shots meet as until.contact says, each shot alone; random effects of materials are drawn for each
+  /// shot. It has no engine. Null: none [-]
   std::shared_ptr<const Scene> scene{};
-  /// Hit probability over each input: so many parts of its distribution, equally likely, 2 to 100; none: not asked [-]
+  /// Hit probability over each input: the number of equally likely parts of its distribution, 2 to 100; none: off [-]
   std::optional<std::uint32_t> over_inputs{};
-  /// Places on the way that the same flights are told at, with all figures that their ends have; with until.events 24
-  /// at most. `targets` and `aim` are those of a place whose first two quantities are the study's [-]
+  /// Places on the way of the same flights, with all figures that their ends have; with until.events 24 at most.
+  /// `targets` and `aim` are those of a place that has the study's first two quantities [-]
   std::vector<StudyPlace> at{};
 };
 
@@ -474,7 +474,7 @@ struct StudyPath {
 };
 /// All of them.
 [[nodiscard]] std::vector<StudyPath> study_paths();
-/// The one that a path names, such as "shot.drag.curve.3"; nothing where it is none.
+/// The one that a path names, such as "shot.drag.curve.3"; nothing if there is no such path.
 [[nodiscard]] std::optional<StudyPath> study_path(std::string_view path);
 
 /// Correlates the points of a list that a study draws by their distance d, exp(-d / length): points near each other are
@@ -486,8 +486,8 @@ struct StudyPath {
 [[nodiscard]] Result<StudyCorrelation> correlated_by_distance(const Study& study, std::string_view list, double length);
 
 /// A model of one's own in the place of flights: a column of each input comes in, one of each quantity goes out, behind
-/// them one of each quantity of each of Study::at, whose events are not looked at. NaN: the shot is not counted as one
-/// that arrived there. It depends on its columns alone, shot by shot, and is called
+/// them one of each quantity of each of Study::at; its events are ignored. NaN: the shot is not counted as one that
+/// arrived there. It depends on its columns alone, shot by shot, and is called
 /// from several threads at once.
 using StudyFunction =
     std::function<void(std::span<const std::span<const double>> inputs, std::span<const std::span<double>> quantities)>;
@@ -506,7 +506,7 @@ class StudyPlan {
   [[nodiscard]] std::uint64_t shards() const;
   /// What should be known before it is flown: how often the impossible is drawn ...
   [[nodiscard]] const std::vector<std::string>& notes() const;
-  /// A plan for each of Study::at, of a study that ends there: with its quantities, targets and aim. Flown by itself it
+  /// A plan for each of Study::at, of a study that ends there: with its quantities, targets and aim. Flown alone it
   /// gives the bits that StudyResult::at has; shots fly on to the end of this one.
   [[nodiscard]] std::vector<StudyPlan> places() const;
   [[nodiscard]] const StudyPlanRecord& record() const { return *record_; }
@@ -519,8 +519,8 @@ class StudyPlan {
 
 /// Checks and prepares a study: it flies the shot without uncertainty and a few with it.
 [[nodiscard]] Result<StudyPlan> plan_study(const Study& study);
-/// ... of a function: its inputs have paths of one's own, and projectile, launch and place are not looked at. Nothing
-/// tells functions apart, so parts of two functions are joined without a word.
+/// ... of a function: its inputs have paths of one's own, and projectile, launch and place are not looked at. Functions
+/// are not distinguished, so parts of two functions are joined without an error.
 [[nodiscard]] Result<StudyPlan> plan_study(const Study& study, const StudyFunction& function);
 
 struct StudyPartRecord;
@@ -530,7 +530,7 @@ class StudyPart {
  public:
   /// No shards.
   StudyPart();
-  /// Those of a record; no shards if there is none.
+  /// Those of a record; no shards if it is null.
   explicit StudyPart(std::shared_ptr<const StudyPartRecord> record) : StudyPart() {
     if (record) record_ = std::move(record);
   }
@@ -553,11 +553,12 @@ class StudyPart {
 /// Joins parts of one study; an error where both have a shard, or they are of different studies. In whatever order
 /// parts are joined, the bits of the result are the same.
 [[nodiscard]] Result<StudyPart> merge(const StudyPart& a, const StudyPart& b);
-/// A part as bytes, and back, with all its bits; an error if it is none, damaged, or flown by another version.
+/// A part as bytes, and back, with all its bits; an error if the bytes are no part, damaged, or flown by another
+/// version.
 [[nodiscard]] std::vector<std::byte> save_part(const StudyPart& part);
 [[nodiscard]] Result<StudyPart> load_part(std::span<const std::byte> bytes);
 
-/// What is told and asked while a study runs.
+/// Options of the run of a study.
 struct StudyOptions {
   StudyPart so_far{};  ///< shards that were flown before [-]
   /// Called after each shard, by one thread at a time, with all that is there; false stops. May be empty. [-]
@@ -568,8 +569,8 @@ struct StudyOptions {
   std::function<bool()> time_is_up{};
 };
 
-/// Flies what is missing of a study, and tells what it came to. Its bits do not depend on the runner's threads.
-/// Stopped, or with its time up, it tells of the shards from the first to the first that is missing.
+/// Flies what is missing of a study, and returns its result. Its bits do not depend on the runner's threads. If
+/// stopped, or out of time, it covers the shards from the first to the first that is missing.
 [[nodiscard]] Result<StudyResult> run_study(const StudyPlan& plan, TaskRunner* runner = nullptr,
                                             const StudyOptions& options = {});
 /// ... checked, prepared and flown.

@@ -183,7 +183,7 @@ enum class JointEventKind : std::uint8_t {
 struct JointEvent {
   JointEventKind kind = JointEventKind::ended;  ///< [-]
   JointId joint{};                              ///< [-]
-  ProjectileId projectile{};                    ///< who left; of a cable that came taut: its first end [-]
+  ProjectileId projectile{};                    ///< the one that left; of a cable that came taut: its first end [-]
   double time = 0;                              ///< the end of the step in which it was [s]
   double speed = 0;                             ///< at which the ends of a cable parted before [m/s]
 };
@@ -287,20 +287,20 @@ class Projectile : public ProjectileView {
   Projectile(WorldImpl* world, ProjectileId id) : ProjectileView(world, id) {}
 
   Status despawn();
-  /// A jump: it meets nothing on the way, and render_position() goes on behind it as it went before [m].
+  /// A jump: it meets nothing on the way, and render_position() continues after it as before [m].
   Status set_position(const Vec3d& position);
   Status set_velocity(const Vec3d& velocity);
   Status set_state(const BodyState& state);
   Status apply_impulse(const Vec3d& impulse);  ///< [N s]
   Status set_angular_velocity(const Vec3d& omega);
-  /// Moves it to another rung, as it is.
+  /// Moves it to another rung with its state unchanged.
   Status set_fidelity(const Fidelity& fidelity);
   /// Changes all that ProjectileDef marks (live) at once: it becomes a projectile of another kind, and generators of
   /// its former kind act on it no more. Place, velocity, spin and attitude stay, its momentum does not. A k2 that
-  /// stands in for the drag equation is found anew, where it is. Refused where `projectile` differs from definition()
-  /// in anything else or makes no sense, and for what has a motor, whose tables say how its mass and its drag change.
+  /// stands in for the drag equation is fitted again at its place. Refused if `projectile` differs from definition() in
+  /// anything else or makes no sense, and for one with a motor: its tables say how its mass and its drag change.
   Status set_projectile(const ProjectileDef& projectile);
-  Status set_mass(double mass);          ///< [kg]; drag by a ballistic coefficient stays: it contains a mass of its own
+  Status set_mass(double mass);          ///< [kg]; drag by a ballistic coefficient stays: it contains its own mass
   Status set_drag(const DragDef& drag);  ///< all of it: table, coefficients, damping, k1 and k2
   Status set_damping(double damping);    ///< DragDef::damping alone, above 0 and not above 1 [-]
   /// Changes all that BodyDef marks (live) at once; refused where `body` differs from body() in anything else.
@@ -355,13 +355,13 @@ struct CohortInfo {
   bool forced = false;      ///< generators act on it, or its emitter [-]
 };
 
-/// Events of calls between two steps that a world keeps: so many, or twice as many as it has projectiles.
+/// Events of calls between two steps that a world keeps: this number, or twice that of its projectiles if it is larger.
 inline constexpr std::size_t kMostEventsOfCalls = 1u << 16;
 
 /// Takes the bytes of a recording, piece by piece: before and after each step, when 64 KiB have gathered, and in
-/// World::stop_recording(), whose last piece is empty. An error ends the recording. The sink may read the world, but
-/// not change it (see World). The end of its world does not call it, since what it refers to may be gone by then,
-/// unless RecordOptions::complete_at_end says so.
+/// World::stop_recording(), with an empty last piece. An error ends the recording. The sink may read the world, but not
+/// change it (see World). The end of its world does not call it, since what it refers to may be gone by then, unless
+/// RecordOptions::complete_at_end says so.
 using RecordSink = std::function<Status(std::span<const std::byte>)>;
 
 struct RecordOptions {
@@ -440,13 +440,13 @@ class World {
                              double delay = 0);
   /// Many of one kind; ids in the order of the launches, null where one is refused. Returns how many were spawned.
   std::size_t spawn(KindId kind, std::span<const Launch> launches, std::span<ProjectileId> ids);
-  /// What was on its way in a flight goes on in this world, from a time of it [s] on: place, velocity, attitude and
-  /// spin, with its motor burnt so far, at the fidelity that was granted to it. An error for a flight that was refused,
-  /// and on a launch rail.
+  /// Continues the projectile of a flight in this world, from a time of the flight [s]: place, velocity, attitude and
+  /// spin, with its motor burnt until then, at the fidelity that was granted to it. An error for a flight that was
+  /// refused, and on a launch rail.
   Result<ProjectileId> spawn(const Flight& flight, double time, const BodyDef& body = {});
   /// What is on its way already.
   Result<ProjectileId> spawn_departed(const ProjectileDef& projectile, const Departure& from, const BodyDef& body = {});
-  /// Room for so many more, so that spawning does not allocate; an error where there is no memory for them, or where
+  /// Reserves room for `count` more, so that spawning does not allocate; an error if there is no memory for them, or if
   /// they would be more than WorldDef::max_projectiles.
   Status reserve(KindId kind, std::size_t count);
   /// Takes many out; returns how many were there.
@@ -466,10 +466,10 @@ class World {
   /// The flight from now on, its time 0, by steps of `step` [s] (0: WorldDef::step): attitude, spin, what its motor
   /// has burnt, its own gravity and other settings, and generators as they are now. At the end of each step it is, to
   /// the bit, where step() would bring it, as long as nothing changes it: rules that despawn, put to sleep or move it
-  /// to another rung are left out, and so are joints and springs to others, which its notes tell. It meets the things
-  /// of the world's scene as it will, those that move too, and tells its hits; who asks (OnHit::ask) ends at the first.
-  /// It ends where it first meets `until`, such as the ground: there it does not bounce. Range and sight are level,
-  /// along its velocity. Refused for one that is gone, stands still (asleep, kinematic, of infinite mass, stuck) or is
+  /// to another rung are left out, and so are joints and springs to others; its notes name them. It meets the things of
+  /// the world's scene as it will, those that move too, and records its hits; with OnHit::ask it ends at the first. It
+  /// ends where it first meets `until`, such as the ground: there it does not bounce. Range and sight are level, along
+  /// its velocity. Refused for one that is gone, stands still (asleep, kinematic, of infinite mass, stuck) or is
   /// pending, for events of kind `time` in `until`, and for another scene there. Costs about as much as fly().
   [[nodiscard]] Flight predict(ProjectileId id, const Until& until, double step = 0) const;
   /// ... until the ground of this world, or for a time [s].
@@ -493,12 +493,12 @@ class World {
   Status set_observer(const Vec3d& position);  ///< of DetailRule distances [m]
 
   // ------------------------------------------------------------------------------------------- forces
-  /// A generator. Only projectiles in motion `force` feel it: felt_by() tells how many do.
+  /// A generator. Only projectiles in motion `force` feel it: felt_by() counts them.
   Result<ForceId> add_force(const ForceDef& force);
   Status remove_force(ForceId force);
   [[nodiscard]] bool is_active(ForceId force) const;
   [[nodiscard]] std::size_t force_count() const;
-  /// Its targets of now that are in motion `force`; nobody: it acts, and nothing feels it.
+  /// Number of its present targets in motion `force`; 0: it acts, and nothing feels it.
   [[nodiscard]] std::size_t felt_by(ForceId force) const;
 
   // ------------------------------------------------------------------------------------------- joints
@@ -507,7 +507,7 @@ class World {
   /// apart as a rod or a taut cable lets them be come there in the next step, without a speed.
   /// Refused where both ends are one, where an end is gone or held by 64 joints, and where a number makes no sense.
   Result<JointId> add_joint(const Joint& joint);
-  /// Who it held is free; who slept wakes.
+  /// Frees the projectiles that it held; those asleep wake.
   Status remove_joint(JointId joint);
   [[nodiscard]] std::vector<JointId> joints() const;          ///< of all there are, by index
   [[nodiscard]] const Joint* joint(JointId joint) const;      ///< with its length; null: it is gone
@@ -517,14 +517,14 @@ class World {
   [[nodiscard]] JointCounts joint_counts() const;
 
   // ------------------------------------------------------------------------------------------- scene
-  /// What projectiles meet from now on, as BodyDef::on_hit says: a copy of this scene, whose ids it keeps, and the
-  /// engine that answers beside it. Who sleeps wakes.
+  /// What projectiles meet from now on, as BodyDef::on_hit says: a copy of this scene with its ids, and the engine that
+  /// answers beside it. Projectiles asleep wake.
   Status set_scene(const Scene& scene);
   /// They meet nothing any more.
   Status remove_scene();
   /// What there is; null: no scene. It stays until the next call that changes it.
   [[nodiscard]] const Scene* scene() const;
-  // Changes of the scene that cost what they change, as Scene has them; refused where there is none.
+  // Changes of the scene, as Scene has them, at the cost of what they change; refused if there is no scene.
   Result<ShapeId> add_shape(const ShapeDef& shape);
   Status remove_shape(ShapeId shape);
   Result<MaterialId> add_material(const Material& material);
@@ -534,50 +534,50 @@ class World {
   /// Times of motions are those of the world.
   Status set_instance_motion(InstanceId instance, const SceneMotion& motion);
   Status set_instance_layers(InstanceId instance, std::uint32_t layers);
-  /// Who answers what hits of kinds with OnHit::ask do: called in the thread that steps, with all hits that a step has
-  /// so far, then with those that follow in the rest of it. What is born or dies inside of the step, and what met
-  /// another projectile in it, asks by itself. It may read the world, which then stands where the step began, but not
-  /// change it. An answer decides and promises nothing, since another projectile may be met before: events tell what
-  /// happened. One that makes no sense, and all of a call that throws, count as OnHit::stop; hit_counts() tells.
-  /// Refused where it is empty while there are kinds that ask; without it such kinds are refused.
+  /// The function that decides what hits of kinds with OnHit::ask do: called in the thread that steps, with all hits of
+  /// a step until then, then with those that follow in the rest of it. What is emitted or dies inside the step, and
+  /// what met another projectile in it, asks alone. It may read the world, which then stands where the step began, but
+  /// not change it. An answer decides and promises nothing, since another projectile may be met before: events report
+  /// what happened. An answer that makes no sense, and all of a call that throws, count as OnHit::stop; hit_counts()
+  /// counts them. Refused if it is empty while there are kinds that ask; without it such kinds are refused.
   Status set_hit_function(HitFunction function);
   [[nodiscard]] HitCounts hit_counts() const;
   /// What was wrong with the last answer that was refused; empty: none was.
   [[nodiscard]] std::string refused_answer() const;
 
   // ------------------------------------------------------------------------------------------- emitters
-  /// From now on it fires, at moments of its own inside of steps. What is born flies the rest of that step; who is
-  /// born, when, where and how fast follows from the definition alone, however long steps are.
+  /// From now on it fires, at its own moments inside steps. What is emitted flies the rest of that step; what is
+  /// emitted, when, where and how fast follows from the definition alone, however long steps are.
   Result<EmitterId> add_emitter(const EmitterDef& def);
-  /// What it fired stays, and is nobody's from then on.
+  /// What it fired stays, without an emitter from then on.
   Status remove_emitter(EmitterId emitter);
-  /// It begins anew, with the delay before its first cycle; particles are numbered on.
+  /// It begins again, with the delay before its first cycle; the numbers of particles continue.
   Status play_emitter(EmitterId emitter);
-  /// It fires no more by itself.
+  /// It no longer fires on its own.
   Status stop_emitter(EmitterId emitter);
   /// In the course of the next step it goes straight to that place, and turns; later it stays there. Its scale does not
   /// count. Refused for one that follows a projectile or has a motion.
   Status move_emitter(EmitterId emitter, const Transform& to);
   /// It goes straight to that place, and turns, at steady rates, and is there by that time of the world [s]; then it
-  /// stays. Further calls add legs that begin where and when the last one ends, so that a polyline is told a leg or
+  /// stays. Further calls add legs that begin where and when the last one ends, so that a polyline is given a leg or
   /// more ahead; the first leg begins where it is now. Unlike that of move_emitter() this way does not depend on steps:
-  /// what is born on it is equal to the bit at any frame rate. A leg takes 1e-6 s or more, up to time 1e9 s and at up
-  /// to 1e9 m/s. move_emitter() and jump_emitter() end the way where it is then. Refused as move_emitter() is.
+  /// what is emitted on it is equal to the bit at any frame rate. A leg takes 1e-6 s or more, up to time 1e9 s and at
+  /// up to 1e9 m/s. move_emitter() and jump_emitter() end the way where it is then. Refused as move_emitter() is.
   Status lead_emitter(EmitterId emitter, const Transform& to, double time);
-  /// It stands there from now on, without a way to it: nothing is born by distance, and rain fills its box anew where
-  /// it was not before. Refused as move_emitter() is.
+  /// It stands there from now on, without a way to it: nothing is emitted by distance, and rain fills the part of its
+  /// box that is new. Refused as move_emitter() is.
   Status jump_emitter(EmitterId emitter, const Transform& to);
-  /// As if it had begun to play so long ago, 0 to 1e9 s: its particles go, and those are there that would be, as
-  /// EmitterCycle::prewarm has them; numbers and what is drawn are those of the play at hand, so that it is what
-  /// waiting so long would have given. Rain begins now.
+  /// As if it had begun to play this time ago, 0 to 1e9 s: its particles are replaced by those that would exist, as
+  /// with EmitterCycle::prewarm; numbers and draws are those of the present play, so that the result is that of waiting
+  /// for this time. Rain begins now.
   Status seek_emitter(EmitterId emitter, double time);
-  /// It fires so many now, beside what it does by itself, up to 1e6; how many were born.
+  /// It fires `count` now, up to 1e6, besides what it fires on its own; returns how many were emitted.
   Result<std::size_t> emit(EmitterId emitter, std::uint32_t count);
   /// Its sub-emitters that wait for SubEvent::trigger fire now, at each of its particles.
   Status trigger_emitter(EmitterId emitter);
   [[nodiscard]] std::vector<EmitterId> emitters() const;                ///< of all there are, by index
   [[nodiscard]] const EmitterDef* emitter(EmitterId emitter) const;     ///< null: it is gone
-  [[nodiscard]] bool is_playing(EmitterId emitter) const;               ///< it may fire by itself
+  [[nodiscard]] bool is_playing(EmitterId emitter) const;               ///< it may fire on its own
   [[nodiscard]] EmitterCounts emitter_counts(EmitterId emitter) const;  ///< zeros: it is gone
   /// Its particles, by the index of their ids or from far to near; returns how many there are. Columns that are shorter
   /// get the first ones.
@@ -590,8 +590,8 @@ class World {
   /// steps take it as their step, whatever its error; where the ground bounces, steps of more than 0.1 s are flown in
   /// parts.
   Status step(double dt);
-  /// Real time has passed: takes as many steps of WorldDef::step as fit; returns how many. None while paused, nor of
-  /// time that is no number, runs backwards or is 1e9 s or more.
+  /// Real time has passed: takes as many steps of WorldDef::step as fit; returns how many. None while paused, nor for a
+  /// time that is NaN, negative or 1e9 s or more.
   int advance(double real_dt);
   void set_paused(bool paused);
   [[nodiscard]] bool is_paused() const;
@@ -602,10 +602,10 @@ class World {
   [[nodiscard]] double time() const;      ///< of the simulation [s]
   [[nodiscard]] double fraction() const;  ///< of a step that advance() has left over, 0..1 [-]
 
-  /// What happened in the last step() or advance(), in order of time, then of id, and then what calls did since. What
-  /// was given stays as it is until the next step(), advance(), single_step() or forget_events(), whatever is changed:
-  /// spawning and despawning in a loop over it is fine, and their events are seen by who asks again. Of calls between
-  /// two steps kMostEventsOfCalls or more are kept; counters() tells how many were dropped.
+  /// What happened in the last step() or advance(), in order of time, then of id, and then what calls did since. The
+  /// returned span stays unchanged until the next step(), advance(), single_step() or forget_events(), whatever is
+  /// changed: spawning and despawning in a loop over it is fine, and the next call of events() returns their events. Of
+  /// calls between two steps kMostEventsOfCalls or more are kept; counters() returns how many were dropped.
   [[nodiscard]] std::span<const Event> events() const;
   void forget_events();  ///< events() is empty then
   [[nodiscard]] const WorldCounters& counters() const;
@@ -624,8 +624,9 @@ class World {
   [[nodiscard]] std::uint64_t hash() const;
 
   // ------------------------------------------------------------------------------------------- saves
-  /// All of this world as bytes: load() makes of them a world that goes on with the same hash and ids, on any machine.
-  /// Snapshots, events and threads are not in it; functions of your own are handed in again. An error inside a step.
+  /// All of this world as bytes: load() makes of them a world that continues with the same hash and ids, on any
+  /// machine. Snapshots, events and threads are not in it; functions of your own are handed in again. An error inside a
+  /// step.
   [[nodiscard]] Result<std::vector<std::byte>> save() const;
   /// The world of a save. Bytes that are damaged, cut, of another format, or that lack functions are refused.
   [[nodiscard]] static Result<World> load(std::span<const std::byte> save, const LoadOptions& options = {});
@@ -633,7 +634,8 @@ class World {
   // ------------------------------------------------------------------------------------------- recordings
   /// Every call that changes this world goes to `sink` from now on, until stop_recording(); Replay makes them again. A
   /// world that ends before leaves a recording of all up to its last step, without its end. For a world to which
-  /// nothing was done yet, or from a save on (RecordOptions::from_now). Where the sink fails the world goes on without.
+  /// nothing was done yet, or from a save on (RecordOptions::from_now). If the sink fails, the world continues without
+  /// it.
   [[nodiscard]] Status record(RecordSink sink, const RecordOptions& options = {});
   /// Completes the recording; an error where part of it was lost.
   [[nodiscard]] Status stop_recording();
@@ -665,7 +667,7 @@ inline constexpr std::uint32_t kRecordingFormat = 13;
 /// Keeps a recording in memory: world.record(record_into(bytes)). The bytes must outlive the recording.
 [[nodiscard]] RecordSink record_into(std::vector<std::byte>& bytes);
 
-/// Where a replay first did something else than the recording tells.
+/// Where a replay first differs from its recording.
 struct ReplayDifference {
   std::uint64_t step = 0;  ///< the step in which it was seen, from 1; of a call between steps: the last one before [-]
   double time = 0;         ///< of the replayed world [s]
@@ -690,10 +692,10 @@ struct ReplayReport {
 };
 
 /// Functions are those of the save that the recording begins with, or those of WorldDef::environment, then those that
-/// came while it was recorded: of each call that gives an environment anew. What a HitFunction said is recorded.
+/// came while it was recorded: of each call that sets an environment again. What a HitFunction said is recorded.
 using ReplayOptions = LoadOptions;
 
-/// A recording played call by call, for those who look at the world in between.
+/// A recording played call by call, for callers that look at the world in between.
 class Replay {
  public:
   /// Checks all of the recording before anything is played. One that was cut, as by a crash, is played as far as it
@@ -705,7 +707,7 @@ class Replay {
 
   /// Makes the next call; false at the end, and at the first difference.
   bool next();
-  /// Makes calls up to and with the next one that took steps; false where there is none.
+  /// Makes calls up to and with the next one that took steps; false if there is no such call.
   bool next_frame();
   [[nodiscard]] const World& world() const;
   [[nodiscard]] const ReplayReport& report() const;
