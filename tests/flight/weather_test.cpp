@@ -94,8 +94,8 @@ TEST(Weather, each_shot_flies_as_alone_in_its_own) {
   use_kernel("");
 }
 
-/// A wind of columns that moves the environment's profile: by height and by range, straight and in steps, for those that
-/// read the profile and for those that know one wind.
+/// A wind of columns that moves the environment's profile: by height and by range, straight and in steps, for those
+/// that read the profile and for those that know one wind.
 TEST(Weather, winds_move_a_profile) {
   Days days = random_days(23);
   days.wind_y.clear();
