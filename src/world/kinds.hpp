@@ -69,7 +69,7 @@ class Kinds {
     return *all_[index - 1];
   }
   [[nodiscard]] Kind& operator[](std::uint32_t index) { return const_cast<Kind&>(std::as_const(*this)[index]); }
-  /// The index of a kind with this number; 0 if there is none.
+  /// The index of a kind with this number; 0 if not found.
   [[nodiscard]] std::uint32_t find(KindId id) const {
     // Indices are numbers until a kind was let go.
     if (id.index > 0 && id.index <= all_.size()) {
@@ -84,7 +84,7 @@ class Kinds {
     const std::uint32_t index = find(id);
     return index == 0 ? 0 : (*this)[index].hash;
   }
-  /// The index of a kind with equal definitions; 0 if there is none.
+  /// The index of a kind with equal definitions; 0 if not found.
   [[nodiscard]] std::uint32_t find(std::uint64_t hash, const ProjectileDef& projectile, const BodyDef& body) const;
   [[nodiscard]] bool is(std::uint32_t index, const ProjectileDef& projectile, const BodyDef& body) const {
     return (*this)[index].projectile == projectile && (*this)[index].body == body;

@@ -47,7 +47,7 @@ class Schedule {
     }
     return std::nullopt;
   }
-  /// As take(); null if there is none.
+  /// As take(); null if nothing is due.
   ProjectileId take_due(double now, const SlotTable& slots) {
     const std::optional<Due> due = take(now, slots);
     return due ? due->id : ProjectileId{};

@@ -110,7 +110,7 @@ struct WorldImpl : Gate {
     if (may_keep_event()) state.events.add(event, at.position, at.velocity);
   }
   void keep_events(std::span<const Told<double>> told);
-  /// Whether there is room for one more; counts it if there is none.
+  /// Whether there is room for one more; counts it if not.
   bool may_keep_event();
   /// How many more are kept now.
   [[nodiscard]] std::size_t room_for_events() const;
