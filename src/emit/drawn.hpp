@@ -129,7 +129,7 @@ class EmitNumber {
   EmitCurve curve_, to_curve_;
 };
 
-/// The smallest and the largest number that can be drawn. NaN if one of them is NaN.
+/// The smallest and the largest number that can be drawn. NaN if a value or a curve has a NaN.
 struct NumberRange {
   double least, most;
 };
