@@ -33,7 +33,7 @@ void fill_places(Study& study);
 [[nodiscard]] Status check_places(const Study& study, bool of_flights);
 /// Whether the first two are lengths.
 [[nodiscard]] bool has_plane_axes(const std::vector<StudyQuantity>& quantities);
-/// The same study at a place: its plane of impact stands there.
+/// A study moved to one of its places: its plane of impact stands there.
 [[nodiscard]] Study study_at(const Study& study, std::size_t place);
 
 }  // namespace physim
