@@ -25,7 +25,7 @@ struct Figure {
 
   [[nodiscard]] double error() const;
   [[nodiscard]] bool pass() const;
-  /// Error in units of the gate; infinite for a NaN.
+  /// Error in units of the gate; infinite if the error is not finite.
   [[nodiscard]] double badness() const;
 };
 
