@@ -84,7 +84,7 @@ struct ScenarioShape {
   TerrainCut cut{};                      ///< what of that, about the place of the environment [-]
   std::vector<ScenarioPart> parts{};     ///< of a compound [-]
   std::vector<std::string> materials{};  ///< names, of each triangle of a mesh or one of all; empty: of the thing [-]
-  ShapeDef shape = CompoundShape{};      ///< a compound's parts are named by `parts`; without parts it is undefined [-]
+  ShapeDef shape = CompoundShape{};      ///< `parts` names a compound's parts; without parts it is no shape yet [-]
 
   /// Whether it is made of other shapes.
   [[nodiscard]] bool is_compound() const { return std::holds_alternative<CompoundShape>(shape) && !parts.empty(); }
