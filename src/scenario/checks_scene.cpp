@@ -1,4 +1,4 @@
-// Checks of [[material]], [[shape]] and [[thing]]: by making the scene, so that what it refuses is told with its line.
+// Checks of [[material]], [[shape]] and [[thing]]: by making the scene, so that errors have its line.
 #include <algorithm>
 #include <charconv>
 #include <filesystem>

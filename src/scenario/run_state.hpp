@@ -20,7 +20,7 @@ struct Track {
 struct Magazine {
   std::size_t group = 0;
   std::uint64_t fired = 0;
-  Volley volley;  // of a shot fired by itself: one launch without spread
+  Volley volley;  // of a shot fired alone: one launch without spread
   Launch launch;  // its bore is known
 };
 

@@ -84,7 +84,7 @@ struct ScenarioShape {
   TerrainCut cut{};                      ///< what of that, about the place of the environment [-]
   std::vector<ScenarioPart> parts{};     ///< of a compound [-]
   std::vector<std::string> materials{};  ///< names, of each triangle of a mesh or one of all; empty: of the thing [-]
-  ShapeDef shape = CompoundShape{};      ///< a compound's parts are named by `parts`; without any it is none yet [-]
+  ShapeDef shape = CompoundShape{};      ///< `parts` names a compound's parts; without parts it is no shape yet [-]
 
   /// Whether it is made of other shapes.
   [[nodiscard]] bool is_compound() const { return std::holds_alternative<CompoundShape>(shape) && !parts.empty(); }
@@ -99,7 +99,7 @@ struct ScenarioThing {
   ScenarioRotation rotation{};                ///< [-]
   double scale = 1;                           ///< along all axes [-]
   std::uint32_t layers = 1;                   ///< bits [-]
-  bool sensor = false;                        ///< told of, and passed [-]
+  bool sensor = false;                        ///< contacts are reported, and passed through [-]
   double start = 0;                           ///< at which a steady motion has it at its position [s]
   Vec3d velocity{};                           ///< steady [m/s]
   Vec3d angular_velocity{};                   ///< steady, in W [rad/s]
@@ -120,7 +120,7 @@ struct ScenarioThing {
 struct Scenario;
 struct ScenarioShot;
 
-/// The [study] of a scenario, as it is written.
+/// The [study] of a scenario, as written.
 struct ScenarioStudy {
   std::vector<std::string> inputs{};      ///< "shot.speed = 800 m/s +- 3 m/s"; see parse_study_input() [-]
   std::vector<std::string> correlated{};  ///< "shot.speed with shot.mass = 0.5" [-]
@@ -130,12 +130,12 @@ struct ScenarioStudy {
   std::string aim{};                      ///< on the plane of impact, "0 m, 1 m"; empty: its origin [m]
   Sampling sampling = Sampling::random;   ///< [-]
   std::int64_t shots = 100'000;           ///< [-]
-  std::optional<double> until_time{};     ///< fly for so long, however many shots that makes [s]
+  std::optional<double> until_time{};     ///< fly for this time, however many shots that makes [s]
   std::int64_t seed = 1;                  ///< [-]
   std::int64_t rounds = 1;                ///< of an occasion [-]
   bool indices = false;                   ///< Sobol indices [-]
-  std::int64_t over_inputs = 0;           ///< parts of each input over which hits are told; 0: not told [-]
-  std::int64_t histograms = 0;            ///< bars of histograms; 0: not told [-]
+  std::int64_t over_inputs = 0;           ///< parts of each input over which hits are reported; 0: not reported [-]
+  std::int64_t histograms = 0;            ///< bars of histograms; 0: not reported [-]
 };
 
 /// A number and its distribution from a text, PATH = DISTRIBUTION:
@@ -152,7 +152,7 @@ struct ScenarioStudy {
 /// "rectangle 30 cm x 50 cm", "polygon 0 m, 0 m; 1 m, 0 m; 0 m, 1 m", "thing THE-NAME-OF-A-THING".
 [[nodiscard]] Result<StudyTarget> parse_study_target(std::string_view text);
 /// A place on the way from a text: "800 m" (of range), "apex", "height 100 m falling", "time 2 s", "speed 340 m/s",
-/// "mach 1", "ground", "burnout", "ignition", "rail_exit"; behind a colon what is told there: "apex: y, time".
+/// "mach 1", "ground", "burnout", "ignition", "rail_exit"; behind a colon the quantities there: "apex: y, time".
 [[nodiscard]] Result<StudyPlace> parse_study_place(std::string_view text);
 /// The text of a place's event, which parse_study_place() reads.
 [[nodiscard]] std::string place_text(const EventSpec& event);
@@ -229,7 +229,7 @@ struct ScenarioSub {
 /// One [[emitter]].
 struct ScenarioEmitter {
   EmitterDef def{};                 ///< but for what the members below say, and for kind, launch and subs [-]
-  std::string shot{};               ///< name of the shot whose projectile, body, rail, attitude and spin it fires [-]
+  std::string shot{};               ///< name of the shot that gives its projectile, body, rail, attitude and spin [-]
   std::string tracer{};             ///< of a gun: name of the shot that every tracer_every-th round is; empty: none [-]
   std::string surface_of{};         ///< name of the [[shape]] that its particles come out of; empty: none [-]
   std::string surface_file{};       ///< file of the mesh instead, as the scenario says it [-]
@@ -308,7 +308,7 @@ struct Scenario {
   std::vector<ScenarioThing> things{};      ///< [-]
   std::vector<Expectation> expect{};        ///< [-]
   ScenarioStudy study{};                    ///< [-]
-  std::vector<std::string> notes{};         ///< what a reader should know of the file, with its place: former names [-]
+  std::vector<std::string> notes{};         ///< remarks about the file, with their place: former names [-]
 };
 
 /// Reads a scenario file. Each override is "path=value" as on the command line: "environment.gravity.model=off",
@@ -329,22 +329,22 @@ struct Scenario {
 /// are things.
 [[nodiscard]] std::string scenario_text(const Scenario& scenario);
 
-/// Flies a shot of a scenario as it asks for, until the scenario ends it. Without a [world] it meets the scenario's
-/// things as contact_of() the shot says; in one it flies by itself, and meets nothing.
+/// Flies a shot of a scenario by its settings, until the scenario ends it. Without a [world] it meets the scenario's
+/// things as contact_of() the shot says; in one it flies alone, and meets nothing.
 [[nodiscard]] Flight fly_shot(const Scenario& scenario, const ScenarioShot& shot);
 /// ... through a scene that is there already, as scene_of() the scenario.
 [[nodiscard]] Flight fly_shot(const Scenario& scenario, const ScenarioShot& shot, const Scene& scene);
 
-/// The projectile of a shot in a flight of its own: with what its body says of gravity and drag in a world.
+/// The projectile of a shot in a separate flight: with what its body says of gravity and drag in a world.
 [[nodiscard]] ProjectileDef projectile_of(const ScenarioShot& shot);
 
 /// The shot with that projectile, and a body that says no more of it.
 [[nodiscard]] ScenarioShot as_flown(ScenarioShot shot);
 
-/// How a shot meets things in a flight of its own: as its body says, from time 0 of the scene on.
+/// How a shot meets things in a separate flight: as its body says, from time 0 of the scene on.
 [[nodiscard]] ContactDef contact_of(const ScenarioShot& shot);
 
-/// The value of an expectation on a flown shot [SI unit of the quantity], or why there is none.
+/// The value of an expectation on a flown shot [SI unit of the quantity], or why it has no value.
 [[nodiscard]] Result<double> measure(const Flight& flight, const Expectation& expectation);
 
 /// Every setting of a scenario with the value it has, as path and text in SI: ("shot.308.mass", "0.010886 kg"). Given

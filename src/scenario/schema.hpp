@@ -140,7 +140,7 @@ struct SchemaNode {
 
 /// The root of the tree; its name and path are empty.
 [[nodiscard]] const SchemaNode& schema();
-/// The node of a path; null where there is none.
+/// The node of a path; null if not found.
 [[nodiscard]] const SchemaNode* find_node(std::string_view path);
 /// Lists of tables that only a scenario with a [world] has.
 inline constexpr std::string_view kWorldLists[] = {"volley", "force", "emitter", "joint"};

@@ -54,7 +54,7 @@ ValueRef records(const Scope& outer, std::vector<T>& list) {
                  }};
 }
 
-/// One of several names, whose places in the list are the values.
+/// One of several names; their places in the list are the values.
 template <class T>
 Choice choice(std::span<const std::string_view> names, T& value) {
   return {names, [&value] { return std::optional(static_cast<std::size_t>(value)); },
@@ -136,7 +136,7 @@ template <class Item>
 inline constexpr bool kIsPair =
     std::is_same_v<Item, DragPoint> || std::is_same_v<Item, ThrustPoint> || std::is_same_v<Item, PropellantPoint>;
 
-/// The slot of row `i`, whose member is in what `owner` finds.
+/// The slot of row `i`; its member is in what `owner` finds.
 template <auto owner, const auto& rows, std::size_t i>
 ValueRef slot_of_row(const Scope& scope) {
   auto& value = std::get<i>(rows).get(owner(scope));
@@ -177,7 +177,7 @@ inline Until& until_in(const Scope& scope) { return scope.scenario->until; }
 inline Environment& environment_in(const Scope& scope) { return scope.scenario->environment; }
 
 #define PHYSIM_FIELD(...) [](const Scope& s) { return slot_of(s, s.__VA_ARGS__); }
-/// A row of a table whose keys are called as the fields of what a pointer of Scope points to.
+/// A row of a table with keys that are called as the fields of what a pointer of Scope points to.
 #define PHYSIM_ROW(table, pointer, field, ...) setting(table "." #field, PHYSIM_FIELD(pointer->field), __VA_ARGS__)
 /// A row of what a scenario calls as its file does.
 #define PHYSIM_SCENARIO(field, ...) setting(#field, PHYSIM_FIELD(scenario->field), __VA_ARGS__)

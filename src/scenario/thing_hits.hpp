@@ -8,7 +8,7 @@
 
 namespace physim {
 
-/// What a run, or a flight, knows of its scene.
+/// The scene of a run, or of a flight.
 struct SceneOfRun {
   const Scenario* scenario = nullptr;
   std::span<const MaterialId> materials;  // of Scenario::materials

@@ -58,7 +58,7 @@ struct ThingHits {
   Series depth{};                  ///< of what went in [m]
 };
 
-/// What became of all that one [[volley]] or [[emitter]] fired, or of one [[shot]] that was fired by itself.
+/// The fate of all that one [[volley]] or [[emitter]] fired, or of one [[shot]] that was fired alone.
 struct WorldGroup {
   std::string name{};         ///< of the volley, emitter or shot [-]
   std::size_t shot = 0;       ///< index in Scenario::shots; of an emitter that of its kind, not of its tracers [-]
@@ -76,7 +76,7 @@ struct WorldGroup {
   Series range{};             ///< horizontal distance to the impact: first touch of the ground, wall or a thing [m]
   Series time{};              ///< from launch to impact [s]
   Series speed{};             ///< at impact [m/s]
-  Series apex{};              ///< height of the highest points, where the world tells them [m]
+  Series apex{};              ///< height of the highest points, if the world reports them [m]
   Series hit_y{}, hit_z{};    ///< on the wall [m]
   ThingHits on_things{};      ///< all hits on things of the scene [-]
   std::vector<ThingHits> by_thing{};  ///< those of each thing that was hit, in the order of the first [-]
@@ -84,7 +84,7 @@ struct WorldGroup {
   Vec3d velocity{};                   ///< mean of those alive at the end [m/s]
   double mean_speed = 0;              ///< mean speed of those alive at the end [m/s]
   EmitterId emitter{};                ///< in the world; none: it is a volley or shot [-]
-  EmitterCounts counts{};             ///< of the emitter, which also says what was born, refused, landed, expired [-]
+  EmitterCounts counts{};             ///< of the emitter: emitted, refused, landed, expired ones [-]
 };
 
 /// Which launch a projectile was.
@@ -108,7 +108,7 @@ struct WallHit {
   Vec3d velocity{};     ///< [m/s]
 };
 
-/// What a projectile did with a thing of the scene: it hit it, or went through what it passes. A contact that goes on,
+/// What a projectile did with a thing of the scene: it hit it, or went through what it passes. A lasting contact,
 /// of what slides, rolls or rests on a thing, is no hit.
 struct ThingHit {
   static constexpr std::size_t kNone = ~std::size_t{0};
@@ -132,7 +132,7 @@ struct ThingHit {
 
   /// As seen from the surface, which is what materials go by [m/s].
   [[nodiscard]] double speed() const;
-  /// Likewise; 0 for what it stayed in or at [m/s].
+  /// As speed(), after the hit; 0 for what it stayed in or at [m/s].
   [[nodiscard]] double speed_after() const;
 };
 
@@ -163,7 +163,7 @@ class WorldRun {
 
   /// Fires what is due and takes one step.
   void step();
-  /// Steps that the scenario's duration asks for.
+  /// Steps within the scenario's duration.
   [[nodiscard]] std::uint64_t steps() const;
 
   [[nodiscard]] World& world();
@@ -174,14 +174,14 @@ class WorldRun {
   [[nodiscard]] std::span<const WallHit> hits() const;  ///< of the last step
   /// What happened with things of the scene in the last step.
   [[nodiscard]] std::span<const ThingHit> thing_hits() const;
-  /// Counted so far; what stands at the end is that of now.
+  /// Counted up to now; the standing state is the current one.
   [[nodiscard]] std::vector<WorldGroup> groups() const;
   /// Which launch a projectile was; none for a stranger.
   [[nodiscard]] std::optional<Launched> launched(ProjectileId id) const;
 
   /// All of this run as bytes: of its world (World::save()), of what is still to be fired and of all that was counted.
   [[nodiscard]] Result<std::vector<std::byte>> save() const;
-  /// Goes on with a run of the same scenario; refused where the save is of another one, or damaged.
+  /// Continues a run of the same scenario; refused if the save is of another one, or damaged.
   [[nodiscard]] static Result<WorldRun> load(Scenario scenario, std::span<const std::byte> save,
                                              const std::string& recording = "");
 
@@ -195,16 +195,16 @@ class WorldRun {
   std::unique_ptr<Impl> impl_;
 };
 
-/// The value of an expectation on a group at the end of a run [SI unit of the quantity], or why there is none.
+/// The value of an expectation on a group at the end of a run [SI unit of the quantity], or why it has no value.
 [[nodiscard]] Result<double> measure(const WorldGroup& group, const Expectation& expectation);
 
 // ---------------------------------------------------------------------------------------------------------------------
 // FlightHits: what the flight of a scenario's shot did with the scenario's things.
 
-/// Hits of one flight. A contact that goes on, of what slides, rolls or rests on a thing, is none.
+/// Hits of one flight. A lasting contact, of what slides, rolls or rests on a thing, is no hit.
 struct FlightHits {
   /// In order of time, with what is passed or left; ThingHit::time is since launch, Launched::group the index of the
-  /// shot in Scenario::shots, 0 where it is none of them, Launched::number 1, and there is no ThingHit::id [-]
+  /// shot in Scenario::shots, 0 if it is not one of them, Launched::number 1, and there is no ThingHit::id [-]
   std::vector<ThingHit> all{};
   ThingHits on_things{};              ///< those that hit something [-]
   std::vector<ThingHits> by_thing{};  ///< ... of each thing, in the order of its first [-]
@@ -215,7 +215,7 @@ struct FlightHits {
 [[nodiscard]] FlightHits flight_hits(const Scenario& scenario, const ScenarioShot& shot, const Flight& flight,
                                      const SceneParts& parts);
 
-/// The value of an expectation on a flown shot and its hits [SI unit of the quantity], or why there is none: figures of
+/// The value of an expectation on a flown shot and its hits [SI unit of the quantity], or why it has none: figures of
 /// hits ("hits", "hit_depth", ...) on Expectation::thing, or on all things; all others as measure() of the flight.
 [[nodiscard]] Result<double> measure(const Flight& flight, const FlightHits& hits, const Expectation& expectation);
 

@@ -2,8 +2,8 @@
 // more of it is.
 //
 // The plane of impact is that of the shot without uncertainty: across its line of sight, at the range. A flight ends on
-// the plane of its own line of sight, from its own muzzle, which an uncertain azimuth or place moves; from there it
-// goes on, or back, for the time t to the plane:
+// the plane across its own line of sight, from its own muzzle, which an uncertain azimuth or place moves; from there it
+// continues, or returns, for the time t to the plane:
 //   x' = x + v t + a t^2 / 2,  v' = v + a t,
 // a the acceleration of the shot without uncertainty where it arrives. With an azimuth e off [rad] the planes are
 // range e^2 / 2 apart, and nothing of it is left to see. With a muzzle off by 20 m, t is about 0.04 s; what is left out
@@ -260,7 +260,7 @@ ModelTold FlightModel::fly_shots_of(const std::vector<std::span<const double>>& 
   if (scratch.shots.size() < count) scratch.shots.resize(count, plain_);
   const Weather weather = weather_of(columns);
   const auto shots = std::span(scratch.shots).first(count);
-  if (has_factor_) std::ranges::fill(shots, plain_);  // whose points it multiplies, those that are drawn, too
+  if (has_factor_) std::ranges::fill(shots, plain_);  // its points are multiplied by the factor, drawn ones, too
   for (std::size_t i = 0; i < numbers_.size(); ++i)
     for (std::size_t shot = 0; shot < count; ++shot) numbers_[i].path.put(shots[shot], columns[i][shot]);
   for (std::size_t i = 0; i < numbers_.size(); ++i)
@@ -313,7 +313,7 @@ Environment FlightModel::environment_of(std::size_t shot, const std::vector<std:
   return own;
 }
 
-/// Each shot alone, at a place of its own.
+/// Each shot alone, at its own place.
 void FlightModel::fly_in_own_places(const std::vector<std::span<const double>>& columns, const Weather& weather,
                                     std::span<const Shot> shots, ModelScratch& scratch) const {
   BatchResult all, one;
@@ -328,7 +328,7 @@ void FlightModel::fly_in_own_places(const std::vector<std::span<const double>>& 
   scratch.batch = std::move(all);
 }
 
-/// Each shot by itself through the scene, as fly() does. What its contacts leave to chance follows from what it drew.
+/// Each shot alone through the scene, as fly() does. What its contacts leave to chance follows from what it drew.
 void FlightModel::fly_among_things(const std::vector<std::span<const double>>& columns, const Weather& weather,
                                    std::span<const Shot> shots, InputColumns inputs, ModelScratch& scratch) const {
   BatchResult all;

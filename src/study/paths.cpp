@@ -156,7 +156,7 @@ class PathList {
   std::size_t lists_ = 0;
 };
 
-/// The order decides which draws a number gets that a scenario makes uncertain in its place: it stays as it is.
+/// The order decides which draws a number gets that a scenario makes uncertain in its place: it must not change.
 std::vector<PathRow> make_paths() {
   PathList paths;
   paths.add_numbers<Launch, kLaunchRows>("shot.");
@@ -196,7 +196,7 @@ double wind_there(const Environment& place, CompassWind part) {
   return part == CompassWind::speed ? std::sqrt(v.x * v.x + v.z * v.z) : place.earth.azimuth + atan2(-v.z, -v.x);
 }
 
-/// Which point a path names by a row with ".N" in it; nothing where it is none of the row.
+/// Which point a path names by a row with ".N" in it; nothing if it does not match the row.
 std::optional<std::size_t> point_named(std::string_view path, const PathRow& row) {
   const std::size_t at = row.path.find(".N");
   PHYSIM_ASSERT(at != row.path.npos);

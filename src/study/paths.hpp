@@ -1,5 +1,5 @@
 // The numbers of a shot and its weather that may be uncertain: the rows of src/settings that say so, each component of
-// a vector and each number of an item by itself, and a wind by compass, which is no setting.
+// a vector and each number of an item separately, and a wind by compass, which is no setting.
 #pragma once
 
 #include <cstddef>
@@ -34,13 +34,13 @@ struct PathRow {
   std::size_t list = 0;     // which list it is a point of, counted from 1; 0: of none
 
   [[nodiscard]] bool is_of_list() const { return list > 0; }
-  /// A number that all shots of a batch have in common, unless each flies in a place of its own.
+  /// A number that all shots of a batch have in common, unless each flies in its own place.
   [[nodiscard]] bool is_of_place() const { return is_of_environment && !weather && compass == CompassWind::none; }
 };
 
 /// What a path names: a row, and which point where it is one of a list.
 struct FoundPath {
-  const PathRow* row = nullptr;  // null where there is none
+  const PathRow* row = nullptr;  // null: not found
   std::size_t point = 0;         // counted from 1; 0 in a path is no point
 
   explicit operator bool() const { return row != nullptr; }
@@ -60,7 +60,7 @@ struct FoundPath {
 
 [[nodiscard]] std::span<const PathRow> all_paths();
 [[nodiscard]] FoundPath find_path(std::string_view path);
-/// The row of a list, by its path with N in it; null where there is none.
+/// The row of a list, by its path with N in it; null if not found.
 [[nodiscard]] const PathRow* find_list(std::string_view path);
 /// The row of where the points of a list stand, which may be its own; an error for what is no list, and for points that
 /// no one number places.

@@ -10,7 +10,7 @@ namespace physim {
 
 struct WorldImpl;
 
-/// A plane that somebody stays in front of.
+/// A plane that a projectile stays in front of.
 struct NetContact {
   Vec3d normal{};     // of length one, outwards
   double offset = 0;  // dot(normal, place) is not below [m]

@@ -8,7 +8,7 @@
 
 namespace physim {
 
-/// Live settings that models read. Few projectiles have others than every cohort has by itself.
+/// Live settings that models read. Few projectiles have others than their cohort.
 struct Own {
   double gravity_scale = 1;
   Axes frozen = Axes::none;

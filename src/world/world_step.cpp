@@ -316,7 +316,7 @@ void WorldImpl::step(double dt) {
   const Inside inside(*this);
   [[maybe_unused]] const std::uint64_t steps_before = state.clock.steps;
   [[maybe_unused]] const double before = state.clock.time();
-  // Begin: what is due now, and what everybody feels where they stand.
+  // Begin: what is due now, and what acts on all projectiles where they are.
   hit_asking.forget();
   placement.rebase(dt);
   launch_pending();
