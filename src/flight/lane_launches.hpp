@@ -54,7 +54,6 @@ PHYSIM_NOINLINE void put_air(const WeatherSource& from, std::size_t first, int f
 template <class R, class S>
 void put_weather(const WeatherSource& from, const Conditions<S>& c, std::size_t first, int filled, Body<R>& into) {
   using W = Cast<double, R>;
-  const auto take = [&](const NumberColumn& column) { return cast<S>(take_column<W>(column, first, filled)); };
   const auto wind = [&](const NumberColumn& column, double beside) {
     return cast<S>(take_column<W>(column, first, filled) + W(beside));
   };
