@@ -16,7 +16,7 @@ namespace physim {
 
 inline bool finite(const Vec3d& v) { return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z); }
 
-/// Where input stands: a text, or an item of a list, whose text is put together where somebody asks for it.
+/// Where input stands: a text, or an item of a list, with a text that is composed on demand.
 class InputPlace {
  public:
   using Text = std::string_view;

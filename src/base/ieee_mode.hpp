@@ -54,7 +54,7 @@ struct ModeRegister {
 
 #else
 
-/// What the C++ standard library knows of: rounding, not subnormal numbers.
+/// What the C++ standard library controls: rounding, not subnormal numbers.
 struct ModeRegister {
   using Value = int;
   static Value read() { return std::fegetround(); }

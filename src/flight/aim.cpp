@@ -118,7 +118,7 @@ class Aimer {
     const Fidelity asked = by_steps(fidelity_, options_.flight.step > 0);
     const Fidelity granted = grant(asked, projectile_, environment_).fidelity;
     Conditions<double> conditions = prepare_conditions(environment_, granted);
-    conditions.wind.stepped = false;  // neighbours need to know how wind changes with place: a step would not tell them
+    conditions.wind.stepped = false;  // neighbours need to know how wind changes with place: a step would hide it
     conditions_ = std::make_shared<const Conditions<double>>(conditions);
     if (step_given(granted, options_.flight) || steps_by_frames(granted)) return;
     Until until{.ground = std::nullopt, .time = options_.time};

@@ -62,10 +62,10 @@ struct BatchJob {
   std::size_t count;
   ShotResult* results;                  // how each ended, without spin drift
   Turn<double>* turns;                  // how each turned at its end; null where the rotation is not flown
-  RawEvent& (*next_event)(void* sink);  // room for one more, to be written where it stays; null: nobody wants events
+  RawEvent& (*next_event)(void* sink);  // room for one more, to be written where it stays; null: no events are wanted
   void* sink;
   /// Null: lanes hold all of the air of their shots. Else they hold the polynomials of its lowest layer, and all else
-  /// of it is no number; where a lane asks for that, true is put here, and the job ends without results.
+  /// of it is NaN; if a lane reads that, true is put here, and the job ends without results.
   bool* left_low_air;
 };
 

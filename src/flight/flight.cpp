@@ -33,7 +33,7 @@ std::size_t later_node(const NodeList& nodes, const LegPart& part, double time) 
   return static_cast<std::size_t>(later - nodes.begin());
 }
 
-/// The node of a leg at a very time; null where there is none.
+/// The node of a leg at a very time; null if there is no such node.
 const Node* node_at(const NodeList& nodes, const LegPart& part, double time) {
   const auto first = nodes.begin() + static_cast<std::ptrdiff_t>(part.leg.first_node);
   const auto end = nodes.begin() + static_cast<std::ptrdiff_t>(part.end_node);

@@ -38,7 +38,7 @@ unsigned rotation_key(const ProjectileDef& p) {
 }  // namespace
 
 // ------------------------------------------------------------------------------------------- one group
-/// Lanes hold no more than models read; where the rotation is flown, answers about attitudes ask for more.
+/// Lanes hold no more than models read; where the rotation is flown, answers about attitudes need more.
 void ShotGroup::begin() {
   features_ = cohort.conditions;
   const Fidelity& granted = cohort.in_use.fidelity;
@@ -145,7 +145,7 @@ ShotKind& ShotGroups::kind_of(std::size_t shot) {
   return kind_;
 }
 
-/// check() knows a projectile by itself, where 0 says that there is no ballistic coefficient.
+/// check() knows a projectile alone, where 0 means that there is no ballistic coefficient.
 Status ShotGroups::look_at_drag(std::size_t shot) const {
   if (!task_.shots.has_own_drag()) return {};
   const LaunchColumns& from = *task_.shots.columns;

@@ -33,7 +33,7 @@ struct ShotList {
     if (columns) return scratch = columns->at(i);
     return one_projectile ? launches[i] : shots[i].launch;
   }
-  /// Asks for a shot's structures: one with a projectile of its own is a kilobyte, read here and there.
+  /// Prefetches a shot's structures: one with its own projectile is a kilobyte, read here and there.
   void prefetch(std::size_t i) const {
     if (i >= shots.size()) return;
     for (std::size_t at = 0; at < sizeof(Shot); at += 64) prefetch_at(&shots[i], at);

@@ -8,7 +8,7 @@
 
 namespace physim {
 
-// A function of its own: g++ 12 drops always_inline where the declaration within the class does not have it, and calls
+// A separate function: g++ 12 drops always_inline where the declaration within the class does not have it, and calls
 // the member from the stage sums of kernels.
 template <class T>
 PHYSIM_INLINE void add_scaled(Vec3<T>& sum, const Vec3<T>& b, const T& s) {

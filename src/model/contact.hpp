@@ -10,7 +10,7 @@
 // Equations: v_n' = -e v_n;  v_t' = v_t max(0, 1 - mu (1 + e) |v_n| / |v_t|).
 //   On the ground: dv_t/dt = a_t - c g_n v_t / |v_t|, and nothing moves while it is at rest and |a_t| <= c g_n.
 // Source: W. J. Stronge, Impact Mechanics (2000), sec. 1.2 and 3.2 (restitution; impulse of dry friction while sliding
-//   goes on); I. Millington, Game Physics Engine Development (2010), ch. 7 (resting contact).
+//   continues); I. Millington, Game Physics Engine Development (2010), ch. 7 (resting contact).
 #pragma once
 
 #include "base/assert.hpp"
@@ -19,7 +19,7 @@
 
 namespace physim {
 
-/// W is double, or a pack of them: each lane touches a surface of its own.
+/// W is double, or a pack of them: each lane touches its own surface.
 template <class W>
 struct SurfaceOf {
   W restitution;         // [-]

@@ -2,7 +2,7 @@
 //
 // What it models: the tangent frame W at a place of the Earth, and its rotation with it.
 // Symbols: phi, lambda, A latitude, longitude and azimuth of W [rad]; r0 origin of W from the Earth's centre; M matrix
-//   whose columns are the axes of W in E; theta = Omega t angle that the Earth has turned by [rad].
+//   with the axes of W in E as its columns; theta = Omega t angle that the Earth has turned by [rad].
 // Equations: x_E = M (r0 + x_W); x_I = Rz(theta) x_E, v_I = Rz(theta) (v_E + Omega x x_E).
 //   Distance along the ground, Lambert's: tan b = (1 - f) tan phi; s the angle between the feet on the sphere of
 //   reduced latitudes b; P = (b1 + b2) / 2, Q = (b2 - b1) / 2; X = (s - sin s) sin^2 P cos^2 Q / cos^2(s/2);

@@ -3,7 +3,7 @@
 // What it models: `constant`: one vector everywhere; `profile`: vectors by height above the origin or by downrange
 //   distance, straight lines between them or steps; all three components, so that updraughts are included. It blows in
 //   air that turns with the Earth; over a round Earth it turns with the vertical (model/earth.hpp), and level wind
-//   stays level. Where the environment gives a function of place and time, `profile` is that, as it is in W
+//   stays level. Where the environment gives a function of place and time, `profile` is that, in W
 //   (model/field_function.hpp).
 // When it is wrong: no turbulence, and but for functions no change in time; horizontal changes only through a profile
 //   by range.

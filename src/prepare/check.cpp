@@ -24,7 +24,7 @@ namespace {
 
 using namespace setting_rows;
 
-// Numbers further out mean nothing here, and what is computed from them is no number any more.
+// Numbers further out mean nothing here, and results computed from them are not finite.
 constexpr double kSmallest = 1e-9;        // distance between points of a table [s, m, or Mach number]
 constexpr double kSmallestError = 1e-15;  // of a place, asked for [m]
 constexpr double kLongestBurn = 1e6;      // [s]

@@ -62,7 +62,7 @@ void put_wind(const Wind& wind, WindModel model, WindField<double>& field, WindP
   put_profile(wind.profile, profile);
 }
 
-/// A function that is asked for times so much later [s].
+/// A function that is called with times later by `delay` [s].
 template <class Batch>
 FieldFunction<Batch> later_by(double delay, const FieldFunction<Batch>& function) {
   if (!function || delay == 0) return function;

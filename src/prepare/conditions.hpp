@@ -6,7 +6,7 @@
 
 namespace physim {
 
-/// Pools of curves and flags of what some projectile has come with the projectiles.
+/// Pools of curves, and flags of what some projectile has, are added with the projectiles.
 [[nodiscard]] Conditions<double> prepare_conditions(const Environment& environment, const Fidelity& granted);
 /// ... where they are kept; what was there is not read.
 void put_conditions(const Environment& environment, const Fidelity& granted, Conditions<double>& conditions);
@@ -20,7 +20,7 @@ void put_conditions(const Environment& environment, const Fidelity& granted, Con
 [[nodiscard]] Environment as_launched_at(double time, const Environment& environment);
 /// The air at the origin, at the nearest altitude of the standard atmosphere where it lies beyond that.
 [[nodiscard]] Result<AirSample> air_at_origin(const Environment& environment);
-/// Without tables, whose rows are other ones in float.
+/// Without tables: their rows are other ones in float.
 [[nodiscard]] Conditions<float> to_float(const Conditions<double>& conditions);
 
 }  // namespace physim

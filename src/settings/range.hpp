@@ -8,7 +8,7 @@
 
 namespace physim {
 
-/// The values a number may have, or the lengths a list may have. Infinity only where the range asks for it.
+/// The values a number may have, or the lengths a list may have. Infinity only if the range includes it.
 struct Range {
   double low = -kInfinity;
   double high = kInfinity;

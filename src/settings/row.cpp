@@ -18,7 +18,7 @@ std::string unit_behind(const SettingRow& row) {
   return unit.empty() ? "" : " " + std::string(unit);
 }
 
-/// What a range asks for, without the value that is out of it.
+/// What a range requires, without the value that is out of it.
 std::string wish_text(const SettingRow& row) {
   const Range& range = row.range;
   const std::string unit = unit_behind(row);

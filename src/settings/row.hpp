@@ -1,5 +1,4 @@
-// SettingRow: what is known about a setting, whoever reads it. Scenario files, studies and the checks of input all read
-// the same rows.
+// SettingRow: what is known about a setting. Scenario files, studies and the checks of input all read the same rows.
 //
 // A list of rows is a tuple, so that each row keeps the type of its member: a check over a list compiles to comparisons
 // with constants, as if it were written by hand.
@@ -43,7 +42,7 @@ struct SettingRow {
   bool by_factor = false;            // studies can draw a factor of all items, too
   bool drawn_above_zero = false;     // a study has no use for a draw that is not above zero, though 0 is in range
   bool is_key = false;               // of items: what the other numbers depend on
-  bool is_place = false;             // of items: a key whose differences are distances between items
+  bool is_place = false;             // of items: a key; its differences are distances between items
   LaunchColumn launch_columns[3]{};  // where studies draw it, by component, if launches have a column for it
   WeatherColumn weather_columns[3]{};
 
@@ -128,9 +127,9 @@ constexpr MemberRow<Get, Items> row_of(std::string_view path, Get get, Items ite
   return row;
 }
 
-/// A row of a member, whose path is how C++ names it.
+/// A row of a member; its path is how C++ names it.
 #define PHYSIM_SETTING(member, ...) PHYSIM_SETTING_AS(#member, member, std::tuple<>(), __VA_ARGS__)
-/// A row of a list, whose items have rows of their own.
+/// A row of a list; its items have their own rows.
 #define PHYSIM_SETTING_LIST(member, items, ...) PHYSIM_SETTING_AS(#member, member, items, __VA_ARGS__)
 #define PHYSIM_SETTING_AS(path, member, items, ...) \
   row_of(                                           \
