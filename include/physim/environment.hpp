@@ -297,8 +297,8 @@ class EarthFrames {
 /// such flights differ from those of fly() by as much as their tolerance lets them; where the rounding changes no
 /// number, as of a wind of 2.5 m/s, by nothing. All others, and all in float64, are equal bit for bit.
 struct Weather {
-  // Wind that is the same everywhere, in the place of all that Environment::wind has; or, with `moves_profile`, added to
-  // its profile. See there for the signs.
+  // Wind that is the same everywhere, in the place of all that Environment::wind has; or, with `moves_profile`, added
+  // to its profile. See there for the signs.
   std::span<const double> wind_x{};  ///< empty, though another is given: that of Wind::velocity [m/s]
   std::span<const double> wind_y{};  ///< upwards [m/s]
   std::span<const double> wind_z{};  ///< [m/s]

@@ -52,9 +52,7 @@ void put_wind(const Wind& wind, WindModel model, WindField<double>& field, WindP
   field.stepped = wind.interpolation == WindInterpolation::step;
   switch (wind.profile.empty() ? lower_of(model, WindModel::constant) : model) {
     case WindModel::off: return;
-    case WindModel::constant:
-      field.velocity = steady_wind(wind);
-      return;
+    case WindModel::constant: field.velocity = steady_wind(wind); return;
     case WindModel::profile: break;
   }
   field.points = static_cast<int>(wind.profile.size());
