@@ -13,23 +13,29 @@
 #include "prepare/check.hpp"
 #include "prepare/grant.hpp"
 #include "prepare/projectile.hpp"
-#include "settings/body_rows.hpp"
-#include "settings/environment_rows.hpp"
-#include "settings/flight_rows.hpp"
-#include "settings/shot_rows.hpp"
 #include "solve/take_step.hpp"
 
 namespace physim {
 namespace {
 
-using namespace setting_rows;
+constexpr double kRightAngleUp = 1.5707963267948968;  // the next number above a right angle [rad]
 
-// Numbers further out mean nothing here, and results computed from them are not finite.
+// Numbers further out mean nothing here, and what is computed from them is no number any more.
 constexpr double kSmallest = 1e-9;        // distance between points of a table [s, m, or Mach number]
 constexpr double kSmallestError = 1e-15;  // of a place, asked for [m]
+constexpr double kFastestAero = 100;      // Mach number of aerodynamic tables [-]
+constexpr double kWidestAero = 100;       // square of an angle there [rad^2]
+constexpr double kMostGravity = 1e12;     // [m/s^2]
+constexpr double kMostWind = 1e18;        // [m/s]
 constexpr double kLongestBurn = 1e6;      // [s]
 constexpr double kMostThrust = 1e12;      // [N]
 constexpr double kLeastImpulse = 1e-9;    // [N s]
+
+void check_fidelity(Checker& c, const Fidelity& f) {
+  for_each_effect(
+      [&]<class Enum>(const char* place, Enum Fidelity::*rung) { c.named(f.*rung, kLastRung<Enum>, place); });
+  c.not_negative(f.tolerance, "fidelity.tolerance", "0: what the precision allows for");
+}
 
 /// Whether all points of a curve are right, by one look without a branch: batches look at one for each shot.
 bool is_surely_right(const std::vector<DragPoint>& curve) {
@@ -45,18 +51,34 @@ bool is_surely_right(const std::vector<DragPoint>& curve) {
 void check_curve(Checker& c, const std::vector<DragPoint>& curve, Checker::Text name) {
   if (is_surely_right(curve)) return;
   c.require(!curve.empty(), name, "is empty", "give at least one point (Mach, Cd)");
-  check_items<kDragPointRows>(c, curve, name);
-  for (std::size_t i = 1; i < curve.size(); ++i)
-    c.require(curve[i].mach - curve[i - 1].mach >= kSmallest, InputPlace(name, i),
-              "Mach numbers must rise, by 1e-9 at least", "sort the points by Mach number");
+  for (std::size_t i = 0; i < curve.size(); ++i) {
+    const InputPlace place(name, i);
+    c.not_negative(curve[i].mach, place, "Mach numbers start at 0");
+    c.not_negative(curve[i].coefficient, place, "drag coefficients are not negative");
+    if (i > 0)
+      c.require(curve[i].mach - curve[i - 1].mach >= kSmallest, place, "Mach numbers must rise, by 1e-9 at least",
+                "sort the points by Mach number");
+  }
+}
+
+void check_bands(Checker& c, const std::vector<BallisticBand>& bands) {
+  c.require(bands.size() <= std::size_t(kMaxBands), "projectile.drag.bands", "has too many bands", "at most 8");
+  for (std::size_t i = 0; i < bands.size(); ++i) {
+    const InputPlace place("projectile.drag.bands", i);
+    c.not_negative(bands[i].above, place, "bands start at a speed").positive(bands[i].ballistic_coefficient, place, "");
+  }
 }
 
 /// A coefficient's points; `angles`: several of them may have the same Mach number.
-void check_coefficient(Checker& c, const AeroCoefficient& points, const std::string& list, bool angles) {
-  check_items<kAeroAnglePointRows>(c, points, list);
+void check_coefficient(Checker& c, const AeroCoefficient& points, const char* name, bool angles) {
+  const std::string list = std::string("projectile.aero.") + name;
   for (std::size_t i = 0; i < points.size(); ++i) {
     const InputPlace place(list, i);
     const AeroPoint& p = points[i];
+    c.require(!(p.mach > kFastestAero), place, "has a Mach number beyond 100", "");
+    c.require(!(p.angle_squared > kWidestAero), place, "has an angle beyond 10 rad", "angles are in radians, squared");
+    c.not_negative(p.mach, place, "Mach numbers start at 0").not_negative(p.angle_squared, place, "it is a square");
+    c.is_number(p.value, place);
     c.require(angles || p.angle_squared == 0, place, "may not depend on the angle of attack",
               "only magnus_force and magnus_moment do; the others have a cubic part");
     if (i == 0) continue;
@@ -66,15 +88,24 @@ void check_coefficient(Checker& c, const AeroCoefficient& points, const std::str
   }
 }
 
-void check_aero(Checker& c, const ProjectileDef& p) {
-  check_rows<kAeroRows>(c, p, "projectile.");
-  const AeroDef& a = p.aero;
+void check_aero(Checker& c, const AeroDef& a) {
+  c.named(a.rate_norm, RateNorm::twice_speed, "projectile.aero.rate_norm");
+  c.named(a.damping_frame, DampingFrame::inertial, "projectile.aero.damping_frame");
+  c.not_negative(a.area, "projectile.aero.area", "0: from the diameter");
+  c.not_negative(a.length, "projectile.aero.length", "0: the diameter");
+  c.not_negative(a.span, "projectile.aero.span", "0: the length");
   if (!has_aero(a)) return;
-  const auto look = [&](const auto& row) {
-    constexpr std::size_t kNumbers = std::tuple_size_v<decltype(row.elements)>;  // three where angles are among them
-    if constexpr (kNumbers > 0) check_coefficient(c, row.get(p), "projectile." + std::string(row.path), kNumbers == 3);
-  };
-  std::apply([&](const auto&... row) { (look(row), ...); }, kAeroRows);
+  const std::pair<const char*, const AeroCoefficient*> by_mach[] = {{"drag_yaw", &a.drag_yaw},
+                                                                    {"lift", &a.lift},
+                                                                    {"lift_cubic", &a.lift_cubic},
+                                                                    {"pitching", &a.pitching},
+                                                                    {"pitching_cubic", &a.pitching_cubic},
+                                                                    {"pitch_damping", &a.pitch_damping},
+                                                                    {"yaw_damping", &a.yaw_damping},
+                                                                    {"roll_damping", &a.roll_damping}};
+  for (const auto& [name, points] : by_mach) check_coefficient(c, *points, name, false);
+  check_coefficient(c, a.magnus_force, "magnus_force", true);
+  check_coefficient(c, a.magnus_moment, "magnus_moment", true);
   const char* kApart = "keep them at least 1/16384 apart";
   c.require(!mach_numbers_too_close(a), "projectile.aero", "has Mach numbers that are too close to each other", kApart);
   c.require(!angles_too_close(a.magnus_force), "projectile.aero.magnus_force", "has angles too close to each other",
@@ -83,14 +114,16 @@ void check_aero(Checker& c, const ProjectileDef& p) {
             kApart);
 }
 
-/// Points at times that rise from 0. Where a table may have steps, two points at one time are one.
-template <const auto& rows, class Point>
-void check_table(Checker& c, const std::vector<Point>& table, const std::string& name, bool may_step) {
+/// Points with a time and a value that is not negative; times rising from 0. Where a table may have steps, two points
+/// at one time are one.
+template <class Point>
+void check_table(Checker& c, const std::vector<Point>& table, double Point::*value, const std::string& name,
+                 bool may_step) {
   constexpr std::size_t kMost = 1000;
   c.require(table.size() >= 2 && table.size() <= kMost, name, "has too few or too many points", "2 to 1000");
-  check_items<rows>(c, table, name);
   for (std::size_t i = 0; i < table.size() && i < kMost; ++i) {
     const InputPlace place(name, i);
+    c.is_number(table[i].time, place).not_negative(table[i].*value, place, "");
     if (i == 0)
       c.require(table[i].time == 0, place, "must be at time 0", "times count from ignition");
     else if (table[i].time > kLongestBurn)
@@ -106,17 +139,21 @@ void check_table(Checker& c, const std::vector<Point>& table, const std::string&
 
 void check_motor(Checker& c, const ProjectileDef& p) {
   const MotorDef& m = p.motor;
-  check_table<kThrustPointRows>(c, m.thrust, "projectile.motor.thrust", true);
-  check_rows<kMotorRows>(c, p, "projectile.");
+  check_table(c, m.thrust, &ThrustPoint::force, "projectile.motor.thrust", true);
+  c.not_negative(m.propellant_mass, "projectile.motor.propellant_mass", "in kg");
   c.require(m.propellant_mass < p.mass, "projectile.motor.propellant_mass", "is not less than the projectile's mass",
             "the mass at launch includes it");
+  c.require(m.ignition_delay >= 0 && m.ignition_delay <= 1e6, "projectile.motor.ignition_delay",
+            "must lie between 0 and 1e6 s", "");
+  c.require(m.drag_factor >= 0 && m.drag_factor <= 1000, "projectile.motor.drag_factor", "must lie between 0 and 1000",
+            "1 means the same drag");
   if (!c.status_so_far()) return;
   for (const ThrustPoint& point : m.thrust)
     c.require(point.force <= kMostThrust, "projectile.motor.thrust", "exceeds 1e12 N", "forces are in newtons");
   c.require(total_impulse(m) >= kLeastImpulse, "projectile.motor.thrust", "gives no impulse",
             "leave the table empty where there is no motor");
   if (!m.propellant.empty()) {
-    check_table<kPropellantPointRows>(c, m.propellant, "projectile.motor.propellant", false);
+    check_table(c, m.propellant, &PropellantPoint::mass, "projectile.motor.propellant", false);
     c.require(m.propellant.front().mass == m.propellant_mass && m.propellant.back().mass == 0 &&
                   m.propellant.back().time == burn_time(m),
               "projectile.motor.propellant", "must go from propellant_mass to 0 over the burn",
@@ -133,11 +170,20 @@ void check_motor(Checker& c, const ProjectileDef& p) {
             "give drag_factor instead");
 }
 
-void check_magnus(Checker& c, const ProjectileDef& p) {
-  const MagnusDef& m = p.magnus;
-  check_rows<kMagnusRows>(c, p, "projectile.");
-  c.require(m.table.size() <= 10000, "projectile.magnus.table", "has too many points", "at most 10000");
-  check_items<kMagnusPointRows>(c, m.table, "projectile.magnus.table");
+void check_magnus(Checker& c, const MagnusDef& m) {
+  c.named(m.measure, SpinMeasure::parameter, "projectile.magnus.measure");
+  c.is_number(m.lift, "projectile.magnus.lift").positive(m.lift_base, "projectile.magnus.lift_base", "");
+  c.not_negative(m.lift_saturation, "projectile.magnus.lift_saturation", "");
+  c.not_negative(m.drag_per_spin, "projectile.magnus.drag_per_spin", "");
+  c.require(m.decay_time > 0, "projectile.magnus.decay_time", "must be positive", "infinity: the spin stays");
+  constexpr std::size_t kMost = 10000;
+  c.require(m.table.size() <= kMost, "projectile.magnus.table", "has too many points", "at most 10000");
+  for (std::size_t i = 0; i < m.table.size() && i < kMost; ++i) {
+    const InputPlace point("projectile.magnus.table", i);
+    const MagnusPoint& p = m.table[i];
+    c.not_negative(p.speed, point, "").not_negative(p.spin, point, "spins have no direction here");
+    c.not_negative(p.drag, point, "drag coefficients are not negative").is_number(p.lift, point);
+  }
   if (m.table.empty() || !c.status_so_far()) return;
   c.require(is_full(magnus_grid(m), m.table.size()), "projectile.magnus.table", "is no full grid",
             "give every speed with every spin, once");
@@ -145,20 +191,31 @@ void check_magnus(Checker& c, const ProjectileDef& p) {
 
 Status check_projectile(const ProjectileDef& p, bool curve_too) {
   Checker c;
-  check_rows<kProjectileRows>(c, p, "projectile.");
-  check_rows<kFidelityRows>(c, p.fidelity, "fidelity.");
+  c.positive(p.mass, "projectile.mass", "in kg");
+  c.positive(p.diameter, "projectile.diameter", "in m");
+  c.not_negative(p.length, "projectile.length", "0 where it is not known").is_number(p.twist, "projectile.twist");
+  check_fidelity(c, p.fidelity);
   const DragDef& d = p.drag;
+  c.named(d.table, DragTable::custom, "projectile.drag.table");
+  c.not_negative(d.coefficient, "projectile.drag.coefficient", "");
+  c.not_negative(d.ballistic_coefficient, "projectile.drag.ballistic_coefficient", "0: from mass and diameter");
+  c.positive(d.form_factor, "projectile.drag.form_factor", "");
+  c.require(d.damping > 0 && d.damping <= 1, "projectile.drag.damping", "must lie above 0 and not above 1",
+            "1 means no drag");
   if (c.status_so_far())
     c.require(std::isfinite(half_area_per_mass(p)), "projectile.mass", "is too small for its drag area", "in kg");
+  c.not_negative(d.k1, "projectile.drag.k1", "").not_negative(d.k2, "projectile.drag.k2", "");
   if (curve_too && d.table == DragTable::custom) check_curve(c, d.curve, "projectile.drag.curve");
-  c.require(d.bands.size() <= std::size_t(kMaxBands), "projectile.drag.bands", "has too many bands", "at most 8");
-  check_items<kBandRows>(c, d.bands, "projectile.drag.bands");
-  check_rows<kInertiaRows>(c, p, "projectile.");
+  if (!d.bands.empty()) check_bands(c, d.bands);
+  c.is_vector(p.inertia.moments, "projectile.inertia.moments");
+  c.is_vector(p.inertia.products, "projectile.inertia.products");
   c.require(!has_inertia(p) || is_possible(p.inertia), "projectile.inertia", "is no inertia that a body can have",
             "moments are positive, none exceeds the sum of the others, and products are small enough");
-  check_aero(c, p);
+  check_aero(c, p.aero);
+  c.is_number(p.gravity_scale, "projectile.gravity_scale").is_vector(p.force, "projectile.force");
+  c.require(p.force_duration >= 0, "projectile.force_duration", "must be zero or positive", "");
   if (has_motor(p)) check_motor(c, p);
-  check_magnus(c, p);
+  check_magnus(c, p.magnus);
   return c.status();
 }
 
@@ -176,11 +233,45 @@ Status check(const ProjectileDef& p, const Launch& l) {
   return c.status();
 }
 
+namespace {
+
+/// Whether all that a launch says is right, by one look at its numbers: a sum is finite only where each of them is.
+bool is_surely_right(const Launch& l) {
+  const auto sum = [](const Vec3d& v) { return v.x + v.y + v.z; };
+  const LaunchAttitude& a = l.attitude;
+  const Sight& s = l.sight;
+  const double numbers = sum(l.position) + (l.velocity ? sum(*l.velocity) : 0.0) + (l.speed + l.rail_length) +
+                         (l.elevation + l.azimuth) + (l.spin.backspin + l.spin.sidespin + l.spin.gyrospin) +
+                         (a.yaw + a.pitch + a.roll + sum(a.rates)) + (s.height + s.cant);
+  if (!std::isfinite(numbers) || s.zero_range != 0 || (l.velocity && l.speed != 0)) return false;
+  return l.speed >= 0 && l.rail_length >= 0 && std::abs(l.elevation) <= 2 * kRightAngleUp &&
+         std::abs(s.look_angle) <= kRightAngleUp && static_cast<unsigned>(a.frame) <= unsigned(AttitudeFrame::world) &&
+         static_cast<unsigned>(a.rate_frame) <= unsigned(RateFrame::inertial);
+}
+
+}  // namespace
+
 Status check(const Launch& l) {
-  if (are_in_range<kMuzzleRows, kLaunchRows, kSightRows, kAttitudeRows>(l) && l.sight.zero_range == 0 && !l.velocity)
-    return {};
+  if (is_surely_right(l)) return {};
   Checker c;
-  check_rows<kMuzzleRows, kLaunchRows, kSightRows, kAttitudeRows>(c, l, "launch.");
+  c.is_vector(l.position, "launch.position").not_negative(l.speed, "launch.speed", "in m/s");
+  c.is_number(l.spin.backspin, "launch.spin.backspin").is_number(l.spin.sidespin, "launch.spin.sidespin");
+  c.is_number(l.spin.gyrospin, "launch.spin.gyrospin");
+  c.not_negative(l.rail_length, "launch.rail_length", "0: no rail");
+  c.is_number(l.elevation, "launch.elevation").is_number(l.azimuth, "launch.azimuth");
+  // Degrees taken for radians are the commonest slip; what is beyond these is surely one.
+  c.require(!(std::abs(l.elevation) > 2 * kRightAngleUp), "launch.elevation", "must lie between -180 and 180 degrees",
+            "angles are in radians: 30 degrees are 30_deg");
+  if (l.velocity) c.is_vector(*l.velocity, "launch.velocity");
+  const LaunchAttitude& a = l.attitude;
+  c.named(a.frame, AttitudeFrame::world, "launch.attitude.frame");
+  c.named(a.rate_frame, RateFrame::inertial, "launch.attitude.rate_frame");
+  c.is_number(a.yaw, "launch.attitude.yaw").is_number(a.pitch, "launch.attitude.pitch");
+  c.is_number(a.roll, "launch.attitude.roll").is_vector(a.rates, "launch.attitude.rates");
+  c.is_number(l.sight.height, "launch.sight.height").is_number(l.sight.cant, "launch.sight.cant");
+  c.require(std::abs(l.sight.look_angle) <= kRightAngleUp, "launch.sight.look_angle",
+            "must lie between -90 and 90 degrees", "angles are in radians");
+  c.not_negative(l.sight.zero_range, "launch.sight.zero_range", "0: no zero");
   c.require(!(l.sight.zero_range > 0 && l.elevation != 0), "launch.elevation",
             "cannot be given together with a zero range", "the zero range decides the elevation");
   c.require(!(l.sight.zero_range > 0 && l.velocity), "launch.velocity", "cannot be given together with a zero range",
@@ -191,41 +282,84 @@ Status check(const Launch& l) {
 
 Status check(const Environment& e) {
   Checker c;
-  check_rows<kGroundRows, kAirRows, kScaleHeightRows, kWindRows, kEarthRows>(c, e, "environment.");
+  c.require(e.altitude >= kLowestAltitude && e.altitude <= 1e9, "environment.altitude",
+            "must lie between -5000 m and 1e9 m", "");
+  c.named(e.gravity.model, kLastRung<GravityModel>, "environment.gravity.model");
+  c.named(e.atmosphere.model, kLastRung<AirModel>, "environment.atmosphere.model");
+  c.named(e.wind.by, WindAxis::range, "environment.wind.by");
+  c.named(e.wind.interpolation, WindInterpolation::step, "environment.wind.interpolation");
+  c.is_number(e.gravity.acceleration, "environment.gravity.acceleration");
+  c.require(std::abs(e.gravity.acceleration) <= kMostGravity, "environment.gravity.acceleration", "exceeds 1e12 m/s^2",
+            "accelerations are in m/s^2");
+  c.positive(e.gravity.radius, "environment.gravity.radius", "in m");
   const Atmosphere& a = e.atmosphere;
+  if (a.temperature)
+    c.require(*a.temperature >= 150 && *a.temperature <= 350, "environment.atmosphere.temperature",
+              "must lie between 150 K and 350 K", "temperatures are in kelvin");
+  if (a.pressure)
+    c.require(*a.pressure >= 100 && *a.pressure <= 120000, "environment.atmosphere.pressure",
+              "must lie between 100 Pa and 120000 Pa", "pressures are in pascal");
+  if (a.humidity)
+    c.require(*a.humidity >= 0 && *a.humidity <= 1, "environment.atmosphere.humidity", "must lie between 0 and 1",
+              "60 % is 0.6");
+  if (a.station_altitude)
+    c.require(*a.station_altitude >= kLowestAltitude && *a.station_altitude <= 80000,
+              "environment.atmosphere.station_altitude", "must lie between -5000 m and 80000 m", "");
   if (a.humidity && *a.humidity > 0 && c.status_so_far()) {
     const Readings<double> air = station_air(e);
     c.require(vapour_fraction(air.temperature, air.pressure, *a.humidity) < 0.5, "environment.atmosphere.humidity",
               "is more vapour than air of this temperature and pressure can be made of",
               "lower it, or raise the pressure");
   }
+  if (a.density) c.not_negative(*a.density, "environment.atmosphere.density", "");
+  if (a.sound_speed) c.positive(*a.sound_speed, "environment.atmosphere.sound_speed", "");
+  c.positive(a.scale_height, "environment.atmosphere.scale_height", "");
+  const auto check_wind = [&c](const Vec3d& velocity, const InputPlace& place) {
+    c.is_vector(velocity, place);
+    c.require(!(length(velocity) > kMostWind), place, "exceeds 1e18 m/s", "velocities are in m/s");
+  };
+  check_wind(e.wind.velocity, "environment.wind.velocity");
   const auto& profile = e.wind.profile;
   c.require(profile.size() <= std::size_t(kMaxWindPoints), "environment.wind.profile", "has too many points",
             "at most 32");
-  check_items<kWindPointRows>(c, profile, "environment.wind.profile");
-  for (std::size_t i = 1; i < profile.size(); ++i)
-    c.require(profile[i].at - profile[i - 1].at >= kSmallest, InputPlace("environment.wind.profile", i),
-              "places must rise, by 1e-9 m at least", "sort the points");
+  for (std::size_t i = 0; i < profile.size(); ++i) {
+    const InputPlace place("environment.wind.profile", i);
+    c.is_number(profile[i].at, place);
+    check_wind(profile[i].velocity, place);
+    if (i > 0)
+      c.require(profile[i].at - profile[i - 1].at >= kSmallest, place, "places must rise, by 1e-9 m at least",
+                "sort the points");
+  }
+  const Earth& earth = e.earth;
+  c.is_number(earth.latitude, "environment.earth.latitude").is_number(earth.longitude, "environment.earth.longitude");
+  c.require(std::abs(earth.latitude) <= kRightAngleUp, "environment.earth.latitude",
+            "must lie between -90 and 90 degrees", "angles are in radians, south is negative");
+  c.is_number(earth.azimuth, "environment.earth.azimuth");
+  c.is_number(earth.rotation_rate, "environment.earth.rotation_rate");
   return c.status();
 }
 
 Status check(const Tolerance& t, const Fidelity& f) {
   Checker c;
-  check_rows<kFidelityRows>(c, f, "fidelity.");
-  check_rows<kToleranceRows>(c, t, "tolerance.");
+  check_fidelity(c, f);
   if (!c.status_so_far()) return c.status();
   // An adaptive integrator cannot reach an error below a few roundings: it would only shrink its step for ever.
+  c.not_negative(t.relative.value_or(0), "tolerance.relative", "").not_negative(t.absolute, "tolerance.absolute", "");
   const bool adaptive =
       f.motion != Motion::closed_form && (f.integrator == Integrator::automatic || is_adaptive(f.integrator));
   const double least = 4 * row(f.precision).rounding;
   const char* at_best =
       f.precision == Precision::float32 ? "float32 allows 5e-7 at best" : "float64 allows 1e-15 at best";
   c.require(!adaptive || !t.relative || *t.relative >= least, "tolerance.relative", "lies below rounding", at_best);
+  c.not_negative(t.step, "tolerance.step", "0: found by a pilot flight");
   c.require(t.step == 0 || t.step >= kShortestStep, "tolerance.step", "is shorter than 1e-9 s",
             "0: found by a pilot flight");
+  c.positive(t.position_error, "tolerance.position_error", "in m");
   c.require(t.position_error >= kSmallestError, "tolerance.position_error", "is smaller than 1e-15 m",
             "no number keeps that");
+  c.require(t.max_step > 0, "tolerance.max_step", "must be positive", "");
   c.require(t.max_step >= kShortestStep, "tolerance.max_step", "is shorter than 1e-9 s", "infinity: no limit");
+  c.require(t.max_steps > 0 && t.max_steps <= 1'000'000'000, "tolerance.max_steps", "must lie between 1 and 1e9", "");
   return c.status();
 }
 
@@ -240,24 +374,31 @@ Status check_fits(const Vec3d& position, const Vec3d& velocity, Precision precis
 
 Status check(const CollisionDef& collision, const std::string& place) {
   Checker c;
-  c.require(collision.radius == 0 || collision.radius >= 1e-12, place + ".radius",
+  c.named(collision.on_hit, OnHit::ask, place + ".on_hit");
+  c.require(collision.inertia > 0 && collision.inertia <= 1, place + ".inertia", "must lie above 0 and not above 1",
+            "2/5: a solid ball");
+  c.require(collision.radius == 0 || (collision.radius >= 1e-12 && collision.radius <= 1e6), place + ".radius",
             "must be zero, or lie between 1e-12 and 1e6 m", "0: a point");
   return c.status();
 }
 
 Status check(const ContactDef& contact, const std::string& place) {
   Checker c;
-  check_rows<kContactRows>(c, contact, place + ".");
   c.also(check(contact.collision, place + ".collision"));
   c.require(contact.collision.on_hit != OnHit::ask, place + ".collision.on_hit", "asks, and a flight has nobody to ask",
             "worlds have World::set_hit_function()");
+  c.require(contact.restitution >= 0 && contact.restitution <= 1, place + ".restitution", "must lie between 0 and 1");
+  c.not_negative(contact.friction, place + ".friction");
+  c.not_negative(contact.rolling_resistance, place + ".rolling_resistance");
   c.require(abs(contact.scene_time) <= 1e9, place + ".scene_time", "must lie between -1e9 and 1e9 s");
   return c.status();
 }
 
 Status check(const Until& u) {
   Checker c;
-  check_rows<kUntilRows>(c, u, "until.");
+  if (u.ground) c.is_number(*u.ground, "until.ground");
+  if (u.range) c.positive(*u.range, "until.range", "in m");
+  c.positive(u.time, "until.time", "a flight needs an end");
   c.require(u.events.size() <= 24, "until.events", "has too many events", "at most 24");
   for (std::size_t i = 0; i < u.events.size(); ++i) {
     const auto place = [i](const char* member) { return InputPlace("until.events", i, member); };

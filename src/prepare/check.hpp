@@ -10,15 +10,14 @@ namespace physim {
 inline constexpr double kShortestStep = 1e-9;  // a part of a shorter one is nothing [s]
 
 [[nodiscard]] Status check(const ProjectileDef& projectile);
-/// check() of a projectile with a drag curve that is known to be right.
+/// check() of a projectile whose own drag curve is known to be right.
 [[nodiscard]] Status check_but_curve(const ProjectileDef& projectile);
 [[nodiscard]] Status check(const Launch& launch);
-/// What neither check can find alone, if each input is sound.
+/// What neither of them can say alone, where each is sound by itself.
 [[nodiscard]] Status check(const ProjectileDef& projectile, const Launch& launch);
 [[nodiscard]] Status check(const Environment& environment);
 [[nodiscard]] Status check(const Tolerance& tolerance, const Fidelity& fidelity);
 [[nodiscard]] Status check(const Until& until);
-/// What the rows of a collision cannot say.
 [[nodiscard]] Status check(const CollisionDef& collision, const std::string& place);
 [[nodiscard]] Status check(const ContactDef& contact, const std::string& place);
 /// Whether a place [m] and a velocity [m/s] are numbers in a precision.

@@ -51,9 +51,17 @@ std::string_view unit_of(const SettingRow& row) { return row.unit.empty() ? si_u
 
 std::string range_error(const SettingRow& row, double value) {
   PHYSIM_ASSERT(!row.range.contains(value));
-  const bool has_bounds = row.range.high < kInfinity && !row.range.low_open;
-  const std::string wish = has_bounds && !std::isfinite(value) ? "must be a finite number" : wish_text(row);
-  return wish + ", not " + short_text(value);
+  const std::string wish = wish_text(row);
+  const bool is_said = wish.find("finite") != std::string::npos || row.range.infinite;
+  const std::string also = std::isfinite(value) || is_said ? "" : ", and be finite";
+  return wish + also + ", not " + bound_text(row, value);
+}
+
+Status error_of(const OutOfRange& first, const InputPlace& place, bool is_item) {
+  if (!first.row) return {};
+  const std::string at = is_item ? place.text() : place.text() + std::string(first.row->path);
+  if (first.is_enumerator) return Error{"is none of the named values", at, ""};
+  return Error{range_error(*first.row, first.value), at, hint_of(*first.row)};
 }
 
 std::string hint_of(const SettingRow& row) {

@@ -56,12 +56,12 @@ struct SettingRow {
 template <class Get, class Elements = std::tuple<>>
 struct MemberRow : SettingRow {
   Get get;
-  Elements elements;
+  const Elements* elements;
 };
 
 /// The rows of an item of list `i`.
 template <const auto& rows, std::size_t i>
-inline constexpr auto kItemRows = std::get<i>(rows).elements;
+inline constexpr const auto& kItemRows = *std::get<i>(rows).elements;
 
 namespace setting_rows {
 
@@ -117,18 +117,20 @@ template <class Enum>
 requires std::is_enum_v<Enum>
 constexpr void say(SettingRow& row, Enum last) { row.range = {.low = 0, .high = static_cast<double>(last)}; }
 
+inline constexpr std::tuple<> kNoItems;
+
 /// A row; `said` is what else there is to say about the setting, in any order.
 template <class Get, class Items, class... Said>
-constexpr MemberRow<Get, Items> row_of(std::string_view path, Get get, Items items, std::string_view doc,
+constexpr MemberRow<Get, Items> row_of(std::string_view path, Get get, const Items& items, std::string_view doc,
                                        Said... said) {
-  MemberRow<Get, Items> row{{.path = path, .doc = doc}, get, items};
+  MemberRow<Get, Items> row{{.path = path, .doc = doc}, get, &items};
   (say(row, said), ...);
   PHYSIM_ASSERT(row.range.low <= row.range.high);
   return row;
 }
 
 /// A row of a member; its path is how C++ names it.
-#define PHYSIM_SETTING(member, ...) PHYSIM_SETTING_AS(#member, member, std::tuple<>(), __VA_ARGS__)
+#define PHYSIM_SETTING(member, ...) PHYSIM_SETTING_AS(#member, member, kNoItems, __VA_ARGS__)
 /// A row of a list; its items have their own rows.
 #define PHYSIM_SETTING_LIST(member, items, ...) PHYSIM_SETTING_AS(#member, member, items, __VA_ARGS__)
 #define PHYSIM_SETTING_AS(path, member, items, ...) \
@@ -211,34 +213,37 @@ double bad_number(const Range& range, const T& value) {
     return 0;  // texts and lists are never out of range
 }
 
-/// The first error of a list of rows.
+/// The first member of a list of rows that is out of range.
+struct OutOfRange {
+  const SettingRow* row = nullptr;  // null: there is none
+  double value = 0;
+  bool is_enumerator = false;
+};
 template <const auto& rows, class Owner>
-[[gnu::noinline]] Status first_out_of_range(const Owner& owner, const InputPlace& place, bool is_item) {
-  Status status;
+[[gnu::noinline, gnu::cold]] OutOfRange first_out_of_range(const Owner& owner) {
+  OutOfRange first;
   const auto look = [&](const auto& row) {
     const auto& value = row.get(owner);
-    if (!status || is_in_range(row, value)) return;
-    const std::string at = is_item ? place.text() : place.text() + std::string(row.path);
-    if constexpr (std::is_enum_v<std::decay_t<decltype(value)>>)
-      status = Error{"is none of the named values", at, ""};
-    else
-      status = Error{range_error(row, bad_number(row.range, value)), at, hint_of(row)};
+    if (first.row || is_in_range(row, value)) return;
+    first = {&row, bad_number(row.range, value), std::is_enum_v<std::decay_t<decltype(value)>>};
   };
   std::apply([&](const auto&... row) { (look(row), ...); }, rows);
-  return status;
+  return first;
 }
+/// Its error. `place`: what stands before the path of the row, or the place of the item that the row is of.
+[[nodiscard]] Status error_of(const OutOfRange& first, const InputPlace& place, bool is_item);
 
 /// Refuses the first member that is out of the range of its row. `before`: what stands before its path, "launch.".
 template <const auto&... rows, class Owner>
 PHYSIM_INLINE_ALWAYS void check_rows(Checker& c, const Owner& owner, const InputPlace& before) {
   if (are_in_range<rows...>(owner)) return;
-  (c.also(first_out_of_range<rows>(owner, before, false)), ...);
+  (c.also(error_of(first_out_of_range<rows>(owner), before, false)), ...);
 }
 /// Refuses the first item of a list that has a number out of range.
 template <const auto& rows, class Item>
 void check_items(Checker& c, const std::vector<Item>& items, InputPlace::Text list) {
   for (std::size_t i = 0; i < items.size(); ++i)
-    if (!are_in_range<rows>(items[i])) c.also(first_out_of_range<rows>(items[i], InputPlace(list, i), true));
+    if (!are_in_range<rows>(items[i])) c.also(error_of(first_out_of_range<rows>(items[i]), InputPlace(list, i), true));
 }
 
 }  // namespace physim

@@ -9,7 +9,7 @@ namespace physim::setting_rows {
 // ----------------------------------------------------------------------------------------------------------- items
 inline constexpr auto kDragPointRows = std::tuple{
     PHYSIM_SETTING(mach, "Mach number", at_least(0), kPlace),
-    PHYSIM_SETTING_AS("", coefficient, std::tuple<>(), "drag coefficient", at_least(0)),
+    PHYSIM_SETTING_AS("", coefficient, kNoItems, "drag coefficient", at_least(0)),
 };
 inline constexpr auto kBandRows = std::tuple{
     PHYSIM_SETTING(above, "air speed from which the band holds", Quantity::speed, at_least(0), kPlace),
@@ -24,20 +24,20 @@ inline constexpr auto kMagnusPointRows = std::tuple{
 };
 inline constexpr auto kThrustPointRows = std::tuple{
     PHYSIM_SETTING(time, "time", Quantity::time, at_least(0), kPlace),
-    PHYSIM_SETTING_AS("", force, std::tuple<>(), "thrust", Quantity::force, at_least(0)),
+    PHYSIM_SETTING_AS("", force, kNoItems, "thrust", Quantity::force, at_least(0)),
 };
 inline constexpr auto kPropellantPointRows = std::tuple{
     PHYSIM_SETTING(time, "time", Quantity::time, at_least(0), kPlace),
-    PHYSIM_SETTING_AS("", mass, std::tuple<>(), "mass", Quantity::mass, at_least(0)),
+    PHYSIM_SETTING_AS("", mass, kNoItems, "mass", Quantity::mass, at_least(0)),
 };
 inline constexpr auto kAeroPointRows = std::tuple{
     PHYSIM_SETTING(mach, "Mach number", between(0, 100), kPlace),
-    PHYSIM_SETTING_AS("", value, std::tuple<>(), "coefficient"),
+    PHYSIM_SETTING_AS("", value, kNoItems, "coefficient"),
 };
 inline constexpr auto kAeroAnglePointRows = std::tuple{
     PHYSIM_SETTING(mach, "Mach number", between(0, 100), kPlace),
     PHYSIM_SETTING(angle_squared, "square of the angle of attack", own_unit("rad^2"), between(0, 100), kKey),
-    PHYSIM_SETTING_AS("", value, std::tuple<>(), "coefficient"),
+    PHYSIM_SETTING_AS("", value, kNoItems, "coefficient"),
 };
 
 // ------------------------------------------------------------------------------------------------------- projectile

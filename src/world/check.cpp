@@ -5,17 +5,18 @@
 #include "base/checker.hpp"
 #include "physim/result.hpp"
 #include "prepare/check.hpp"
-#include "settings/body_rows.hpp"
 #include "world/registry.hpp"
 
 namespace physim {
 namespace {
 
-using namespace setting_rows;
-
-void check_box(Checker& c, const BodyDef& body) {
-  const DespawnRules& d = body.despawn;
-  check_rows<kBoxRows>(c, body, "body.");
+void check_rules(Checker& c, const DespawnRules& d) {
+  c.require(!std::isnan(d.below), "body.despawn.below", "must be a number");
+  c.require(d.farther > 0, "body.despawn.farther", "must be positive", "leave it out for no limit");
+  c.require(d.older > 0, "body.despawn.older", "must be positive", "leave it out for no limit");
+  c.not_negative(d.slower, "body.despawn.slower");
+  if (!d.outside_box) return;
+  c.is_vector(d.box_low, "body.despawn.box_low").is_vector(d.box_high, "body.despawn.box_high");
   c.require(d.box_low.x < d.box_high.x && d.box_low.y < d.box_high.y && d.box_low.z < d.box_high.z,
             "body.despawn.box_low", "must lie below box_high in every axis", "swap the corners");
 }
@@ -67,14 +68,20 @@ Status check(const WorldDef& def) {
 
 Status check(const BodyDef& b, const WorldDef& def, std::size_t environments) {
   Checker c;
-  check_rows<kBodyRows, kContactRows, kDespawnRows, kShownRows, kCarriedRows>(c, b, "body.");
-  if (b.collision.radius != 0) c.also(check(b.collision, "body.collision"));
+  c.is_number(b.gravity_scale, "body.gravity_scale").not_negative(b.drag_scale, "body.drag_scale");
+  c.not_negative(b.angular_drag, "body.angular_drag").is_vector(b.angular_velocity, "body.angular_velocity");
+  c.not_negative(b.sleep_speed, "body.sleep_speed").not_negative(b.sleep_time, "body.sleep_time");
+  c.require(b.restitution >= 0 && b.restitution <= 1, "body.restitution", "must lie between 0 and 1");
+  c.not_negative(b.friction, "body.friction").not_negative(b.rolling_resistance, "body.rolling_resistance");
+  c.also(check(b.collision, "body.collision"));
   c.require(b.pool < std::max<std::size_t>(def.pools.size(), 1), "body.pool", "there is no such pool",
             "WorldDef::pools lists them");
   c.require(b.environment < environments, "body.environment", "there is no such environment",
             "World::add_environment() makes one");
-  c.not_negative(b.cheapest_within, "body.cheapest_within");
-  if (b.despawn.outside_box) check_box(c, b);
+  c.not_negative(b.cheapest_within, "body.cheapest_within").positive(b.within_time, "body.within_time");
+  c.also(check(b.frozen, "body.frozen")).also(check(b.frozen_rotation, "body.frozen_rotation"));
+  c.also(check(b.smoothing, "body.smoothing"));
+  check_rules(c, b.despawn);
   return c.status();
 }
 

@@ -103,7 +103,8 @@ TEST(Weather, winds_move_a_profile) {
   ProjectileDef rocket = bullet_308();
   rocket.mass = 20, rocket.diameter = 0.15, rocket.drag = {.coefficient = 0.45};
   rocket.inertia.moments = {0.06, 12, 12};
-  rocket.aero.lift = {{0, 9}}, rocket.aero.pitching = {{0, -18}}, rocket.aero.pitch_damping = {{0, -400}};
+  rocket.aero.lift = {{.value = 9}}, rocket.aero.pitching = {{.value = -18}};
+  rocket.aero.pitch_damping = {{.value = -400}};
   for (const bool is_rigid : {false, true})
     for (const WindModel wind : {WindModel::profile, WindModel::constant})
       for (const WindAxis by : {WindAxis::height, WindAxis::range})
@@ -126,7 +127,8 @@ TEST(Weather, winds_move_a_profile) {
               std::vector<double> speed, x(23), z(23);
               for (const Launch& l : launches) speed.push_back(l.speed);
               columns.speed = speed;
-              ASSERT_FALSE(fly_columns(p, columns, e, f, tolerance, until, {.x = x, .z = z}, nullptr, weather).error);
+              const auto ends = fly_columns(p, columns, e, f, tolerance, until, {.x = x, .z = z}, nullptr, weather);
+              ASSERT_FALSE(ends.error) << ends.error->text();
               for (std::size_t i = 0; i < 23; ++i) {
                 Launch launch = launches[0];
                 launch.speed = speed[i];

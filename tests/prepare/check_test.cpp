@@ -93,11 +93,11 @@ const BadInput kBad[] = {
      [](Input& i) {
        i.projectile.motor.thrust = {{0, 1}, {1e300, 1}};
      }},
-    {"aerodynamics beyond all Mach numbers", "projectile.aero.lift[1]", "between 0 and 100",
+    {"aerodynamics beyond all Mach numbers", "projectile.aero.lift[1]", "beyond 100",
      [](Input& i) {
        i.projectile.aero.lift = {{0, 0, 1}, {1e18, 0, 2}};
      }},
-    {"aerodynamics at no angle", "projectile.aero.magnus_force[1]", "between 0 and 100 rad^2",
+    {"aerodynamics at no angle", "projectile.aero.magnus_force[1]", "beyond 10 rad",
      [](Input& i) {
        i.projectile.aero.magnus_force = {{0, 0, 1}, {0, 1e18, 2}};
      }},
@@ -283,7 +283,7 @@ TEST(Check, errors_read_place_error_message_hint) {
   Input input;
   input.environment.atmosphere.humidity = 60;
   EXPECT_EQ(fly(input).error()->text(),
-            "environment.atmosphere.humidity: error: must lie between 0 and 1, not 60; 60 % is 0.6");
+            "environment.atmosphere.humidity: error: must lie between 0 and 1; 60 % is 0.6");
 }
 
 TEST(Check, unreachable_accuracy_of_fixed_steps_is_told_and_no_loop) {

@@ -31,7 +31,7 @@ elevation = "45 deg"
 [world]
 duration = "1 s"
 [[volley]]
-shot = "shot 1"
+shot = "shot-1"
 count = 20
 interval = "50 ms"
 spread = { horizontal = "1 deg" }
@@ -50,7 +50,7 @@ void expect_same(const Flight& a, const Flight& b) {
   EXPECT_EQ(a.duration(), b.duration());
 }
 
-TEST(ScenarioFile, shots_fly_as_their_tables_do) {
+TEST(ScenarioDoor, shots_fly_as_their_tables_do) {
   const ScenarioFile file = read(kTwo);
   const Scenario tables = *parse_scenario(kTwo, "test.toml");
   EXPECT_EQ(file.shots(), (std::vector<std::string>{"one", "other"}));
@@ -61,7 +61,7 @@ TEST(ScenarioFile, shots_fly_as_their_tables_do) {
   EXPECT_EQ(stranger.error().place, "third");
 }
 
-TEST(ScenarioFile, settings_are_read_and_changed_by_path) {
+TEST(ScenarioDoor, settings_are_read_and_changed_by_path) {
   ScenarioFile file = read(kTwo);
   const ScenarioFile copy = file;
   EXPECT_EQ(*file.get("shot.other.mass"), "1 kg");
@@ -88,7 +88,7 @@ TEST(ScenarioFile, settings_are_read_and_changed_by_path) {
   EXPECT_EQ(*read("physim = 1\n[[shot]]\nmass = 3\nspeed = 1\n").get("shot.mass"), "3 kg") << "the only shot";
 }
 
-TEST(ScenarioFile, every_setting_of_every_shipped_scenario_can_be_read) {
+TEST(ScenarioDoor, every_setting_of_every_shipped_scenario_can_be_read) {
   for (const auto& entry : std::filesystem::directory_iterator(std::string(PHYSIM_SOURCE_DIR) + "/scenarios")) {
     if (entry.path().extension() != ".toml") continue;
     const Result<ScenarioFile> file = ScenarioFile::load(entry.path().string());
@@ -99,7 +99,7 @@ TEST(ScenarioFile, every_setting_of_every_shipped_scenario_can_be_read) {
   }
 }
 
-TEST(ScenarioFile, worlds_run_as_their_tables_do) {
+TEST(ScenarioDoor, worlds_run_as_their_tables_do) {
   ScenarioRun run = *read(kWorld).run();
   WorldRun tables = *WorldRun::create(*parse_scenario(kWorld, "test.toml"));
   ASSERT_EQ(run.steps(), tables.steps());
@@ -109,7 +109,7 @@ TEST(ScenarioFile, worlds_run_as_their_tables_do) {
   EXPECT_FALSE(read(kTwo).run().ok()) << "no [world]";
 }
 
-TEST(ScenarioFile, a_recording_never_replaces_the_file_itself) {
+TEST(ScenarioDoor, a_recording_never_replaces_the_file_itself) {
   const testing_cli::Folder folder;
   const std::string path = folder.write("itself.toml", kWorld);
   ScenarioFile file = *ScenarioFile::load(path);
@@ -119,7 +119,7 @@ TEST(ScenarioFile, a_recording_never_replaces_the_file_itself) {
   EXPECT_TRUE(ScenarioFile::load(path).ok());
 }
 
-TEST(ScenarioFile, errors_name_their_place) {
+TEST(ScenarioDoor, errors_name_their_place) {
   EXPECT_FALSE(ScenarioFile::load("no such file").ok());
   const auto bad = ScenarioFile::parse("physim = 1\n[[shot]]\nmass = -1\n", "bad.toml");
   ASSERT_FALSE(bad.ok());

@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <string>
 #include <vector>
@@ -24,7 +25,7 @@ constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
 /// Numbers that no row of a range allows.
 std::vector<double> bad_numbers(const Range& range) {
   std::vector<double> bad = {kNan, -kInfinity};
-  if (range.low > -kInfinity) bad.push_back(range.low - 1);
+  if (range.low > -kInfinity) bad.push_back(range.low - 1 - std::abs(range.low));
   if (range.low_open) bad.push_back(range.low);
   if (range.high < kInfinity) bad.push_back(2 * range.high + 1);
   if (!range.infinite) bad.push_back(kInfinity);
