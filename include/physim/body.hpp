@@ -27,7 +27,7 @@ constexpr Axes operator|(Axes a, Axes b) {
 }
 constexpr bool has(Axes set, Axes axis) { return (static_cast<unsigned>(set) & static_cast<unsigned>(axis)) != 0; }
 
-/// What happens where a projectile reaches the ground.
+/// The response of a projectile to the ground.
 enum class GroundMode {
   none,    ///< there is no ground
   land,    ///< its flight ends: LifeStatus::landed, and it leaves the world
@@ -43,7 +43,7 @@ struct Ground {
   double friction = 1;                 ///< times BodyDef::friction [-]
 };
 
-/// When a projectile is removed without a call; LifeStatus::expired. Rules are data, evaluated after every step.
+/// Conditions that remove a projectile without a call; LifeStatus::expired. Rules are data, evaluated after every step.
 struct DespawnRules {
   double below = -kInfinity;   ///< height above the origin [m]
   double farther = kInfinity;  ///< distance from where it was launched [m]
@@ -56,14 +56,14 @@ struct DespawnRules {
   bool operator==(const DespawnRules&) const = default;
 };
 
-/// How a position between two steps is shown.
+/// The displayed position between two steps.
 enum class Smoothing : std::uint8_t {
   none,         ///< as of the last step
   interpolate,  ///< between the last two steps: smooth, one step late
   extrapolate,  ///< ahead of the last step by its velocity: on time, and corrected at every step
 };
 
-/// How a world treats a kind of projectile. Those marked (live) may be changed for each projectile at any time.
+/// Properties of a kind of projectile in a world. Those marked (live) may be changed for each projectile at any time.
 struct BodyDef {
   double gravity_scale = 1;           ///< (live) times gravity; 0: none [-]
   bool use_gravity = true;            ///< (live) false is a gravity_scale of 0 [-]
@@ -94,7 +94,7 @@ struct BodyDef {
   bool operator==(const BodyDef&) const = default;
 };
 
-/// What a pool does when it is full.
+/// The overflow policy of a pool.
 enum class WhenFull {
   refuse,          ///< the new projectile is not spawned
   replace_oldest,  ///< the one spawned first leaves: LifeStatus::retired
@@ -122,13 +122,13 @@ struct DetailRule {
   std::uint32_t layers = 0xffffffff;  ///< projectiles of these layers [-]
 };
 
-/// How many threads a world uses.
+/// The number of threads of a world.
 struct Threading {
   unsigned threads = 0;                   ///< 0: all that the machine has [-]
   std::uint32_t rows_per_thread = 16384;  ///< smaller worlds use fewer threads: one per this many rows [-]
 };
 
-/// What a world is made with.
+/// The definition of a world.
 struct WorldDef {
   Environment environment{};     ///< environment 0; more by World::add_environment() [-]
   Ground ground{};               ///< [-]
@@ -143,7 +143,7 @@ struct WorldDef {
   std::uint32_t max_projectiles = 1u << 26;  ///< alive at once; then spawning is refused [-]
 };
 
-/// Where a projectile is in its life.
+/// The life stage of a projectile.
 enum class LifeStatus : std::uint8_t {
   unknown,    ///< no such projectile, or it is forgotten
   pending,    ///< spawned, to be launched later
@@ -162,8 +162,8 @@ struct ProjectilePreset {
   ProjectileDef projectile{};  ///< [-]
   BodyDef body{};              ///< [-]
   double speed = 0;            ///< usual at launch [m/s]
-  std::string doc{};           ///< what it is [-]
-  std::string source{};        ///< where its numbers come from [-]
+  std::string doc{};           ///< description [-]
+  std::string source{};        ///< source of its numbers [-]
 };
 
 namespace presets {

@@ -70,7 +70,7 @@ struct Burst {
   bool operator==(const Burst&) const = default;
 };
 
-/// Where one of several barrels is, in the emitter's frame: x forward, y up, z right.
+/// The place of one of several barrels in the emitter's frame: x forward, y up, z right.
 struct Barrel {
   Vec3d position{};  ///< of its muzzle [m]
 
@@ -97,8 +97,8 @@ struct GunDef {
   bool operator==(const GunDef&) const = default;
 };
 
-// ------------------------------------------------------------------------------------------------- where
-/// What particles come out of. Its axis is the emitter's x axis.
+// ------------------------------------------------------------------------------------------------- shapes
+/// The shape from which particles are emitted. Its axis is the emitter's x axis.
 enum class EmitShape : std::uint8_t {
   point,          ///< forwards
   cone,           ///< from a disc of `radius`, away from the tip of a cone of half angle `angle`
@@ -114,7 +114,7 @@ enum class EmitShape : std::uint8_t {
   terrain,        ///< from a height field, or a rectangle of it, evenly by area
 };
 
-/// Where on the arc particles come out, one after the other.
+/// The sequence of emission points along the arc.
 enum class ArcMode : std::uint8_t {
   random,     ///< anywhere
   loop,       ///< further by arc_speed all the time
@@ -122,7 +122,7 @@ enum class ArcMode : std::uint8_t {
   spread,     ///< those of one moment evenly over the arc
 };
 
-/// Which way particles leave a mesh or terrain.
+/// The direction in which particles leave a mesh or terrain.
 enum class EmitAlong : std::uint8_t {
   normal,  ///< of the triangle; at an edge or a vertex the mean of those about it
   smooth,  ///< between the normals of the triangle's corners, as a smooth surface has it
@@ -174,8 +174,8 @@ struct RainDef {
   bool operator==(const RainDef&) const = default;
 };
 
-// ------------------------------------------------------------------------------------------------- what
-/// How a particle starts; curves go over the emitter's cycle.
+// ------------------------------------------------------------------------------------------------- particles
+/// Initial values of a particle; curves go over the emitter's cycle.
 struct ParticleStart {
   DrawnNumber lifetime{5};    ///< above 0, infinity too; then it expires, Reason::older, at that moment [s]
   DrawnNumber speed{5};       ///< in the direction of the shape; below 0: backwards [m/s]
@@ -192,7 +192,7 @@ struct ParticleStart {
   bool operator==(const ParticleStart&) const = default;
 };
 
-/// What changes as a particle grows older; shown only. Curves go over its lifetime, or over 1 s where that is infinite.
+/// Changes over the age of a particle; shown only. Curves go over its lifetime, or over 1 s where that is infinite.
 struct ParticleLife {
   DrawnNumber size{1};         ///< times the size at the start [-]
   DrawnNumber turn{0};         ///< rate of its rotation [rad/s]
@@ -204,9 +204,9 @@ struct ParticleLife {
   bool operator==(const ParticleLife&) const = default;
 };
 
-/// What acts on the flight of a particle as it grows older, beside its kind, rung and world. Curves go over its
+/// Effects on the flight of a particle over its age, beside those of its kind, rung and world. Curves go over its
 /// lifetime, or over 1 s where that is infinite; what lies between two is drawn once for each particle. Rungs of
-/// Motion::force alone feel it. Axes are those of W.
+/// Motion::force alone feel them. Axes are those of W.
 struct ParticleFlight {
   DrawnNumber drag{0};           ///< its velocity falls at that rate, 0 or more [1/s]
   double fast = 0;               ///< speed at which drag_by_speed ends; 0: it does not count [m/s]
@@ -219,7 +219,7 @@ struct ParticleFlight {
   DrawnNumber force_y{0};        ///< upwards [N]
   DrawnNumber force_z{0};        ///< to the right [N]
   DrawnNumber limit{kInfinity};  ///< speed above which it is slowed down, 0 or more; infinity: none [m/s]
-  double limit_rate = 10;        ///< what its speed is above the limit falls at that rate [1/s]
+  double limit_rate = 10;        ///< decay rate of its speed above the limit [1/s]
   DrawnNumber noise{0};          ///< acceleration by swirls without sources, root of its mean square, 0 or more [m/s^2]
   double noise_size = 1;         ///< of the largest swirls: the cells of a lattice in W, above 0 [m]
   double noise_rate = 0;         ///< swirls change, and come again after 1 / rate; 0: they stay as they are [1/s]
@@ -239,7 +239,7 @@ struct TrailDef {
   bool operator==(const TrailDef&) const = default;
 };
 
-/// What a sub-emitter fires at.
+/// The event at which a sub-emitter fires.
 enum class SubEvent : std::uint8_t {
   birth,   ///< of a particle
   hit,     ///< it met a thing of the scene, whatever followed
@@ -253,7 +253,7 @@ enum class SubEvent : std::uint8_t {
   trigger,  ///< World::trigger_emitter()
 };
 
-/// Which way the axis of a sub-emitter's shape points.
+/// The direction of the axis of a sub-emitter's shape.
 enum class SubAxis : std::uint8_t {
   emitter,   ///< as the emitter that it is
   velocity,  ///< along the velocity in the event
@@ -276,13 +276,13 @@ struct SubEmitter {
   bool operator==(const SubEmitter&) const = default;
 };
 
-/// What happens when an emitter that does not loop is over and its last particle is gone.
+/// The action of an emitter that does not loop, when it is over and its last particle is gone.
 enum class StopAction : std::uint8_t {
   none,    ///< it stays, and may play again
   remove,  ///< World::remove_emitter()
 };
 
-/// When an emitter plays.
+/// The timing of an emitter.
 struct EmitterCycle {
   double duration = 5;                 ///< of a cycle, above 0 [s]
   bool looping = true;                 ///< cycle after cycle [-]
@@ -297,8 +297,8 @@ struct EmitterCycle {
 
 struct EmitterDef {
   std::string name{};    ///< in messages and tables [-]
-  KindId kind{};         ///< what it fires: World::add_kind() [-]
-  Launch launch{};       ///< what else a launch says: rail, attitude, spin; the rest is the emitter's [-]
+  KindId kind{};         ///< of its projectiles: World::add_kind() [-]
+  Launch launch{};       ///< its other members: rail, attitude, spin; the rest is the emitter's [-]
   EmitterCycle cycle{};  ///< [-]
   std::optional<std::uint64_t>
       seed{};                    ///< of all that is drawn; none: one that follows from the emitters added before [-]
@@ -322,8 +322,8 @@ struct EmitterDef {
   std::vector<SubEmitter> subs{};         ///< [-]
 };
 
-// ------------------------------------------------------------------------------------------------- what became of it
-/// What an emitter has done since it was added.
+// ------------------------------------------------------------------------------------------------- results
+/// Counts of an emitter since it was added.
 struct EmitterCounts {
   std::uint64_t born = 0;      ///< [-]
   std::uint64_t refused = 0;   ///< full, or the world did not take them [-]
@@ -364,7 +364,7 @@ struct TrailColumns {
   Column<Vec3d> position{};       ///< of one particle after the other, from the oldest place to where it is now [m]
   Column<double> time{};          ///< at which it was there [s]
 };
-/// How many there are.
+/// Counts of the trails of an emitter.
 struct TrailCounts {
   std::size_t particles = 0;  ///< [-]
   std::size_t places = 0;     ///< of all together [-]

@@ -20,14 +20,14 @@ namespace physim {
 // ---------------------------------------------------------------------------------------------------------------------
 // Fields: functions of one's own over place and time, of an environment: its wind, and a force.
 
-/// What a wind function sees and fills: places side by side.
+/// Input and output of a wind function: arrays with one element per place.
 struct WindBatch {
   std::span<const double> time{};     ///< since launch; in worlds, of the world [s]
   std::span<const Vec3d> position{};  ///< in W [m]
   std::span<Vec3d> velocity{};        ///< of the air in W, zero as it comes: to be filled [m/s]
 };
 
-/// What a force function sees and fills: projectiles side by side.
+/// Input and output of a force function: arrays with one element per projectile.
 struct FieldForceBatch {
   std::span<const double> time{};     ///< since launch; in worlds, of the world [s]
   std::span<const Vec3d> position{};  ///< in W [m]
@@ -144,9 +144,9 @@ struct Atmosphere {
   bool operator==(const Atmosphere&) const = default;
 };
 
-/// What a wind profile is read by.
+/// The coordinate of a wind profile.
 enum class WindAxis { height, range };
-/// How a wind profile is read between its points.
+/// The interpolation between the points of a wind profile.
 enum class WindInterpolation {
   linear,
   step,  ///< each point holds from its place on
@@ -163,7 +163,7 @@ struct WindPoint {
 struct Wind {
   Vec3d velocity{};                                             ///< without a profile, everywhere [m/s]
   std::vector<WindPoint> profile{};                             ///< at rising places; held outside; at most 32 [m]
-  WindAxis by = WindAxis::height;                               ///< what the profile is read by [-]
+  WindAxis by = WindAxis::height;                               ///< coordinate of the profile [-]
   WindInterpolation interpolation = WindInterpolation::linear;  ///< between points of the profile [-]
   /// By place and time, in the place of the profile: of fidelity `profile`; lower rungs know the others alone. It
   /// returns the wind in W: over a round Earth nothing turns it with the vertical. [m/s]
@@ -172,7 +172,7 @@ struct Wind {
   bool operator==(const Wind&) const = default;
 };
 
-/// Where on the Earth the origin of the world frame lies, how its x axis points, and how the Earth turns. A launch by
+/// The origin of the world frame on the Earth, the direction of its x axis, and the Earth's rotation. A launch by
 /// latitude, longitude, height, azimuth and elevation is one from the origin: latitude, longitude and azimuth are
 /// these, height is Environment::altitude, elevation is Launch::elevation.
 struct Earth {
@@ -184,7 +184,7 @@ struct Earth {
   bool operator==(const Earth&) const = default;
 };
 
-/// Where a projectile flies.
+/// The environment of a projectile.
 struct Environment {
   double altitude = 0;      ///< of the origin of the world frame above sea level, or above the ellipsoid [m]
   Gravity gravity{};        ///< [-]
@@ -217,7 +217,7 @@ struct AirSample {
 [[nodiscard]] double moist_air_sound_speed(double temperature, double pressure, double humidity);
 
 // ---------------------------------------------------------------------------------------------------------------------
-// Where a flight is on the Earth: the world frame W in the Earth-fixed, inertial, local and geodetic frames, and back.
+// Frames of a flight on the Earth: from the world frame W to Earth-fixed, inertial, local and geodetic ones, and back.
 //
 // W is the tangent frame at the origin that Environment gives by Earth::latitude, Earth::longitude and altitude: x
 // along the compass azimuth Earth::azimuth, y up along the vertical there, z to the right. The other frames are those
@@ -232,8 +232,7 @@ struct FrameState {
   Vec3d velocity{};  ///< as seen in the same frame [m/s]
 };
 
-/// Where a body points: its heading, clockwise from north, then how high its nose is, then how far its right side is
-/// down.
+/// The attitude of a body: heading, clockwise from north, then pitch, nose up, then roll, right side down.
 struct YawPitchRoll {
   double yaw = 0;    ///< -pi..pi [rad]
   double pitch = 0;  ///< -pi/2..pi/2 [rad]
@@ -259,7 +258,7 @@ class EarthFrames {
   /// The components east, north and up, at a place in W [m], of a vector in W: a velocity, an acceleration.
   [[nodiscard]] Vec3d local(const Vec3d& position_W, const Vec3d& vector_W) const;
 
-  /// How a body points against local north, east and down at a place in W [m], from its q_WB.
+  /// The attitude of a body relative to local north, east and down at a place in W [m], from its q_WB.
   [[nodiscard]] YawPitchRoll yaw_pitch_roll(const Vec3d& position_W, const Quatd& q_WB) const;
 
   /// The place in W [m] of coordinates.
@@ -271,11 +270,11 @@ class EarthFrames {
   /// A vector in W from its components east, north and up at a place in W [m].
   [[nodiscard]] Vec3d from_local(const Vec3d& position_W, const Vec3d& vector_L) const;
 
-  /// How far it is along the ground, at height 0, between the feet of two places in W [m]: over the ellipsoid by
+  /// The ground distance, at height 0, between the feet of two places in W [m]: over the ellipsoid by
   /// Lambert's formula, within 1e-5 of the distance but near the antipode; over a sphere along the great circle.
   [[nodiscard]] double ground_distance(const Vec3d& from_W, const Vec3d& to_W) const;
 
-  /// How fast E turns in I [rad/s]: 0 where the Earth does not rotate.
+  /// The rotation rate of E relative to I [rad/s]: 0 where the Earth does not rotate.
   [[nodiscard]] double rotation_rate() const { return rate_; }
 
  private:
@@ -303,7 +302,8 @@ struct Weather {
   std::span<const double> wind_y{};  ///< upwards [m/s]
   std::span<const double> wind_z{};  ///< [m/s]
   /// Each point of Wind::profile moves by the difference between the columns and Wind::velocity; a projectile that sees
-  /// one wind everywhere has Wind::velocity moved, or the first point if that is zero. Without a profile: nothing [-]
+  /// one wind everywhere has Wind::velocity moved, or the first point if that is zero. Without a profile it changes
+  /// nothing [-]
   bool moves_profile = false;
   // As the members of Atmosphere of these names.
   std::span<const double> temperature{};  ///< at the station [K]

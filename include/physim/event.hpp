@@ -65,7 +65,7 @@ namespace physim {
 // ---------------------------------------------------------------------------------------------------------------------
 // CollisionDef: how a projectile meets the things of a scene, in a world and in a flight.
 
-/// What a projectile does when it hits a thing of the scene. Each hit is also reported.
+/// The response of a projectile to a hit on a thing of the scene. Each hit is also reported.
 enum class OnHit : std::uint8_t {
   pass,    ///< flies on
   stop,    ///< its flight ends; in a world: LifeStatus::landed, and it leaves the world
@@ -75,9 +75,9 @@ enum class OnHit : std::uint8_t {
   ask,     ///< as World::set_hit_function() answers for this hit; in worlds alone
 };
 
-/// How a projectile meets the things of a scene.
+/// Collision behaviour of a projectile with the things of a scene.
 struct CollisionDef {
-  OnHit on_hit = OnHit::stop;         ///< what it does then [-]
+  OnHit on_hit = OnHit::stop;         ///< response to a hit [-]
   double radius = 0;                  ///< of the ball that meets them, 1e-12 to 1e6; 0: a point, which
                                       ///< nothing spins [m]
   double inertia = 0.4;               ///< of the ball, over mass and radius squared: 2/5 solid, 2/3 hollow [-]
@@ -88,7 +88,7 @@ struct CollisionDef {
   bool operator==(const CollisionDef&) const = default;
 };
 
-/// How a flight meets the things of a scene, see Until::scene. Its numbers are those of a BodyDef.
+/// Contact of a flight with the things of a scene, see Until::scene. Its numbers are those of a BodyDef.
 struct ContactDef {
   CollisionDef collision{};          ///< [-]
   double restitution = 0.5;          ///< speed kept by a bounce, times that of the material, 0..1 [-]
@@ -103,7 +103,7 @@ struct ContactDef {
 // ---------------------------------------------------------------------------------------------------------------------
 // Event: something that happened to a projectile, in a flight or in a world. EventSpec: what to look for.
 
-/// What happened. Those of a quantity that crosses a value may be asked for by an EventSpec.
+/// The kind of an event. Those of a quantity that crosses a value may be asked for by an EventSpec.
 enum class EventKind : std::uint8_t {
   ground,            ///< a quantity crosses a value: height above the ground [m]
   apex,              ///< a quantity crosses a value: the vertical velocity, zero
@@ -134,7 +134,7 @@ enum class EventKind : std::uint8_t {
 
 PHYSIM_UNORDERED(EventKind)
 
-/// Which crossings count.
+/// The direction of the crossings that count.
 enum class Crossing : std::uint8_t { any, rising, falling };
 
 /// An event to look for.
@@ -145,7 +145,7 @@ struct EventSpec {
   bool terminal = false;               ///< ends the flight [-]
 };
 
-/// Why a projectile left.
+/// The reason for which a projectile left.
 enum class Reason : std::uint8_t {
   none,
   below,        ///< DespawnRules::below
@@ -202,7 +202,7 @@ struct HitQuestion {
   bool operator==(const HitQuestion&) const = default;
 };
 
-/// What a projectile does then: as if its kind did, but for `pass`.
+/// The response of a projectile to a queried hit: as if its kind had it, but for `pass`.
 struct HitAnswer {
   OnHit then = OnHit::stop;  ///< any but `ask`; `pass`: it comes out behind the thing at once, by the straight way, and
                              ///< flies on from there: an event `penetrated` [-]
@@ -219,7 +219,7 @@ struct HitBatch {
 };
 using HitFunction = std::function<void(const HitBatch&)>;
 
-/// What a world asked since it was made or loaded.
+/// Counts of the queried hits of a world since it was made or loaded.
 struct HitCounts {
   std::uint64_t calls = 0;      ///< of its function [-]
   std::uint64_t questions = 0;  ///< in these [-]

@@ -8,14 +8,14 @@
 
 namespace physim {
 
-/// How the equations of motion are treated.
+/// The form of the equations of motion.
 enum class Motion {
   closed_form,  ///< exact formulas: vacuum, or drag linear in velocity
   velocity,     ///< constants act directly on the velocity: constant gravity and damping, no forces
   force,        ///< the resultant of all forces, divided by mass
 };
 
-/// How the equations of motion are stepped through time.
+/// The time integration of the equations of motion.
 enum class Integrator {
   classic,              ///< the original PhySim frame loop: position, then velocity, then damping
   explicit_euler,       ///< order 1
@@ -75,14 +75,14 @@ enum class RotationModel {
   automatic,            ///< the truest that the projectile's data allow
 };
 
-/// How the attitude of a rigid body is computed.
+/// The formulation of the attitude of a rigid body.
 enum class BodyForm {
   automatic,   ///< `axis` for bodies that are symmetric about their x axis and have rifling, `quaternion` else
   quaternion,  ///< quaternion and body rates: any body; steps must resolve its spin
   axis,        ///< symmetry axis and angular momentum: steps need not resolve the spin, only the axis' motion
 };
 
-/// How a drag curve is read between its points.
+/// The interpolation between the points of a drag curve.
 enum class Interpolation {
   linear,  ///< straight lines; adaptive integrators stop at every point of the curve
   pchip,   ///< monotone cubic (Fritsch and Butland): smooth slope, no overshoot
@@ -163,7 +163,7 @@ struct FidelityNote {
   std::string reason{};   ///< one sentence [-]
 };
 
-/// What a flight really used.
+/// The fidelity that a flight really used.
 struct FidelityInUse {
   Fidelity fidelity{};                ///< as granted [-]
   std::vector<FidelityNote> notes{};  ///< one for each field that differs from what was asked [-]

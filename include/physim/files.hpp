@@ -66,7 +66,7 @@ struct MotorFileEntry {
 // Terrain files: heights over latitude and longitude out of GeoTIFF, SRTM (.hgt) and what else GDAL reads. Part of the
 // library physim_scenario.
 
-/// What of a terrain file is read, and what its heights mean.
+/// The part of a terrain file that is read, and the reference of its heights.
 struct TerrainCut {
   double latitude = 0;                                     ///< of the place about which it is cut [rad]
   double longitude = 0;                                    ///< of that place, east positive [rad]
@@ -79,10 +79,11 @@ struct TerrainCut {
 /// Whether this build reads terrain from files: it does where GDAL was there when it was built.
 [[nodiscard]] bool reads_terrain_files();
 
-/// The heights of the first band of a raster, in metres or feet as it says, brought to a grid of latitude and longitude
-/// on WGS 84 where they lie in another projection. Points lie where the file has them, the middles of its cells. Up to
-/// 2e7 points after the cut: a larger one is refused before it is read. The error's place is the file, or the member of
-/// the cut that is wrong.
+/// The heights of the first band of a raster, in the unit that it names, brought to a grid of latitude and longitude on
+/// WGS 84 if they lie in another projection or geographic system. A point has no height if the file's number for
+/// nothing, its mask or its alpha band says so, or if its height is below -12 km or above 9.2 km. Points lie where the
+/// file has them, the middles of its cells. Up to 2e7 points after the cut: a larger one is refused before it is read.
+/// The error's place is the file, or the member of the cut that is wrong.
 [[nodiscard]] Result<GeodeticGrid> read_terrain_file(const std::string& file, const TerrainCut& cut = {});
 
 // ---------------------------------------------------------------------------------------------------------------------

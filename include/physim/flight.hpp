@@ -35,14 +35,14 @@ struct Accelerations {
   Vec3d coriolis{};     ///< [m/s^2]
   Vec3d centrifugal{};  ///< of a rotating round Earth, where it is no part of gravity [m/s^2]
   Vec3d applied{};      ///< by ProjectileDef::force, Environment::force and the generators of a world [m/s^2]
-  Vec3d constraint{};   ///< what planar flight, frozen axes and the launch rail take up of all others [m/s^2]
+  Vec3d constraint{};   ///< reaction of planar flight, frozen axes and the launch rail to all others [m/s^2]
   Vec3d total{};        ///< as flown [m/s^2]
 };
 
 // ---------------------------------------------------------------------------------------------------------------------
 // Departure: a projectile in flight, for a world to continue.
 
-/// How a rigid body points and turns.
+/// The attitude and angular velocity of a rigid body.
 struct FlownAttitude {
   Quatd orientation{};       ///< q_WB: takes body axes (x forward, y up, z right) into W [-]
   Vec3d angular_velocity{};  ///< relative to inertial space, along body axes [rad/s]
@@ -69,13 +69,13 @@ struct Tolerance {
   double absolute = 1e-9;              ///< adaptive integrators: error per step where these are near zero: the whole is
                                        ///< sqrt(absolute^2 + (relative |y|)^2) [m, m/s]
   double step = 0;                     ///< fixed-step integrators; 0: heun and rk4 by pilot flights, others 1/60 s or
-                                       ///< what strong drag allows [s]
-  double position_error = 1e-3;        ///< what pilot flights keep along the whole flight [m]
+                                       ///< the step that strong drag allows [s]
+  double position_error = 1e-3;        ///< kept by pilot flights along the whole flight [m]
   double max_step = kInfinity;         ///< adaptive integrators never step further [s]
   std::int64_t max_steps = 1'000'000;  ///< then the flight ends with Outcome::step_limit [-]
 };
 
-/// When a flight ends. Ground and time always guard it; the earliest terminal event ends it.
+/// The end conditions of a flight. Ground and time always guard it; the earliest terminal event ends it.
 struct Until {
   std::optional<double> ground = 0.0;  ///< height of the ground above the origin; none: no ground [m]
   double time = 3600;                  ///< after launch [s]
@@ -83,10 +83,10 @@ struct Until {
   std::vector<EventSpec> events{};     ///< further events, at most 24 [-]
   const Scene* scene = nullptr;        ///< things that it meets on its way; null: none. It must stay unchanged
                                        ///< while the call runs, and is not read afterwards [-]
-  ContactDef contact{};                ///< how it meets them, and what it does then [-]
+  ContactDef contact{};                ///< with them, and the response to it [-]
 };
 
-/// How a flight ended.
+/// The outcome of a flight.
 enum class Outcome {
   landed,         ///< reached the ground
   reached_range,  ///< reached Until::range
@@ -183,11 +183,11 @@ class Flight {
   [[nodiscard]] Sample end() const { return at(duration()); }
   /// Acceleration by effect at a time [s].
   [[nodiscard]] Accelerations accelerations(double time) const;
-  /// How fast the acceleration changes along the path at a time [s], by differences of the models (model/jerk.hpp)
+  /// Rate of change of the acceleration along the path at a time [s], by differences of the models (model/jerk.hpp)
   /// [m/s^3].
   [[nodiscard]] Vec3d jerk(double time) const;
 
-  /// What flew, with the fidelity that was granted to it.
+  /// The projectile that flew, with the fidelity that was granted to it.
   [[nodiscard]] const ProjectileDef& projectile() const;
   /// Its state at a time [s], for a world to continue (World::spawn()); an error for a flight that was refused, and on
   /// a launch rail. Spin drift, which is only added to the path, is in the place and the velocity.
@@ -227,7 +227,7 @@ struct Shot {
   Launch launch{};             ///< [-]
 };
 
-/// How one shot of a batch ended.
+/// The end of one shot of a batch.
 struct ShotResult {
   Outcome outcome = Outcome::refused;  ///< [-]
   double time = 0;                     ///< of flight [s]
@@ -236,7 +236,7 @@ struct ShotResult {
   FlightCost cost{};                   ///< [-]
 };
 
-/// How one shot of a batch points and turns at its end.
+/// The attitude and angular velocity of one shot of a batch at its end.
 struct ShotAttitude {
   Quatd orientation{};       ///< as Sample::orientation [-]
   Vec3d angular_velocity{};  ///< as Sample::angular_velocity [rad/s]
@@ -349,7 +349,7 @@ struct LaunchColumns {
   }
 };
 
-/// Where the ends of the flights go: columns as long as there are shots, in the caller's memory. Those left empty are
+/// Output of the ends of the flights: columns as long as there are shots, in the caller's memory. Those left empty are
 /// not wanted, and cost nothing. Of a shot that was refused all numbers are NaN. With Until::range a flight ends at a
 /// range line, and these are drop, windage, time and speed there.
 struct EndColumns {
@@ -366,7 +366,7 @@ struct EndColumns {
   std::span<double> windage{};   ///< as Sample::windage: right of the line of sight [m]
 };
 
-/// What fly_columns() returns beside the columns.
+/// The return value of fly_columns(), beside the columns.
 struct ColumnsResult {
   std::size_t refused = 0;          ///< shots [-]
   std::optional<Error> error{};     ///< the first of a shot refused, or of what all have in common [-]

@@ -52,9 +52,9 @@ inline constexpr double kInfinity = std::bit_cast<double>(std::uint64_t{0x7ff000
 // ---------------------------------------------------------------------------------------------------------------------
 // Vec3: three components of any number type, with every operation a particle engine needs.
 //
-// What rounds each component once is computed where it is called. What rounds more than once is compiled inside the
-// library (src/math/vec3.hpp): its bits do not depend on the flags of the code that includes this header, neither on
-// -ffast-math nor on the fused multiply-add that -march=native allows.
+// Operations that round each component once are computed where they are called. Those that round more than once are
+// compiled inside the library (src/math/vec3.hpp): their bits do not depend on the flags of the code that includes this
+// header, neither on -ffast-math nor on the fused multiply-add that -march=native allows.
 
 /// A vector of three components. World frame W: x downrange, y up, z right; right-handed.
 /// T is float, double, or (inside the library) a pack of lanes.
@@ -191,7 +191,7 @@ Quat<T> quat_from_yaw_pitch_roll(T yaw, T pitch, T roll);
 // ---------------------------------------------------------------------------------------------------------------------
 // Columns in the caller's memory: values that lie side by side, or as members of structs of the caller's own.
 
-/// Where values are to be written, one after the other: a span, vector or array of them, or a member of each struct in
+/// A destination of values, written one after the other: a span, vector or array of them, or a member of each struct in
 /// one, as vertices of a renderer are. It owns nothing: what is gone before the column is used, as a vector without a
 /// name, is refused.
 template <class T>

@@ -38,13 +38,13 @@ struct AeroPoint {
 /// A coefficient: none: 0; one point: constant; else at rising Mach numbers, rising angles at each.
 using AeroCoefficient = std::vector<AeroPoint>;
 
-/// What rates are made dimensionless by.
+/// The normalisation of rates to dimensionless numbers.
 enum class RateNorm {
   speed,        ///< p d / V: McCoy, and ballistics since
   twice_speed,  ///< p d / 2V: aircraft, and the NASA check-cases
 };
 
-/// Which motion of a body its damping is against.
+/// The reference frame of the motion that damping opposes.
 enum class DampingFrame {
   air,       ///< against the air, which turns with the Earth
   inertial,  ///< against the fixed stars
@@ -75,7 +75,7 @@ struct AeroDef {
 // ---------------------------------------------------------------------------------------------------------------------
 // MagnusDef: lift and drag of a ball that spins, by formula or by a table.
 
-/// What the second key of a table of coefficients is.
+/// The second key of a table of coefficients.
 enum class SpinMeasure {
   rate,       ///< spin across the path [rad/s]
   parameter,  ///< spin parameter S: speed of the surface over speed through the air [-]
@@ -138,7 +138,7 @@ struct MotorDef {
   bool operator==(const MotorDef&) const = default;
 };
 
-/// How long it burns [s].
+/// The burn time [s].
 [[nodiscard]] double burn_time(const MotorDef& motor);
 /// The integral of the thrust over the burn [N s].
 [[nodiscard]] double total_impulse(const MotorDef& motor);
@@ -152,7 +152,7 @@ struct MotorDef {
 // ---------------------------------------------------------------------------------------------------------------------
 // ProjectileDef: what a projectile is. Launch: where, how fast and in which direction it starts.
 
-/// Where the drag coefficient of the drag equation comes from.
+/// The source of the drag coefficient of the drag equation.
 enum class DragTable {
   constant,  ///< DragDef::coefficient at every speed
   g1,        ///< the standard drag functions, Cd by Mach number
@@ -200,8 +200,8 @@ struct Inertia {
   bool operator==(const Inertia&) const = default;
 };
 
-/// What a projectile is. Every field has one meaning at every fidelity; low fidelities ignore part of it. Worlds change
-/// those marked (live) for a projectile in flight (Projectile::set_projectile()).
+/// The properties of a projectile. Every field has one meaning at every fidelity; low fidelities ignore part of it.
+/// Worlds change those marked (live) for a projectile in flight (Projectile::set_projectile()).
 struct ProjectileDef {
   std::string name{};                 ///< for tables and plots [-]
   double mass = 1;                    ///< (live) at launch, the propellant of a motor included [kg]
@@ -230,24 +230,24 @@ struct Sight {
   bool zero_in_calm_air = false;  ///< the zero was shot without wind [-]
 };
 
-/// What launch angles are measured from.
+/// The reference frame of launch angles.
 enum class AttitudeFrame {
   bore,   ///< the direction of launch: x along it, z level to the right
   world,  ///< the world frame W
 };
-/// Which frame launch rates are seen from.
+/// The reference frame of launch rates.
 enum class RateFrame {
   world,     ///< W, which turns with the Earth: as seen from the ground
   inertial,  ///< the fixed stars; the same where W does not turn
 };
 
-/// How a rigid body points and turns at launch.
+/// The attitude and angular rates of a rigid body at launch.
 struct LaunchAttitude {
-  AttitudeFrame frame = AttitudeFrame::bore;  ///< what the angles are measured from [-]
+  AttitudeFrame frame = AttitudeFrame::bore;  ///< reference of the angles [-]
   double yaw = 0;                             ///< of the nose, to the right, first [rad]
   double pitch = 0;                           ///< of the nose, up, second [rad]
   double roll = 0;                            ///< right side down, third [rad]
-  RateFrame rate_frame = RateFrame::world;    ///< which frame the rates are seen from [-]
+  RateFrame rate_frame = RateFrame::world;    ///< reference of the rates [-]
   Vec3d rates{};                              ///< about body axes (x forward, y up, z right), on top of rifling [rad/s]
 };
 
@@ -260,7 +260,7 @@ struct LaunchSpin {
   bool operator==(const LaunchSpin&) const = default;
 };
 
-/// Where, how fast and in which direction a projectile starts.
+/// The launch of a projectile: its place, speed and direction.
 struct Launch {
   Vec3d position{};                 ///< of the muzzle in the world frame W: x downrange, y up, z right [m]
   double speed = 0;                 ///< [m/s]

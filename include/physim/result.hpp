@@ -21,11 +21,11 @@ inline constexpr const char* kVersion = "0.2.0";
 // ---------------------------------------------------------------------------------------------------------------------
 // Result<T>: a value, or an error that says what is wrong, where, and what to do about it.
 
-/// What went wrong with some input.
+/// An error in some input.
 struct Error {
-  std::string message{};  ///< what is wrong, in one sentence [-]
-  std::string place{};    ///< where: a field ("projectile.mass") or "file:line:col"; may be empty [-]
-  std::string hint{};     ///< what would be right; may be empty [-]
+  std::string message{};  ///< the error, in one sentence [-]
+  std::string place{};    ///< of the error: a field ("projectile.mass") or "file:line:col"; may be empty [-]
+  std::string hint{};     ///< the correction; may be empty [-]
 
   /// "place: error: message; hint"
   [[nodiscard]] std::string text() const {

@@ -24,7 +24,7 @@ namespace physim {
 // ---------------------------------------------------------------------------------------------------------------------
 // Material: what a surface is made of, and what it does to what hits it.
 
-/// How a surface throws off what meets it flat (docs/models/ricochet.md). The default throws nothing off.
+/// The ricochet of what meets a surface flat (docs/models/ricochet.md). The default throws nothing off.
 struct RicochetDef {
   double critical_angle = 0;  ///< from the surface; what comes in flatter is thrown off; 0 to below pi/2 [rad]
   double restitution = 0;     ///< part of the speed along the normal that is left, 0 to 1 [-]
@@ -35,7 +35,7 @@ struct RicochetDef {
   bool operator==(const RicochetDef&) const = default;
 };
 
-// How deep a projectile goes, and with which speed it comes out behind.
+// Penetration: the depth that a projectile reaches, and its speed where it comes out behind.
 
 /// Nothing goes in.
 struct ImpenetrableDef {
@@ -79,7 +79,7 @@ struct BallisticLimitDef {
 };
 using PenetrationDef = std::variant<ImpenetrableDef, PonceletDef, YoungDef, DeMarreDef, LambertDef, BallisticLimitDef>;
 
-/// How what exits behind, or ricochets, is turned at random (docs/models/exit_spread.md). The default: not at all.
+/// Random deflection of what exits behind, or ricochets (docs/models/exit_spread.md). The default: none.
 struct SpreadDef {
   double deflection = 0;  ///< standard deviation of its direction, in each of two planes, below pi/2 [rad]
   double yaw = 0;         ///< that of the angle between its axis and its direction, below pi/2 [rad]
@@ -87,7 +87,7 @@ struct SpreadDef {
   bool operator==(const SpreadDef&) const = default;
 };
 
-/// What a surface is made of. What is left out is not known, and then does not happen.
+/// The material of a surface. Effects that are left out are not known, and then do not happen.
 struct Material {
   std::string name{};            ///< for tables [-]
   double restitution = 0.5;      ///< part of the speed along the normal that is left after a bounce, 0 to 1 [-]
@@ -123,7 +123,7 @@ namespace materials {
 }  // namespace materials
 
 // ---------------------------------------------------------------------------------------------------------------------
-// How things in a scene move: with a steady velocity and turn, or from key to key.
+// The motion of things in a scene: with a steady velocity and turn, or from key to key.
 
 /// Stands where its transform puts it.
 struct AtRest {
@@ -139,7 +139,7 @@ struct SteadyMotion {
   bool operator==(const SteadyMotion&) const = default;
 };
 
-/// Where a thing is at a time.
+/// The place of a thing at a time.
 struct MotionKey {
   double time = 0;   ///< later than the key before, within 1e9 s [s]
   Vec3d position{};  ///< of its origin in W [m]
@@ -149,7 +149,7 @@ struct MotionKey {
   bool operator==(const MotionKey&) const = default;
 };
 
-/// Which way a thing takes from one key to the next. It turns at a steady rate, the shorter way round, in either case.
+/// The path of a thing from one key to the next. It turns at a steady rate, the shorter way round, in either case.
 enum class MotionCurve {
   straight,  ///< at a steady velocity
   smooth,    ///< along the cubic (Hermite's) that has the positions and velocities of the keys
@@ -165,7 +165,7 @@ struct KeyedMotion {
 
 using SceneMotion = std::variant<AtRest, SteadyMotion, KeyedMotion>;
 
-/// Where a thing is and how it moves at one time.
+/// The place and motion of a thing at one time.
 struct MotionState {
   Vec3d position{};          ///< of its origin in W [m]
   Quatd rotation{};          ///< from its own frame to W [-]
@@ -184,7 +184,7 @@ class SceneByMotion;
 class SharedShape;
 struct SceneDrawing;
 
-/// Where something stands: scaled, then turned, then moved.
+/// The placement of a thing: scaled, then turned, then moved.
 struct Transform {
   Vec3d position{};  ///< of its origin in W [m]
   Quatd rotation{};  ///< from its own frame to W; of any length but zero [-]
@@ -240,7 +240,7 @@ struct CompoundShape {
   struct Part {
     ShapeId shape{};        ///< must stay as long as the compound [-]
     Transform transform{};  ///< in the compound's frame [-]
-    /// Where its triangles have none of their own; none: that of the instance [-].
+    /// The material of triangles without one of their own; none: that of the instance [-].
     std::optional<MaterialId> material{};
   };
   std::vector<Part> parts{};  ///< [-]
@@ -252,7 +252,7 @@ using ShapeDef = std::variant<PlaneShape, SphereShape, BoxShape, CapsuleShape, C
 struct InstanceDef {
   ShapeId shape{};              ///< [-]
   Transform transform{};        ///< [-]
-  MaterialId material{};        ///< where its triangles or parts have none of their own [-]
+  MaterialId material{};        ///< of triangles and parts without one of their own [-]
   std::uint32_t layers = 1;     ///< bits; queries select some of them [-]
   bool sensor = false;          ///< reported, and passed [-]
   std::uint64_t user_data = 0;  ///< for the caller [-]
@@ -260,7 +260,7 @@ struct InstanceDef {
   SceneMotion motion{};         ///< from its transform on [-]
 };
 
-/// What is cast: the points from one end to the other, or spheres about them; steadily, while things move.
+/// The input of a cast: the points from one end to the other, or spheres about them; steadily, while things move.
 struct SceneSegment {
   Vec3d from{};         ///< [m]
   Vec3d to{};           ///< [m]
@@ -275,7 +275,7 @@ struct SceneFilter {
   bool sensors = true;                ///< with sensors [-]
 };
 
-/// Where a segment meets a surface.
+/// The hit of a segment on a surface.
 struct SceneHit {
   double part = 0;              ///< of the segment, 0 to 1 [-]
   Vec3d position{};             ///< of the point, or of the middle of the sphere, then [m]
@@ -292,7 +292,7 @@ struct SceneHit {
   explicit operator bool() const { return static_cast<bool>(instance); }
 };
 
-/// What of a surface is nearest to a point.
+/// The point of a surface nearest to a given point.
 struct SceneNearest {
   double distance = kInfinity;  ///< 0 inside of a solid [m]
   Vec3d position{};             ///< on the surface, or the point itself inside of a solid [m]
@@ -305,14 +305,14 @@ struct SceneNearest {
   explicit operator bool() const { return static_cast<bool>(instance); }
 };
 
-/// What an engine is asked: what each of some segments meets first.
+/// A query to an engine: the first hit of each of some segments.
 struct EngineBatch {
   std::span<const SceneSegment> segments{};  ///< none is without length; their times are those of the world [m]
   std::uint32_t layers = 0xffffffff;         ///< bits: things of these [-]
   std::span<SceneHit> hits{};  ///< of each segment, empty as it comes: to be filled where it meets something
                                ///< with `part`, `normal` and `instance.index`, above 0 and the engine's own;
                                ///< `velocity`, `primitive`, `material` (of the scene) and `entering` count
-                               ///< where they are given, `starts_inside` as well, all else is known [-]
+                               ///< if they are given, `starts_inside` as well, all else is known [-]
 };
 /// An engine's own physics, which answers. See EngineScene.
 using EngineQuery = std::function<void(const EngineBatch&)>;
@@ -342,7 +342,7 @@ struct EngineCounters {
 /// InstanceId::generation of an engine's things.
 inline constexpr std::uint32_t kEngineGeneration = 0xffffffff;
 
-/// What a shape came to be.
+/// Properties of a shape as prepared.
 struct ShapeInfo {
   std::size_t triangles = 0;   ///< kept, or of a hull [-]
   std::size_t degenerate = 0;  ///< triangles left out, as they have no area [-]
@@ -362,7 +362,7 @@ class Scene {
   Scene(const Scene& other);
   Scene& operator=(const Scene& other);
 
-  // ---- what there is
+  // ---- contents
   /// Shapes are prepared once, and stand in the scene as often as one likes. An error names the number that is wrong.
   [[nodiscard]] Result<ShapeId> add_shape(const ShapeDef& shape);
   /// Refused while something has this shape.
@@ -392,7 +392,7 @@ class Scene {
   [[nodiscard]] EngineCounters engine_counters() const;
   /// EngineScene::skin, or 0 [m].
   [[nodiscard]] double skin() const;
-  /// What a thing was made of, where it is now; nothing where it is gone.
+  /// The definition of a thing, at its present place; nothing where it is gone.
   [[nodiscard]] std::optional<InstanceDef> instance(InstanceId instance) const;
   /// Number of parts of a thing that is a compound; 0 if it is no compound, or gone [-].
   [[nodiscard]] std::size_t parts(InstanceId instance) const;
@@ -402,7 +402,7 @@ class Scene {
   [[nodiscard]] bool is_sensor(InstanceId instance) const;
   /// Whether some of them move.
   [[nodiscard]] bool has_motion() const;
-  /// Where a thing is and how it moves at a time within 1e9 s; nothing where it is gone.
+  /// The place and motion of a thing at a time within 1e9 s; nothing where it is gone.
   [[nodiscard]] std::optional<MotionState> state(InstanceId instance, double time = 0) const;
   /// Rises with each call that changed what may be met where: what was found out before may not hold any more [-].
   [[nodiscard]] std::uint64_t changes() const;
@@ -427,14 +427,14 @@ class Scene {
   // ---- queries; a segment with a NaN, or beyond 1e15 m, meets nothing. What moves straight without
   // turning is met exactly; what turns or moves along a curve may be missed where it is grazed by less than 1e-6 m, and
   // by more where it turns so often within a segment's duration that 65536 chords are not enough.
-  /// What a segment meets first.
+  /// The first hit of a segment.
   [[nodiscard]] SceneHit first_hit(const SceneSegment& segment, const SceneFilter& filter = {}) const;
   /// Whether it meets anything.
   [[nodiscard]] bool any_hit(const SceneSegment& segment, const SceneFilter& filter = {}) const;
   /// All that a segment's points meet, by part: entries and exits, so that the difference is a thickness. Its radius is
   /// not looked at.
   [[nodiscard]] std::vector<SceneHit> all_hits(const SceneSegment& segment, const SceneFilter& filter = {}) const;
-  /// What each of many segments meets first; `into` has the same length. The answers do not depend on `runner`, which
+  /// The first hit of each of many segments; `into` has the same length. The answers do not depend on `runner`, which
   /// only lends threads.
   void first_hits(std::span<const SceneSegment> segments, std::span<SceneHit> into, const SceneFilter& filter = {},
                   TaskRunner* runner = nullptr) const;
@@ -454,7 +454,7 @@ class Scene {
   [[nodiscard]] std::vector<InstanceId> overlaps(const Vec3d& middle, double radius, const SceneFilter& filter = {},
                                                  double time = 0) const;
   /// Whether something that moves between two times touches a sphere that stands still, at any time between them [s].
-  /// What rests meanwhile does not count.
+  /// Things that rest meanwhile do not count.
   [[nodiscard]] bool is_reached(const Vec3d& middle, double radius, const SceneFilter& filter, double from,
                                 double to) const;
 
@@ -468,11 +468,11 @@ class Scene {
 // ---------------------------------------------------------------------------------------------------------------------
 // Drawing of scenes for debugging: lines, triangles and texts, on a canvas of the caller.
 
-/// What something that is drawn stands for; colours are the caller's.
+/// The meaning of a drawn element; colours are the caller's.
 enum class SceneInk {
   solid,   ///< a thing that is hit
   sensor,  ///< a thing that only reports
-  path,    ///< where a thing goes
+  path,    ///< the path of a thing
   box,     ///< of the trees
 };
 
@@ -480,7 +480,7 @@ enum class SceneInk {
 class SceneCanvas {
  public:
   virtual ~SceneCanvas() = default;
-  /// What is drawn from now on is part of this thing.
+  /// All that is drawn from now on is part of this thing.
   virtual void begin(InstanceId thing) { static_cast<void>(thing); }
   /// Triangles that are drawn from now on are made of this, up to the next thing.
   virtual void material(MaterialId of) { static_cast<void>(of); }
@@ -492,7 +492,7 @@ class SceneCanvas {
   virtual void text(const Vec3d& place, std::string_view text) = 0;
 };
 
-/// What Scene::draw() draws.
+/// The options of Scene::draw().
 struct SceneDrawing {
   bool shapes = true;        ///< their surfaces; planes as a square of lines [-]
   bool plane_faces = false;  ///< planes as a square of two triangles instead [-]
@@ -569,13 +569,13 @@ enum class ImpactKind {
   stopped,     ///< stuck in the material
 };
 
-/// What became of it.
+/// The result of an impact.
 struct ImpactResult {
   ImpactKind kind = ImpactKind::none;  ///< [-]
-  Vec3d velocity{};                    ///< where it is now: at the surface, behind the material, or in it [m/s]
+  Vec3d velocity{};                    ///< at its present place: at the surface, behind the material, or in it [m/s]
   Vec3d spin{};                        ///< [rad/s]
   Vec3d nose{};          ///< of length 1: where its nose points now; {} where it was not turned by a yaw [-]
-  double depth = 0;      ///< how far it came along its way; the thickness where it came out [m]
+  double depth = 0;      ///< reached along its way; the thickness where it came out [m]
   double obliquity = 0;  ///< between its way and the normal; 0 straight on [rad]
   double energy = 0;     ///< kinetic energy that it lost, as seen from the surface [J]
 };
@@ -583,7 +583,7 @@ struct ImpactResult {
 /// Refuses a material with an impossible value, or one that gains energy; the error names the value.
 [[nodiscard]] Status check_material(const Material& material);
 
-/// What happens, decided in this order:
+/// The result of an impact, decided in this order:
 /// 1. a projectile that does not move towards the surface continues: `none`;
 /// 2. one that comes in flatter than the critical angle `ricocheted`;
 /// 3. one that the material lets through its thickness `penetrated`;

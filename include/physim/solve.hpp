@@ -20,30 +20,30 @@ namespace physim {
 // ---------------------------------------------------------------------------------------------------------------------
 // Asking backwards: aim() finds the directions that hit a target, max_range() the one that carries farthest.
 
-/// What is to be hit: a point, standing or moving, by where it is when the shot is fired.
+/// The target of a shot: a point, standing or moving, by its place when the shot is fired.
 struct Target {
   Vec3d position{};      ///< at launch, in W [m]
   Vec3d velocity{};      ///< at launch [m/s]
   Vec3d acceleration{};  ///< constant [m/s^2]
 
-  /// Where the target is at a time after launch [s].
+  /// The place of the target at a time after launch [s].
   [[nodiscard]] Vec3d at(double time) const;
-  /// How fast it moves then [m/s].
+  /// Its velocity then [m/s].
   [[nodiscard]] Vec3d velocity_at(double time) const;
 
   bool operator==(const Target&) const = default;
 };
 
-/// Which of the ways to a target.
+/// The choice among the ways to a target.
 enum class Arc {
   low,   ///< the one of the shortest time of flight
   high,  ///< the one of the longest
   both,
 };
 
-/// How to aim.
+/// The options of aim().
 struct AimOptions {
-  Arc arc = Arc::both;             ///< which solutions are looked for [-]
+  Arc arc = Arc::both;             ///< solutions that are looked for [-]
   double tolerance = 0.01;         ///< a path that passes so near to the target hits it [m]
   std::optional<double> ground{};  ///< height of ground that stops the shot; none: no ground [m]
   double time = 600;               ///< longest time of flight [s]
@@ -68,7 +68,7 @@ struct AimSolution {
 /// A way to the target that something stands in.
 struct BlockedWay {
   AimSolution solution{};  ///< as it hits where nothing stands [-]
-  Event hit{};             ///< what it meets, and where [-]
+  Event hit{};             ///< on the thing in the way, and its place [-]
 };
 
 /// The answer of aim().
@@ -79,7 +79,7 @@ struct Aim {
   bool behind_ground = false;         ///< paths hit the target, but only through AimOptions::ground [-]
   std::vector<BlockedWay>
       blocked{};  ///< ways to the target that something of AimOptions::scene stands in, low first [-]
-  std::optional<Event> sight_ends{};  ///< what hides the target from the muzzle, EventKind::hit; none: nothing does [-]
+  std::optional<Event> sight_ends{};  ///< EventKind::hit that hides the target from the muzzle; none: nothing does [-]
   std::int64_t flights = 0;           ///< trajectories flown in all; those that find a fixed step are not counted [-]
   FidelityInUse fidelity_in_use{};    ///< of the flights [-]
 
@@ -142,7 +142,7 @@ struct DangerSpace {
 // ---------------------------------------------------------------------------------------------------------------------
 // Fitting: the drag of a projectile, and its muzzle speed, from what was measured of its flight.
 
-/// What was measured of a flight at one range; at least one figure of it.
+/// Measured figures of a flight at one range; at least one of them.
 struct Measurement {
   double range = 0;               ///< along the line of sight [m]
   std::optional<double> speed{};  ///< [m/s]
@@ -150,7 +150,7 @@ struct Measurement {
   std::optional<double> time{};   ///< of flight [s]
 };
 
-/// What is fitted, and how far measurements are trusted: figures count by how many times their error they are off.
+/// The fitted quantities, and the errors of measurements: figures count by their deviation over their error.
 struct FitOptions {
   bool muzzle_speed = false;  ///< fits launch.speed, too [-]
   double speed_error = 1;     ///< of measured speeds [m/s]
@@ -218,7 +218,7 @@ struct SuvatGiven {
 // Auto fidelity: chooses a fidelity by purpose. cheapest_within() finds the cheapest rungs that stay within an error of
 // the truth over a time of flight, by flying them; AutoFidelityCache remembers the answer for each kind of projectile.
 
-/// What a flight is for: how far it may be off, and for how long.
+/// The purpose of a flight: its largest error, and the time over which it must hold.
 struct Purpose {
   double error = 0.01;             ///< largest distance from the truth, at any time of the flight [m]
   double time = 2;                 ///< of flight [s]
@@ -248,17 +248,17 @@ struct AutoFidelity {
   double error = 0;          ///< its largest distance from the truth, as measured, <= purpose.error [m]
   double cost = 0;           ///< floating-point operations for a second of flight; float64 counts twice [1/s]
   double truth_cost = 0;     ///< the same, of the truth at the same frames [1/s]
-  double truth_error = 0;    ///< what the truth itself is unsure of, by its numbers [m]
+  double truth_error = 0;    ///< uncertainty of the truth itself, by its numbers [m]
   double time = 0;           ///< longest flight that was compared, at most purpose.time [s]
   bool ended_early = false;  ///< the search had used up its steps: the fidelity is the truth's own [-]
-  Purpose purpose{};         ///< what was asked [-]
+  Purpose purpose{};         ///< as asked [-]
   std::vector<FidelityTrial> trials{};  ///< all that was flown, in that order [-]
 
   /// "the cheapest within 1 cm over 2 s: measured 4.2 mm, 38 times cheaper than the reference".
   [[nodiscard]] std::string explanation() const;
   /// The explanation as a note for FidelityInUse.
   [[nodiscard]] FidelityNote note() const;
-  /// With which fly() flies it as it was measured.
+  /// The tolerance with which fly() flies it as it was measured.
   [[nodiscard]] Tolerance tolerance() const;
 };
 

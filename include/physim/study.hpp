@@ -68,7 +68,7 @@ struct TruncatedNormalDistribution {
 /// Some values, such as a column of measurements.
 struct DiscreteDistribution {
   std::vector<double> values{};   ///< at least one, in any order [unit of the number]
-  std::vector<double> weights{};  ///< how likely each is, as parts of their sum; empty: all the same [-]
+  std::vector<double> weights{};  ///< probability of each, as a part of their sum; empty: all the same [-]
 
   bool operator==(const DiscreteDistribution&) const = default;
 };
@@ -91,7 +91,7 @@ using Distribution = std::variant<NormalDistribution, UniformDistribution, Trian
 [[nodiscard]] double probability_up_to(const Distribution& distribution, double x);
 
 // ---------------------------------------------------------------------------------------------------------------------
-// What a study comes to: figures with their errors.
+// The results of a study: figures with their errors.
 
 /// A number that a flight ends with.
 enum class StudyQuantity {
@@ -228,7 +228,7 @@ struct SpreadResult {
   bool operator==(const SpreadResult&) const = default;
 };
 
-/// How likely a target is hit, shots that do not arrive included.
+/// The hit probability of a target, shots that do not arrive included.
 struct HitResult {
   std::string name{};      ///< [-]
   std::uint64_t hits = 0;  ///< [-]
@@ -249,7 +249,7 @@ struct InputPart {
 
   bool operator==(const InputPart&) const = default;
 };
-/// How likely targets are hit over one input, the others as uncertain as ever.
+/// The hit probability of targets over one input, the others as uncertain as ever.
 struct HitsOverInput {
   std::size_t input = 0;           ///< index in Study::inputs [-]
   std::vector<InputPart> parts{};  ///< rising; without those that no shot has [-]
@@ -257,7 +257,7 @@ struct HitsOverInput {
   bool operator==(const HitsOverInput&) const = default;
 };
 
-/// What the first shots of a study came to: a point of the way to its figures.
+/// The result of the first shots of a study: a point of the way to its figures.
 struct StudyStage {
   std::uint64_t shots = 0;        ///< [-]
   Estimate distance{};            ///< mean distance from the aim; without a plane the mean of the first quantity [unit]
@@ -270,7 +270,7 @@ struct StudyStage {
 struct WorstShot {
   std::uint64_t shot = 0;       ///< its number [-]
   double distance = 0;          ///< from the aim [m]
-  std::vector<double> draws{};  ///< what it drew, in the order of the inputs [unit of each]
+  std::vector<double> draws{};  ///< numbers that it drew, in the order of the inputs [unit of each]
 
   bool operator==(const WorstShot&) const = default;
 };
@@ -302,7 +302,7 @@ struct StudyResult {
   std::optional<ZoneResult> zone{};           ///< of random shots without occasions [m]
   std::vector<HitResult> hits{};              ///< of each target [-]
   std::vector<WorstShot> worst{};             ///< ten at most, the worst first [-]
-  std::vector<IndexResult> indices{};         ///< where they are asked for [-]
+  std::vector<IndexResult> indices{};         ///< if they are asked for [-]
   std::vector<HitsOverInput> over_inputs{};   ///< of each input, if Study::over_inputs is set [-]
   std::vector<StudyStage> stages{};           ///< from the first shard on, each a tenth more than the one before [-]
   bool width_reached = false;                 ///< Study::until_width ended it [-]
@@ -310,14 +310,14 @@ struct StudyResult {
   std::vector<StudyResult> at{};              ///< all of this at each of Study::at [-]
 };
 
-/// What one input does to the result, by its slope.
+/// The effect of one input on the result, by its slope.
 struct LinearRow {
   std::size_t input = 0;         ///< index in Study::inputs [-]
   double deviation = 0;          ///< of the input [unit of the input]
   std::vector<double> slope{};   ///< of each quantity [unit of the quantity / unit of the input]
   std::vector<double> effect{};  ///< of one deviation: slope times deviation [unit of the quantity]
   std::vector<double> share{};   ///< of the variance of each quantity; a correlated group's stands in its first row [-]
-  /// Which part of the shots that miss a target of Study::targets would hit if this input stood at its mean: by slopes,
+  /// The part of the misses of a target of Study::targets that would hit if this input stood at its mean: by slopes,
   /// as if impacts were normal. Parts need not add up to 1, and are negative where the spread brings hits. A correlated
   /// group has its parts in its first row and 0 in the others; NaN of things, and where fewer than one shot in 460
   /// misses; empty without a plane. Rows that hold a NaN compare unequal, also with themselves [-].
@@ -341,7 +341,7 @@ struct LinearResult {
 class Scene;
 class TaskRunner;
 
-/// How the numbers of a study are spread.
+/// The sampling method of a study.
 enum class Sampling {
   random,           ///< each shot alone
   latin_hypercube,  ///< evenly over each input within a shard
@@ -350,7 +350,7 @@ enum class Sampling {
 
 PHYSIM_UNORDERED(Sampling)
 
-/// How often an uncertain number is drawn.
+/// The frequency of draws of an uncertain number.
 enum class DrawnFor {
   round,     ///< for each shot
   occasion,  ///< once for all shots of an occasion: Study::rounds of them
@@ -360,9 +360,9 @@ PHYSIM_UNORDERED(DrawnFor)
 
 /// A number that is not known for sure. Several entries may name one number; then all but one are `added`.
 struct StudyInput {
-  std::string path{};                    ///< which number: one of study_paths(), "shot.speed" [-]
+  std::string path{};                    ///< of the number: one of study_paths(), "shot.speed" [-]
   Distribution distribution{};           ///< of the number [unit of the number]
-  DrawnFor drawn_for = DrawnFor::round;  ///< how often it is drawn [-]
+  DrawnFor drawn_for = DrawnFor::round;  ///< frequency of its draws [-]
   bool added = false;                    ///< to what is there, instead of taking its place [-]
 
   bool operator==(const StudyInput&) const = default;
@@ -403,7 +403,7 @@ struct ThingTarget {
 
   bool operator==(const ThingTarget&) const = default;
 };
-/// What is to be hit. A shot on the rim hits a circle; of other shapes the left and the lower edge belong to them.
+/// A target of the shots. A shot on the rim hits a circle; of other shapes the left and the lower edge belong to them.
 struct StudyTarget {
   std::string name{};                                                               ///< [-]
   std::variant<CircleTarget, RectangleTarget, PolygonTarget, ThingTarget> shape{};  ///< [-]
@@ -451,7 +451,7 @@ struct Study {
   std::vector<StudyQuantity> quantities{};     ///< two for the plane of impact, then others; empty: right, up
                                                ///< (without a range: along), time, speed; with a scene
                                                ///< right, up, along, time, speed [-]
-  PlanePoint aim{};                            ///< where shots should end, on the plane of impact [m]
+  PlanePoint aim{};                            ///< intended end of the shots, on the plane of impact [m]
   std::vector<StudyTarget> targets{};          ///< [-]
   std::vector<std::uint32_t> group_sizes = {3, 5, 10};  ///< of extreme spreads, 2 to 100 shots [-]
   bool indices = false;                                 ///< Sobol indices: each shot is flown once more for each
@@ -504,7 +504,7 @@ class StudyPlan {
   [[nodiscard]] const Study& study() const;
   /// Shards of Study::shots; whole rounds of replicates for Latin hypercubes and Sobol's sequence.
   [[nodiscard]] std::uint64_t shards() const;
-  /// What should be known before it is flown: how often the impossible is drawn ...
+  /// Notes to be known before it is flown: the frequency of impossible draws ...
   [[nodiscard]] const std::vector<std::string>& notes() const;
   /// A plan for each of Study::at, of a study that ends there: with its quantities, targets and aim. Flown alone it
   /// gives the bits that StudyResult::at has; shots fly on to the end of this one.
@@ -578,12 +578,12 @@ struct StudyOptions {
 /// Flies those of the shards first ... first + count - 1 that options.so_far has not; gives all that is there then.
 [[nodiscard]] Result<StudyPart> run_shards(const StudyPlan& plan, std::uint64_t first, std::uint64_t count,
                                            TaskRunner* runner = nullptr, const StudyOptions& options = {});
-/// What the first `shards` of a part come to; an error, which names them, where some are missing.
+/// The result of the first `shards` of a part; an error, which names them, where some are missing.
 [[nodiscard]] Result<StudyResult> result_of(const StudyPlan& plan, const StudyPart& part, std::uint64_t shards);
 
 /// The numbers that a shot draws, in the order of Study::inputs, with what its path has besides.
 [[nodiscard]] std::vector<double> draws_of(const StudyPlan& plan, std::uint64_t shot);
-/// What a shot comes to: each quantity; NaN where it did not arrive.
+/// The result of a shot: each quantity; NaN where it did not arrive.
 [[nodiscard]] std::vector<double> fly_shot_of(const StudyPlan& plan, std::uint64_t shot);
 
 /// Shots as they were drawn and as they ended, column by column.

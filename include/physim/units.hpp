@@ -6,7 +6,7 @@ namespace physim {
 // ---------------------------------------------------------------------------------------------------------------------
 // Quantities: what the numbers of settings measure.
 
-/// What a setting measures; decides the units that are accepted at the door.
+/// The physical quantity of a setting; decides the units that are accepted at the door.
 enum class Quantity {
   number,
   length,

@@ -107,7 +107,7 @@ struct Thrust {
   Vec3d direction{};           ///< in W, of any length; zero: along the velocity [-]
 };
 
-/// What a force function sees and fills: all projectiles that it acts on, side by side.
+/// Input and output of a force function: arrays with one element per projectile that it acts on.
 struct ForceBatch {
   double time = 0;                     ///< of the world [s]
   std::span<const ProjectileId> id{};  ///< [-]
@@ -127,7 +127,7 @@ using ForceLaw =
     std::variant<ConstantForce, ConstantAcceleration, GravityForce, LinearQuadraticDragForce, AnchoredSpring, Spring,
                  Bungee, Buoyancy, PointAttractor, WindZone, Explosion, Thrust, CustomForce>;
 
-/// What a generator acts on: projectiles one by one, or everything of a kind, or of some layers.
+/// The targets of a generator: projectiles one by one, or everything of a kind, or of some layers.
 struct ForceTarget {
   std::vector<ProjectileId> ids{};  ///< these [-]
   KindId kind{};                    ///< all of this kind, now and later [-]
@@ -152,7 +152,7 @@ enum class JointKind : std::uint8_t {
   spring,  ///< Hooke's law with damping; it is stable however stiff it is
 };
 
-/// What holds two projectiles, or one to a point. It has no mass, is straight, meets nothing, and ends in the middles
+/// A link of two projectiles, or of one to a point. It has no mass, is straight, meets nothing, and ends in the middles
 /// of projectiles, which it does not turn.
 struct Joint {
   JointKind kind = JointKind::rod;  ///< [-]
@@ -168,7 +168,7 @@ struct Joint {
   bool operator==(const Joint&) const = default;
 };
 
-/// How a joint is now.
+/// The present state of a joint.
 struct JointState {
   double length = 0;     ///< distance of its ends [m]
   double tension = 0;    ///< with which it pulled them together, on the mean of the last step; negative: it pushed [N]
@@ -188,7 +188,7 @@ struct JointEvent {
   double speed = 0;                             ///< at which the ends of a cable parted before [m/s]
 };
 
-/// How well joints were kept.
+/// Counts and residual of the joint solver.
 struct JointCounts {
   std::size_t joints = 0;      ///< there are now [-]
   std::uint32_t rounds = 0;    ///< most that one net of joints took in the last step [-]
@@ -214,7 +214,7 @@ using WorldColumns = std::variant<ColumnsOf<float>, ColumnsOf<double>>;
 // ---------------------------------------------------------------------------------------------------------------------
 // Projectile: a projectile of a world, by its id. What it does, and how to change it.
 
-/// Where a projectile is and how it moves.
+/// The place and velocity of a projectile.
 struct BodyState {
   Vec3d position{};  ///< [m]
   Vec3d velocity{};  ///< [m/s]
@@ -254,15 +254,15 @@ class ProjectileView {
   /// Acceleration by effect now; `applied` holds the generators too (inside a step of its world, without custom
   /// forces).
   [[nodiscard]] Accelerations accelerations() const;
-  /// How fast the acceleration changes along the path now, as Flight::jerk(); generators count by place and velocity
+  /// Rate of change of the acceleration along the path now, as Flight::jerk(); generators count by place and velocity
   /// [m/s^3].
   [[nodiscard]] Vec3d jerk() const;
 
   [[nodiscard]] KindId kind() const;
   [[nodiscard]] const ProjectileDef* definition() const;  ///< null where it is gone
-  /// What it really uses, and why.
+  /// The fidelity that it really uses, and the reasons.
   [[nodiscard]] FidelityInUse fidelity_in_use() const;
-  /// How the world treats it now: as its kind, but for what was changed since.
+  /// Its present properties in the world: those of its kind, but for what was changed since.
   [[nodiscard]] BodyDef body() const;
   [[nodiscard]] std::uint64_t user_data() const;
   [[nodiscard]] std::uint32_t layers() const;
@@ -270,7 +270,7 @@ class ProjectileView {
   [[nodiscard]] std::string label() const;
 
  private:
-  // What is read most, so that the view itself need not be in memory.
+  // The values that are read most, so that the view itself need not be in memory.
   static Vec3d position_of(const WorldImpl* world, ProjectileId id);
   static Vec3d velocity_of(const WorldImpl* world, ProjectileId id);
   static BodyState state_of(const WorldImpl* world, ProjectileId id);
@@ -330,7 +330,7 @@ class Projectile : public ProjectileView {
 // ---------------------------------------------------------------------------------------------------------------------
 // World: many projectiles in real time, stepped by frame. Each is on its own rung; all are named by ids.
 
-/// Where a projectile went in the last step: what a scene query needs.
+/// The way of a projectile in the last step: the input of a scene query.
 struct Segment {
   ProjectileId id{};  ///< [-]
   Vec3d from{};       ///< [m]
@@ -375,7 +375,7 @@ inline constexpr char kSaveMagic[8] = {'P', 'H', 'Y', 'S', 'I', 'M', 'S', '\n'};
 /// The format of a save's bytes; others are refused.
 inline constexpr std::uint32_t kSaveFormat = 12;
 
-/// What a save does not hold: functions are no data. They are given again: custom forces in the order they were added;
+/// Parts that a save lacks: functions are no data. They are given again: custom forces in the order they were added;
 /// those of environments in the order of these, each once, however many have it. A scene has one engine, if any.
 struct LoadOptions {
   Threading threading{};                      ///< it changes no result [-]
@@ -422,7 +422,7 @@ class World {
   World& operator=(World&&) noexcept;
   ~World();
 
-  // ------------------------------------------------------------------------------------------- what there is
+  // ------------------------------------------------------------------------------------------- kinds and environments
   /// Prepares a kind of projectile, so that each of it is spawned quickly. Definitions that are equal to the bit give
   /// the same kind. It stays as long as its world; a kind that spawn() makes of a definition is let go some time after
   /// the last projectile of it.
@@ -444,7 +444,7 @@ class World {
   /// spin, with its motor burnt until then, at the fidelity that was granted to it. An error for a flight that was
   /// refused, and on a launch rail.
   Result<ProjectileId> spawn(const Flight& flight, double time, const BodyDef& body = {});
-  /// What is on its way already.
+  /// A projectile that is on its way already.
   Result<ProjectileId> spawn_departed(const ProjectileDef& projectile, const Departure& from, const BodyDef& body = {});
   /// Reserves room for `count` more, so that spawning does not allocate; an error if there is no memory for them, or if
   /// they would be more than WorldDef::max_projectiles.
@@ -462,7 +462,7 @@ class World {
   [[nodiscard]] Projectile operator[](ProjectileId id) { return {impl_ ? impl_.get() : &impl(), id}; }
   [[nodiscard]] ProjectileView operator[](ProjectileId id) const { return {impl_ ? impl_.get() : &impl(), id}; }
 
-  // ------------------------------------------------------------------------------------------- what comes next
+  // ------------------------------------------------------------------------------------------- prediction
   /// The flight from now on, its time 0, by steps of `step` [s] (0: WorldDef::step): attitude, spin, what its motor
   /// has burnt, its own gravity and other settings, and generators as they are now. At the end of each step it is, to
   /// the bit, where step() would bring it, as long as nothing changes it: rules that despawn, put to sleep or move it
@@ -474,13 +474,13 @@ class World {
   [[nodiscard]] Flight predict(ProjectileId id, const Until& until, double step = 0) const;
   /// ... until the ground of this world, or for a time [s].
   [[nodiscard]] Flight predict(ProjectileId id, double time, double step = 0) const;
-  /// How many of them end, in their order; paths are not kept. Returns how many are not refused.
+  /// The ends of many of them, in their order; paths are not kept. Returns how many are not refused.
   std::size_t predict(std::span<const ProjectileId> ids, const Until& until, std::span<ShotResult> into,
                       double step = 0) const;
 
   // ------------------------------------------------------------------------------------------- all or many of them
   void states(std::span<const ProjectileId> ids, std::span<BodyState> into) const;
-  void render_positions(std::span<const ProjectileId> ids, std::span<Vec3d> into) const;  ///< where to draw them [m]
+  void render_positions(std::span<const ProjectileId> ids, std::span<Vec3d> into) const;  ///< to draw them at [m]
   /// Segments of the last step, of all that moved, by cohort; `into` is cleared.
   void segments(std::vector<Segment>& into) const;
   /// All that are alive as they lie in memory, some columns for each rung; nothing is copied. `into` is cleared.
@@ -512,17 +512,17 @@ class World {
   [[nodiscard]] std::vector<JointId> joints() const;          ///< of all there are, by index
   [[nodiscard]] const Joint* joint(JointId joint) const;      ///< with its length; null: it is gone
   [[nodiscard]] JointState joint_state(JointId joint) const;  ///< zeros: it is gone
-  /// What became of joints in the last step() or advance(), and by calls since, as events() of projectiles.
+  /// The events of joints in the last step() or advance(), and by calls since, as events() of projectiles.
   [[nodiscard]] std::vector<JointEvent> joint_events() const;
   [[nodiscard]] JointCounts joint_counts() const;
 
   // ------------------------------------------------------------------------------------------- scene
-  /// What projectiles meet from now on, as BodyDef::on_hit says: a copy of this scene with its ids, and the engine that
-  /// answers beside it. Projectiles asleep wake.
+  /// Sets the scene that projectiles meet from now on, as BodyDef::on_hit says: a copy of it with its ids, and the
+  /// engine that answers beside it. Projectiles asleep wake.
   Status set_scene(const Scene& scene);
   /// They meet nothing any more.
   Status remove_scene();
-  /// What there is; null: no scene. It stays until the next call that changes it.
+  /// The scene; null: none. It stays until the next call that changes it.
   [[nodiscard]] const Scene* scene() const;
   // Changes of the scene, as Scene has them, at the cost of what they change; refused if there is no scene.
   Result<ShapeId> add_shape(const ShapeDef& shape);
@@ -542,14 +542,14 @@ class World {
   /// counts them. Refused if it is empty while there are kinds that ask; without it such kinds are refused.
   Status set_hit_function(HitFunction function);
   [[nodiscard]] HitCounts hit_counts() const;
-  /// What was wrong with the last answer that was refused; empty: none was.
+  /// The error of the last answer that was refused; empty: none was.
   [[nodiscard]] std::string refused_answer() const;
 
   // ------------------------------------------------------------------------------------------- emitters
   /// From now on it fires, at its own moments inside steps. What is emitted flies the rest of that step; what is
   /// emitted, when, where and how fast follows from the definition alone, however long steps are.
   Result<EmitterId> add_emitter(const EmitterDef& def);
-  /// What it fired stays, without an emitter from then on.
+  /// Projectiles that it fired stay, without an emitter from then on.
   Status remove_emitter(EmitterId emitter);
   /// It begins again, with the delay before its first cycle; the numbers of particles continue.
   Status play_emitter(EmitterId emitter);
@@ -582,7 +582,7 @@ class World {
   /// Its particles, by the index of their ids or from far to near; returns how many there are. Columns that are shorter
   /// get the first ones.
   std::size_t particles(EmitterId emitter, const ParticleColumns& into) const;
-  /// Where its particles have been (TrailDef), in their order; returns how many there are.
+  /// The past places of its particles (TrailDef), in their order; returns how many there are.
   TrailCounts trails(EmitterId emitter, const TrailColumns& into) const;
 
   // ------------------------------------------------------------------------------------------- time
@@ -602,7 +602,7 @@ class World {
   [[nodiscard]] double time() const;      ///< of the simulation [s]
   [[nodiscard]] double fraction() const;  ///< of a step that advance() has left over, 0..1 [-]
 
-  /// What happened in the last step() or advance(), in order of time, then of id, and then what calls did since. The
+  /// The events of the last step() or advance(), in order of time, then of id, and then those of calls since. The
   /// returned span stays unchanged until the next step(), advance(), single_step() or forget_events(), whatever is
   /// changed: spawning and despawning in a loop over it is fine, and the next call of events() returns their events. Of
   /// calls between two steps kMostEventsOfCalls or more are kept; counters() returns how many were dropped.
@@ -610,7 +610,7 @@ class World {
   void forget_events();  ///< events() is empty then
   [[nodiscard]] const WorldCounters& counters() const;
   [[nodiscard]] std::vector<CohortInfo> cohorts() const;
-  /// What grows with use: projectiles, kinds, rungs and cohorts, tables, forces, events. Snapshots have their
+  /// Memory that grows with use: projectiles, kinds, rungs and cohorts, tables, forces, events. Snapshots have their
   /// own [bytes].
   [[nodiscard]] std::size_t memory() const;
 
@@ -667,18 +667,18 @@ inline constexpr std::uint32_t kRecordingFormat = 13;
 /// Keeps a recording in memory: world.record(record_into(bytes)). The bytes must outlive the recording.
 [[nodiscard]] RecordSink record_into(std::vector<std::byte>& bytes);
 
-/// Where a replay first differs from its recording.
+/// The first difference of a replay from its recording.
 struct ReplayDifference {
   std::uint64_t step = 0;  ///< the step in which it was seen, from 1; of a call between steps: the last one before [-]
   double time = 0;         ///< of the replayed world [s]
   std::string call{};      ///< the call that was made, "advance" [-]
   std::string what{};      ///< one sentence [-]
-  std::uint64_t recorded_hash = 0;  ///< where hashes differ [-]
-  std::uint64_t replayed_hash = 0;  ///< where hashes differ [-]
+  std::uint64_t recorded_hash = 0;  ///< if hashes differ [-]
+  std::uint64_t replayed_hash = 0;  ///< if hashes differ [-]
   std::uint64_t place = 0;          ///< in the recording [bytes]
 };
 
-/// How far a replay is, and whether it agrees.
+/// The progress of a replay, and whether it agrees.
 struct ReplayReport {
   std::string made_by{};       ///< version of the library that recorded [-]
   bool complete = false;       ///< the recording has its end; else it was cut [-]
