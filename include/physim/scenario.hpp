@@ -1,6 +1,7 @@
 // Scenario files, by the paths of their settings. Part of the library physim_scenario.
 #pragma once
 
+#include <cstdint>
 #include <memory>
 #include <span>
 #include <string>
@@ -13,6 +14,8 @@
 #include "physim/world.hpp"
 
 namespace physim {
+
+class WorldRun;
 
 /// The units that are accepted for a quantity, the SI unit first; "%" for plain numbers.
 [[nodiscard]] std::vector<std::string> units_of(Quantity quantity);
@@ -55,9 +58,8 @@ class ScenarioRun {
 
  private:
   friend class ScenarioFile;
-  struct Impl;
-  explicit ScenarioRun(std::unique_ptr<Impl> impl);
-  std::unique_ptr<Impl> impl_;
+  explicit ScenarioRun(std::unique_ptr<WorldRun> run);
+  std::unique_ptr<WorldRun> run_;
 };
 
 /// A scenario file that could be read. Its settings are read and changed by their paths (docs/settings.md): those of a

@@ -4,7 +4,7 @@
 //   distance, straight lines between them or steps; all three components, so that updraughts are included. It blows in
 //   air that turns with the Earth; over a round Earth it turns with the vertical (model/earth.hpp), and level wind
 //   stays level. Where the environment gives a function of place and time, `profile` is that, in W
-//   (model/field_function.hpp).
+//   (model/field_function.hpp). A shot with a wind of its own beside a profile has w_i + m instead of w_i.
 // When it is wrong: no turbulence, and but for functions no change in time; horizontal changes only through a profile
 //   by range.
 // Symbols: w velocity of the air in W [m/s]; u height or downrange distance [m]; u_i places of the profile's points.

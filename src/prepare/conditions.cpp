@@ -30,21 +30,6 @@ void put_profile(std::span<const WindPoint> points, WindProfile<double>& profile
   }
 }
 
-}  // namespace
-
-Vec3d steady_wind(const Wind& wind) {
-  return wind.profile.empty() || wind.velocity != Vec3d{} ? wind.velocity : wind.profile.front().velocity;
-}
-
-Vec3d own_wind_less_column(const Weather& weather, const Wind& common, WindModel granted) {
-  constexpr Vec3d nothing{-0.0, -0.0, -0.0};
-  if (!weather.moves_profile || common.profile.empty()) return nothing;
-  if (granted == WindModel::profile) return -common.velocity;
-  return common.velocity == Vec3d{} ? common.profile.front().velocity : nothing;
-}
-
-namespace {
-
 /// Into a field that is all zero.
 void put_wind(const Wind& wind, WindModel model, WindField<double>& field, WindProfile<double>& profile) {
   if (wind.field && model == WindModel::profile) return;  // its function is asked
@@ -52,7 +37,11 @@ void put_wind(const Wind& wind, WindModel model, WindField<double>& field, WindP
   field.stepped = wind.interpolation == WindInterpolation::step;
   switch (wind.profile.empty() ? lower_of(model, WindModel::constant) : model) {
     case WindModel::off: return;
-    case WindModel::constant: field.velocity = steady_wind(wind); return;
+    case WindModel::constant:
+      // A low rung has one wind: the profile's first point stands for it where no other is given.
+      field.velocity = wind.velocity;
+      if (!wind.profile.empty() && wind.velocity == Vec3d{}) field.velocity = wind.profile.front().velocity;
+      return;
     case WindModel::profile: break;
   }
   field.points = static_cast<int>(wind.profile.size());
@@ -111,6 +100,13 @@ Result<AirSample> air_at(const Environment& environment, double altitude) {
 
 Result<AirSample> air_at_origin(const Environment& environment) {
   return air_at(environment, std::clamp(environment.altitude, kLowestAltitude, kHighestAltitude));
+}
+
+Vec3d own_wind_less_column(const Weather& weather, const Wind& common, WindModel granted) {
+  constexpr Vec3d nothing{-0.0, -0.0, -0.0};
+  if (!weather.moves_profile || common.profile.empty()) return nothing;
+  if (granted == WindModel::profile) return -common.velocity;
+  return common.velocity == Vec3d{} ? common.profile.front().velocity : nothing;
 }
 
 Conditions<float> to_float(const Conditions<double>& c) {

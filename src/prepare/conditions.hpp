@@ -10,8 +10,6 @@ namespace physim {
 [[nodiscard]] Conditions<double> prepare_conditions(const Environment& environment, const Fidelity& granted);
 /// ... where they are kept; what was there is not read.
 void put_conditions(const Environment& environment, const Fidelity& granted, Conditions<double>& conditions);
-/// The wind of a projectile that sees one wind everywhere: a profile's first point where no other is given [m/s].
-[[nodiscard]] Vec3d steady_wind(const Wind& wind);
 /// What WindPart::wind of a shot with weather of its own has beside the numbers of its columns [m/s].
 [[nodiscard]] Vec3d own_wind_less_column(const Weather& weather, const Wind& common, WindModel granted);
 /// Whether functions of one's own are in it.

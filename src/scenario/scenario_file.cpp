@@ -85,24 +85,20 @@ Result<Flight> ScenarioFile::fly(std::string_view shot) const {
 }
 
 // ------------------------------------------------------------------------------------------------------------- worlds
-struct ScenarioRun::Impl {
-  WorldRun run;
-};
-
-ScenarioRun::ScenarioRun(std::unique_ptr<Impl> impl) : impl_(std::move(impl)) {}
+ScenarioRun::ScenarioRun(std::unique_ptr<WorldRun> run) : run_(std::move(run)) {}
 ScenarioRun::ScenarioRun(ScenarioRun&&) noexcept = default;
 ScenarioRun& ScenarioRun::operator=(ScenarioRun&&) noexcept = default;
 ScenarioRun::~ScenarioRun() = default;
 
-void ScenarioRun::step() { impl_->run.step(); }
-std::uint64_t ScenarioRun::steps() const { return impl_->run.steps(); }
-World& ScenarioRun::world() { return impl_->run.world(); }
-const World& ScenarioRun::world() const { return std::as_const(impl_->run).world(); }
+void ScenarioRun::step() { run_->step(); }
+std::uint64_t ScenarioRun::steps() const { return run_->steps(); }
+World& ScenarioRun::world() { return run_->world(); }
+const World& ScenarioRun::world() const { return std::as_const(*run_).world(); }
 
 Result<ScenarioRun> ScenarioFile::run(const std::string& recording) const {
   Result<WorldRun> run = WorldRun::create(state_->scenario, recording);
   if (!run) return run.error();
-  return ScenarioRun(std::make_unique<ScenarioRun::Impl>(ScenarioRun::Impl{std::move(*run)}));
+  return ScenarioRun(std::make_unique<WorldRun>(std::move(*run)));
 }
 
 }  // namespace physim

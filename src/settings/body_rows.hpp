@@ -14,8 +14,8 @@ inline constexpr auto kBodyRows = std::tuple{
     PHYSIM_SETTING(angular_velocity, "at launch; shown only: it moves nothing", Quantity::angular_rate),
     PHYSIM_SETTING(kinematic, "moves only when told to", kLive),
     PHYSIM_SETTING(infinite_mass, "nothing ever moves it"),
-    PHYSIM_SETTING(frozen, "axes of the world along which it does not move", Axes::all, kLive),
-    PHYSIM_SETTING(frozen_rotation, "axes of the world about which it does not turn", Axes::all, kLive),
+    PHYSIM_SETTING(frozen, "axes of the world along which it does not move", kLive),
+    PHYSIM_SETTING(frozen_rotation, "axes of the world about which it does not turn", kLive),
     PHYSIM_SETTING(can_sleep, "goes to sleep after resting", kLive),
     PHYSIM_SETTING(sleep_speed, "slower than this is resting", Quantity::speed, at_least(0)),
     PHYSIM_SETTING(sleep_time, "rest before it sleeps", Quantity::time, at_least(0)),
@@ -25,11 +25,10 @@ inline constexpr auto kContactRows = std::tuple{
     PHYSIM_SETTING(restitution, "speed kept by a bounce", kFraction, kContact),
     PHYSIM_SETTING(friction, "Coulomb's, of bounces and sliding", at_least(0), kContact),
     PHYSIM_SETTING(rolling_resistance, "part of the weight that resists rolling on the ground", at_least(0), kContact),
-    PHYSIM_SETTING(collision.on_hit, "what it does where it meets a thing of the scene", OnHit::ask, kContact),
+    PHYSIM_SETTING(collision.on_hit, "what it does where it meets a thing of the scene", kContact),
     PHYSIM_SETTING(collision.radius, "it meets them as a ball of so much, 1e-12 m at least; 0: as a point",
                    Quantity::length, between(0, 1e6), kContact),
-    PHYSIM_SETTING(collision.inertia, "of the ball, over mass and radius squared", kAboveZeroToOne,
-                   hint("2/5: a solid ball"), kContact),
+    PHYSIM_SETTING(collision.inertia, "of the ball, over mass and radius squared", kAboveZeroToOne, kContact),
     PHYSIM_SETTING(collision.layers, "bits: it meets things of these layers; 0: none", kBits, kContact),
     PHYSIM_SETTING(collision.others, "bits: it meets projectiles of these layers that want its own; 0: none", kBits),
 };
@@ -49,7 +48,7 @@ inline constexpr auto kBoxRows = std::tuple{
 };
 
 inline constexpr auto kShownRows = std::tuple{
-    PHYSIM_SETTING(smoothing, "how a position between two steps is shown", Smoothing::extrapolate, kLive),
+    PHYSIM_SETTING(smoothing, "how a position between two steps is shown", kLive),
 };
 
 inline constexpr auto kCarriedRows = std::tuple{

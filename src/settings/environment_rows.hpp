@@ -2,7 +2,6 @@
 #pragma once
 
 #include "model/conditions.hpp"
-#include "model/ladder.hpp"
 #include "model/station.hpp"
 #include "settings/row.hpp"
 
@@ -14,19 +13,19 @@ inline constexpr Range kWindSpeeds = {.low = -1e18, .high = 1e18};  // of a comp
 inline constexpr auto kGroundRows = std::tuple{
     PHYSIM_SETTING(altitude, "altitude of the origin of the world frame above sea level, or above the ellipsoid",
                    Quantity::length, between(kLowestAltitude, 1e9), kUncertain),
-    PHYSIM_SETTING(gravity.model, "gravity field that is there", kLastRung<GravityModel>, kShorthand),
+    PHYSIM_SETTING(gravity.model, "gravity field that is there", kShorthand),
     PHYSIM_SETTING(gravity.acceleration, "gravity at sea level, downwards, of constant and inverse_square",
                    Quantity::acceleration, kGravities, in_files({}), kUncertain),
     PHYSIM_SETTING(gravity.radius, "distance of sea level from the Earth's centre", Quantity::length, above(0)),
 };
 
 inline constexpr auto kAirRows = std::tuple{
-    PHYSIM_SETTING(atmosphere.model, "air that is there", kLastRung<AirModel>, kShorthand),
+    PHYSIM_SETTING(atmosphere.model, "air that is there", kShorthand),
     PHYSIM_SETTING(atmosphere.temperature, "at the station; none: standard", Quantity::temperature, between(150, 350),
                    drawn_into(&Weather::temperature)),
     PHYSIM_SETTING(atmosphere.pressure, "at the station, not reduced to sea level; none: standard", Quantity::pressure,
                    between(100, 120000), drawn_into(&Weather::pressure)),
-    PHYSIM_SETTING(atmosphere.humidity, "relative humidity at the station; none: dry", kFraction, hint("60 % is 0.6"),
+    PHYSIM_SETTING(atmosphere.humidity, "relative humidity at the station; none: dry", kFraction,
                    drawn_into(&Weather::humidity)),
     PHYSIM_SETTING(atmosphere.station_altitude, "altitude of the station above sea level; none: that of the origin",
                    Quantity::length, between(kLowestAltitude, 80000)),
@@ -50,8 +49,8 @@ inline constexpr auto kWindRows = std::tuple{
                    in_files({}), drawn_into(&Weather::wind_x, &Weather::wind_y, &Weather::wind_z)),
     PHYSIM_SETTING_LIST(wind.profile, kWindPointRows, "wind by height or range, at rising places, held outside",
                         at_most(kMaxWindPoints), kUncertain),
-    PHYSIM_SETTING(wind.by, "what the profile is read by", WindAxis::range),
-    PHYSIM_SETTING(wind.interpolation, "how the profile is read between its points", WindInterpolation::step),
+    PHYSIM_SETTING(wind.by, "what the profile is read by"),
+    PHYSIM_SETTING(wind.interpolation, "how the profile is read between its points"),
 };
 
 inline constexpr auto kEarthRows = std::tuple{

@@ -1,24 +1,22 @@
 // Rows of a Fidelity, a Tolerance and an Until.
 #pragma once
 
-#include "model/ladder.hpp"
 #include "settings/row.hpp"
 
 namespace physim::setting_rows {
 
-#define PHYSIM_RUNGS(member, doc) PHYSIM_SETTING(member, doc, kLastRung<decltype(Fidelity::member)>)
 inline constexpr auto kFidelityRows = std::tuple{
-    PHYSIM_RUNGS(motion, "how the equations of motion are treated"),
-    PHYSIM_RUNGS(integrator, "how they are stepped through time"),
-    PHYSIM_RUNGS(gravity, "model of gravity"),
-    PHYSIM_RUNGS(drag, "model of drag"),
-    PHYSIM_RUNGS(air, "model of air density and sound speed"),
-    PHYSIM_RUNGS(wind, "model of wind"),
-    PHYSIM_RUNGS(earth, "shape and rotation of the Earth"),
-    PHYSIM_RUNGS(rotation, "effects of the projectile's spin"),
-    PHYSIM_RUNGS(body_form, "how the attitude of a rigid body is computed"),
-    PHYSIM_RUNGS(precision, "number type of the computation"),
-    PHYSIM_RUNGS(interpolation, "how a drag curve is read between its points"),
+    PHYSIM_SETTING(motion, "how the equations of motion are treated"),
+    PHYSIM_SETTING(integrator, "how they are stepped through time"),
+    PHYSIM_SETTING(gravity, "model of gravity"),
+    PHYSIM_SETTING(drag, "model of drag"),
+    PHYSIM_SETTING(air, "model of air density and sound speed"),
+    PHYSIM_SETTING(wind, "model of wind"),
+    PHYSIM_SETTING(earth, "shape and rotation of the Earth"),
+    PHYSIM_SETTING(rotation, "effects of the projectile's spin"),
+    PHYSIM_SETTING(body_form, "how the attitude of a rigid body is computed"),
+    PHYSIM_SETTING(precision, "number type of the computation"),
+    PHYSIM_SETTING(interpolation, "how a drag curve is read between its points"),
     PHYSIM_SETTING(tolerance,
                    "relative error of a step of adaptive integrators if tolerance.relative is not given; 1e-15 at "
                    "least, in float32 2e-6; 0: 1e-9, in float32 2e-6",
@@ -29,7 +27,6 @@ inline constexpr auto kFidelityRows = std::tuple{
     PHYSIM_SETTING(original_one_shot_forces,
                    "classic only: forces act for one frame and never stop, as in the original"),
 };
-#undef PHYSIM_RUNGS
 
 inline constexpr auto kToleranceRows = std::tuple{
     PHYSIM_SETTING(relative,

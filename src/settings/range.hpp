@@ -17,13 +17,11 @@ struct Range {
   std::string_view words{};  // instead of the text made from the numbers
 
   /// False for NaN.
-  [[nodiscard]] PHYSIM_INLINE_ALWAYS constexpr bool contains(double value) const {
+  [[nodiscard]] constexpr bool contains(double value) const {
     const bool is_above = low_open || (low == -kInfinity && !infinite) ? value > low : value >= low;
     const bool is_below = high == kInfinity && !infinite ? value < high : value <= high;
     return is_above & is_below;
   }
-  /// Whether every finite number is in range, and nothing else.
-  [[nodiscard]] constexpr bool is_any_number() const { return low == -kInfinity && high == kInfinity && !infinite; }
   [[nodiscard]] std::string text() const;  // "> 0", "0 .. 1", ""
 };
 

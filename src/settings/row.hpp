@@ -1,20 +1,16 @@
-// SettingRow: what is known about a setting. Scenario files, studies and the checks of input all read the same rows.
+// SettingRow: the definition of a setting, which scenario files and studies read. The tests hold its range against
+// check().
 //
-// A list of rows is a tuple, so that each row keeps the type of its member: a check over a list compiles to comparisons
-// with constants, as if it were written by hand.
+// A list of rows is a tuple, so that each row keeps the type of its member.
 #pragma once
 
-#include <array>
-#include <cmath>
-#include <concepts>
 #include <optional>
-#include <string>
+#include <span>
 #include <string_view>
 #include <tuple>
 #include <type_traits>
-#include <utility>
 
-#include "base/checker.hpp"
+#include "base/assert.hpp"
 #include "physim/flight.hpp"
 #include "physim/units.hpp"
 #include "settings/range.hpp"
@@ -29,9 +25,8 @@ struct SettingRow {
   std::string_view doc;   // one line
   Quantity quantity = Quantity::number;
   std::string_view unit{};           // empty: the SI unit of the quantity
-  Range range{};                     // of numbers and components; the length of lists; the values of enumerators
+  Range range{};                     // of numbers and components; the length of lists
   std::optional<Range> in_files{};   // what scenario files accept, where that differs
-  std::string_view hint{};           // of an error; empty: made from doc and unit
   std::string_view none = "none";    // how the absence of an optional value is written
   bool required = false;             // no default
   bool shorthand = false;            // its table may be written as this value alone
@@ -72,7 +67,6 @@ struct With {
   T value;
 };
 constexpr With<std::optional<Range>> in_files(const Range& range) { return {&SettingRow::in_files, range}; }
-constexpr With<std::string_view> hint(std::string_view text) { return {&SettingRow::hint, text}; }
 constexpr With<std::string_view> own_unit(std::string_view text) { return {&SettingRow::unit, text}; }
 constexpr With<std::string_view> absent(std::string_view word) { return {&SettingRow::none, word}; }
 
@@ -112,11 +106,6 @@ constexpr void say(SettingRow& row, const DrawnInto<Columns>& drawn) {
     else
       row.launch_columns[i] = drawn.columns[i];
 }
-/// The last value of an enumeration: a cast can make others.
-template <class Enum>
-requires std::is_enum_v<Enum>
-constexpr void say(SettingRow& row, Enum last) { row.range = {.low = 0, .high = static_cast<double>(last)}; }
-
 inline constexpr std::tuple<> kNoItems;
 
 /// A row; `said` is what else there is to say about the setting, in any order.
