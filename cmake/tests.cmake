@@ -137,6 +137,9 @@ if(NOT (PHYSIM_OPTIONAL AND BULLET_INCLUDE_DIR AND BULLET_BulletCollision AND BU
   message(STATUS "Bullet is missing (libbullet-dev): the example engine_scene is left out")
   list(FILTER example_sources EXCLUDE REGEX "/engine_scene\\.cpp$")
 endif()
+if(NOT TARGET physim_scenario)
+  list(FILTER example_sources EXCLUDE REGEX "/scenario_file\\.cpp$")
+endif()
 set(example_headers)  # the example that compiles the library's headers for the others
 foreach(source IN LISTS example_sources)
   get_filename_component(name ${source} NAME_WE)

@@ -41,13 +41,18 @@ constexpr double kTileStep = 1.0 / 1200;  // [degrees]
 /// A TIFF of one strip of float32 with the tags of GeoTIFF (OGC 19-008): tag, type, values.
 class Tiff {
  public:
-  Tiff(std::uint16_t columns, std::uint16_t rows, std::vector<float> heights) : heights_(std::move(heights)) {
-    shorts(256, {columns}).shorts(257, {rows}).shorts(258, {32}).shorts(259, {1}).shorts(262, {1});
+  /// `has_alpha`: behind each height stands how opaque the point is, 0 for a point that is not there.
+  Tiff(std::uint16_t columns, std::uint16_t rows, std::vector<float> heights, bool has_alpha = false)
+      : heights_(std::move(heights)) {
+    const std::uint16_t samples = has_alpha ? 2 : 1;
+    const std::vector<std::uint16_t> bits(samples, 32), floats(samples, 3);
+    shorts(256, {columns}).shorts(257, {rows}).shorts(258, bits).shorts(259, {1}).shorts(262, {1});
     add(273, 4, 1, std::string(4, '\0'));  // where the strip is: filled in at the end
-    shorts(277, {1}).shorts(278, {rows});
+    shorts(277, {samples}).shorts(278, {rows});
     const auto size = static_cast<std::uint32_t>(heights_.size() * sizeof(float));
     add(279, 4, 1, raw(size));
-    shorts(339, {3});
+    if (has_alpha) shorts(338, {2});
+    shorts(339, floats);
   }
   /// The first point is the middle of a cell at (x, y); columns go by `step` in x and rows by -`step` in y.
   Tiff& lies_at(double x, double y, double step, std::uint16_t model, std::uint16_t key, std::uint16_t epsg) {
@@ -60,6 +65,9 @@ class Tiff {
          "<GDALMetadata><Item name=\"UNITTYPE\" sample=\"0\" role=\"unittype\">" + unit + "</Item></GDALMetadata>");
     return text(42113, nothing);
   }
+
+  /// It is the mask of the file beside it: of the first band, and all others.
+  Tiff& is_mask() { return text(42112, "<GDALMetadata><Item name=\"INTERNAL_MASK_FLAGS_1\">2</Item></GDALMetadata>"); }
 
   [[nodiscard]] std::string bytes() const {
     std::size_t end = 8 + 2 + entries_.size() * 12 + 4;
@@ -227,6 +235,29 @@ TEST_F(TerrainFile, HasNoHeightWhereThereIsNone) {
     ASSERT_TRUE(grid) << grid.error().text();
     EXPECT_EQ(grid->heights, (std::vector<double>{3, 400, 100, 200})) << nothing;
   }
+}
+
+TEST_F(TerrainFile, HasNoHeightWhereItsAlphaBandOrMaskHasNothing) {
+  Tiff alpha(2, 2, {100, 255, 200, 255, 300, 0, 400, 255}, true);
+  alpha.lies_at(10, 50, 0.5, 2, 2048, 4326);
+  const auto with_alpha = read_terrain_file(written("alpha.tif", alpha.bytes()), {.missing = 3});
+  ASSERT_TRUE(with_alpha) << with_alpha.error().text();
+  EXPECT_EQ(with_alpha->heights, (std::vector<double>{3, 400, 100, 200}));
+  Tiff heights(2, 2, {100, 200, 300, 400}), mask(2, 2, {255, 0, 255, 255});
+  heights.lies_at(10, 50, 0.5, 2, 2048, 4326);
+  const std::string file = written("masked.tif", heights.bytes());
+  written("masked.tif.msk", mask.is_mask().bytes());  // beside it, as GDAL has it
+  const auto masked = read_terrain_file(file, {.missing = 3});
+  ASSERT_TRUE(masked) << masked.error().text();
+  EXPECT_EQ(masked->heights, (std::vector<double>{300, 400, 100, 3}));
+  // Brought from another projection, the hole is still one.
+  std::vector<float> flat;
+  for (int i = 0; i < 41 * 41; ++i) flat.push_back(12), flat.push_back(i == 20 * 41 + 20 ? 0 : 255);
+  Tiff utm(41, 41, flat, true);
+  utm.lies_at(499500, 4984944.378 * 0.9996 + 500, 25, 1, 3072, 32632);
+  const auto warped = read_terrain_file(written("alpha_utm.tif", utm.bytes()), {.missing = 3});
+  ASSERT_TRUE(warped) << warped.error().text();
+  EXPECT_LT(warped->heights[warped->rows / 2 * std::size_t{warped->columns} + warped->columns / 2], 12);
 }
 
 /// A plane in latitude and longitude of the Tokyo datum (EPSG 4301). By the parameters of its definition (EPSG 1230:
