@@ -39,10 +39,10 @@ namespace {
   F(CPLGetLastErrorMsg) F(CPLPopErrorHandler) F(CPLPushErrorHandler) F(CPLQuietErrorHandler) F(CSLDestroy) \
   F(GDALAllRegister) F(GDALAutoCreateWarpedVRT) F(GDALClose) F(GDALCreate) F(GDALFillRaster) \
   F(GDALGetDriverByName) F(GDALGetFileList) F(GDALGetGeoTransform) F(GDALGetMaskBand) F(GDALGetRasterBand) \
-  F(GDALGetRasterCount) F(GDALGetRasterOffset) F(GDALGetRasterScale) F(GDALGetRasterUnitType) \
-  F(GDALGetRasterXSize) F(GDALGetRasterYSize) F(GDALGetSpatialRef) F(GDALOpenEx) F(GDALRasterIO) \
-  F(GDALReprojectImage) F(GDALSetGeoTransform) F(GDALSetRasterNoDataValue) F(GDALSetSpatialRef) \
-  F(OCTDestroyCoordinateTransformation) F(OCTNewCoordinateTransformation) F(OCTTransform) \
+  F(GDALGetRasterColorInterpretation) F(GDALGetRasterCount) F(GDALGetRasterOffset) F(GDALGetRasterScale) \
+  F(GDALGetRasterUnitType) F(GDALGetRasterXSize) F(GDALGetRasterYSize) F(GDALGetSpatialRef) F(GDALOpenEx) \
+  F(GDALRasterIO) F(GDALReprojectImage) F(GDALSetGeoTransform) F(GDALSetRasterNoDataValue) \
+  F(GDALSetSpatialRef) F(OCTDestroyCoordinateTransformation) F(OCTNewCoordinateTransformation) F(OCTTransform) \
   F(OSRDestroySpatialReference) F(OSRExportToWkt) F(OSRIsGeographic) F(OSRNewSpatialReference) \
   F(OSRSetAxisMappingStrategy) F(OSRSetWellKnownGeogCS) F(VSIFree)
 // clang-format on
@@ -199,6 +199,11 @@ class Raster {
     columns_ = {at[0] + at[1] / 2, at[1], gdal().GDALGetRasterXSize(dataset)};
     rows_ = {at[3] + at[5] / 2, at[5], gdal().GDALGetRasterYSize(dataset)};
     band_ = gdal().GDALGetRasterBand(dataset, 1);
+    alpha_ = nullptr;  // GDALGetMaskBand() sees alpha bands of bytes and 16 bits alone
+    for (int i = 2; i <= gdal().GDALGetRasterCount(dataset); ++i)
+      if (const GDALRasterBandH band = gdal().GDALGetRasterBand(dataset, i);
+          gdal().GDALGetRasterColorInterpretation(band) == GCI_AlphaBand)
+        alpha_ = band;
   }
 
   [[nodiscard]] Error refused() const {
@@ -330,23 +335,29 @@ class Raster {
   struct Line {
     explicit Line(int count) : heights(static_cast<std::size_t>(count)), there(heights.size()) {}
     std::vector<double> heights;
-    std::vector<std::uint8_t> there;  // the file's mask: 0 where there is nothing
+    std::vector<double> there;  // of a mask: 0 where there is nothing
   };
 
-  /// Reads `count` points from a column on to `into` and behind. What the file's number for nothing, its mask or its
-  /// alpha band leave out has no height; nor has what lies higher or deeper than the Earth is, such as 32767 m.
+  /// Reads `count` points from a column on to `into` and behind. A point that the file's number for nothing, its mask
+  /// or its alpha band leaves out has no height; nor has one beyond the Earth's heights, such as 32767 m.
   [[nodiscard]] Status read(int column, int row, int count, int into, Line& line) const {
-    double* const heights = line.heights.data() + into;
-    std::uint8_t* const there = line.there.data() + into;
-    if (gdal().GDALRasterIO(band_, GF_Read, column, row, count, 1, heights, count, 1, GDT_Float64, 0, 0) != CE_None ||
-        gdal().GDALRasterIO(gdal().GDALGetMaskBand(band_), GF_Read, column, row, count, 1, there, count, 1, GDT_Byte, 0,
-                            0) != CE_None)
+    const auto take = [&](GDALRasterBandH band, double* to) -> Status {
+      if (gdal().GDALRasterIO(band, GF_Read, column, row, count, 1, to, count, 1, GDT_Float64, 0, 0) == CE_None)
+        return {};
       return Error{"the file is damaged: " + Quiet::words(), file_name_, ""};
-    for (int i = 0; i < count; ++i) {
-      const double height = heights[i] * unit_.scale + unit_.offset;
-      const bool is_height = there[i] != 0 && height >= kDeepest && height <= kHighest;
-      heights[i] = is_height ? height : std::numeric_limits<double>::quiet_NaN();
+    };
+    double* const heights = line.heights.data() + into;
+    double* const there = line.there.data() + into;
+    if (Status status = take(band_, heights); !status) return status;
+    for (int i = 0; i < count; ++i) heights[i] = heights[i] * unit_.scale + unit_.offset;
+    for (const GDALRasterBandH mask : {gdal().GDALGetMaskBand(band_), alpha_}) {
+      if (mask == nullptr) continue;
+      if (Status status = take(mask, there); !status) return status;
+      for (int i = 0; i < count; ++i)
+        if (there[i] == 0) heights[i] = std::numeric_limits<double>::quiet_NaN();
     }
+    for (int i = 0; i < count; ++i)
+      if (!(heights[i] >= kDeepest && heights[i] <= kHighest)) heights[i] = std::numeric_limits<double>::quiet_NaN();
     return {};
   }
 
@@ -440,6 +451,7 @@ class Raster {
   Dataset file_{};
   Dataset warped_{};  // goes before the file that it reads
   GDALRasterBandH band_ = nullptr;
+  GDALRasterBandH alpha_ = nullptr;  // null: there is none
   Axis columns_{}, rows_{};
   Unit unit_{};
   bool is_upright_ = false;  // columns go east and rows south
