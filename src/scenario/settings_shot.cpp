@@ -4,6 +4,7 @@
 #include "physim/motor_file.hpp"
 #include "physim/presets.hpp"
 #include "scenario/settings_parts.hpp"
+#include "scenario/units.hpp"
 
 namespace physim {
 namespace {
@@ -47,6 +48,10 @@ ValueRef file_slot(const Scope& scope) {
     MotorDef& motor = scope.shot->projectile.motor;
     const auto picked = pick_motor(*motors, motor.name, file);
     if (!picked) return picked.error();
+    if (const double mass = scope.shot->projectile.mass; mass < picked->mass)
+      return Error{"the motor alone weighs " + quantity_text(picked->mass, Quantity::mass) +
+                       ", and with it shot.mass is " + quantity_text(mass, Quantity::mass),
+                   "", "shot.mass is that of the loaded rocket"};
     motor = picked->motor;
     return {};
   }};
@@ -125,7 +130,9 @@ constexpr Entry kShotSettings[] = {
     PHYSIM_PROJECTILE(motor.name, "of the motor; picks one out of a file of several"),
     setting("shot.motor.file", file_slot,
             "a RASP file (.eng) with thrust and propellant, found from the scenario's folder; other keys change it"),
-    PHYSIM_PROJECTILE(motor.thrust, "[time, thrust] since ignition, straight lines between, times rising from 0",
+    PHYSIM_PROJECTILE(motor.thrust,
+                      "[time, thrust] since ignition, straight lines between, times rising from 0; two points at "
+                      "one time are a step",
                       at_most(1000)),
     PHYSIM_PROJECTILE(motor.propellant_mass, "burned in all; part of shot.mass", Quantity::mass, at_least(0)),
     PHYSIM_PROJECTILE(motor.propellant,
