@@ -20,9 +20,9 @@ void expect_note(const std::string& text, const std::string& place, const std::s
 }
 
 TEST(Notes, settings_that_another_one_overrules) {
-  expect_note("[[shot]]\ndrag = { table = \"g7\", ballistic_coefficient = 150, form_factor = 3 }", "f.toml:3:66",
+  expect_note("[[shot]]\ndrag = { table = \"g7\", ballistic_coefficient = 150, form_factor = 3 }", "f.toml:3:67",
               "shot.drag.form_factor: has no effect beside shot.drag.ballistic_coefficient");
-  expect_note("[[shot]]\ndrag = { table = \"g7\", ballistic_coefficient = 150, coefficient = 5 }", "f.toml:3:66",
+  expect_note("[[shot]]\ndrag = { table = \"g7\", ballistic_coefficient = 150, coefficient = 5 }", "f.toml:3:67",
               "shot.drag.coefficient: has no effect beside shot.drag.table = \"g7\"");
   expect_note("[[shot]]\ndrag = { table = \"g7\", curve = [[0, 9], [5, 9]] }", "f.toml:3:32",
               "shot.drag.curve: has no effect beside shot.drag.table = \"g7\"");
@@ -51,7 +51,7 @@ TEST(Notes, numbers_far_from_what_is_usual) {
   expect_note("[tolerance]\nrelative = 1e300\n[[shot]]", "f.toml:3:12", "1e-12 to 1e-4");
   expect_note("[environment]\naltitude = 1e9\n[[shot]]", "f.toml:3:12", "height above the sea");
   expect_note("[[shot]]\nspeed = 9e8", "f.toml:3:9", "no relativity");
-  expect_note("[[shot]]\ndiameter = \"7.62 mm\"\nmass = \"1 kg\"", "f.toml:4:8", "255 calibres long");
+  expect_note("[[shot]]\ndiameter = \"7.62 mm\"\nmass = \"1 kg\"", "f.toml:4:8", "254 calibres long");
   const std::string bullet = "[[shot]]\nmass = \"168 gr\"\ndiameter = \"0.308 in\"\nlength = \"1.22 in\"\n";
   expect_note(bullet + "speed = \"2600 ft/s\"\ntwist = \"50 cm\"\n", "f.toml:7:9", "stability factor of 0.");
   EXPECT_TRUE(notes_of(bullet + "speed = \"2600 ft/s\"\ntwist = \"12 in\"\n").empty());
