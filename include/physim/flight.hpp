@@ -283,7 +283,7 @@ void fly_batch(const ProjectileDef& projectile, std::span<const Launch> launches
 
 /// The bore elevation above the horizon [rad] with which the projectile hits the line of sight at a range [m]. It is
 /// found with the models of `fidelity`, an adaptive integrator and float64, upright, without spin drift, and in calm
-/// air where the sight says so; an error where no elevation within 45 degrees of the line of sight gets there.
+/// air where the sight says so; an error where no elevation gets there.
 [[nodiscard]] Result<double> zero_elevation(const ProjectileDef& projectile, const Launch& launch,
                                             const Environment& environment, const Fidelity& fidelity, double range);
 

@@ -342,9 +342,9 @@ class Aimer {
   Start start_at(const Flight& flight, const Vec3d& velocity, double near) {
     const Passing p = passing(flight, near);
     const double miss = length(p.miss);
-    if (!std::isfinite(miss) || p.time == 0) return {velocity, p.time, kInfinity};
+    if (!std::isfinite(miss) || flight.duration() == 0) return {velocity, p.time, kInfinity};
     note(flight, p);
-    return {velocity, p.time, miss};
+    return {velocity, p.time, p.time == 0 ? kInfinity : miss};  // from a target that only goes away nothing descends
   }
 
   [[nodiscard]] double distance_at(const Flight& flight, double time) const {

@@ -315,6 +315,9 @@ Result<Sample> Flight::at_range(double range) const {
   if (r.outcome == Outcome::refused) return never("anything", r);
   if (const auto time = first_crossing(r, Crossing::any, {.kind = EventKind::range, .value = range}, past))
     return at(*time);
+  // Yards in metres may be a bit longer than the flight that they end.
+  constexpr double kRounding = 1e-12;
+  if (r.outcome == Outcome::reached_range && abs(past(r.duration)) <= kRounding * abs(range)) return at(r.duration);
   return never("a range of " + short_text(range) + " m", r);
 }
 

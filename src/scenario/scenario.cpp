@@ -9,6 +9,7 @@
 #include "scenario/files_in_use.hpp"
 #include "scenario/in_place.hpp"
 #include "scenario/measured_column.hpp"
+#include "scenario/notes.hpp"
 #include "scenario/overrides.hpp"
 #include "scenario/reader.hpp"
 #include "scenario/text_file.hpp"
@@ -83,6 +84,7 @@ Result<Scenario> parse_scenario(const std::string& text, const std::string& file
   if (Status status = complete_emitters(scenario, *document); !status) return status.error();
   if (Status status = check_scenario(scenario, *document); !status) return status.error();
   if (Status status = begin_reading_measurements(scenario); !status) return status.error();
+  add_notes(scenario, *document);
   scenario.files = in_use.inputs();
   return scenario;
 }

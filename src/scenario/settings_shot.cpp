@@ -5,6 +5,7 @@
 #include "physim/body.hpp"
 #include "physim/files.hpp"
 #include "scenario/settings_parts.hpp"
+#include "scenario/units.hpp"
 #include "settings/flight_rows.hpp"
 #include "settings/shot_rows.hpp"
 
@@ -50,6 +51,10 @@ ValueRef file_slot(const Scope& scope) {
     MotorDef& motor = scope.shot->projectile.motor;
     const auto picked = pick_motor(*motors, motor.name, file);
     if (!picked) return picked.error();
+    if (const double mass = scope.shot->projectile.mass; mass < picked->mass)
+      return Error{"the motor alone weighs " + quantity_text(picked->mass, Quantity::mass) +
+                       ", and with it shot.mass is " + quantity_text(mass, Quantity::mass),
+                   "", "shot.mass is that of the loaded rocket"};
     motor = picked->motor;
     return {};
   }};

@@ -89,8 +89,9 @@ inline constexpr auto kMagnusRows = std::tuple{
 
 inline constexpr auto kMotorRows = std::tuple{
     PHYSIM_SETTING_LIST(motor.thrust, kThrustPointRows,
-                        "[time, thrust] since ignition, straight lines between, times rising from 0", at_most(1000),
-                        kUncertain, kByFactor),
+                        "[time, thrust] since ignition, straight lines between, times rising from 0; two points at "
+                        "one time are a step",
+                        at_most(1000), kUncertain, kByFactor),
     PHYSIM_SETTING(motor.propellant_mass, "burned in all; part of shot.mass", Quantity::mass, at_least(0), kUncertain),
     PHYSIM_SETTING_LIST(motor.propellant, kPropellantPointRows,
                         "[time, mass left], from propellant_mass to 0; empty: it falls with the impulse delivered",

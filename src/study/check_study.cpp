@@ -72,6 +72,9 @@ Status check_path(const Study& study, std::size_t i) {
   const std::string place = numbered("inputs", i) + ".path";
   const FoundPath path = find_path(input.path);
   if (!path) return Error{"no number of a shot is called \"" + input.path + "\"", place, list_of_paths()};
+  if (input.path == "shot.elevation" && !input.added && study.launch.sight.zero_range > 0)
+    return Error{"an elevation is drawn, and the zero range gives another", place,
+                 "let what is drawn be `added` to it (+- without a mean), or leave the zero range out"};
   const Wind& wind = study.environment.wind;
   const bool moves_all = !path.row->is_of_list() && !wind.profile.empty();
   if (path.row->is_wind && (wind.field || (moves_all && !input.added)))
@@ -126,16 +129,16 @@ void check_sizes(Checker& c, const Study& study) {
   c.require(
       study.shard_shots % study.rounds == 0, "rounds",
       std::to_string(study.rounds) + " do not divide the " + std::to_string(study.shard_shots) + " shots of a shard",
-      "choose another shard_shots");
+      "choose shard_shots that are a multiple of them");
   if (study.sampling != Sampling::sobol) return;
   c.require(std::has_single_bit(study.shard_shots), "shard_shots", "must be a power of two for Sobol's sequence");
   c.require(study.rounds == 1, "rounds", "Sobol's sequence knows no occasions", "draw at random or Latin hypercubes");
 }
 
 void check_plane(Checker& c, const Study& study) {
-  const bool has_plane = study.quantities.size() != 1;  // none: those of the rule
+  const bool has_plane = study.quantities.empty() || has_plane_axes(study.quantities);  // none: those of the rule
   c.is_number(study.aim.right, "aim.right").is_number(study.aim.up, "aim.up");
-  c.require(study.targets.empty() || has_plane, "targets", "lie on a plane: ask for two quantities");
+  c.require(study.targets.empty() || has_plane, "targets", "lie on a plane: ask for two lengths first");
   for (std::size_t i = 0; i < study.targets.size(); ++i) c.also(check(study.targets[i], numbered("targets", i)));
   for (const std::uint32_t size : study.group_sizes)
     c.require(size >= 2 && size <= 100, "group_sizes", "must be from 2 to 100 shots");
