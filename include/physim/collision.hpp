@@ -33,7 +33,7 @@ struct ContactDef {
   CollisionDef collision{};          ///< [-]
   double restitution = 0.5;          ///< speed kept by a bounce, times that of the material, 0..1 [-]
   double friction = 0.5;             ///< Coulomb's, of bounces and sliding, times that of the material [-]
-  double rolling_resistance = 0.05;  ///< weight that resists rolling [-]
+  double rolling_resistance = 0.05;  ///< weight that resists rolling; 0: a point slides, against friction [-]
   double scene_time = 0;             ///< of the scene at launch: what moves is then where it is at that time [s]
   std::uint64_t seed = 0;            ///< of what materials leave to chance (Material::spread) [-]
 

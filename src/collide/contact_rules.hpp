@@ -35,6 +35,9 @@ inline constexpr double kLongestPart = 1.0 / 30;
   return {restitution * own.restitution, friction * own.friction, own.rolling_resistance};
 }
 
+/// Whether a flight is over where it hits.
+[[nodiscard]] inline bool ends_flights(OnHit on_hit) { return on_hit == OnHit::stop || on_hit == OnHit::stick; }
+
 /// Whether hits are of one thing, and there of one body: parts of a compound that are of one material are.
 [[nodiscard]] inline bool is_one_body(const Scene& scene, const SceneHit& a, const SceneHit& b) {
   if (a.instance != b.instance) return false;

@@ -6,6 +6,7 @@
 //   collision(), surface()              how; its own part in restitution, friction and rolling resistance
 //   scene_time(), step_length()         the time of the scene when its step begins, and how long that is [s]
 //   spin(passed), put_spin(spin, passed)       how it turns, in W, so long after the step began [rad/s]
+//   turns()                             about which axes it may, see Ball
 //   acceleration_at(state, passed)      by everything but the contact [m/s^2]
 //   kept(vector)                        what the constraints of its motion leave of a vector
 //   impact(hits)                        mass, measures and draws of an Impact, the so-manyth of its step
@@ -132,7 +133,8 @@ class SceneContacts {
   [[nodiscard]] double frame() const { return frame_of_contact(r_.step_length()); }
   /// How long it may go on along what it touched [s].
   [[nodiscard]] double longest_way(double passed) const { return std::min(r_.step_length() - passed, kLongestPart); }
-  [[nodiscard]] Ball ball() const { return {collision().radius, collision().inertia}; }
+  [[nodiscard]] Ball ball() const { return {collision().radius, collision().inertia, r_.turns()}; }
+  [[nodiscard]] Vec3d spin(double passed) const { return component_product(r_.turns(), r_.spin(passed)); }
   [[nodiscard]] bool is_ball() const { return collision().radius > 0; }
 
   [[nodiscard]] static Vec3d held(const Vec3d& x) { return vec_cast<double>(vec_cast<S>(x)); }
@@ -302,7 +304,7 @@ class SceneContacts {
                                              const std::optional<Vec3d>& own) {
     const Vec3d n = hit.normal, u = hit.velocity;
     const Surface on = surface(hit);
-    BallMotion motion{s.v - u, r_.spin(passed)};
+    BallMotion motion{s.v - u, spin(passed)};
     const double before = dot(motion.velocity, n);
     if (before >= 0) return After{Then::flies_on, s, passed};
     const BallMotion came = motion;
@@ -389,7 +391,9 @@ class SceneContacts {
     const double left = longest_way(passed);
     if (length(line) < 1e-6 || length(middle) < 1e-6) return rests(s.x, u, passed);
     const Vec3d along = normalized(line), n = normalized(middle);
-    const Rolled on = rolled(along * dot(s.v - u, along), along * dot(a, along) + n * dot(a, n), n, surface(one), left);
+    Surface rough = surface(one);
+    if (is_ball()) rough.friction = 0;  // it rolls
+    const Rolled on = rolled(along * dot(s.v - u, along), along * dot(a, along) + n * dot(a, n), n, rough, left);
     const SceneHit next = cast(s.x, s.x + on.way + u * left, passed, left);
     if (next && next.part * left <= 1e-6 * frame()) return rests(s.x, u, passed);
     const double part = next ? next.part : 1.0;
@@ -415,7 +419,7 @@ class SceneContacts {
     Impact asked = r_.impact(hits_);
     asked.inertia = collision().inertia;
     asked.velocity = s.v;
-    asked.spin = r_.spin(passed);
+    asked.spin = spin(passed);
     asked.normal = normal;
     asked.surface_velocity = hit.velocity;
     asked.thickness = through->thickness;

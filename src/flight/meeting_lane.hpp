@@ -52,6 +52,7 @@ class MeetingLane {
   [[nodiscard]] Surface surface() const {
     return {from_.contact.restitution, from_.contact.friction, from_.contact.rolling_resistance};
   }
+  [[nodiscard]] Vec3d turns() const { return from_.turns; }
   [[nodiscard]] double scene_time() const { return step_.scene_time; }
   [[nodiscard]] double step_length() const { return step_.length; }
   [[nodiscard]] Vec3d spin(double passed) const {

@@ -20,16 +20,23 @@
 #include "base/assert.hpp"
 #include "math/pack.hpp"
 #include "math/vec3.hpp"
+#include "model/ball_contact.hpp"
 
 namespace physim {
 
 /// One of two that touch.
 struct PairBody {
-  Vec3d velocity;          // v [m/s]
-  Vec3d spin;              // w [rad/s]
-  Vec3d mobility;          // M, its diagonal [1/kg]
-  double radius = 0;       // r [m]
-  double turnability = 0;  // 1/I [1/(kg m^2)]
+  Vec3d velocity;                 // v [m/s]
+  Vec3d spin;                     // w [rad/s]
+  Vec3d mobility;                 // M, its diagonal [1/kg]
+  double radius = 0;              // r [m]
+  double turnability = 0;         // 1/I [1/(kg m^2)]
+  Vec3d turns = {1.0, 1.0, 1.0};  // as of a Ball [-]
+
+  /// 1/I about an axis.
+  [[nodiscard]] double turned_by(const Vec3d& axis) const {
+    return turnability * Ball{radius, 1, turns}.free_part(axis);
+  }
 };
 
 struct PairSurface {
@@ -52,13 +59,13 @@ inline void meet(PairBody& a, PairBody& b, const Vec3d& normal, const PairSurfac
   const double slip = length(u);
   if (surface.friction > 0 && slip > 0) {
     const Vec3d t = u * (1 / slip);
-    const double turned = a.radius * a.radius * a.turnability + b.radius * b.radius * b.turnability;
+    const Vec3d about = cross(normal, t);
+    const double turned = a.radius * a.radius * a.turned_by(about) + b.radius * b.radius * b.turned_by(about);
     const double give = given_way(t) + turned;
     const double T = give > 0 ? min(surface.friction * J, slip / give) : 0.0;
     impulse -= t * T;
-    const Vec3d about = cross(normal, t);
-    a.spin += about * (a.radius * T * a.turnability);
-    b.spin += about * (b.radius * T * b.turnability);
+    a.spin += component_product(a.turns, about) * (a.radius * T * a.turnability);
+    b.spin += component_product(b.turns, about) * (b.radius * T * b.turnability);
   }
   a.velocity += component_product(a.mobility, impulse);
   b.velocity -= component_product(b.mobility, impulse);

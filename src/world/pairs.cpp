@@ -34,7 +34,6 @@ constexpr int kMostMeetings = 1000;
 [[nodiscard]] bool may_move(const Collider& c) { return c.flies || c.sleeps; }
 [[nodiscard]] double reach(const Collider& c) { return c.kind->body.collision.radius; }
 [[nodiscard]] bool passes(const Collider& c) { return c.kind->body.collision.on_hit == OnHit::pass; }
-[[nodiscard]] bool ends_flights(OnHit on_hit) { return on_hit == OnHit::stop || on_hit == OnHit::stick; }
 
 /// Two that touch, or pass through each other.
 struct Meeting {
@@ -266,7 +265,8 @@ class PairStep {
     const CollisionDef& ball = c.kind->body.collision;
     PairBody body{now.v, {}, c.mobility, ball.radius, 0};
     if (!rubs || !(ball.radius > 0)) return body;
-    body.spin = spin_of(c, now.time);
+    body.turns = context_.state->extras.turns(c.slot, c.kind->body.frozen_rotation);
+    body.spin = component_product(body.turns, spin_of(c, now.time));
     if (may_move(c)) body.turnability = 1 / (ball.inertia * c.kind->flown.mass * ball.radius * ball.radius);
     return body;
   }

@@ -69,6 +69,7 @@ class SettledRow {
   [[nodiscard]] Surface surface() const {
     return {kind().body.restitution, kind().body.friction, kind().body.rolling_resistance};
   }
+  [[nodiscard]] Vec3d turns() const { return context_.state->extras.turns(slot_index_, kind().body.frozen_rotation); }
   [[nodiscard]] double scene_time() const { return context_.time; }
   [[nodiscard]] double step_length() const { return length_; }
   [[nodiscard]] Impact impact(int hits) const {
