@@ -81,7 +81,7 @@ struct Event {
   InstanceId instance{};                   ///< that was hit, or that it bounced off; none: the ground [-]
   std::uint32_t primitive = 0;             ///< of it, as SceneHit::primitive [-]
   MaterialId material{};                   ///< of it [-]
-  double energy = 0;                       ///< that it lost by what its material did to it [J]
+  double energy = 0;                       ///< that it lost to the thing, as seen from that [J]
   ProjectileId other{};                    ///< that it met in a world; none: no projectile [-]
 };
 

@@ -25,6 +25,7 @@
 
 #include "collide/contact_rules.hpp"
 #include "collide/path_cast.hpp"
+#include "collide/scene_by_motion.hpp"
 #include "collide/way_through.hpp"
 #include "model/ball_rolling.hpp"
 #include "model/body.hpp"
@@ -105,6 +106,42 @@ class SceneContacts {
     return *after;
   }
 
+  /// What it lies on, rolls or slides along at a moment: it touches that, is pressed on, and neither leaves nor strikes
+  /// it. A contact that goes on is no new one in each step, and falls through no gap; none: it flies.
+  [[nodiscard]] std::optional<SceneHit> lies_on(const State<double>& s, double passed) const {
+    if (const OnHit does = collision().on_hit; does == OnHit::pass || ends_flights(does)) return std::nullopt;
+    const double time = r_.scene_time() + passed, within = 4 * gap_at(s.x), radius = collision().radius;
+    const SceneNearest near = scene_->nearest(s.x, radius + within, solids_, time);
+    if (!near || near.away == Vec3d{} || near.distance < radius - within) return std::nullopt;
+    SceneHit hit{.position = s.x,
+                 .normal = near.away,
+                 .time = time,
+                 .velocity = velocity_at(*scene_->state(near.instance, time), near.position),
+                 .instance = near.instance,
+                 .primitive = near.primitive,
+                 .material = near.material,
+                 .entering = true};
+    constrain(hit);
+    const double pressure = pressure_on(s, hit, passed, 0), rate = dot(s.v - hit.velocity, hit.normal);
+    const double epsilon = static_cast<double>(std::numeric_limits<S>::epsilon());
+    const double rounding = 8 * epsilon * (length(s.v) + length(hit.velocity));
+    if (!(pressure > 0) || rate > rounding || rate < -rounding - std::sqrt(2 * pressure * within)) return std::nullopt;
+    return hit;
+  }
+  /// What follows along what it lies on.
+  [[nodiscard]] After goes_along(State<double> s, SceneHit hit, double passed) {
+    const Vec3d n = hit.normal, relative = s.v - hit.velocity;
+    const double radius = collision().radius;
+    const SceneNearest near = scene_->nearest(s.x, radius + 4 * gap_at(s.x), solids_, r_.scene_time() + passed);
+    above_ = near.distance - radius;
+    const BallMotion motion{relative - n * dot(relative, n), spin(passed)};
+    const Vec3d a = acceleration_on(s, hit, passed, pressed_for(s, hit, passed));
+    std::optional<After> after = moves_along(s, hit, passed, motion, a);
+    while (!after) after = contact(s, hit, passed);
+    after->state.v = r_.kept(after->state.v);
+    return *after;
+  }
+
   /// It lies on what moves: it has no rest.
   [[nodiscard]] bool is_carried() const { return carried_; }
 
@@ -174,10 +211,13 @@ class SceneContacts {
     hit = of_first_part(*scene_, solids_, hit, s.x - hit.normal * collision().radius, r_.scene_time() + passed);
     const bool inside = hit.starts_inside;
     const bool leaves = !inside && dot(s.v - hit.velocity, hit.normal) >= 0;
+    if (!inside && !leaves && !is_ball() && ++hits_ <= kMostHits && grazes(s, hit, passed))
+      return After{Then::flies_on, s, passed};
     HitAnswer does{.then = collision().on_hit};
     if (!leaves && !is_known(does, s, hit, passed)) return After{Then::asks, s, passed};
-    if (!leaves) r_.tell(EventKind::hit, inside ? Reason::inside : Reason::none, passed, s, hit);
     const OnHit action = does.then;
+    const double taken = ends_flights(action) ? energy_of({s.v - hit.velocity, spin(passed)}) : 0;
+    if (!leaves) r_.tell(EventKind::hit, inside ? Reason::inside : Reason::none, passed, s, hit, 0, taken);
     if (action == OnHit::stop && !leaves) return After{Then::stops, s, passed};
     const Vec3d met = s.x, normal = hit.normal;
     constrain(hit);
@@ -190,6 +230,27 @@ class SceneContacts {
       if (auto after = let_through(s, met, normal, hit, passed, does.velocity))
         return into_next(*after, s, hit, passed);
     return rebound(s, hit, passed, action == OnHit::bounce ? does.velocity : std::nullopt);
+  }
+  /// Whether all that a point touches is an edge, behind which it is outside at once: it is put there.
+  [[nodiscard]] bool grazes(State<double>& s, const SceneHit& hit, double passed) const {
+    if (!hit.entering) return false;
+    const Vec3d way = normalized(s.v - hit.velocity);
+    const Vec3d off = way * (1e-9 + 8 * spacing_at<double>(s.x));
+    const SceneHit back = scene_->first_hit({s.x + off, s.x - off, 0, r_.scene_time() + passed, 0}, solids_);
+    if (back.instance != hit.instance || back.starts_inside) return false;
+    if (!back.entering) {  // triangles: it is one where it is left where it is entered
+      int inside = 0;
+      for (const SceneHit& each : scene_->all_hits({s.x - off, s.x + off, 0, r_.scene_time() + passed, 0}, solids_))
+        if (each.instance == hit.instance) inside += each.entering ? 1 : -1;
+      if (inside != 0) return false;
+    }
+    s.x = held(s.x + off + way * (2 * spacing_at<S>(s.x)));
+    return true;
+  }
+  /// As seen from what it touches [J].
+  [[nodiscard]] double energy_of(const BallMotion& motion) const {
+    const double turns = collision().inertia * collision().radius * collision().radius;
+    return 0.5 * r_.impact(hits_).mass * (length_squared(motion.velocity) + turns * length_squared(motion.spin));
   }
   /// Whether it is known what a hit does, which may be for others to say.
   [[nodiscard]] bool is_known(HitAnswer& does, const State<double>& s, const SceneHit& hit, double passed) const {
@@ -294,6 +355,48 @@ class SceneContacts {
     hit.entering = true;
   }
 
+  /// Where a place on a thing is after a time, and how fast; `along`: what is added to it as seen from the thing.
+  struct Carried {
+    Vec3d x, v, along;
+  };
+  [[nodiscard]] Carried carried(const SceneHit& hit, const Vec3d& x, const Vec3d& along, double passed,
+                                double time) const {
+    const double now = r_.scene_time() + passed;
+    const auto from = scene_->state(hit.instance, now), to = scene_->state(hit.instance, now + time);
+    if (from->rotation == to->rotation && from->angular_velocity == Vec3d{})
+      return {x + along + (to->position - from->position), to->velocity, along};
+    const Quatd turn = to->rotation * conjugate(from->rotation);
+    const Vec3d turned = rotate(turn, along), place = to->position + rotate(turn, x - from->position) + turned;
+    return {place, velocity_at(*to, place), turned};
+  }
+  [[nodiscard]] bool moves(const SceneHit& hit) const { return !SceneByMotion(*scene_).rests(hit.instance.index); }
+  /// By everything but the contact, as seen from a thing that moves: in the mean of a time that follows.
+  [[nodiscard]] Vec3d acceleration_on(const State<double>& s, const SceneHit& hit, double passed, double time) const {
+    const Vec3d a = r_.acceleration_at(s, passed);
+    if (!moves(hit) || !(time > 0)) return a;
+    return a - (carried(hit, s.x, {}, passed, time).v - hit.velocity) * (1 / time);
+  }
+  /// What presses it onto a thing some time later, where that carries it on [m/s^2].
+  [[nodiscard]] double pressure_on(const State<double>& s, const SceneHit& hit, double passed, double later) const {
+    constexpr double kShort = 1e-5;  // [s]
+    const double own = -dot(r_.acceleration_at(s, passed), hit.normal);
+    if (!moves(hit)) return own;
+    const Vec3d now = carried(hit, s.x, {}, passed, later).v, then = carried(hit, s.x, {}, passed, later + kShort).v;
+    return own + dot(then - now, hit.normal) / kShort;
+  }
+  /// How long a thing that moves presses it on, of the part that follows [s].
+  [[nodiscard]] double pressed_for(const State<double>& s, const SceneHit& hit, double passed) const {
+    const double longest = longest_way(passed);
+    if (!moves(hit) || pressure_on(s, hit, passed, longest) > 0) return longest;
+    double pressed = 0, free = longest;
+    constexpr int kHalvings = 40;
+    for (int i = 0; i < kHalvings; ++i) {
+      const double middle = 0.5 * (pressed + free);
+      (pressure_on(s, hit, passed, middle) > 0 ? pressed : free) = middle;
+    }
+    return free;
+  }
+
   [[nodiscard]] Surface surface(const SceneHit& hit) const {
     const Material& material = scene_->material(hit.material);
     return surface_between(material.restitution, material.friction, r_.surface());
@@ -320,16 +423,17 @@ class SceneContacts {
     };
     const double grip = scene_->material(hit.material).grip_restitution;
     bounce(grip);
-    const Vec3d a = r_.acceleration_at(s, passed);
+    const Vec3d a = acceleration_on(s, hit, passed, pressed_for(s, hit, passed));
     if (lifts_off(dot(motion.velocity, n), dot(a, n), frame()) || dot(a, n) > 0) {
       s.v = motion.velocity + u;
-      r_.tell(EventKind::bounced, Reason::none, passed, s, hit);
+      r_.tell(EventKind::bounced, Reason::none, passed, s, hit, 0, energy_of(came) - energy_of(motion));
       return After{Then::flies_on, s, passed};
     }
     if (grip > 0) bounce(0);  // and what stays on the surface does not turn its slip around
     motion.velocity -= n * dot(motion.velocity, n);
     s.v = motion.velocity + u;
-    if (is_strike(before, dot(a, n), frame())) r_.tell(EventKind::bounced, Reason::none, passed, s, hit);
+    if (is_strike(before, dot(a, n), frame()))
+      r_.tell(EventKind::bounced, Reason::none, passed, s, hit, 0, energy_of(came) - energy_of(motion));
     return moves_along(s, hit, passed, motion, a);
   }
 
@@ -338,7 +442,7 @@ class SceneContacts {
                                                  const BallMotion& motion, const Vec3d& a) {
     const Vec3d u = hit.velocity;
     const Surface on = surface(hit);
-    const double left = longest_way(passed);
+    const double left = pressed_for(s, hit, passed);
     BallWay way{};
     if (is_ball()) {
       way = slid_or_rolled(motion, a, hit.normal, ball(), {on.friction, on.rolling_resistance}, left);
@@ -348,9 +452,22 @@ class SceneContacts {
       const Rolled on_it = rolled(motion.velocity, a, hit.normal, on, left);
       way = {left, on_it.way, {on_it.velocity, motion.spin}};
     }
-    carried_ = length_squared(u) > 0;
-    const Vec3d to = held(s.x + way.way + u * way.time);
-    const SceneHit next = cast(s.x, to, passed, way.time);
+    Vec3d there = s.x + way.way + u * way.time, then_at = u, over;
+    if (moves(hit)) {
+      const Carried by = carried(hit, s.x, way.way, passed, way.time);
+      // What carries it bends its way: the chord is looked along above that.
+      over = hit.normal * (0.25 * way.time * length(by.v - u));
+      there = by.x, then_at = by.v;
+    }
+    carried_ = u != Vec3d{} || then_at != Vec3d{};
+    Vec3d to = held(there);
+    if (above_) {  // what its places are rounded to adds up
+      const double gap = gap_at(to), then_above = *above_ + dot(to - there, hit.normal);
+      if (then_above < 0.5 * gap || then_above > 2 * gap)
+        to = outside(there - hit.normal * *above_, hit.normal, passed + way.time);
+      above_.reset();
+    }
+    const SceneHit next = cast(s.x + over, to + over, passed, way.time);
     const double part = next && !next.starts_inside ? next.part : 1.0;
     const State<double> began = s;
     const double begin = passed;
@@ -358,7 +475,7 @@ class SceneContacts {
     const auto then = [part](const Vec3d& from, const Vec3d& end) {
       return part < 1 ? from + (end - from) * part : end;
     };
-    s = {part < 1 ? next.position : to, then(motion.velocity, way.motion.velocity) + u};
+    s = {part < 1 ? next.position - over : to, then(motion.velocity, way.motion.velocity) + then(u, then_at)};
     if (is_ball()) r_.put_spin(then(motion.spin, way.motion.spin), passed);
     went(began, begin, s, passed);
     // It slid until it rolls.
@@ -498,7 +615,8 @@ class SceneContacts {
   collide::TubeCasts casts_;  // about the way that was looked at last
   int hits_ = 0;
   bool carried_ = false;
-  bool came_through_ = false;  // something, in this step
+  std::optional<double> above_;  // what it goes along, to begin with [m]
+  bool came_through_ = false;    // something, in this step
 };
 
 }  // namespace physim

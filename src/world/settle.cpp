@@ -31,7 +31,7 @@ class Settling {
     if (!r_.is_sound()) return r_.retire(Reason::non_finite);
     if (ground_.is_met_at_start(r_.at_start()))
       touch_ground(r_.at_start(), 0);
-    else if (r_.taken())
+    else if (!stays(0) && r_.taken())
       look_at_taken();
     finish();
   }
@@ -78,7 +78,8 @@ class Settling {
     fly();
   }
   void fly() {
-    while (const auto from = r_.gone() ? std::nullopt : parts_.next()) go(*from);
+    while (const auto from = r_.gone() ? std::nullopt : parts_.next())
+      if (!stays(*from)) go(*from);
     if (!r_.gone() && !is_finite(r_.now())) r_.retire(Reason::non_finite);  // a roll's end may overflow
   }
   void follow_rules() {
@@ -221,10 +222,21 @@ class Settling {
     touch_thing(s, met->hit, at);
   }
 
+  /// Goes on along the thing that it lies on; false where that is none.
+  bool stays(double passed) {
+    const auto on = scene_ ? scene_.lies_on(r_.here(), passed) : std::nullopt;
+    if (!on) return false;
+    touched_ = true;
+    parts_.come_near(passed);
+    leave_thing(scene_.goes_along(r_.here(), *on, passed));
+    return true;
+  }
   void touch_thing(const State<double>& s, const SceneHit& hit, double passed) {
     touched_ = true;
     parts_.come_near(passed);
-    const auto after = scene_.struck(s, hit, passed);
+    leave_thing(scene_.struck(s, hit, passed));
+  }
+  void leave_thing(const typename SceneContacts<SettledRow<S>>::After& after) {
     using Then = typename SceneContacts<SettledRow<S>>::Then;
     switch (after.then) {
       case Then::stops:
