@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "physim/presets.hpp"
+#include "physim/body.hpp"
 #include "world_bench.hpp"
 
 namespace physim::bench {

@@ -2,7 +2,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "physim/aim.hpp"
+#include "physim/solve.hpp"
 #include "random_shots.hpp"
 #include "sections.hpp"
 

@@ -5,7 +5,7 @@
 #include <limits>
 #include <utility>
 
-#include "physim/flight_columns.hpp"
+#include "physim/flight.hpp"
 
 namespace physim::bench {
 

@@ -4,7 +4,7 @@
 #include <filesystem>
 #include <memory>
 
-#include "physim/scenario.hpp"
+#include "scenario/scenario.hpp"
 #include "sections.hpp"
 
 namespace physim::bench {

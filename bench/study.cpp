@@ -3,7 +3,7 @@
 #include <cstdio>
 #include <cstdlib>
 
-#include "physim/flight_columns.hpp"
+#include "physim/flight.hpp"
 #include "physim/study.hpp"
 #include "physim/units.hpp"
 #include "sections.hpp"

@@ -1,6 +1,6 @@
 // Batches on two threads, beside what two processes reach that fly the same at the same time.
-#include "physim/flight_columns.hpp"
-#include "physim/task_runner.hpp"
+#include "physim/flight.hpp"
+#include "physim/result.hpp"
 #include "sections.hpp"
 
 namespace physim::bench {

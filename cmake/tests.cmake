@@ -100,7 +100,7 @@ if(test_sources AND NOT GTest_FOUND)  # the programs build all the same, the tes
   add_test(NAME GoogleTest_is_missing COMMAND ${CMAKE_COMMAND} -E false)
 elseif(test_sources)
   physim_add_executable(physim_tests ${test_sources})
-  physim_compile_sooner(physim_tests)
+  physim_compile_tests(physim_tests)
   physim_compile_together(physim_tests 8)  # so a test's helpers stand in a namespace of its file's name
   target_include_directories(physim_tests PRIVATE tests)
   target_link_libraries(physim_tests PRIVATE GTest::gtest_main)
@@ -136,6 +136,9 @@ file(GLOB example_sources CONFIGURE_DEPENDS examples/*.cpp)
 if(NOT (PHYSIM_OPTIONAL AND BULLET_INCLUDE_DIR AND BULLET_BulletCollision AND BULLET_LinearMath))
   message(STATUS "Bullet is missing (libbullet-dev): the example engine_scene is left out")
   list(FILTER example_sources EXCLUDE REGEX "/engine_scene\\.cpp$")
+endif()
+if(NOT TARGET physim_scenario)
+  list(FILTER example_sources EXCLUDE REGEX "/scenario_file\\.cpp$")
 endif()
 set(example_headers)  # the example that compiles the library's headers for the others
 foreach(source IN LISTS example_sources)

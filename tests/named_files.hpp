@@ -4,7 +4,7 @@
 #include <string>
 
 #include "cli/program.hpp"
-#include "physim/mesh_file.hpp"
+#include "physim/files.hpp"
 
 namespace physim::test {
 

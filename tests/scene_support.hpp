@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "physim/presets.hpp"
+#include "physim/body.hpp"
 #include "support.hpp"
 #include "world/world_support.hpp"
 

@@ -105,7 +105,8 @@ def fill(tree, wanted):
 def build():
     """What the compiler says where the patched copy does not build; nothing where it does."""
     done = subprocess.run(["cmake", "--build", str(COPY / "build"), "-j", str(os.cpu_count() or 2), "--target",
-                           "physim_additions", "physim_cli"], check=False, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True)
+                           "physim_additions", "physim_cli"], check=False, stdout=subprocess.PIPE, stderr=subprocess.STDOUT,
+                          text=True)
     return "" if done.returncode == 0 else done.stdout or "no output"
 
 

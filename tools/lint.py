@@ -15,7 +15,7 @@ import additions
 import faults
 
 ROOT = Path(__file__).resolve().parent.parent
-LAYERS = ["base", "math", "model", "solve", "prepare", "collide", "flight", "study", "emit", "world", "scenario", "report",
+LAYERS = ["base", "math", "model", "settings", "solve", "prepare", "collide", "flight", "study", "emit", "world", "scenario", "report",
           "validation", "capi"]  # ground first
 KNOW_FILES = {"scenario", "report", "validation", "capi"}
 MAX_LINES, MAX_TEST_LINES, MAX_COLUMNS, MAX_BYTES = 800, 600, 120, 1_000_000

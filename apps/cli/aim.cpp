@@ -1,5 +1,5 @@
 // physim aim: the directions with which a shot hits a target.
-#include "physim/aim.hpp"
+#include "physim/solve.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -7,7 +7,7 @@
 
 #include "asked.hpp"
 #include "physim/names.hpp"
-#include "physim/scene_parts.hpp"
+#include "scenario/world_run.hpp"
 #include "terminal.hpp"
 
 namespace physim::cli {

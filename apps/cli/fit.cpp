@@ -1,5 +1,5 @@
 // physim fit: the drag of a shot from measured speeds, drops or times.
-#include "physim/fit.hpp"
+#include "physim/solve.hpp"
 
 #include <algorithm>
 #include <array>
@@ -20,10 +20,11 @@ namespace physim::cli {
 namespace {
 
 // ------------------------------------------------------------------------------------------------------ measurements
-/// Measurements and where each stands in its file ("data.csv:3").
+/// Measurements, where each stands in its file ("data.csv:3"), and the units of its columns.
 struct FitData {
   std::vector<Measurement> measurements;
   std::vector<std::string> places;
+  FitUnits units;
 };
 
 /// A field of a line with the column where it starts, from 1.
@@ -55,8 +56,8 @@ constexpr std::array<std::string_view, 4> kNames = {"range", "speed", "drop", "t
 constexpr Quantity kQuantities[] = {Quantity::length, Quantity::speed, Quantity::length, Quantity::time};
 
 /// Reads a table with a header line: "range [yd], speed [ft/s], drop [in], time [s]" in any order, range and at least
-/// one other; SI where no unit is given. Empty fields are not measured; lines that start with '#' are comments. Errors
-/// carry file:line:col.
+/// one other; SI where no unit is given. A drop may be an angle, as a scope shows it. Empty fields are not measured;
+/// lines that start with '#' are comments. Errors carry file:line:col.
 class Reader {
  public:
   explicit Reader(const std::string& file) : file_(file) {}
@@ -91,6 +92,11 @@ class Reader {
     return file_ + ":" + std::to_string(line_) + ":" + std::to_string(column);
   }
 
+  [[nodiscard]] FitUnit* unit_of(std::string_view name) {
+    FitUnits& u = data_.units;
+    return name == "range" ? &u.range : name == "speed" ? &u.speed : name == "drop" ? &u.drop : &u.time;
+  }
+
   Status read_header(const std::string& line) {
     for (const Field& field : fields_of(line)) {
       const std::size_t bracket = field.text.find('[');
@@ -107,8 +113,12 @@ class Reader {
           return Error{
               .message = "the unit has no closing bracket", .place = place(field.column), .hint = "write range [m]"};
         column.unit = std::string(trimmed(std::string_view(field.text).substr(bracket + 1, end - bracket - 1)));
-        if (const Result<double> one = parse_quantity("1 " + column.unit, column.quantity); !one)
-          return Error{.message = one.error().message, .place = place(field.column), .hint = one.error().hint};
+        const std::string unit = "1 " + column.unit;
+        Result<double> one = parse_quantity(unit, column.quantity);
+        if (const auto angle = parse_quantity(unit, Quantity::angle); angle && name == "drop")
+          one = angle, column.quantity = Quantity::angle;
+        if (!one) return Error{.message = one.error().message, .place = place(field.column), .hint = one.error().hint};
+        *unit_of(name) = {column.unit, *one, column.quantity == Quantity::angle};
       }
       if (std::ranges::count(columns_, column.name, &DataColumn::name) > 0)
         return Error{.message = "two columns are named " + in_quotes(name), .place = place(field.column)};
@@ -144,6 +154,7 @@ class Reader {
       if (column.name == "drop") m.drop = *value;
       if (column.name == "time") m.time = *value;
     }
+    if (m.drop && data_.units.drop.is_angle) *m.drop = m.range * std::tan(*m.drop);
     data_.measurements.push_back(m);
     data_.places.push_back(place(1));
     return {};
@@ -206,7 +217,8 @@ Result<int> run(const FitCommand& command) {
                                    data->measurements, *options);
   if (!fit) return located(command, *asked, *data, fit.error());
   const bool fits_speed = options->muzzle_speed;
-  return done(give(command.question, fit_answer(*asked, data->measurements, fits_speed, *fit, style_of(stdout))));
+  return done(
+      give(command.question, fit_answer(*asked, data->measurements, data->units, fits_speed, *fit, style_of(stdout))));
 }
 
 }  // namespace
@@ -221,7 +233,8 @@ void add_fit_command(Command& program) {
   command.add_option("--drop-error", options->drop_error, "LENGTH", "Error of measured drops; without it 1 cm");
   command.add_option("--time-error", options->time_error, "TIME", "Error of measured times; without it 1 ms");
   command.footer(
-      "The data has a header with units, and a row for each range; empty fields are not measured:\n"
+      "The data has a header with units, and a row for each range; empty fields are not measured; drops may be in mil "
+      "or moa:\n"
       "  range [yd], speed [ft/s], drop [in]\n"
       "  100, 2410, \n"
       "  300, 2040, -14.6\n\n"

@@ -3,13 +3,13 @@
 #include <memory>
 
 #include "command.hpp"
-#include "physim/drag_curve.hpp"
+#include "physim/body.hpp"
 #include "physim/names.hpp"
-#include "physim/presets.hpp"
-#include "physim/scenario.hpp"
+#include "physim/projectile.hpp"
 #include "report/fidelity_text.hpp"
 #include "report/number.hpp"
 #include "report/table.hpp"
+#include "scenario/scenario.hpp"
 #include "scenario/units.hpp"
 #include "terminal.hpp"
 

@@ -8,7 +8,7 @@
 #include "command.hpp"
 #include "libraries.hpp"
 #include "physim/flight.hpp"
-#include "physim/version.hpp"
+#include "physim/result.hpp"
 #include "scenario/suggest.hpp"
 #include "terminal.hpp"
 

@@ -2,7 +2,7 @@
 #include <memory>
 
 #include "asked.hpp"
-#include "physim/aim.hpp"
+#include "physim/solve.hpp"
 #include "terminal.hpp"
 
 namespace physim::cli {
@@ -45,12 +45,14 @@ Result<int> run(const DangerCommand& command) {
     return Error{"the scenario has nothing to stand on", "--terrain", "write a [[thing]] into it"};
   const Result<Scene> ground = scene_of(asked->scenario);
   if (!ground) return about(*asked, ground.error());
-  const Flight flight = fly_shot(asked->scenario, shot);
+  Scenario beyond = asked->scenario;
+  beyond.until.range.reset();  // the target may be hit on both sides of where the flight is to end
+  const Flight flight = fly_shot(beyond, shot);
   if (flight.error()) return refusal(asked->scenario, shot, flight);
   const auto space = command.terrain ? danger_space(flight, **range, **height, *ground, shot.body.collision.layers)
                                      : danger_space(flight, **range, **height);
   if (!space) return about(*asked, space.error());
-  return done(give(command.question, danger_space_answer(*asked, **range, **height, *space, style_of(stdout))));
+  return done(give(command.question, danger_space_answer(*asked, flight, **range, **height, *space, style_of(stdout))));
 }
 
 }  // namespace

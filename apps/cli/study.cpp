@@ -11,7 +11,7 @@
 
 #include "asked.hpp"
 #include "outputs.hpp"
-#include "physim/task_runner.hpp"
+#include "physim/result.hpp"
 #include "report/gnuplot.hpp"
 #include "report/number.hpp"
 #include "report/study_map.hpp"
@@ -247,6 +247,32 @@ Result<int> run_part(const StudyCommand& command, const Study& study, TaskRunner
                     " shards are in " + command.resume + "\n"));
 }
 
+void warn_of_width() { print_warning("the width of --until-width is not reached: give more --shots"); }
+
+/// Holds the sight off for what is known of wind and drift: the shot with the mean of each input hits the aim. Targets
+/// on the plane move with the impacts. Returns the correction.
+Result<PlanePoint> hold(Study& study) {
+  const auto plan = plan_study(study);
+  if (!plan) return plan.error();
+  const std::vector<StudyQuantity>& axes = plan->study().quantities;
+  if (axes.size() < 2 || axes[0] != StudyQuantity::right || axes[1] != StudyQuantity::up) return PlanePoint{};
+  const auto known = propagate_linearly(*plan);
+  if (!known) return PlanePoint{};    // the mean shot does not arrive
+  constexpr double kSmallest = 1e-5;  // of corrections [m]
+  const PlanePoint off{known->mean[0] - study.aim.right, known->mean[1] - study.aim.up};
+  if (std::hypot(off.right, off.up) < kSmallest) return PlanePoint{};
+  const auto move = [&](PlanePoint& point) { point = {point.right + off.right, point.up + off.up}; };
+  move(study.aim);
+  for (StudyTarget& target : study.targets)
+    std::visit(
+        [&](auto& shape) {
+          if constexpr (requires { shape.centre; }) move(shape.centre);
+          if constexpr (requires { shape.corners; }) std::ranges::for_each(shape.corners, move);
+        },
+        target.shape);
+  return PlanePoint{-off.right, -off.up};
+}
+
 /// The study at each range. A shot that is zeroed is zeroed there, as a shooter does who knows the range.
 Result<int> run_over_ranges(const StudyCommand& command, const AskedShot& asked, Study study, TaskRunner& threads,
                             Ranks& ranks) {
@@ -262,20 +288,31 @@ Result<int> run_over_ranges(const StudyCommand& command, const AskedShot& asked,
   std::vector<StudyAtRange> list;
   StudyCommand alone;
   alone.log_seconds = command.log_seconds;
+  bool misses = false;
   for (const double range : asked.scenario.ranges) {
     study.until.range = range;
-    if (study.launch.sight.zero_range > 0) study.launch.sight.zero_range = range;
-    auto flown = fly_study(study, asked.scenario.study, threads, ranks, alone);
+    Study there = study;
+    PlanePoint held;
+    if (study.launch.sight.zero_range > 0) {
+      there.launch.sight.zero_range = range;
+      const auto known = hold(there);
+      if (!known) return about(asked, known.error());
+      held = *known;
+    }
+    auto flown = fly_study(there, asked.scenario.study, threads, ranks, alone);
     if (!flown) return about(asked, flown.error());
-    list.push_back({range, std::move(flown->result)});
+    misses = misses || misses_width(there, flown->result);
+    list.push_back({range, std::move(flown->result), held});
   }
+  if (misses) warn_of_width();
   const std::string title = title_of_shot(asked);
   if (!command.plot.empty())
     if (Status status = draw(command.plot, ranges_picture(title, list)); !status) return status.error();
   if (command.csv != "-")
     if (Status status = print(style_of(stdout).bold(title) + "\n" + over_range_text(list)); !status)
       return status.error();
-  return done(command.csv.empty() ? Status() : write_output(command.csv, csv_text(records_of(list))));
+  return done(command.csv.empty() ? Status() : write_output(command.csv, csv_text(records_of(list))),
+              misses ? kExitCheckMissed : kExitOk);
 }
 
 Status check_command(const StudyCommand& command) {
@@ -409,8 +446,11 @@ Result<int> run(StudyCommand command) {
   const auto flown = fly_study(study, asked.scenario.study, *threads, ranks, command);
   if (!flown) return about(asked, flown.error());
   if (Status status = write_files(command, asked, *flown, *threads); !status) return status.error();
-  if (command.csv == "-" || command.kml == "-") return kExitOk;
-  return done(give(command.question, study_answer(asked, *flown, style_of(stdout))));
+  const bool misses = misses_width(study, flown->result);
+  if (misses) warn_of_width();
+  const ExitCode code = misses ? kExitCheckMissed : kExitOk;
+  if (command.csv == "-" || command.kml == "-") return code;
+  return done(give(command.question, study_answer(asked, *flown, style_of(stdout))), code);
 }
 
 void add_part_options(Command& command, StudyCommand& options) {

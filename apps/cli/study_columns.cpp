@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "base/assert.hpp"
-#include "physim/version.hpp"
+#include "physim/result.hpp"
 #include "report/file.hpp"
 #include "report/study_answer.hpp"
 #include "scenario/libraries.hpp"

@@ -4,8 +4,8 @@
 #include <cstdint>
 #include <string>
 
+#include "physim/result.hpp"
 #include "physim/study.hpp"
-#include "physim/task_runner.hpp"
 
 namespace physim::cli {
 

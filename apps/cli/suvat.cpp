@@ -2,7 +2,7 @@
 #include <memory>
 
 #include "asked.hpp"
-#include "physim/suvat.hpp"
+#include "physim/solve.hpp"
 #include "scenario/suggest.hpp"
 #include "scenario/units.hpp"
 #include "terminal.hpp"

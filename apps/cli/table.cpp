@@ -36,7 +36,7 @@ Text text_of(const Card& card, const std::string& format) {
 Result<CardWishes> wishes_of(const TableCommand& command) {
   const bool is_metric = command.units == "metric";
   CardWishes wishes{.units = is_metric ? kMetric : kCustomary,
-                    // The ranges of a scenario are round in metres.
+                    // The ranges of a scenario may be round in metres alone.
                     .scenario_ranges = is_metric || !command.ranges.empty(),
                     .winds = {}};
   if (command.angle == "mil") wishes.units.angle = kMil;

@@ -5,7 +5,6 @@
 #include <cstdio>
 #include <string_view>
 
-#include "physim/progress.hpp"
 #include "physim/result.hpp"
 #include "report/style.hpp"
 #include "report/text.hpp"

@@ -3,7 +3,7 @@
 #include <CLI/CLI.hpp>
 #include <cstdio>
 
-#include "physim/version.hpp"
+#include "physim/result.hpp"
 #include "simclient/core/actions.hpp"
 
 namespace physim::client {

@@ -1,5 +1,5 @@
-// Emitters: what fires projectiles into a world by itself, at their own moments inside of its steps: guns, sprays,
-// fireworks. EmitterDef: what, when, from where and how.
+// Emitters fire projectiles into a world at their own moments inside its steps: guns, sprays, fireworks. EmitterDef:
+// what, when, from where and how.
 #pragma once
 
 #include <cstdint>
@@ -7,26 +7,13 @@
 #include <string>
 #include <vector>
 
-#include "physim/column.hpp"
-#include "physim/ids.hpp"
-#include "physim/infinity.hpp"
+#include "physim/body.hpp"
+#include "physim/event.hpp"
+#include "physim/math.hpp"
 #include "physim/projectile.hpp"
-#include "physim/quat.hpp"
-#include "physim/scene_motion.hpp"
-#include "physim/shared_shape.hpp"
-#include "physim/vec3.hpp"
-#include "physim/world_def.hpp"
+#include "physim/scene.hpp"
 
 namespace physim {
-
-/// Names an emitter of one world; index 0 is none. Ids of what is gone are told from those of what took its place.
-struct EmitterId {
-  std::uint32_t index = 0;       ///< [-]
-  std::uint32_t generation = 0;  ///< [-]
-
-  explicit operator bool() const { return index != 0; }
-  auto operator<=>(const EmitterId&) const = default;
-};
 
 // ------------------------------------------------------------------------------------------------- numbers
 /// A point of a curve.
@@ -83,7 +70,7 @@ struct Burst {
   bool operator==(const Burst&) const = default;
 };
 
-/// Where one of several barrels is, in the emitter's frame: x forward, y up, z right.
+/// The place of one of several barrels in the emitter's frame: x forward, y up, z right.
 struct Barrel {
   Vec3d position{};  ///< of its muzzle [m]
 
@@ -93,7 +80,7 @@ struct Barrel {
 /// Fires rounds one by one while the emitter plays.
 struct GunDef {
   double rounds_per_minute = 0;    ///< 0: no gun [1/min]
-  std::uint32_t burst_rounds = 0;  ///< rounds, then a pause; 0: one goes on after the other [-]
+  std::uint32_t burst_rounds = 0;  ///< rounds, then a pause; 0: fire without pauses [-]
   double burst_pause = 0;          ///< after the last round of a burst, on top of the time between rounds [s]
   std::uint32_t magazine = 0;      ///< rounds, then it reloads; 0: it never runs out [-]
   double reload = 0;               ///< from a magazine's last round to the next, never sooner than by the rate [s]
@@ -101,17 +88,17 @@ struct GunDef {
   double dispersion = 0;           ///< standard deviation of the direction, to each side and up and down [rad]
   std::uint32_t tracer_every = 0;  ///< every so manyth round is of the kind `tracer`; 0: none [-]
   KindId tracer{};                 ///< [-]
-  std::vector<Barrel> barrels{};   ///< in turn; none: one, at the origin [-]
+  std::vector<Barrel> barrels{};   ///< fired in rotation; none: one, at the origin [-]
   double convergence = 0;          ///< distance at which the barrels' lines meet; 0: they are parallel [m]
   Curve recoil_up{};               ///< over the rounds of a burst, else of a magazine, times recoil; no keys: 0 [-]
-  Curve recoil_right{};            ///< likewise [-]
+  Curve recoil_right{};            ///< as recoil_up, to the right [-]
   double recoil = 0;               ///< by which the direction climbs where a curve is 1 [rad]
 
   bool operator==(const GunDef&) const = default;
 };
 
-// ------------------------------------------------------------------------------------------------- where
-/// What particles come out of. Its axis is the emitter's x axis.
+// ------------------------------------------------------------------------------------------------- shapes
+/// The shape from which particles are emitted. Its axis is the emitter's x axis.
 enum class EmitShape : std::uint8_t {
   point,          ///< forwards
   cone,           ///< from a disc of `radius`, away from the tip of a cone of half angle `angle`
@@ -127,7 +114,7 @@ enum class EmitShape : std::uint8_t {
   terrain,        ///< from a height field, or a rectangle of it, evenly by area
 };
 
-/// Where on the arc particles come out, one after the other.
+/// The sequence of emission points along the arc.
 enum class ArcMode : std::uint8_t {
   random,     ///< anywhere
   loop,       ///< further by arc_speed all the time
@@ -135,15 +122,15 @@ enum class ArcMode : std::uint8_t {
   spread,     ///< those of one moment evenly over the arc
 };
 
-/// Which way particles leave a mesh or terrain.
+/// The direction in which particles leave a mesh or terrain.
 enum class EmitAlong : std::uint8_t {
   normal,  ///< of the triangle; at an edge or a vertex the mean of those about it
   smooth,  ///< between the normals of the triangle's corners, as a smooth surface has it
   axis,    ///< forwards
 };
 
-/// What particles come out of where the shape is of triangles. It lies in the emitter's frame as it is: an emitter with
-/// the place and rotation of a thing that has the same shape lets them out of that thing.
+/// The surface that emits particles if the shape is made of triangles. It lies unchanged in the emitter's frame: an
+/// emitter with the place and rotation of a thing of the same shape emits from that thing.
 struct EmitSurface {
   SharedShape shape{};                  ///< a mesh, or a height field where the shape is terrain [-]
   double scale = 1;                     ///< along all axes, 1e-9 to 1e9 [-]
@@ -187,8 +174,8 @@ struct RainDef {
   bool operator==(const RainDef&) const = default;
 };
 
-// ------------------------------------------------------------------------------------------------- what
-/// How a particle starts; curves go over the emitter's cycle.
+// ------------------------------------------------------------------------------------------------- particles
+/// Initial values of a particle; curves go over the emitter's cycle.
 struct ParticleStart {
   DrawnNumber lifetime{5};    ///< above 0, infinity too; then it expires, Reason::older, at that moment [s]
   DrawnNumber speed{5};       ///< in the direction of the shape; below 0: backwards [m/s]
@@ -205,7 +192,7 @@ struct ParticleStart {
   bool operator==(const ParticleStart&) const = default;
 };
 
-/// What changes as a particle grows older; shown only. Curves go over its lifetime, or over 1 s where that is infinite.
+/// Changes over the age of a particle; shown only. Curves go over its lifetime, or over 1 s where that is infinite.
 struct ParticleLife {
   DrawnNumber size{1};         ///< times the size at the start [-]
   DrawnNumber turn{0};         ///< rate of its rotation [rad/s]
@@ -217,22 +204,22 @@ struct ParticleLife {
   bool operator==(const ParticleLife&) const = default;
 };
 
-/// What acts on the flight of a particle as it grows older, beside its kind, rung and world. Curves go over its
+/// Effects on the flight of a particle over its age, beside those of its kind, rung and world. Curves go over its
 /// lifetime, or over 1 s where that is infinite; what lies between two is drawn once for each particle. Rungs of
-/// Motion::force alone feel it. Axes are those of W.
+/// Motion::force alone feel them. Axes are those of W.
 struct ParticleFlight {
   DrawnNumber drag{0};           ///< its velocity falls at that rate, 0 or more [1/s]
   double fast = 0;               ///< speed at which drag_by_speed ends; 0: it does not count [m/s]
   Curve drag_by_speed{};         ///< over 0 .. fast, times the drag [-]
   DrawnNumber gravity{1};        ///< times the gravity that it feels anyway [-]
-  DrawnNumber velocity_x{0};     ///< added to its velocity: at birth as it is then, later by its changes [m/s]
+  DrawnNumber velocity_x{0};     ///< added to its velocity: at birth its value then, later its changes [m/s]
   DrawnNumber velocity_y{0};     ///< upwards [m/s]
   DrawnNumber velocity_z{0};     ///< to the right [m/s]
   DrawnNumber force_x{0};        ///< [N]
   DrawnNumber force_y{0};        ///< upwards [N]
   DrawnNumber force_z{0};        ///< to the right [N]
   DrawnNumber limit{kInfinity};  ///< speed above which it is slowed down, 0 or more; infinity: none [m/s]
-  double limit_rate = 10;        ///< what its speed is above the limit falls at that rate [1/s]
+  double limit_rate = 10;        ///< decay rate of its speed above the limit [1/s]
   DrawnNumber noise{0};          ///< acceleration by swirls without sources, root of its mean square, 0 or more [m/s^2]
   double noise_size = 1;         ///< of the largest swirls: the cells of a lattice in W, above 0 [m]
   double noise_rate = 0;         ///< swirls change, and come again after 1 / rate; 0: they stay as they are [1/s]
@@ -242,17 +229,17 @@ struct ParticleFlight {
   bool operator==(const ParticleFlight&) const = default;
 };
 
-/// Places where each particle has been, kept for whoever draws its trail: World::trails(). One is noted when it is
-/// born, and after each step.
+/// Past places of each particle, kept for drawing its trail: World::trails(). One is recorded at birth and after each
+/// step.
 struct TrailDef {
   std::uint32_t points = 0;  ///< of each particle at most, the oldest go first, up to 1e6; 0: none are kept [-]
-  double time = kInfinity;   ///< older ones are not told, above 0 [s]
-  double distance = 0;       ///< a place is noted so far from the one before, or farther [m]
+  double time = kInfinity;   ///< older ones are not returned, above 0 [s]
+  double distance = 0;       ///< least distance between recorded places [m]
 
   bool operator==(const TrailDef&) const = default;
 };
 
-/// What a sub-emitter fires at.
+/// The event at which a sub-emitter fires.
 enum class SubEvent : std::uint8_t {
   birth,   ///< of a particle
   hit,     ///< it met a thing of the scene, whatever followed
@@ -266,10 +253,10 @@ enum class SubEvent : std::uint8_t {
   trigger,  ///< World::trigger_emitter()
 };
 
-/// Which way the axis of a sub-emitter's shape points.
+/// The direction of the axis of a sub-emitter's shape.
 enum class SubAxis : std::uint8_t {
   emitter,   ///< as the emitter that it is
-  velocity,  ///< along the velocity that the event tells
+  velocity,  ///< along the velocity in the event
   normal,    ///< along the normal of what was hit; where nothing was, as the emitter
 };
 
@@ -277,7 +264,7 @@ enum class SubAxis : std::uint8_t {
 /// moment and place of the event.
 struct SubEmitter {
   SubEvent on = SubEvent::death;    ///< [-]
-  EmitterId emitter{};              ///< whose kind, shape and start are taken; it need not play; none: its own [-]
+  EmitterId emitter{};              ///< source of kind, shape and start; it need not play; none: its own [-]
   DrawnNumber count{1};             ///< rounded to the nearest whole number; curves do not count [-]
   double probability = 1;           ///< of each event [-]
   double age = 0;                   ///< of SubEvent::age, above 0 [s]
@@ -289,19 +276,19 @@ struct SubEmitter {
   bool operator==(const SubEmitter&) const = default;
 };
 
-/// What happens when an emitter that does not loop is over and its last particle is gone.
+/// The action of an emitter that does not loop, when it is over and its last particle is gone.
 enum class StopAction : std::uint8_t {
   none,    ///< it stays, and may play again
   remove,  ///< World::remove_emitter()
 };
 
-/// When an emitter plays.
+/// The timing of an emitter.
 struct EmitterCycle {
   double duration = 5;                 ///< of a cycle, above 0 [s]
   bool looping = true;                 ///< cycle after cycle [-]
   DrawnNumber delay{0};                ///< from the start to the first cycle; curves do not count [s]
   bool prewarm = false;                ///< starts as if it had played one cycle (looping ones, without a delay) [-]
-  double rate = 1;                     ///< its own clock runs so many times as fast as the world's, above 0 [-]
+  double rate = 1;                     ///< speed of its clock over that of the world's, above 0 [-]
   bool plays = true;                   ///< from the moment it is added; false: World::play_emitter() starts it [-]
   StopAction stop = StopAction::none;  ///< [-]
 
@@ -310,11 +297,11 @@ struct EmitterCycle {
 
 struct EmitterDef {
   std::string name{};    ///< in messages and tables [-]
-  KindId kind{};         ///< what it fires: World::add_kind() [-]
-  Launch launch{};       ///< what else a launch says: rail, attitude, spin; the rest is the emitter's [-]
+  KindId kind{};         ///< of its projectiles: World::add_kind() [-]
+  Launch launch{};       ///< its other members: rail, attitude, spin; the rest is the emitter's [-]
   EmitterCycle cycle{};  ///< [-]
   std::optional<std::uint64_t>
-      seed{};                    ///< of all that is drawn; none: one of its own, by the emitters added before [-]
+      seed{};                    ///< of all that is drawn; none: one that follows from the emitters added before [-]
   Vec3d position{};              ///< of its origin, where it does not move [m]
   Quatd rotation{};              ///< from its frame (x forward, y up, z right) to W; of any length but zero [-]
   SceneMotion motion{};          ///< its path over the world's time; at rest: as position and rotation say [-]
@@ -335,8 +322,8 @@ struct EmitterDef {
   std::vector<SubEmitter> subs{};         ///< [-]
 };
 
-// ------------------------------------------------------------------------------------------------- what became of it
-/// What an emitter has done since it was added.
+// ------------------------------------------------------------------------------------------------- results
+/// Counts of an emitter since it was added.
 struct EmitterCounts {
   std::uint64_t born = 0;      ///< [-]
   std::uint64_t refused = 0;   ///< full, or the world did not take them [-]
@@ -344,8 +331,8 @@ struct EmitterCounts {
   std::uint64_t landed = 0;    ///< gone on the ground or on a thing that stopped them [-]
   std::uint64_t expired = 0;   ///< gone by other rules of DespawnRules [-]
   std::uint64_t replaced = 0;  ///< gone for a newer one [-]
-  std::uint64_t taken = 0;     ///< despawned by a call, or retired as no number was left [-]
-  std::uint64_t cut = 0;       ///< not born: sub-emitters without end, or over 1e6 in a step, which stops it [-]
+  std::uint64_t taken = 0;     ///< despawned by a call, or retired at a NaN [-]
+  std::uint64_t cut = 0;       ///< not emitted: endless sub-emitters, or over 1e6 in a step, which stops it [-]
   std::uint32_t alive = 0;     ///< now [-]
 
   bool operator==(const EmitterCounts&) const = default;
@@ -356,7 +343,7 @@ struct EmitterCounts {
 struct ParticleColumns {
   Column<ProjectileId> id{};       ///< [-]
   Column<Vec3d> position{};        ///< [m]
-  Column<Vec3d> previous{};        ///< before the last step, or where it was born in it [m]
+  Column<Vec3d> previous{};        ///< before the last step, or at its birth in it [m]
   Column<Vec3d> velocity{};        ///< [m/s]
   Column<Vec3d> size{};            ///< by its own axes [m]
   Column<Vec3d> rotation{};        ///< about x (towards the viewer), y and z [rad]
@@ -368,8 +355,8 @@ struct ParticleColumns {
   std::optional<Vec3d> eye{};
 };
 
-/// Columns for whoever draws trails, in the caller's memory; those left empty are not wanted, and shorter ones get what
-/// comes first.
+/// Columns for drawing trails, in the caller's memory. Columns left empty are skipped, and shorter ones receive the
+/// first entries.
 struct TrailColumns {
   Column<ProjectileId> id{};      ///< of each particle [-]
   Column<std::uint32_t> first{};  ///< of each particle: which of all places is its first one [-]
@@ -377,7 +364,7 @@ struct TrailColumns {
   Column<Vec3d> position{};       ///< of one particle after the other, from the oldest place to where it is now [m]
   Column<double> time{};          ///< at which it was there [s]
 };
-/// How many there are.
+/// Counts of the trails of an emitter.
 struct TrailCounts {
   std::size_t particles = 0;  ///< [-]
   std::size_t places = 0;     ///< of all together [-]

@@ -1,15 +1,109 @@
-// Event: something that happened to a projectile, in a flight or in a world. EventSpec: what to look for.
+// Events: what happens to projectiles, how they meet things, and the ids of what takes part.
 #pragma once
 
+#include <compare>
+#include <cstddef>
 #include <cstdint>
+#include <functional>
+#include <optional>
+#include <span>
 
-#include "physim/ids.hpp"
-#include "physim/macros.hpp"
-#include "physim/vec3.hpp"
+#include "physim/math.hpp"
 
 namespace physim {
 
-/// What happened. Those of a quantity that crosses a value may be asked for by an EventSpec.
+// ---------------------------------------------------------------------------------------------------------------------
+// Ids: what projectiles, kinds and force generators of a world are named by, and what stands in a scene.
+
+/// Identifies one of many in a world or a scene: the number of its slot, and how often that slot was used. Index 0 is
+/// null. Ids of what is gone differ from those of what took its place; every call ignores them or reports them. An id
+/// is the same number on every machine that makes the same calls, so it does not say of which world it is: keep ids of
+/// different worlds apart. Ids can be compared, sorted (by index) and used as keys.
+template <class Named>
+struct Id {
+  std::uint32_t index = 0;       ///< of the slot; 0: none [-]
+  std::uint32_t generation = 0;  ///< of the slot's use [-]
+
+  explicit operator bool() const { return index != 0; }
+  auto operator<=>(const Id&) const = default;
+};
+/// Identifies an object that stays as long as its world or scene. Numbers are never used twice.
+template <class Named>
+struct LastingId {
+  std::uint32_t index = 0;  ///< 0: none; of materials: the one that every scene begins with [-]
+
+  explicit operator bool() const { return index != 0; }
+  auto operator<=>(const LastingId&) const = default;
+};
+
+using ProjectileId = Id<class Projectile>;
+using KindId = LastingId<struct Kind>;
+using ForceId = Id<struct ForceGenerator>;
+using JointId = Id<struct Joint>;
+using EmitterId = Id<struct EmitterDef>;
+using ShapeId = Id<class Shape>;
+using InstanceId = Id<struct Instance>;
+using MaterialId = LastingId<struct Material>;
+
+}  // namespace physim
+
+template <class Named>
+struct std::hash<physim::Id<Named>> {
+  std::size_t operator()(const physim::Id<Named>& id) const noexcept {
+    return std::hash<std::uint64_t>()(id.index | std::uint64_t{id.generation} << 32);
+  }
+};
+template <class Named>
+struct std::hash<physim::LastingId<Named>> {
+  std::size_t operator()(const physim::LastingId<Named>& id) const noexcept {
+    return std::hash<std::uint32_t>()(id.index);
+  }
+};
+
+namespace physim {
+
+// ---------------------------------------------------------------------------------------------------------------------
+// CollisionDef: how a projectile meets the things of a scene, in a world and in a flight.
+
+/// The response of a projectile to a hit on a thing of the scene. Each hit is also reported.
+enum class OnHit : std::uint8_t {
+  pass,    ///< flies on
+  stop,    ///< its flight ends; in a world: LifeStatus::landed, and it leaves the world
+  stick,   ///< it stays where it struck, at rest; in a world LifeStatus::landed, until it is despawned or moved
+  bounce,  ///< it bounces by its restitution and friction times those of the material, slides, rolls to rest and sleeps
+  impact,  ///< as its material says (physim/scene.hpp): it ricochets, goes through, stays in it, or bounces as above
+  ask,     ///< as World::set_hit_function() answers for this hit; in worlds alone
+};
+
+/// Collision behaviour of a projectile with the things of a scene.
+struct CollisionDef {
+  OnHit on_hit = OnHit::stop;         ///< response to a hit [-]
+  double radius = 0;                  ///< of the ball that meets them, 1e-12 to 1e6; 0: a point, which
+                                      ///< nothing spins [m]
+  double inertia = 0.4;               ///< of the ball, over mass and radius squared: 2/5 solid, 2/3 hollow [-]
+  std::uint32_t layers = 0xffffffff;  ///< bits: things of these layers; 0: none [-]
+  std::uint32_t others = 0;           ///< bits: in worlds, projectiles of these BodyDef::layers, which want its own; 0:
+                                      ///< none [-]
+
+  bool operator==(const CollisionDef&) const = default;
+};
+
+/// Contact of a flight with the things of a scene, see Until::scene. Its numbers are those of a BodyDef.
+struct ContactDef {
+  CollisionDef collision{};          ///< [-]
+  double restitution = 0.5;          ///< speed kept by a bounce, times that of the material, 0..1 [-]
+  double friction = 0.5;             ///< Coulomb's, of bounces and sliding, times that of the material [-]
+  double rolling_resistance = 0.05;  ///< weight that resists rolling; 0: a point slides, against friction [-]
+  double scene_time = 0;             ///< of the scene at launch: what moves is then where it is at that time [s]
+  std::uint64_t seed = 0;            ///< of what materials leave to chance (Material::spread) [-]
+
+  bool operator==(const ContactDef&) const = default;
+};
+
+// ---------------------------------------------------------------------------------------------------------------------
+// Event: something that happened to a projectile, in a flight or in a world. EventSpec: what to look for.
+
+/// The kind of an event. Those of a quantity that crosses a value may be asked for by an EventSpec.
 enum class EventKind : std::uint8_t {
   ground,            ///< a quantity crosses a value: height above the ground [m]
   apex,              ///< a quantity crosses a value: the vertical velocity, zero
@@ -40,7 +134,7 @@ enum class EventKind : std::uint8_t {
 
 PHYSIM_UNORDERED(EventKind)
 
-/// Which crossings count.
+/// The direction of the crossings that count.
 enum class Crossing : std::uint8_t { any, rising, falling };
 
 /// An event to look for.
@@ -51,7 +145,7 @@ struct EventSpec {
   bool terminal = false;               ///< ends the flight [-]
 };
 
-/// Why a projectile left.
+/// The reason for which a projectile left.
 enum class Reason : std::uint8_t {
   none,
   below,        ///< DespawnRules::below
@@ -83,6 +177,53 @@ struct Event {
   MaterialId material{};                   ///< of it [-]
   double energy = 0;                       ///< that it lost to the thing, as seen from that [J]
   ProjectileId other{};                    ///< that it met in a world; none: no projectile [-]
+};
+
+// ---------------------------------------------------------------------------------------------------------------------
+// Queried hits: what a world reports of each hit of a projectile with OnHit::ask, and the answer.
+
+/// A hit about which a world asks.
+struct HitQuestion {
+  ProjectileId projectile{};    ///< that struck [-]
+  KindId kind{};                ///< of it [-]
+  double time = 0;              ///< of the world, inside of the step at hand [s]
+  Vec3d position{};             ///< of the point, or of the middle of the ball, then [m]
+  Vec3d velocity{};             ///< with which it came [m/s]
+  Vec3d normal{};               ///< of the surface, towards the projectile [-]
+  Vec3d surface_velocity{};     ///< of what was struck, there and then [m/s]
+  InstanceId instance{};        ///< that was struck [-]
+  std::uint32_t primitive = 0;  ///< of it, as SceneHit::primitive [-]
+  MaterialId material{};        ///< of it [-]
+  double energy = 0;            ///< of its motion, as seen from the surface; 0 without a mass [J]
+  double obliquity = 0;         ///< between its way, as seen from the surface, and the normal; 0 straight on [rad]
+  double thickness = 0;         ///< of the thing along its way; 0: not known, a sheet, or more than 1000 m [m]
+  bool inside = false;  ///< it was inside of the thing when the step began: it stays there, unless it is to stop [-]
+
+  bool operator==(const HitQuestion&) const = default;
+};
+
+/// The response of a projectile to a queried hit: as if its kind had it, but for `pass`.
+struct HitAnswer {
+  OnHit then = OnHit::stop;  ///< any but `ask`; `pass`: it comes out behind the thing at once, by the straight way, and
+                             ///< flies on from there: an event `penetrated` [-]
+  std::optional<Vec3d> velocity{};  ///< after it, instead of what follows: of `bounce`, not into the surface, or of
+                                    ///< `pass`, on into it; as seen from the surface no faster than before [m/s]
+
+  bool operator==(const HitAnswer&) const = default;
+};
+
+/// All hits about which nothing is known yet, in order of time, then of id; no projectile has two.
+struct HitBatch {
+  std::span<const HitQuestion> questions{};  ///< [-]
+  std::span<HitAnswer> answers{};            ///< one for each question, HitAnswer{} as it comes [-]
+};
+using HitFunction = std::function<void(const HitBatch&)>;
+
+/// Counts of the queried hits of a world since it was made or loaded.
+struct HitCounts {
+  std::uint64_t calls = 0;      ///< of its function [-]
+  std::uint64_t questions = 0;  ///< in these [-]
+  std::uint64_t refused = 0;    ///< answers that made no sense, or threw: they count as OnHit::stop [-]
 };
 
 }  // namespace physim

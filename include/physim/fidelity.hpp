@@ -4,18 +4,18 @@
 #include <string>
 #include <string_view>
 #include <vector>
-#include "physim/macros.hpp"
+#include "physim/math.hpp"
 
 namespace physim {
 
-/// How the equations of motion are treated.
+/// The form of the equations of motion.
 enum class Motion {
   closed_form,  ///< exact formulas: vacuum, or drag linear in velocity
   velocity,     ///< constants act directly on the velocity: constant gravity and damping, no forces
   force,        ///< the resultant of all forces, divided by mass
 };
 
-/// How the equations of motion are stepped through time.
+/// The time integration of the equations of motion.
 enum class Integrator {
   classic,              ///< the original PhySim frame loop: position, then velocity, then damping
   explicit_euler,       ///< order 1
@@ -25,7 +25,7 @@ enum class Integrator {
   rk43,                 ///< order 4, adaptive (Sofroniou and Spaletta 2004)
   tsit5,                ///< order 5, adaptive (Tsitouras 2011), dense output of order 4
   dop853,               ///< order 8, adaptive (Dormand and Prince 8(5,3)), dense output of order 7
-  automatic,  ///< rk43 in single flights, which choose their steps; semi_implicit_euler in worlds, whose frames
+  automatic,  ///< rk43 in single flights, which choose their steps; semi_implicit_euler in worlds: their frames
               ///< are given, and in flights with Tolerance::step
 };
 
@@ -75,14 +75,14 @@ enum class RotationModel {
   automatic,            ///< the truest that the projectile's data allow
 };
 
-/// How the attitude of a rigid body is computed.
+/// The formulation of the attitude of a rigid body.
 enum class BodyForm {
   automatic,   ///< `axis` for bodies that are symmetric about their x axis and have rifling, `quaternion` else
   quaternion,  ///< quaternion and body rates: any body; steps must resolve its spin
   axis,        ///< symmetry axis and angular momentum: steps need not resolve the spin, only the axis' motion
 };
 
-/// How a drag curve is read between its points.
+/// The interpolation between the points of a drag curve.
 enum class Interpolation {
   linear,  ///< straight lines; adaptive integrators stop at every point of the curve
   pchip,   ///< monotone cubic (Fritsch and Butland): smooth slope, no overshoot
@@ -148,7 +148,7 @@ PHYSIM_INLINE constexpr bool turns(const Fidelity& f) {
   return false;
 }
 
-/// What can be told of a rung of the ladder.
+/// Description of a rung of the ladder.
 struct RungInfo {
   std::string_view name{};  ///< as its enumerator is spelled [-]
   std::string_view doc{};   ///< one line [-]
@@ -163,7 +163,7 @@ struct FidelityNote {
   std::string reason{};   ///< one sentence [-]
 };
 
-/// What a flight really used.
+/// The fidelity that a flight really used.
 struct FidelityInUse {
   Fidelity fidelity{};                ///< as granted [-]
   std::vector<FidelityNote> notes{};  ///< one for each field that differs from what was asked [-]

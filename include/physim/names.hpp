@@ -5,12 +5,11 @@
 #include <span>
 #include <string_view>
 
-#include "physim/aim.hpp"
 #include "physim/emitter.hpp"
 #include "physim/environment.hpp"
 #include "physim/flight.hpp"
-#include "physim/impact.hpp"
-#include "physim/joint.hpp"
+#include "physim/scene.hpp"
+#include "physim/solve.hpp"
 #include "physim/world.hpp"
 
 namespace physim {

@@ -1,8 +1,11 @@
-// Result<T>: a value, or an error that says what is wrong, where, and what to do about it.
+// Results and errors; the version; progress and threads of long calls.
 #pragma once
 
+#include <cstddef>
 #include <cstdio>
 #include <cstdlib>
+#include <functional>
+#include <memory>
 #include <optional>
 #include <string>
 #include <utility>
@@ -10,11 +13,19 @@
 
 namespace physim {
 
-/// What went wrong with some input.
+// ---------------------------------------------------------------------------------------------------------------------
+// The version of the library.
+
+inline constexpr const char* kVersion = "0.2.0";
+
+// ---------------------------------------------------------------------------------------------------------------------
+// Result<T>: a value, or an error that says what is wrong, where, and what to do about it.
+
+/// An error in some input.
 struct Error {
-  std::string message{};  ///< what is wrong, in one sentence [-]
-  std::string place{};    ///< where: a field ("projectile.mass") or "file:line:col"; may be empty [-]
-  std::string hint{};     ///< what would be right; may be empty [-]
+  std::string message{};  ///< the error, in one sentence [-]
+  std::string place{};    ///< of the error: a field ("projectile.mass") or "file:line:col"; may be empty [-]
+  std::string hint{};     ///< the correction; may be empty [-]
 
   /// "place: error: message; hint"
   [[nodiscard]] std::string text() const {
@@ -96,5 +107,30 @@ class Result<void> {
 };
 
 using Status = Result<void>;
+
+// ---------------------------------------------------------------------------------------------------------------------
+// Progress: reports of how much of a long call is done.
+
+/// Called after each part of the work with the number of parts done and of all; may be empty.
+using Progress = std::function<void(std::size_t done, std::size_t total)>;
+
+// ---------------------------------------------------------------------------------------------------------------------
+// TaskRunner: the one interface through which a world uses threads, so that an engine can lend its own.
+
+/// Runs independent pieces of work. A world's results do not depend on how.
+class TaskRunner {
+ public:
+  virtual ~TaskRunner() = default;
+  /// Calls task(context, i) for every i < count, in any order, on any threads, and returns when all are done.
+  virtual void run(std::size_t count, void (*task)(void* context, std::size_t i), void* context) = 0;
+  [[nodiscard]] virtual unsigned threads() const = 0;  ///< that may work at the same time
+};
+
+/// Threads of one pool at most.
+inline constexpr unsigned kMostThreads = 1024;
+
+/// A pool of threads that sleep until there is work; `threads` counts the caller's, 0: all that the machine has. It has
+/// fewer if more than kMostThreads are requested, or the system gives no more: threads() returns the number.
+[[nodiscard]] std::unique_ptr<TaskRunner> make_thread_pool(unsigned threads = 0);
 
 }  // namespace physim

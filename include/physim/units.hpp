@@ -1,6 +1,43 @@
+// Units: what settings measure, and literals such as 168_gr.
+#pragma once
+
+namespace physim {
+
+// ---------------------------------------------------------------------------------------------------------------------
+// Quantities: what the numbers of settings measure.
+
+/// The physical quantity of a setting; decides the units that are accepted at the door.
+enum class Quantity {
+  number,
+  length,
+  mass,
+  time,
+  speed,
+  angle,
+  acceleration,
+  force,
+  pressure,
+  temperature,
+  density,
+  ballistic_coefficient,
+  linear_drag,
+  quadratic_drag,
+  angular_rate,
+  energy,
+  frequency,
+  stiffness,
+  volume,
+  attraction,
+  moment_of_inertia,
+  area,
+};
+inline constexpr Quantity kLastQuantity = Quantity::area;
+
+}  // namespace physim
+
+// ---------------------------------------------------------------------------------------------------------------------
 // Unit literals: 168_gr, 800_mps, 2_deg, 0.243_lb_in2. Every literal is a double in SI units, computed by the compiler:
 // neither flags nor the rounding mode of the processor change it.
-#pragma once
 
 namespace physim::units {
 

@@ -1,6 +1,6 @@
 // Archives: values taken apart into whole numbers and put together again, structs member by member. So a recording is
 // written (Writer) and read (Reader), and definitions are hashed (Hasher). A struct that gains a member changes what
-// recordings hold: raise kRecordingFormat (include/physim/recording.hpp) with it.
+// recordings hold: raise kRecordingFormat (include/physim/world.hpp) with it.
 //
 // Format: little-endian; doubles as their bits; bool and enumerators 1 byte; texts and lists with their length in
 // 4 bytes before them; optionals with a bool before them; variants with their index in 1 byte.
@@ -146,7 +146,7 @@ class Archive {
   void take(SharedShape& shape) { self().shape(shape); }
   /// Lent for a call: nothing that holds one is kept.
   void take(const Scene*&) {}
-  /// It changes no result: who replays has another machine.
+  /// It changes no result: a replay may run on another machine.
   void take(Threading&) {}
   template <class T>
   requires(std::is_class_v<T> && !std::is_empty_v<T>) void take(T& x) {
@@ -185,7 +185,7 @@ class Writer : public Archive<Writer> {
     std::vector<std::byte> save = scene.save();
     (*this)(save);
   }
-  /// Its number among those written so far, each of which follows its number once; 0 stands for none.
+  /// Its number among those written before, each of which follows its number once; 0 means null.
   void shape(const SharedShape& shape) {
     const auto at = std::find(shapes_.begin(), shapes_.end(), shape);
     count(shape ? static_cast<std::size_t>(at - shapes_.begin()) + 1 : 0);
@@ -195,7 +195,7 @@ class Writer : public Archive<Writer> {
     (*this)(save);
   }
   void function(const CustomForce& force) { number(force.function ? 1 : 0, 1); }
-  /// Its number among those written so far, each counted once; 0 stands for none.
+  /// Its number among those written before, each counted once; 0 means null.
   template <class Batch>
   void function(const FieldFunction<Batch>& field) {
     auto& known = std::get<std::vector<FieldFunction<Batch>>>(fields_);
@@ -218,7 +218,7 @@ class Reader : public Archive<Reader> {
  public:
   static constexpr bool kReads = true;
   explicit Reader(std::span<const std::byte> from) : from_(from) {}
-  /// Functions are those of `options`, behind so many that others have used.
+  /// Functions are those of `options`, behind those of `before`, which others have used.
   Reader(std::span<const std::byte> from, const LoadOptions& options, const FunctionCounts& before = {})
       : from_(from), options_(&options), before_(before) {}
 
@@ -249,7 +249,7 @@ class Reader : public Archive<Reader> {
     std::vector<std::byte> save;
     (*this)(save);
     EngineQuery query = given(&LoadOptions::engine_queries, before_.engine_queries + used_.engine_queries);
-    if (!query) query = [](const EngineBatch&) {};  // who only counts has none; a world is not made without
+    if (!query) query = [](const EngineBatch&) {};  // a reader that only counts has none; a world needs one
     auto loaded = Scene::load(save, query);
     good_ = good_ && loaded;
     if (!good_) return;
@@ -319,7 +319,7 @@ class Hasher : public Archive<Hasher> {
   void text(const std::string& s) { hash_.add(std::as_bytes(std::span(s))); }
   void scene(const Scene& scene) { hash_.add(scene.hash()); }
   void shape(const SharedShape& shape) { hash_.add(shape.hash()); }
-  /// Hashes of what meets things as it would by itself are what they were before there were scenes.
+  /// With default contact settings, hashes are those from before there were scenes.
   [[nodiscard]] static bool says_nothing(const CollisionDef& collision) { return collision == CollisionDef{}; }
   [[nodiscard]] static bool says_nothing(const ContactDef& contact) { return contact == ContactDef{}; }
   [[nodiscard]] static bool says_nothing(const EmitSurface& surface) { return surface == EmitSurface{}; }

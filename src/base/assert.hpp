@@ -4,7 +4,7 @@
 // nothing, and its condition is not evaluated. Kernels may use it: once per pack, not once per lane.
 #pragma once
 
-#include "physim/macros.hpp"
+#include "physim/math.hpp"
 
 #ifndef PHYSIM_ASSERTS
 #define PHYSIM_ASSERTS 0

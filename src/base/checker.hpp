@@ -9,15 +9,14 @@
 
 #include "base/assert.hpp"
 #include "base/text.hpp"
-#include "physim/infinity.hpp"
+#include "physim/math.hpp"
 #include "physim/result.hpp"
-#include "physim/vec3.hpp"
 
 namespace physim {
 
 inline bool finite(const Vec3d& v) { return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z); }
 
-/// Where input stands: a text, or an item of a list, whose text is put together where somebody asks for it.
+/// Where input stands: a text, or an item of a list, with a text that is composed on demand.
 class InputPlace {
  public:
   using Text = std::string_view;

@@ -1,5 +1,5 @@
-// The table of events: a row for each EventKind. What an event is called, what it watches, who tells it, and in which
-// order events of one moment stand follow from here.
+// The table of events: a row for each EventKind. It gives the name of an event, what it watches, what reports it, and
+// the order of events of one moment.
 #pragma once
 
 #include <array>
@@ -14,7 +14,7 @@ namespace physim {
 
 /// The number that an event waits for, less the value that it waits for, changes its sign in it.
 enum class Watch : std::uint8_t {
-  none,  // nothing is watched: a rule or a call of a world tells it
+  none,  // nothing is watched: a rule or a call of a world reports it
   height,
   climb_rate,
   range,
@@ -34,25 +34,25 @@ enum class Watch : std::uint8_t {
 /// What must be there for it to happen.
 enum class Needs : std::uint8_t { nothing, motor, rail };
 
-/// Whether worlds tell it without having been asked.
+/// Whether worlds report it without a request.
 enum class InWorlds : std::uint8_t { never, always, with_apexes };  // WorldDef::apex_events
 
 struct EventRow {
   EventKind kind;
   std::string_view name;
   Watch watch = Watch::none;
-  bool waits_for_value = false;  // of the EventSpec that asks for it; else for `value`
+  bool waits_for_value = false;  // of the EventSpec that requests it; else for `value`
   double value = 0;              // [unit of what is watched]
   Needs needs = Needs::nothing;
-  bool in_flights = false;  // flights tell it without having been asked
+  bool in_flights = false;  // flights report it without a request
   InWorlds in_worlds = InWorlds::never;
-  Crossing direction = Crossing::any;  // which crossings count where nobody asked
+  Crossing direction = Crossing::any;  // which crossings count without a request
   std::uint8_t order = 0;              // in worlds, among events of one projectile at one time
 };
 
 constexpr auto kEventTable = [] {
   using K = EventKind;
-  // What is told where an EventSpec asks for it, and nowhere else.
+  // Events that are reported only if an EventSpec requests them.
   const auto asked = [](EventKind kind, std::string_view name, Watch watch) {
     return EventRow{.kind = kind, .name = name, .watch = watch, .waits_for_value = true};
   };
@@ -67,7 +67,7 @@ constexpr auto kEventTable = [] {
                     .direction = Crossing::rising,
                     .order = order};
   };
-  // What a rule or a call of a world tells.
+  // Events that a rule or a call of a world reports.
   const auto rule = [](EventKind kind, std::string_view name, std::uint8_t order) {
     return EventRow{.kind = kind, .name = name, .in_worlds = InWorlds::always, .order = order};
   };
@@ -107,7 +107,7 @@ constexpr auto kEventTable = [] {
 }();
 constexpr std::size_t kEventKinds = kEventTable.size();
 
-/// Rows stand in the order of their kinds, and those that an EventSpec may ask for come first.
+/// Rows stand in the order of their kinds, and those that an EventSpec may request come first.
 constexpr bool is_in_order() {
   bool asked_before = true;
   for (std::size_t i = 0; i < kEventKinds; ++i) {
@@ -129,7 +129,7 @@ constexpr bool is_enumerator() {
 static_assert(is_enumerator<EventKind::stopped>());
 static_assert(!is_enumerator<static_cast<EventKind>(kEventKinds)>(), "the last kinds of events have no row");
 
-/// How many kinds an EventSpec may ask for: the first ones.
+/// Number of kinds that an EventSpec may request: the first ones.
 constexpr std::size_t watchable_kinds() {
   std::size_t count = 0;
   while (count < kEventKinds && kEventTable[count].watch != Watch::none) ++count;
@@ -144,7 +144,7 @@ constexpr std::size_t watchable_kinds() {
 /// Ignition, burnout or the end of the rail.
 [[nodiscard]] constexpr bool is_of_motor_or_rail(EventKind kind) { return row_of(kind).needs != Needs::nothing; }
 
-/// Whether an EventSpec may ask for it.
+/// Whether an EventSpec may request it.
 [[nodiscard]] constexpr bool is_watchable(EventKind kind) { return static_cast<std::size_t>(kind) < watchable_kinds(); }
 
 }  // namespace physim

@@ -1,4 +1,4 @@
-// Hash: 64 bits that tell two sequences of words apart. Not meant to withstand anybody who tries to fool it.
+// Hash: 64 bits that distinguish sequences of words. It does not withstand attempts to fool it.
 #pragma once
 
 #include <bit>

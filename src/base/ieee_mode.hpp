@@ -14,7 +14,7 @@
 #include <cstdint>
 
 #include "base/strict_math.hpp"
-#include "physim/macros.hpp"
+#include "physim/math.hpp"
 
 #if defined(__x86_64__) || defined(_M_X64) || defined(__SSE2_MATH__)
 #include <emmintrin.h>
@@ -54,7 +54,7 @@ struct ModeRegister {
 
 #else
 
-/// What the C++ standard library knows of: rounding, not subnormal numbers.
+/// What the C++ standard library controls: rounding, not subnormal numbers.
 struct ModeRegister {
   using Value = int;
   static Value read() { return std::fegetround(); }

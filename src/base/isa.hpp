@@ -4,10 +4,10 @@
 // they instantiate lives in an inline namespace of that name, so that the copies never meet in the linker.
 #pragma once
 
-#include "physim/macros.hpp"
+#include "physim/math.hpp"
 
-/// A function template behind a call. Each kernel file has a copy of its own: of one that files may share clang thinks
-/// that another compiler's may take its place, and changes whatever it is told the place of.
+/// A function template behind a call. Each kernel file has its own copy: if files may share one, clang assumes that
+/// another compiler's may replace it, and that it changes whatever it gets the address of.
 #ifdef PHYSIM_ISA
 #define PHYSIM_NOINLINE [[gnu::noinline]] static
 #else

@@ -1,5 +1,5 @@
 // Which copy of the kernels is in use (base/kernel_copies.hpp): that of the best instruction set which the machine
-// runs, unless told otherwise.
+// runs, unless set otherwise.
 #pragma once
 
 #include <cstddef>
@@ -14,14 +14,14 @@ namespace physim {
 [[nodiscard]] const std::vector<std::string_view>& kernel_names();
 /// The one in use; PHYSIM_KERNEL names another one at start.
 [[nodiscard]] std::string_view kernel_in_use();
-/// Takes another one from now on, "" the best; false where there is none of that name.
+/// Uses another one from now on, "" the best; false if no copy has that name.
 bool choose_kernel(std::string_view name);
 
 /// How many copies of this build come before the one in use, the best of them first, whatever this machine runs.
 [[nodiscard]] std::size_t number_in_use();
 
-/// The copy in use of all that this build has, with a name each, the best first; the last one where there is none of
-/// that name, as of those without "scalar".
+/// The copy in use of all that this build has, with a name each, the best first; the last one if no copy has that name,
+/// as in lists without "scalar".
 template <class Kernel, std::size_t N>
 [[nodiscard]] const Kernel& copy_in_use(const Kernel (&copies)[N]) {
   const std::size_t number = number_in_use();

@@ -1,4 +1,4 @@
-// Lists whose first items lie in the structure that has the list: short ones ask for no memory.
+// Lists with their first items in the structure that has the list: short ones allocate no memory.
 #pragma once
 
 #include <cstddef>
@@ -43,7 +43,8 @@ class NearRoom {
   bool is_lent_ = false;
 };
 
-/// The allocator of a std::vector that begins in a room. What resize() adds stays as it is: who asks for it writes it.
+/// The allocator of a std::vector that begins in a room. resize() leaves new items uninitialised: the caller writes
+/// them.
 template <class T, std::size_t kItems>
 class NearAllocator {
  public:

@@ -3,7 +3,7 @@
 
 #include <cstddef>
 
-#include "physim/macros.hpp"
+#include "physim/math.hpp"
 
 namespace physim {
 

@@ -8,7 +8,7 @@ namespace physim {
 /// At most six digits, for messages: "1000", "0.3", "1e+09", "nan".
 [[nodiscard]] std::string short_text(double x);
 
-/// Two digits, for figures that nobody reads further: "0.0042", "38", "1.2e+04".
+/// Two digits, for figures that need no more: "0.0042", "38", "1.2e+04".
 [[nodiscard]] std::string rounded_text(double x);
 /// A length to two digits, in the unit that suits it: "4.2 mm", "1 cm", "120 um"; x in m.
 [[nodiscard]] std::string length_text(double x);

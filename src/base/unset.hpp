@@ -10,7 +10,7 @@ template <class T>
 union Unset {
   T value;
 
-  PHYSIM_INLINE Unset() {}  // NOLINT: it is left as it is
+  PHYSIM_INLINE Unset() {}  // NOLINT: left uninitialised
   PHYSIM_INLINE T* operator->() { return &value; }
   PHYSIM_INLINE const T* operator->() const { return &value; }
   PHYSIM_INLINE T& operator*() { return value; }
@@ -22,7 +22,7 @@ template <class T, int kCount>
 union UnsetList {
   T item[kCount];
 
-  PHYSIM_INLINE UnsetList() {}  // NOLINT: it is left as it is
+  PHYSIM_INLINE UnsetList() {}  // NOLINT: left uninitialised
   PHYSIM_INLINE T& operator[](int i) { return item[i]; }
   PHYSIM_INLINE const T& operator[](int i) const { return item[i]; }
 };

@@ -8,7 +8,6 @@
 #include <string>
 
 #include "physim/result.hpp"
-#include "physim/version.hpp"
 
 namespace physim {
 
@@ -30,7 +29,7 @@ namespace physim {
 }
 
 /// Why a file of another format is refused: "the save is of format 7, written by PhySim 0.1.0; this is PhySim 0.2.0,
-/// which reads format 9". Files that do not tell their version are written "by an older version of PhySim".
+/// which reads format 9". Files that do not state their version are written "by an older version of PhySim".
 [[nodiscard]] inline Error of_other_format(const std::string& what, const std::string& place, std::uint64_t format,
                                            std::uint32_t known, const std::string& version) {
   const std::string writer = !version.empty() ? "PhySim " + version

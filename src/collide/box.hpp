@@ -5,7 +5,7 @@
 
 #include "collide/segment.hpp"
 #include "math/pack.hpp"
-#include "physim/infinity.hpp"
+#include "physim/math.hpp"
 
 namespace physim::collide {
 

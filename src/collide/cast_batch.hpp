@@ -4,7 +4,7 @@
 #include <span>
 
 #include "collide/content.hpp"
-#include "physim/task_runner.hpp"
+#include "physim/result.hpp"
 
 namespace physim::collide {
 

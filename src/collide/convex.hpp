@@ -16,7 +16,7 @@
 #include <optional>
 
 #include "collide/segment.hpp"
-#include "physim/infinity.hpp"
+#include "physim/math.hpp"
 
 namespace physim::collide {
 

@@ -1,4 +1,4 @@
-#include "physim/impact.hpp"
+#include "physim/scene.hpp"
 
 #include <cmath>
 

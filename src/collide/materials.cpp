@@ -1,5 +1,5 @@
 // Materials: checks, and those whose numbers were published.
-#include "physim/material.hpp"
+#include "physim/scene.hpp"
 
 #include <string_view>
 
@@ -9,7 +9,6 @@
 #include "math/angles.hpp"
 #include "math/elementary.hpp"
 #include "model/poncelet.hpp"
-#include "physim/impact.hpp"
 
 namespace physim {
 namespace {

@@ -17,7 +17,7 @@
 
 #include "collide/shape.hpp"
 #include "physim/result.hpp"
-#include "physim/scene_motion.hpp"
+#include "physim/scene.hpp"
 
 namespace physim::collide {
 

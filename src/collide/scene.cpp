@@ -8,7 +8,6 @@
 #include "base/checker.hpp"
 #include "base/ieee_mode.hpp"
 #include "collide/content.hpp"
-#include "physim/impact.hpp"
 
 namespace physim {
 

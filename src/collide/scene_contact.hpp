@@ -29,8 +29,8 @@
 #include "collide/way_through.hpp"
 #include "model/ball_rolling.hpp"
 #include "model/body.hpp"
-#include "physim/collision.hpp"
-#include "physim/impact.hpp"
+#include "physim/event.hpp"
+#include "physim/scene.hpp"
 #include "solve/judge.hpp"
 
 namespace physim {
@@ -98,17 +98,13 @@ class SceneContacts {
   }
 
   /// What follows from meeting something, `passed` into the step.
-  [[nodiscard]] After struck(State<double> s, SceneHit hit, double passed) {
-    std::optional<After> after;
-    hit = facing(hit);
-    while (!after) after = contact(s, hit, passed);
-    after->state.v = r_.kept(after->state.v);
-    return *after;
+  [[nodiscard]] After struck(const State<double>& s, const SceneHit& hit, double passed) {
+    return followed(std::nullopt, s, facing(hit), passed);
   }
 
   /// What it lies on, rolls or slides along at a moment: it touches that, is pressed on, and neither leaves nor strikes
   /// it. A contact that goes on is no new one in each step, and falls through no gap; none: it flies.
-  [[nodiscard]] std::optional<SceneHit> lies_on(const State<double>& s, double passed) const {
+  [[nodiscard]] PHYSIM_NOINLINE std::optional<SceneHit> lies_on(const State<double>& s, double passed) {
     if (const OnHit does = collision().on_hit; does == OnHit::pass || ends_flights(does)) return std::nullopt;
     const double time = r_.scene_time() + passed, within = 4 * gap_at(s.x), radius = collision().radius;
     const SceneNearest near = scene_->nearest(s.x, radius + within, solids_, time);
@@ -126,26 +122,29 @@ class SceneContacts {
     const double epsilon = static_cast<double>(std::numeric_limits<S>::epsilon());
     const double rounding = 8 * epsilon * (length(s.v) + length(hit.velocity));
     if (!(pressure > 0) || rate > rounding || rate < -rounding - std::sqrt(2 * pressure * within)) return std::nullopt;
+    above_ = near.distance - radius;
     return hit;
   }
-  /// What follows along what it lies on.
+  /// What follows along what it lies on, as lies_on() found it.
   [[nodiscard]] After goes_along(State<double> s, SceneHit hit, double passed) {
     const Vec3d n = hit.normal, relative = s.v - hit.velocity;
-    const double radius = collision().radius;
-    const SceneNearest near = scene_->nearest(s.x, radius + 4 * gap_at(s.x), solids_, r_.scene_time() + passed);
-    above_ = near.distance - radius;
     const BallMotion motion{relative - n * dot(relative, n), spin(passed)};
     const Vec3d a = acceleration_on(s, hit, passed, pressed_for(s, hit, passed));
-    std::optional<After> after = moves_along(s, hit, passed, motion, a);
-    while (!after) after = contact(s, hit, passed);
-    after->state.v = r_.kept(after->state.v);
-    return *after;
+    const std::optional<After> after = moves_along(s, hit, passed, motion, a);
+    return followed(after, s, hit, passed);
   }
 
   /// It lies on what moves: it has no rest.
   [[nodiscard]] bool is_carried() const { return carried_; }
 
  private:
+  /// One contact after the other, as long as each is followed by another one at once.
+  [[nodiscard]] PHYSIM_NOINLINE After followed(std::optional<After> after, State<double> s, SceneHit hit,
+                                               double passed) {
+    while (!after) after = contact(s, hit, passed);
+    after->state.v = r_.kept(after->state.v);
+    return *after;
+  }
   /// Tells what a path goes through up to `end`: sensors, and where it passes everything, all of it.
   template <class Path>
   void tell_passages(const Path& path, double end, double start, double span) {
@@ -190,7 +189,7 @@ class SceneContacts {
 
   /// A place that its numbers can hold, from which what touches something at `x` can go on: outside of it, and of what
   /// stands beside it. It lies about a tenth of a nanometre off, or as far as those are apart.
-  [[nodiscard]] Vec3d outside(const Vec3d& x, const Vec3d& normal, double passed) const {
+  [[nodiscard]] PHYSIM_NOINLINE Vec3d outside(const Vec3d& x, const Vec3d& normal, double passed) const {
     const double gap = gap_at(x);
     Vec3d off = normal * gap;
     constexpr int kMostSides = 6;  // more than three things seldom meet
@@ -204,7 +203,7 @@ class SceneContacts {
   }
 
   /// One contact; nothing where another one follows in `s`, `hit` and `passed`.
-  [[nodiscard]] std::optional<After> contact(State<double>& s, SceneHit& hit, double& passed) {
+  [[nodiscard]] PHYSIM_NOINLINE std::optional<After> contact(State<double>& s, SceneHit& hit, double& passed) {
     if (hit.starts_inside && is_ball()) push_out(s, hit, passed);
     if (hit.starts_inside) look_for_surface(s, hit, passed);
     if (hit.starts_inside && came_through_) enter_here(s, hit);
@@ -213,11 +212,12 @@ class SceneContacts {
     const bool leaves = !inside && dot(s.v - hit.velocity, hit.normal) >= 0;
     if (!inside && !leaves && !is_ball() && ++hits_ <= kMostHits && grazes(s, hit, passed))
       return After{Then::flies_on, s, passed};
-    HitAnswer does{.then = collision().on_hit};
+    const bool lay = !inside && !leaves && lay_there(s, hit, passed);
+    HitAnswer does{.then = lay ? OnHit::bounce : collision().on_hit};
     if (!leaves && !is_known(does, s, hit, passed)) return After{Then::asks, s, passed};
     const OnHit action = does.then;
     const double taken = ends_flights(action) ? energy_of({s.v - hit.velocity, spin(passed)}) : 0;
-    if (!leaves) r_.tell(EventKind::hit, inside ? Reason::inside : Reason::none, passed, s, hit, 0, taken);
+    if (!leaves && !lay) r_.tell(EventKind::hit, inside ? Reason::inside : Reason::none, passed, s, hit, 0, taken);
     if (action == OnHit::stop && !leaves) return After{Then::stops, s, passed};
     const Vec3d met = s.x, normal = hit.normal;
     constrain(hit);
@@ -233,18 +233,9 @@ class SceneContacts {
   }
   /// Whether all that a point touches is an edge, behind which it is outside at once: it is put there.
   [[nodiscard]] bool grazes(State<double>& s, const SceneHit& hit, double passed) const {
-    if (!hit.entering) return false;
-    const Vec3d way = normalized(s.v - hit.velocity);
-    const Vec3d off = way * (1e-9 + 8 * spacing_at<double>(s.x));
-    const SceneHit back = scene_->first_hit({s.x + off, s.x - off, 0, r_.scene_time() + passed, 0}, solids_);
-    if (back.instance != hit.instance || back.starts_inside) return false;
-    if (!back.entering) {  // triangles: it is one where it is left where it is entered
-      int inside = 0;
-      for (const SceneHit& each : scene_->all_hits({s.x - off, s.x + off, 0, r_.scene_time() + passed, 0}, solids_))
-        if (each.instance == hit.instance) inside += each.entering ? 1 : -1;
-      if (inside != 0) return false;
-    }
-    s.x = held(s.x + off + way * (2 * spacing_at<S>(s.x)));
+    const auto beyond = beyond_edge(*scene_, solids_, s, hit, r_.scene_time() + passed);
+    if (!beyond) return false;
+    s.x = held(*beyond + normalized(s.v - hit.velocity) * (2 * spacing_at<S>(s.x)));
     return true;
   }
   /// As seen from what it touches [J].
@@ -355,21 +346,21 @@ class SceneContacts {
     hit.entering = true;
   }
 
-  /// Where a place on a thing is after a time, and how fast; `along`: what is added to it as seen from the thing.
-  struct Carried {
-    Vec3d x, v, along;
-  };
   [[nodiscard]] Carried carried(const SceneHit& hit, const Vec3d& x, const Vec3d& along, double passed,
                                 double time) const {
-    const double now = r_.scene_time() + passed;
-    const auto from = scene_->state(hit.instance, now), to = scene_->state(hit.instance, now + time);
-    if (from->rotation == to->rotation && from->angular_velocity == Vec3d{})
-      return {x + along + (to->position - from->position), to->velocity, along};
-    const Quatd turn = to->rotation * conjugate(from->rotation);
-    const Vec3d turned = rotate(turn, along), place = to->position + rotate(turn, x - from->position) + turned;
-    return {place, velocity_at(*to, place), turned};
+    return carried_by(*scene_, hit.instance, x, along, r_.scene_time() + passed, time);
   }
-  [[nodiscard]] bool moves(const SceneHit& hit) const { return !SceneByMotion(*scene_).rests(hit.instance.index); }
+  /// What an engine's things do later is not known.
+  [[nodiscard]] bool moves(const SceneHit& hit) const {
+    return !is_engines(hit) && !SceneByMotion(*scene_).rests(hit.instance.index);
+  }
+  [[nodiscard]] static bool is_engines(const SceneHit& hit) { return hit.instance.generation == kEngineGeneration; }
+  /// An engine's surface is known to within its skin: what fell no farther than a part of that lay there before.
+  [[nodiscard]] bool lay_there(const State<double>& s, const SceneHit& hit, double passed) const {
+    if (!is_engines(hit) || collision().on_hit == OnHit::pass || ends_flights(collision().on_hit)) return false;
+    const double pressure = -dot(r_.acceleration_at(s, passed), hit.normal), fell = 0.2 * scene_->skin();
+    return pressure > 0 && dot(s.v - hit.velocity, hit.normal) >= -std::sqrt(2 * pressure * fell);
+  }
   /// By everything but the contact, as seen from a thing that moves: in the mean of a time that follows.
   [[nodiscard]] Vec3d acceleration_on(const State<double>& s, const SceneHit& hit, double passed, double time) const {
     const Vec3d a = r_.acceleration_at(s, passed);
@@ -377,7 +368,8 @@ class SceneContacts {
     return a - (carried(hit, s.x, {}, passed, time).v - hit.velocity) * (1 / time);
   }
   /// What presses it onto a thing some time later, where that carries it on [m/s^2].
-  [[nodiscard]] double pressure_on(const State<double>& s, const SceneHit& hit, double passed, double later) const {
+  [[nodiscard]] PHYSIM_NOINLINE double pressure_on(const State<double>& s, const SceneHit& hit, double passed,
+                                                   double later) const {
     constexpr double kShort = 1e-5;  // [s]
     const double own = -dot(r_.acceleration_at(s, passed), hit.normal);
     if (!moves(hit)) return own;
@@ -385,14 +377,22 @@ class SceneContacts {
     return own + dot(then - now, hit.normal) / kShort;
   }
   /// How long a thing that moves presses it on, of the part that follows [s].
-  [[nodiscard]] double pressed_for(const State<double>& s, const SceneHit& hit, double passed) const {
+  [[nodiscard]] PHYSIM_NOINLINE double pressed_for(const State<double>& s, const SceneHit& hit, double passed) const {
     const double longest = longest_way(passed);
-    if (!moves(hit) || pressure_on(s, hit, passed, longest) > 0) return longest;
+    if (!moves(hit)) return longest;
+    // What stops or turns at once presses again behind that, but let the body go before.
+    const Vec3d a = r_.acceleration_at(s, passed);
+    const double own = -dot(a, hit.normal), rounding = 1e-9 * length(a);
+    const auto presses = [&](double later) {
+      const double ahead = dot(carried(hit, s.x, {}, passed, later).v - hit.velocity, hit.normal) + own * later;
+      return pressure_on(s, hit, passed, later) >= -rounding && ahead >= -rounding * later;
+    };
+    if (presses(longest)) return longest;
     double pressed = 0, free = longest;
     constexpr int kHalvings = 40;
     for (int i = 0; i < kHalvings; ++i) {
       const double middle = 0.5 * (pressed + free);
-      (pressure_on(s, hit, passed, middle) > 0 ? pressed : free) = middle;
+      (presses(middle) ? pressed : free) = middle;
     }
     return free;
   }
@@ -403,8 +403,8 @@ class SceneContacts {
   }
 
   /// Bounces, or lies on what it met. All in the frame of the surface. `own`: with that velocity, by whoever said so.
-  [[nodiscard]] std::optional<After> rebound(State<double>& s, SceneHit& hit, double& passed,
-                                             const std::optional<Vec3d>& own) {
+  [[nodiscard]] PHYSIM_NOINLINE std::optional<After> rebound(State<double>& s, SceneHit& hit, double& passed,
+                                                             const std::optional<Vec3d>& own) {
     const Vec3d n = hit.normal, u = hit.velocity;
     const Surface on = surface(hit);
     BallMotion motion{s.v - u, spin(passed)};
@@ -438,8 +438,8 @@ class SceneContacts {
   }
 
   /// Slides or rolls along what it lies on, up to what stands in its way.
-  [[nodiscard]] std::optional<After> moves_along(State<double>& s, SceneHit& hit, double& passed,
-                                                 const BallMotion& motion, const Vec3d& a) {
+  [[nodiscard]] PHYSIM_NOINLINE std::optional<After> moves_along(State<double>& s, SceneHit& hit, double& passed,
+                                                                 const BallMotion& motion, const Vec3d& a) {
     const Vec3d u = hit.velocity;
     const Surface on = surface(hit);
     const double left = pressed_for(s, hit, passed);
@@ -489,44 +489,53 @@ class SceneContacts {
     return rests(s.x, hit.velocity, passed);
   }
 
-  /// Stays where it is, with what it touches.
-  [[nodiscard]] After rests(const Vec3d& x, const Vec3d& velocity, double passed) {
+  /// Goes on with what it touches, to what stands in its way; where that is at once, it stays.
+  [[nodiscard]] PHYSIM_NOINLINE After rests(const Vec3d& x, const Vec3d& velocity, double passed) {
+    const double left = longest_way(passed);
     const State<double> s{x, velocity};
-    const double end = passed + longest_way(passed);
-    const bool is_over = r_.step_length() - passed <= kLongestPart;
-    went(s, passed, s, is_over ? r_.step_length() : end);
-    return is_over ? After{Then::lies, s, r_.step_length()} : After{Then::flies_on, s, end};
+    const SceneHit next = velocity == Vec3d{} ? SceneHit{} : cast(x, x + velocity * left, passed, left);
+    const bool is_held = next.starts_inside || (next && next.part * left <= 1e-6 * frame());
+    return along(s, is_held ? Vec3d{} : velocity * left, velocity, is_held ? SceneHit{} : next, passed);
+  }
+  /// Straight on by a way, with another velocity at its end, to what it meets there.
+  [[nodiscard]] PHYSIM_NOINLINE After along(const State<double>& s, const Vec3d& way, const Vec3d& velocity,
+                                            const SceneHit& next, double passed) {
+    const double left = longest_way(passed), part = next ? next.part : 1.0;
+    const double then = part < 1 || left < r_.step_length() - passed ? passed + part * left : r_.step_length();
+    const State<double> end{next ? outside(next.position, next.normal, then) : held(s.x + way),
+                            s.v + (velocity - s.v) * part};
+    went(s, passed, end, then);
+    return {then < r_.step_length() ? Then::flies_on : Then::lies, end, then};
   }
 
-  /// It lies on one thing, and another one stands in its way at once: it goes along both, as on one between them, or
-  /// rests.
-  [[nodiscard]] After lies_between(State<double> s, const SceneHit& one, SceneHit other, double passed,
-                                   const Vec3d& a) {
+  /// It lies on one thing, and another one stands in its way at once: it goes along both, as on one between them, as
+  /// fast as both let it.
+  [[nodiscard]] PHYSIM_NOINLINE After lies_between(State<double> s, const SceneHit& one, SceneHit other, double passed,
+                                                   const Vec3d& a) {
     constrain(other);
-    const Vec3d u = one.velocity;
     const Vec3d line = r_.kept(cross(one.normal, other.normal)), middle = one.normal + other.normal;
+    if (length(line) < 1e-6 || length(middle) < 1e-6) return rests(s.x, one.velocity, passed);
+    // The velocity across the line with which it leaves neither: u . n1 = u1 . n1, u . n2 = u2 . n2.
+    const double c = dot(one.normal, other.normal), per = 1 / (1 - c * c);
+    const double first = dot(one.velocity, one.normal), second = dot(other.velocity, other.normal);
+    const Vec3d u = one.normal * ((first - c * second) * per) + other.normal * ((second - c * first) * per);
     const double left = longest_way(passed);
-    if (length(line) < 1e-6 || length(middle) < 1e-6) return rests(s.x, u, passed);
-    const Vec3d along = normalized(line), n = normalized(middle);
+    const Vec3d along_it = normalized(line), n = normalized(middle);
     Surface rough = surface(one);
     if (is_ball()) rough.friction = 0;  // it rolls
-    const Rolled on = rolled(along * dot(s.v - u, along), along * dot(a, along) + n * dot(a, n), n, rough, left);
-    const SceneHit next = cast(s.x, s.x + on.way + u * left, passed, left);
+    const Vec3d before = along_it * dot(s.v - u, along_it);
+    const Rolled on = rolled(before, along_it * dot(a, along_it) + n * dot(a, n), n, rough, left);
+    const Vec3d way = on.way + u * left;
+    carried_ = carried_ || u != Vec3d{};
+    const SceneHit next = cast(s.x, s.x + way, passed, left);
     if (next && next.part * left <= 1e-6 * frame()) return rests(s.x, u, passed);
-    const double part = next ? next.part : 1.0;
-    const double then = part < 1 || left < r_.step_length() - passed ? passed + part * left : r_.step_length();
-    const Vec3d before = along * dot(s.v - u, along);
-    const State<double> began{s.x, before + u};
-    s = {next ? outside(next.position, next.normal, then) : held(s.x + on.way + u * left),
-         before + (on.velocity - before) * part + u};
-    went(began, passed, s, then);
-    return {then < r_.step_length() ? Then::flies_on : Then::lies, s, then};
+    return along({s.x, before + u}, way, on.velocity + u, next, passed);
   }
 
   // ------------------------------------------------------------------------------------------- into and through
   /// As the material lets it, see impact(); nothing where it bounces. `normal`: of the surface, whatever it is held by.
-  [[nodiscard]] std::optional<After> impacted(State<double>& s, const Vec3d& met, const Vec3d& normal,
-                                              const SceneHit& hit, double passed) {
+  [[nodiscard]] PHYSIM_NOINLINE std::optional<After> impacted(State<double>& s, const Vec3d& met, const Vec3d& normal,
+                                                              const SceneHit& hit, double passed) {
     const Vec3d relative = s.v - hit.velocity;
     const double speed = length(relative);
     if (!(speed > 0)) return std::nullopt;
@@ -567,9 +576,9 @@ class SceneContacts {
   }
 
   /// Out behind what it met, at once; nothing where a ball only grazes an edge.
-  [[nodiscard]] std::optional<After> let_through(State<double>& s, const Vec3d& met, const Vec3d& normal,
-                                                 const SceneHit& hit, double passed,
-                                                 const std::optional<Vec3d>& velocity) {
+  [[nodiscard]] PHYSIM_NOINLINE std::optional<After> let_through(State<double>& s, const Vec3d& met,
+                                                                 const Vec3d& normal, const SceneHit& hit,
+                                                                 double passed, const std::optional<Vec3d>& velocity) {
     const Vec3d before = s.v - hit.velocity;
     if (!(length(before) > 0)) return std::nullopt;
     const Vec3d way = normalized(before);

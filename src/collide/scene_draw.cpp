@@ -1,4 +1,4 @@
-#include "physim/scene_draw.hpp"
+#include "physim/scene.hpp"
 
 #include "base/ieee_mode.hpp"
 #include "collide/content.hpp"

@@ -9,7 +9,6 @@
 #include "base/ieee_mode.hpp"
 #include "base/written_by.hpp"
 #include "collide/content.hpp"
-#include "physim/impact.hpp"
 #include "physim/scene.hpp"
 
 namespace physim {

@@ -5,7 +5,7 @@
 #include <memory>
 
 #include "collide/shape.hpp"
-#include "physim/shared_shape.hpp"
+#include "physim/scene.hpp"
 
 namespace physim {
 

@@ -1,4 +1,4 @@
-#include "physim/terrain.hpp"
+#include "physim/scene.hpp"
 
 #include <cmath>
 #include <limits>

@@ -1,5 +1,5 @@
-// Chance: the random numbers of an emitter. Each follows from the seed, from what it is drawn for and from whose it is,
-// by Philox: nobody keeps a state, nothing shifts what others draw, and what is constant draws nothing.
+// Chance: the random numbers of an emitter. Each follows from the seed, its purpose and its particle,
+// by Philox: no state is kept, no draw shifts another, and what is constant draws nothing.
 #pragma once
 
 #include <array>

@@ -21,15 +21,15 @@ namespace {
 constexpr std::size_t kMostKeys = 10'000;  // of a curve
 constexpr std::size_t kMostParts = 1'000;  // bursts, barrels or sub-emitters
 constexpr double kLeastGap = 1e-9;         // between keys: slopes beyond are no numbers
-constexpr double kMostValue = 1e15;        // of a number or a curve, whose products stay numbers
+constexpr double kMostValue = 1e15;        // of a number or a curve: products stay finite
 constexpr double kMostBirths = 1e9;        // in a second or at one moment
-constexpr double kLeastBirths = 1e-6;  // in a cycle where each draws its rate: who comes seldomer is searched for long
-constexpr double kLeastChance = 1e-5;  // likewise, of a moment of a burst
-constexpr double kLongest = 1e9;       // [s]
-constexpr double kFarthest = 1e15;     // [m]
-constexpr double kNearest = 1e-6;      // in front of a barrel that its line meets others [m]
-constexpr double kWholeTurn = 6.2832;  // 2 pi, and what rounding it may add [rad]
-constexpr double kMostDispersion = 0.3;  // whose tails still point forwards [rad]
+constexpr double kLeastBirths = 1e-6;      // in a cycle if each draws its rate: rarer births take long to find
+constexpr double kLeastChance = 1e-5;      // of a moment of a burst, for the same reason
+constexpr double kLongest = 1e9;           // [s]
+constexpr double kFarthest = 1e15;         // [m]
+constexpr double kNearest = 1e-6;          // in front of a barrel that its line meets others [m]
+constexpr double kWholeTurn = 6.2832;      // 2 pi, and what rounding it may add [rad]
+constexpr double kMostDispersion = 0.3;    // its tails still point forwards [rad]
 
 constexpr double kLeastPatch = 1e-9;  // of terrain: part of the whole field along a side
 
@@ -158,7 +158,7 @@ void check_rates(Checker& c, const EmitterDef& def) {
     check_burst(c, def.bursts[i], "emitter.bursts[" + std::to_string(i) + "]");
 }
 
-/// What the rates come to together, each being sound by itself.
+/// The total of the rates, each of which is valid alone.
 void check_births(Checker& c, const EmitterDef& def) {
   if (!c.status_so_far()) return;
   const double births = most_births(def) * def.cycle.rate;
@@ -276,7 +276,7 @@ void check_from(Checker& c, const EmitFrom& from) {
   if (c.status_so_far()) check_surface(c, from);
 }
 
-/// Its path, what it follows and its launch, whose own checks name places without the emitter.
+/// Its path, what it follows and its launch; their own checks name places without the emitter.
 void check_origin(Checker& c, const EmitterDef& def) {
   c.require(finite(def.position) && length(def.position) <= kFarthest, "emitter.position", "must lie within 1e15 m");
   const double norm = norm_squared(def.rotation);

@@ -1,7 +1,7 @@
 // Numbers and colours that emitters draw, prepared: curves and gradients as pieces, constants found out.
 //
 // Symbols: a(x) = value curve(x), b(x) = to to_curve(x), x part of the span; u between 0 and 1.
-// Equation: number = a + u (b - a); its integral from 0 to x likewise, of the integrals of both curves. A piece
+// Equation: number = a + u (b - a); its integral from 0 to x as well, of the integrals of both curves. A piece
 //   c0 + c1 s + c2 s^2 + c3 s^3 has the integral s (c0 + s (c1 / 2 + s (c2 / 3 + s c3 / 4))).
 // Source: F. N. Fritsch, J. Butland, SIAM J. Sci. Stat. Comput. 5 (1984) 300-304, for the monotone cubics.
 #pragma once
@@ -56,7 +56,7 @@ class EmitCurve {
   [[nodiscard]] double sum(double x) const;
 
   std::vector<CurvePiece> pieces_;  // as CurvePieces has them
-  std::size_t first_ = 0;           // likewise
+  std::size_t first_ = 0;           // as CurvePieces has it
 };
 
 template <std::size_t N>
@@ -129,7 +129,7 @@ class EmitNumber {
   EmitCurve curve_, to_curve_;
 };
 
-/// The smallest and the largest number that can be drawn. NaN where something is none.
+/// The smallest and the largest number that can be drawn. NaN if a value or a curve has a NaN.
 struct NumberRange {
   double least, most;
 };

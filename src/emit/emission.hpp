@@ -10,7 +10,7 @@
 
 namespace physim {
 
-/// Which particle of an emitter, and when it is born.
+/// Which particle of an emitter, and when it is emitted.
 struct Birth {
   std::uint64_t number = 0;     // among the particles of its emitter, from 0
   double time = 0;              // since the emitter began to play, by its own clock [s]
@@ -56,11 +56,11 @@ class Emission {
   [[nodiscard]] const Rain& rain() const;
 
   [[nodiscard]] Newborn newborn(const Birth& birth) const;
-  /// Several at a time, whose gravity is left as it is.
+  /// Several at a time; their gravity is left unchanged.
   void newborns(NewbornPack& pack) const;
   /// Whether each feels the gravity of its kind.
   [[nodiscard]] bool leaves_gravity() const;
-  /// How a particle of that number looks, born at that phase of the cycle. `age` within 0..lifetime [s]; `speed` [m/s].
+  /// The look of particle `number` with birth at `phase` of the cycle. `age` within 0..lifetime [s]; `speed` [m/s].
   [[nodiscard]] Look look(std::uint64_t number, double phase, double lifetime, double age, double speed) const;
   /// What acts on its particles in flight.
   [[nodiscard]] const FlightLaw& flight() const;

@@ -170,7 +170,7 @@ class MeshEdges final : public MeshOutlets {
 };
 
 // ------------------------------------------------------------------------------------------------- terrain
-/// Corners of a triangle whose sides were cut away.
+/// Corners of a triangle after sides were cut away.
 struct Polygon {
   std::array<Vec3d, 7> corner{};
   std::size_t size = 0;
@@ -274,7 +274,7 @@ class TerrainOutlets final : public SurfaceOutlets {
                                 : right * (1 - z) + far * (1 - x) + normal_at(column + 1, row + 1) * (x + z - 1);
     return direction_of(sum, t.normal());
   }
-  /// By the points beside it; at the border by itself and the one beside it.
+  /// By the points beside it; at the border by the point and its one neighbour.
   [[nodiscard]] Vec3d normal_at(std::uint32_t column, std::uint32_t row) const {
     const std::uint32_t left = std::max(column, 1u) - 1, right = std::min(column + 1, field_.columns() - 1);
     const std::uint32_t near = std::max(row, 1u) - 1, far = std::min(row + 1, field_.rows() - 1);

@@ -4,7 +4,7 @@
 //   triangle at a corner.
 // Equations: a triangle is chosen by its area, an edge by its length, a vertex like any other; the place in a triangle
 //   is (1 - s) a + s (1 - v) b + s v c with s^2 = u. The normal of a vertex is that of the sum of A n of the triangles
-//   about it; that of an edge of the sum of n of those beside it; where that is none, the first one's. Smooth: the
+//   about it; that of an edge of the sum of n of those beside it; if that is zero, the first one's. Smooth: the
 //   normals of the corners, mixed like the corners. Heights: the normal of a point lies along (-dh/dx, 1, -dh/dz), by
 //   the points beside it. Cells that the edge of a rectangle cuts are chosen by the area that is left of them.
 // Source: L. Devroye, Non-Uniform Random Variate Generation (1986), ch. XI.2.5 (triangles); G. Thuermer,
@@ -37,7 +37,7 @@ class SurfaceOutlets {
 struct EmitPatch {
   double low_x, high_x, low_z, high_z;
 };
-/// The part of a height field that a definition asks for; its low sides are not below its high ones where it is none.
+/// The part of a height field that a definition covers; its low sides are not below its high ones if it is empty.
 [[nodiscard]] EmitPatch patch_of(const EmitSurface& surface, const collide::HeightField& field);
 
 }  // namespace physim

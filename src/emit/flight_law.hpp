@@ -1,14 +1,14 @@
 // What acts on the flight of an emitter's particle as it grows older.
 //
-// What it models: linear drag whose rate follows age and speed, a part of gravity by age, a force by age, a velocity by
+// What it models: linear drag with a rate by age and speed, a part of gravity by age, a force by age, a velocity by
 //   age that is in the particle's own whatever else changes that, a speed limit that what is above it falls to, and
-//   swirls in space (model/curl_noise.hpp) whose strength follows age.
+//   swirls in space (model/curl_noise.hpp) with a strength that follows age.
 // When it is wrong: it is what looks are made of. Drag of air grows with the square of the speed (a curve over the
 // speed
 //   can say so up to `fast`), and air has no limits. Rates k are felt by explicit steps of length h: those above 1/h
 //   are overshot, those above 2/h blow up.
 // Symbols: n(x) a number of ParticleFlight at the part x = age / span of its life; v velocity [m/s], s = |v|; k drag
-//   [1/s], q(s) its part by speed [-]; g gravity as it is felt [m/s^2], p its part [-]; F force [N], m mass [kg]; L
+//   [1/s], q(s) its part by speed [-]; g gravity felt [m/s^2], p its part [-]; F force [N], m mass [kg]; L
 //   limit [m/s], c its rate [1/s]; u velocity added [m/s]; w noise of mean square 1 [-], N its strength [m/s^2].
 // Equation: a = -k(x) q(s) v + (p(x) - 1) g + F(x) / m - c (1 - L(x) / s) v [s > L] + du/dt + N(x) w. At birth u is
 // added
@@ -69,14 +69,14 @@ class FlightLaw {
   [[nodiscard]] bool scales_gravity() const { return !gravity_.is(1); }
   [[nodiscard]] bool adds_velocity() const;
   [[nodiscard]] bool has_force() const;
-  /// Whether all that acts is drag whose rate follows age.
+  /// Whether drag with a rate that follows age is all that acts.
   [[nodiscard]] bool is_drag_by_age() const;
 
   /// All but what is of adds_velocity() [m/s^2].
   [[nodiscard]] Vec3d acceleration(const InFlight& particle, double time, const FlightState& state) const;
   /// Those of a pack [m/s^2].
   void accelerations(const FlightPack<kPack>& pack, FlightPack<kPack>::Vectors& a) const;
-  /// Rates of such drag at a time, of kPack particles whose numbers, births and spans lie in columns [1/s].
+  /// Rates of such drag at a time, of kPack particles; their numbers, births and spans lie in columns [1/s].
   void drag_rates(const ParticleKernel& kernel, const std::uint64_t* number, const double* birth, const double* span,
                   double time, double* rate) const;
   /// That is in its velocity at a time [m/s], and its derivative [m/s^2].

@@ -18,7 +18,7 @@
 
 namespace physim {
 
-/// A frame whose x axis points along a line, turned there from the emitter's the shortest way.
+/// A frame with its x axis along a line, turned there from the emitter's the shortest way.
 struct LineFrame {
   std::array<Vec3d, 3> axis{Vec3d{1, 0, 0}, Vec3d{0, 1, 0}, Vec3d{0, 0, 1}};
 

@@ -1,4 +1,4 @@
-// Looks: how many particles are shown, pack by pack. What Emission::look() tells of one is the pack of one.
+// Looks: how many particles are shown, pack by pack. The result of Emission::look() for one is a pack of one.
 #pragma once
 
 #include <array>
@@ -20,7 +20,7 @@ struct LookPack {
   std::array<std::uint32_t, N> colour;
 };
 
-/// Which columns somebody reads.
+/// Which columns a caller reads.
 struct LookParts {
   bool size = true, rotation = true, colour = true;
 };

@@ -66,8 +66,8 @@ double BirthRate::in_cycle(double x, double u) const {
   return duration_ * rate_.integral(x, [u] { return u; });
 }
 
-/// Where in a cycle so many births are through, first: between two knots, where the integral is one cubic or the sum of
-/// two and rises.
+/// The first place in a cycle by which `births` births are done: between two knots, where the integral is one cubic or
+/// the sum of two and rises.
 double BirthRate::place_of(double births, double u) const {
   const double enough = births * (1 - kBirthRounding);
   const auto end = std::lower_bound(knots_.begin() + 1, knots_.end() - 1, enough,

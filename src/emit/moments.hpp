@@ -18,7 +18,7 @@
 
 namespace physim {
 
-/// Which cycle a search for births has come to, where each cycle draws a rate of its own.
+/// The cycle that a search for births has reached, if each cycle draws its own rate.
 struct RateReached {
   std::uint64_t cycle = 0;
   double before = 0;  // births in the cycles before it
@@ -30,10 +30,10 @@ class BirthRate {
  public:
   BirthRate(const EmitterDef& def, std::uint64_t seed);
 
-  /// When birth k is; infinite where there is none. Births are asked for in order where the rate is drawn: `reached`
+  /// The time of birth k; infinite if it never comes. If the rate is drawn, births have to be taken in order: `reached`
   /// is what the one before left, and as new for the first one.
   [[nodiscard]] double time_of(std::uint64_t k, std::uint64_t play, RateReached& reached) const;
-  /// Whether it is one number: steady() says when so many are through.
+  /// Whether it is one number: then steady() gives the time by which `births` births are complete.
   [[nodiscard]] bool is_steady() const { return !silent_ && constant_ > 0; }
   [[nodiscard]] double steady(double births) const {
     PHYSIM_ASSERT(constant_ > 0);

@@ -11,14 +11,14 @@
 namespace physim {
 
 /// Births, which come in, and newborns, in the frame of their emitter, which come out; none of them rounds of a gun.
-/// Lanes that nobody needs hold a birth, too, but what they start with is not told.
+/// Unused lanes hold a birth, too, but their starts are unspecified.
 struct NewbornPack {
   static constexpr std::size_t kLanes = kColumn;
   using Column = std::array<double, kLanes>;
 
-  std::size_t count = kLanes;                // lanes that somebody needs, the first ones
+  std::size_t count = kLanes;                // lanes in use, the first ones
   std::array<std::uint64_t, kLanes> number;  // as Birth has it
-  Column time, phase;                        // likewise
+  Column time, phase;                        // as Birth has it
   std::array<std::uint32_t, kLanes> of_moment, moment;
 
   std::array<Column, 3> place;      // [m]

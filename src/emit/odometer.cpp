@@ -71,7 +71,7 @@ std::optional<double> Odometer::when(double distance, double latest) const {
   PHYSIM_ASSERT(distance > 0);
   if (!(latest > from()) || !(at(latest) >= distance)) return std::nullopt;
   const auto after = std::ranges::lower_bound(marks_, distance, {}, &Mark::distance);
-  const Mark& mark = *std::prev(after);  // the last one by which it has not come so far
+  const Mark& mark = *std::prev(after);  // the last one before the distance is reached
   if (!is_bent(mark.piece)) return std::min(mark.time + (distance - mark.distance) / length(mark.piece.c1), latest);
   // The distance only grows: the time is halved until it cannot be halved any more.
   double low = mark.time, high = after == marks_.end() ? latest : after->time;

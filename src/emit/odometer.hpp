@@ -1,5 +1,5 @@
-// The odometer: how far something on a path has come by a time, and by when it has come so far. A pure function of the
-// path, so that what happens every so many metres does not depend on when somebody looks.
+// The odometer: the distance travelled on a path by a time, and the time of a distance. A pure function of the
+// path, so that what happens every few metres does not depend on when a caller looks.
 //
 // Symbols: s(t) length of the path from its beginning to time t [m], c(t) its place, so that s' = |c'|.
 // Equation: on a straight piece s grows by |c'| t; on a cubic one s is the sum of Gauss-Legendre quadratures of |c'|
@@ -21,9 +21,9 @@ class Odometer {
   /// Counts on a path from a time on [s].
   Odometer(const collide::Path& path, double from);
 
-  /// So far it has come by a time, from() or later [m].
+  /// Distance travelled by a time, from() or later [m].
   [[nodiscard]] double at(double time) const;
-  /// The time by which it has come so far, above 0, if that is not after `latest` [s].
+  /// The time at which the distance, above 0, is reached, if that is not after `latest` [s].
   [[nodiscard]] std::optional<double> when(double distance, double latest) const;
   [[nodiscard]] double from() const { return marks_.front().time; }
 

@@ -75,7 +75,7 @@ class PackChance {
   std::size_t count_;
   // Numbers that are drawn together most often share a block, or lie in the next one.
   static constexpr std::uint32_t kKept = 2, kNone = ~0u;
-  std::array<std::uint32_t, kKept> drawn_{kNone, kNone};  // the blocks whose words are there
+  std::array<std::uint32_t, kKept> drawn_{kNone, kNone};  // the blocks with stored words
   std::array<WordColumns<N>, kKept> words_;
   std::array<double, N> u_;
 };

@@ -6,8 +6,7 @@
 #include <cstddef>
 #include <cstdint>
 
-#include "physim/quat.hpp"
-#include "physim/vec3.hpp"
+#include "physim/math.hpp"
 
 namespace physim {
 
@@ -58,17 +57,17 @@ struct NumberJob {
 struct WordsJob {
   std::uint64_t seed;
   std::uint32_t stream_and_index;  // the last word of all counters
-  std::size_t count;               // of words that somebody needs, the first ones; there is room for a column
+  std::size_t count;               // of words that are needed, the first ones; there is room for a column
   const std::uint64_t* number;     // of the particles
   std::uint32_t* words[4];
 };
 
-/// Where particles come out of a shape, and in which direction; as many as somebody needs, the first ones.
+/// Where particles come out of a shape, and in which direction; as many as are needed, the first ones.
 struct OutletJob {
   const ShapeNumbers* shape;
   std::size_t count;
   const double *time, *of_moment, *moment;  // as Birth has them
-  const std::uint32_t* words[8]{};          // of the first draws, as many as the shape asks for
+  const std::uint32_t* words[8]{};          // of the first draws, as many as the shape needs
   double *place[3]{}, *direction[3]{};      // what comes out [m], [-]
 };
 
@@ -76,8 +75,8 @@ struct OutletJob {
 struct StartJob {
   std::size_t count;
   Vec3d position;                         // of the emitter [m]
-  Quatd rotation;                         // likewise
-  Vec3d velocity;                         // as far as it is inherited [m/s]
+  Quatd rotation;                         // of the emitter
+  Vec3d velocity;                         // the inherited part [m/s]
   const double *place[3], *direction[3];  // in the emitter's frame [m], [-]
   const double* speed;                    // [m/s]
   double *x[3], *v[3];                    // what comes out [m], [m/s]

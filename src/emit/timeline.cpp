@@ -11,7 +11,7 @@ namespace {
 // Sources of an emitter: its rate, each burst, its gun.
 constexpr std::size_t kRate = 0;
 
-// A burst whose moments come to nothing so many times in a row is over: nobody waits for it. Below one chance in 1e6.
+// A burst with this many empty moments in a row is over: waiting would not end. Below one chance in 1e6.
 constexpr std::uint64_t kMostMissed = 20'000'000;
 
 double delay_of(const EmitWhen& when, std::uint64_t seed, std::uint64_t play) {
@@ -34,7 +34,7 @@ double next_round(const Gun& gun, const EmitterCycle& cycle, std::uint64_t round
 /// What stands before the point of a number that is not below 0: for any number the oldest processors call a function.
 double whole_part(double x) { return x < 0x1p62 ? static_cast<double>(static_cast<std::int64_t>(x)) : x; }
 
-/// How far through its cycle an emitter is, so long after the first one began.
+/// How far through its cycle an emitter is, `since` seconds after the first one began.
 double phase_of(const EmitterCycle& cycle, double since) {
   // A time that should be a cycle's start may lie before it by rounding.
   constexpr double kPhaseRounding = 4.5e-16;

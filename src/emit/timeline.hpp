@@ -1,4 +1,4 @@
-// Timeline: when an emitter fires by itself. The moments follow from its definition and seed alone, one after the
+// Timeline: when an emitter fires on its own. The moments follow from its definition and seed alone, one after the
 // other, so that no frame can shift one.
 #pragma once
 
@@ -21,7 +21,7 @@ struct EmitMoment {
   std::uint64_t round = 0;  // its number then, from 0
 };
 
-/// How far an emitter has come, for each source: its rate, each of its bursts, its gun. Plain numbers, which a save
+/// The progress of an emitter, for each source: its rate, each of its bursts, its gun. Plain numbers, which a save
 /// holds; they follow from how many moments were taken, and spare finding each again.
 struct TimelineState {
   std::uint64_t play = 0;              // how often it has begun to play before; what is drawn differs
@@ -39,7 +39,7 @@ class Timeline {
 
   /// Nothing was taken.
   [[nodiscard]] TimelineState begin(std::uint64_t play) const;
-  /// Whether a state, as a save may tell it, can be one of this emitter's.
+  /// Whether a state, as a save may hold it, can be one of this emitter's.
   [[nodiscard]] bool is_of(const TimelineState& state) const;
   /// The first moment that was not taken; none: it will not fire any more. Of one time, those with a lower source
   /// first.
@@ -49,7 +49,7 @@ class Timeline {
   /// The next moments where a rate that is one number has them, each of one particle, up to that of another source; how
   /// many of the places are filled. `phase` has as many as `time`.
   std::size_t steady(const TimelineState& state, std::span<double> time, std::span<double> phase) const;
-  /// Takes so many of these.
+  /// Takes `count` of these.
   void take_steady(TimelineState& state, std::size_t count) const;
   /// When its first cycle begins and its last one ends, by the emitter's clock; infinite where it loops [s].
   [[nodiscard]] std::pair<double, double> span(std::uint64_t play) const;

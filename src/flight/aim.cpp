@@ -7,7 +7,7 @@
 // nearer by an order of magnitude or two, and the last one is its own proof. Where the required speed is above the
 // launch speed at all times, the target is out of reach as far as the neighbours know. Before that is believed, a fan
 // of flights over all elevations and sides looks for paths that pass nearer, and descents start from those.
-#include "physim/aim.hpp"
+#include "physim/solve.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -118,7 +118,7 @@ class Aimer {
     const Fidelity asked = by_steps(fidelity_, options_.flight.step > 0);
     const Fidelity granted = grant(asked, projectile_, environment_).fidelity;
     Conditions<double> conditions = prepare_conditions(environment_, granted);
-    conditions.wind.stepped = false;  // neighbours need to know how wind changes with place: a step would not tell them
+    conditions.wind.stepped = false;  // neighbours need to know how wind changes with place: a step would hide it
     conditions_ = std::make_shared<const Conditions<double>>(conditions);
     if (step_given(granted, options_.flight) || steps_by_frames(granted)) return;
     Until until{.ground = std::nullopt, .time = options_.time};
@@ -342,9 +342,9 @@ class Aimer {
   Start start_at(const Flight& flight, const Vec3d& velocity, double near) {
     const Passing p = passing(flight, near);
     const double miss = length(p.miss);
-    if (!std::isfinite(miss) || p.time == 0) return {velocity, p.time, kInfinity};
+    if (!std::isfinite(miss) || flight.duration() == 0) return {velocity, p.time, kInfinity};
     note(flight, p);
-    return {velocity, p.time, miss};
+    return {velocity, p.time, p.time == 0 ? kInfinity : miss};  // from a target that only goes away nothing descends
   }
 
   [[nodiscard]] double distance_at(const Flight& flight, double time) const {

@@ -26,7 +26,7 @@ constexpr double kRounding = std::numeric_limits<double>::epsilon();
 constexpr double kTruthTolerance = 1e-13, kDoubtTolerance = 1e-12;  // of the truth, and of the flight that doubts it
 constexpr int kSamples = 499;             // of a flight; a prime, so that times are not round and show their rounding
 constexpr int kLateSamples = 16;          // of a flight that lands after the true one
-constexpr double kLate = 1.5;             // times the true flight: who flies on, flies wrong
+constexpr double kLate = 1.5;             // times the true flight: a longer flight is wrong
 constexpr double kMostSteps = 1e6;        // of a flight
 constexpr double kClosedFormAnswers = 8;  // taken from a closed form where steps are free
 
@@ -100,7 +100,7 @@ class Search {
     for (const Lowered& lowered : ladder_.lowered()) lower_models(lowered);
     for (const Stepper& stepper : ladder_.steppers(answer_.time)) {
       steppers_.push_back({stepper, std::nullopt});
-      if (is_adaptive(stepper.integrator)) lower_stepper(steppers_.size() - 1);  // tells how many steps it takes
+      if (is_adaptive(stepper.integrator)) lower_stepper(steppers_.size() - 1);  // counts the steps it takes
     }
     return choose();
   }
@@ -253,7 +253,7 @@ class Search {
       if (is_used_up()) return grant_truth();
       const std::size_t index = candidate.stepper;
       const Stepper stepper = steppers_[index].stepper;
-      if (stepper.motion != Motion::closed_form) {  // which has no error of its own
+      if (stepper.motion != Motion::closed_form) {  // which has no error
         if (!steppers_[index].measured) lower_stepper(index);
         if (!keeps(steppers_[index].measured->error)) continue;
       }

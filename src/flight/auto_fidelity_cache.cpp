@@ -9,7 +9,7 @@
 #include "base/ieee_mode.hpp"
 #include "math/elementary.hpp"
 #include "math/vec3.hpp"
-#include "physim/auto_fidelity.hpp"
+#include "physim/solve.hpp"
 #include "prepare/check.hpp"
 #include "prepare/conditions.hpp"
 
@@ -96,7 +96,7 @@ Launch by_angles(const Launch& launch) {
 
 std::vector<Launch> launch_class(const Launch& launch, std::optional<double> ground) {
   const IeeeMode mode;
-  if (!check(launch)) return {launch};  // whoever flies it says what is wrong
+  if (!check(launch)) return {launch};  // flying it says what is wrong
   Launch corner = by_angles(launch);
   if (!std::isfinite(corner.speed)) return {launch};
   const Bin speed = speed_bin(corner.speed), height = height_bin(corner.position.y, ground);
@@ -121,7 +121,7 @@ std::vector<Launch> launch_class(const Launch& launch, std::optional<double> gro
 }
 
 struct AutoFidelityCache::Impl {
-  /// Computed once, by the first who asks; others of the same key wait for it, those of other keys do not.
+  /// Computed once, by the first caller; others of the same key wait for it, those of other keys do not.
   struct Slot {
     std::once_flag once;
     std::optional<Answer> answer;
@@ -165,7 +165,7 @@ AutoFidelityCache& AutoFidelityCache::operator=(AutoFidelityCache&&) noexcept = 
 AutoFidelityCache::Answer AutoFidelityCache::cheapest_within(const ProjectileDef& projectile, const Launch& launch,
                                                              const Environment& environment, const Purpose& purpose) {
   const IeeeMode mode;
-  // What a function of one's own does near a launch, nobody knows.
+  // What a caller's function does near a launch is unknown.
   const auto corners = has_functions(environment) ? std::vector<Launch>{launch} : launch_class(launch, purpose.ground);
   const std::shared_ptr<Impl::Slot> slot = impl_->slot(key_of(projectile, corners, environment, purpose), environment);
   std::call_once(slot->once, [&] {

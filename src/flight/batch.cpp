@@ -43,7 +43,7 @@ std::size_t part_size(const BatchTask& task, const TaskRunner* runner) {
   return runner != nullptr && runner->threads() > 1 ? fitting : std::max<std::size_t>(task.shots.size(), 1);
 }
 
-/// Takes in what a part gave, whose first shot is `first`; parts come in their order.
+/// Adds what a part gave, from the shot `first` on; parts come in their order.
 void join(PartResult& part, std::size_t first, BatchResult& result, bool& some_accepted) {
   if (part.error && !result.error) result.error = std::move(part.error);
   if (part.in_use && !std::exchange(some_accepted, true)) result.fidelity_in_use = std::move(*part.in_use);
@@ -77,7 +77,7 @@ void fly_task(const ShotList& shots, const Environment& environment, const Fidel
   if (has_attitudes) result.attitudes.resize(count);
   const std::size_t size = part_size(task, runner);
   std::vector<PartResult> parts((count + size - 1) / size);
-  if (!parts.empty()) parts[0].events.swap(result.events);  // whose memory is used again
+  if (!parts.empty()) parts[0].events.swap(result.events);  // its memory is used again
   const auto fly = [&](BatchPart& part, std::size_t i) {
     const std::size_t first = i * size, own = std::min(size, count - first);
     parts[i].shots = std::span(result.shots).subspan(first, own);

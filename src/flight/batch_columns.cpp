@@ -103,7 +103,7 @@ class EndWriter {
   const EndColumns& into_;
 };
 
-/// What the parts tell: of the first shot that has it, whichever part comes in first.
+/// What the parts report: of the first shot that has it, whichever part comes in first.
 class Summary {
  public:
   void take(std::size_t first, PartResult& part) {

@@ -1,4 +1,4 @@
-// The batch loop: all lanes step together, each at its own time; a lane whose flight ends takes the next shot.
+// The batch loop: all lanes step together, each at its own time; a lane takes the next shot when its flight ends.
 #pragma once
 
 #include "base/assert.hpp"
@@ -20,7 +20,7 @@ class ShotsToFly {
     R* to = numbers(body);
     job_.course->body.each([common, to](unsigned i) { to[i] = R(static_cast<S>(common[i])); });
   }
-  /// Launches the next shots, as many as there are lanes, and tells the first of them; returns how many there were.
+  /// Launches the next shots, as many as there are lanes, and sets `first` to the first of them; returns their number.
   int launch(March<R>& march, StandingWatch<R>& watch, std::size_t& first) {
     PHYSIM_ASSERT(next_ <= job_.count);
     const std::size_t left = job_.count - next_;
@@ -81,14 +81,14 @@ class ReadyShots {
   int used_ = 0;
 };
 
-/// Says what the last steps of lanes mean for their flights, and tells it. Finding a crossing costs a pack of lanes
-/// little more than one.
+/// Decides what the last steps of lanes mean for their flights, and reports it. Finding a crossing costs a pack of
+/// lanes little more than one.
 template <class R, class S>
 class StepJudge {
  public:
   explicit StepJudge(const BatchJob<S>& job) : job_(job) {}
 
-  /// Reports crossings and ends of the steps of some lanes, whose numbers are sound; returns those whose flight ends.
+  /// Reports crossings and ends of the steps of some lanes with sound numbers; returns those in which the flight ends.
   unsigned judge(const Lanes<R>& steps, unsigned lanes, unsigned accepted, const std::size_t* shots) {
     PHYSIM_ASSERT(lanes != 0 && (lanes & ~kAllLanes<R>) == 0 && (accepted & ~lanes) == 0);
     steps_ = &steps, lanes_ = lanes, accepted_ = accepted, shots_ = shots;
@@ -118,7 +118,7 @@ class StepJudge {
   [[nodiscard]] const Conditions<S>& conditions() const { return *job_.course->conditions; }
   [[nodiscard]] bool is_accepted(int i) const { return (accepted_ >> i & 1u) != 0; }
 
-  /// A flight stays where a step began that was refused or went bad; else it goes on to the verdict's place.
+  /// A flight stays where a step began that was refused or went bad; else it continues to the verdict's place.
   [[nodiscard]] bool stays(int i) const { return !is_accepted(i) || verdict_[i].outcome == Outcome::non_finite; }
 
   [[nodiscard]] ShotResult& result_of(int i) const {
@@ -204,8 +204,8 @@ class StepJudge {
   const std::size_t* shots_ = nullptr;
 };
 
-/// Steps that need judging, copied from the lanes that took them: lanes whose fate is known before wait here until a
-/// pack has gathered.
+/// Steps that need judging, copied from the lanes that took them: lanes with a fate that is known before wait here
+/// until a pack has gathered.
 template <class R, class S>
 class JudgedSteps {
  public:
@@ -234,7 +234,7 @@ class JudgedSteps {
     some_go_on_ = false;
     return latest;
   }
-  /// Reports what flights that go on have crossed so far.
+  /// Reports what flights that continue have crossed.
   void settle_those_that_go_on() {
     if (some_go_on_) settle();
   }
@@ -258,26 +258,26 @@ class JudgedSteps {
   std::size_t shot_[kLanes<R>];
   unsigned accepted_ = 0;  // bit i: lane i's step was
   int filled_ = 0;
-  bool some_go_on_ = false;  // some step here is of a flight that goes on: its shot may come again
+  bool some_go_on_ = false;  // some step here is of a flight that continues: its shot may come again
   int touched_ = 0;          // lanes before it have held a step
 };
 
-/// How long lanes whose flights have ended wait for the others of their set. Flights that take about as many steps are
+/// How long lanes wait for the others of their set after their flights end. Flights that take about as many steps are
 /// launched and judged as whole packs; where too much waiting comes of it, each lane takes the next shot at once.
 class Patience {
  public:
   explicit Patience(bool lasts) : left_(lasts ? kAtFirst : -1) {}
   [[nodiscard]] PHYSIM_INLINE bool lasts() const { return left_ >= 0; }
-  /// So many lanes flew a step, and so many waited.
+  /// Counts a step: `flying` lanes flew it, and `waiting` lanes waited.
   PHYSIM_INLINE void pass(int flying, int waiting) {
     if (lasts()) left_ = std::min(left_ + flying - kFlyingForEach * waiting, kMost);
   }
 
  private:
-  // Moving a flight in and out of a lane by itself takes as long as one or two of its steps.
+  // Moving a single flight in and out of a lane takes as long as one or two of its steps.
   static constexpr int kFlyingForEach = 12;  // lanes for one that waits
   static constexpr int kAtFirst = 32 * kFlyingForEach;
-  static constexpr int kMost = 1 << 20;  // what flew without waiting counts so far: it is spent within a part
+  static constexpr int kMost = 1 << 20;  // the most that flying without waiting counts: it is spent within a part
   int left_;
 };
 
@@ -307,7 +307,7 @@ class LaneSet {
     return launch(all);
   }
 
-  /// Goes on from a step tried: flights that end make room for the next shots. False when all have ended.
+  /// Continues from a step tried: flights that end make room for the next shots. False when all have ended.
   bool go_on(const MaskOf<R>& accepted, Flights<R, S>& all) {
     const Conditions<S>& c = *job_->course->conditions;
     const WatchList& watch = job_->course->watch;
@@ -341,7 +341,7 @@ class LaneSet {
     return filled > 0;
   }
 
-  /// Idle lanes take the next shots, each by itself.
+  /// Idle lanes take the next shots, each alone.
   void take_each(Flights<R, S>& all) {
     PHYSIM_ASSERT((idle_ & flying_) == 0 && (waiting_ & ~idle_) == 0);
     judge_waiting(all);
@@ -351,8 +351,8 @@ class LaneSet {
     }
   }
 
-  /// Hands steps over for judgement. Of lanes whose flight surely ends they may stay where they are; what is not sure
-  /// before is judged at once.
+  /// Hands steps over for judgement. Steps may stay where they are if the flight surely ends; what is not sure before
+  /// is judged at once.
   void hand_over(const Attention& attention, unsigned accepted, Flights<R, S>& all) {
     PHYSIM_ASSERT(job_ != nullptr && flying_ != 0);
     unsigned ended = attention.surely_ends & flying_;
@@ -378,7 +378,7 @@ class LaneSet {
     waiting_ = 0;
   }
 
-  /// Lanes that do not fly take their last step once more when the others take the next one: it stays as it is.
+  /// Lanes that do not fly take their last step once more when the others take the next one: it stays unchanged.
   void hold_still() {
     PHYSIM_ASSERT(flying_ != kAllLanes<R>);
     Lanes<R>& l = march.lanes;
@@ -396,8 +396,8 @@ class LaneSet {
   unsigned waiting_ = 0;  // lane i's flight is over, and its last step is to be judged
 };
 
-/// Whether some lane's step may have asked for air above the lowest layer, whose density is no number then: so are the
-/// step's end, its error or its last slope. Above the first border steps are cut by what lies behind it.
+/// Whether some lane's step may have read air above the lowest layer. Its density is NaN then, and so are the step's
+/// end, its error or its last slope. Above the first border steps are cut by what lies behind it.
 template <class R, class S>
 PHYSIM_INLINE bool some_left_low_air(const Conditions<S>& c, const Lanes<R>& l) {
   const Step<R>& s = l.step;

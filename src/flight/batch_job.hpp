@@ -27,6 +27,7 @@ struct NumberColumn {
 /// Weather that lanes compute themselves.
 struct WeatherSource {
   NumberColumn wind_x, wind_y, wind_z;           // [m/s]
+  Vec3d wind_less_column;                        // what the wind has beside these numbers [m/s]
   NumberColumn temperature, pressure, humidity;  // at the station [K], [Pa], [-]
   NumberColumn density;                          // at the origin, in the place of the station's [kg/m^3]
   bool has_station, has_density, has_sound_speed;
@@ -61,10 +62,10 @@ struct BatchJob {
   std::size_t count;
   ShotResult* results;                  // how each ended, without spin drift
   Turn<double>* turns;                  // how each turned at its end; null where the rotation is not flown
-  RawEvent& (*next_event)(void* sink);  // room for one more, to be written where it stays; null: nobody wants events
+  RawEvent& (*next_event)(void* sink);  // room for one more, to be written where it stays; null: no events are wanted
   void* sink;
   /// Null: lanes hold all of the air of their shots. Else they hold the polynomials of its lowest layer, and all else
-  /// of it is no number; where a lane asks for that, true is put here, and the job ends without results.
+  /// of it is NaN; if a lane reads that, true is put here, and the job ends without results.
   bool* left_low_air;
 };
 

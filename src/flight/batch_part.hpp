@@ -50,7 +50,7 @@ class BatchPart {
  public:
   BatchPart(const BatchTask& task, BatchSteps& steps) : task_(task), steps_(steps), groups_(task) {}
 
-  /// Memory for the ends of so many shots, used again by the next part.
+  /// Memory for the ends of `count` shots, used again by the next part.
   [[nodiscard]] std::vector<ShotResult>& own_shots(std::size_t count) {
     own_shots_.resize(count);
     return own_shots_;

@@ -28,7 +28,7 @@ BatchSteps::Known& BatchSteps::known(const Fidelity& granted) {
   const auto find = [&] { return std::ranges::find(known_, granted, &Known::granted); };
   auto at = find();
   for (; at == known_.end(); ++scouted_) {
-    PHYSIM_ASSERT(scouted_ < task_.shots.size());  // whoever asks has such a shot
+    PHYSIM_ASSERT(scouted_ < task_.shots.size());  // each caller has such a shot
     if (scout_.prepare(scouted_) != ShotState::flies) continue;
     const Fidelity& its = scout_.kind().group->cohort.in_use.fidelity;
     if (std::ranges::find(known_, its, &Known::granted) == known_.end()) known_.push_back({its, scouted_});

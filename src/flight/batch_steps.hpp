@@ -12,15 +12,15 @@
 namespace physim {
 
 /// The fixed step of shots that are granted the same: what the first of them that flies and the batch's middle, last,
-/// slowest and fastest shots ask for, where these are granted it too. Pilot flights aim for less than half of the error
-/// allowed, since some shot of the batch will be worse than they are. Who asks, and when, changes nothing.
+/// slowest and fastest shots need, if these are granted it too. Pilot flights aim for less than half of the error
+/// allowed, since some shot of the batch will be worse than they are. The order of calls changes nothing.
 class BatchSteps {
  public:
   explicit BatchSteps(const BatchTask& task) : task_(task), scout_(task) {}
 
   /// 0 for what steps itself [s].
   [[nodiscard]] Result<double> step_of(const Fidelity& granted);
-  /// What is to be told of steps that do not keep the error, in the order of the shots.
+  /// Notes on steps that do not keep the error, in the order of the shots.
   [[nodiscard]] std::vector<FidelityNote> notes() const;
 
  private:

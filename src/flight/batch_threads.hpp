@@ -1,4 +1,4 @@
-// Flies the parts of a batch on the threads that are lent. Who flies which changes nothing.
+// Flies the parts of a batch on the threads that are lent. Which thread flies which changes nothing.
 #pragma once
 
 #include <algorithm>
@@ -6,7 +6,7 @@
 
 #include "base/ieee_mode.hpp"
 #include "flight/batch_part.hpp"
-#include "physim/task_runner.hpp"
+#include "physim/result.hpp"
 
 namespace physim {
 
@@ -26,7 +26,7 @@ class BatchThreads {
   }
 
  private:
-  /// One thread's: whichever parts nobody has begun.
+  /// Work of one thread: any parts that no thread has begun.
   void work() {
     const IeeeMode mode;
     BatchPart part(task_, steps_);

@@ -1,4 +1,4 @@
-#include "physim/compare.hpp"
+#include "physim/solve.hpp"
 
 #include <algorithm>
 #include <limits>

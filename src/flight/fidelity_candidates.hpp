@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "model/earth.hpp"
-#include "physim/auto_fidelity.hpp"
+#include "physim/solve.hpp"
 #include "prepare/grant.hpp"
 
 namespace physim {
@@ -33,7 +33,7 @@ class FidelityLadder {
   [[nodiscard]] const Fidelity& truth() const { return truth_; }
   /// The truth with each effect on each lower rung, alone.
   [[nodiscard]] std::vector<Lowered> lowered() const;
-  /// Every combination of models no higher than the truth's, low ones first. What cannot be told apart is there once.
+  /// Every combination of models no higher than the truth's, low ones first. Equal ones occur once.
   [[nodiscard]] std::vector<Fidelity> models() const;
   /// Cheap ones first; fixed steps are frames, or where those are free, `longest` [s] halved again and again.
   [[nodiscard]] std::vector<Stepper> steppers(double longest) const;

@@ -5,7 +5,7 @@
 // Standard errors: the diagonal of S (J^T J)^-1 with S = sum of squares / (figures - unknowns).
 // Source: P. R. Bevington, D. K. Robinson, Data Reduction and Error Analysis for the Physical Sciences (3rd ed., 2003),
 // ch. 8.
-#include "physim/fit.hpp"
+#include "physim/solve.hpp"
 
 #include <algorithm>
 

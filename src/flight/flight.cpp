@@ -33,7 +33,7 @@ std::size_t later_node(const NodeList& nodes, const LegPart& part, double time) 
   return static_cast<std::size_t>(later - nodes.begin());
 }
 
-/// The node of a leg at a very time; null where there is none.
+/// The node of a leg at a very time; null if there is no such node.
 const Node* node_at(const NodeList& nodes, const LegPart& part, double time) {
   const auto first = nodes.begin() + static_cast<std::ptrdiff_t>(part.leg.first_node);
   const auto end = nodes.begin() + static_cast<std::ptrdiff_t>(part.end_node);
@@ -315,6 +315,9 @@ Result<Sample> Flight::at_range(double range) const {
   if (r.outcome == Outcome::refused) return never("anything", r);
   if (const auto time = first_crossing(r, Crossing::any, {.kind = EventKind::range, .value = range}, past))
     return at(*time);
+  // Yards in metres may be a bit longer than the flight that they end.
+  constexpr double kRounding = 1e-12;
+  if (r.outcome == Outcome::reached_range && abs(past(r.duration)) <= kRounding * abs(range)) return at(r.duration);
   return never("a range of " + short_text(range) + " m", r);
 }
 

@@ -56,7 +56,7 @@ struct FlightRecord {
   double duration = 0;
   bool has_own_force = false;  // beside what pushes it: ProjectileDef::force, or others of its cohort have one
   double clock = 0;            // time since launch, as the models count it, where the record begins [s]
-  bool is_framed = false;  // by frames of a world: closed forms are asked at nodes, whose clock is rounded as theirs
+  bool is_framed = false;      // by frames of a world: closed forms are read at nodes, on a clock rounded as theirs
   FlownPath path;
   std::vector<FlightLeg> legs;       // none: one, from the launch on
   std::vector<Body<double>> bodies;  // of the legs

@@ -12,7 +12,7 @@
 namespace physim {
 namespace {
 
-/// Muzzle and ground are both at height 0 where nobody says otherwise: the commonest reason for a flight of no length.
+/// By default muzzle and ground are both at height 0: the commonest reason for a flight of no length.
 void say_why_it_landed_at_once(FlightRecord& record, double ground) {
   const std::string height = short_text(ground);
   record.cohort.in_use.notes.push_back({"until.ground", height, height,

@@ -20,7 +20,8 @@ void take_known_step(const Conditions<double>& c, Flyer<double>& flyer, double r
   stages.put(stages.error(relative, absolute), s);
 }
 
-/// A flight under way, in numbers of its own: of its lanes only the body is read, until it leaves them where it is.
+/// A flight under way, in its own variables: of its lanes only the body is read, until it writes its state back to
+/// them.
 template <class Method, class Rung>
 class KnownLoop {
  public:

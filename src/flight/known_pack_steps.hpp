@@ -2,8 +2,8 @@
 // straight code, and of stages what the models do not read is not computed.
 //
 // An evaluation is two chains: the air by the height, and the speed, which needs a root, a place on the drag curve and
-// the row there. What the second waits for is asked of all packs before any of them goes on with it: the processor does
-// not look far enough ahead to find the work of the next pack behind all that waits.
+// the row there. What the second waits for is asked of all packs before any of them continues with it: the processor
+// does not look far enough ahead to find the work of the next pack behind all that waits.
 #pragma once
 
 #include "base/assert.hpp"
@@ -12,13 +12,12 @@
 
 PHYSIM_ISA_BEGIN
 
-/// Takes steps as take_steps() does, to the bit; tells whether it is known that none asked for air above the first
-/// border of layers.
+/// Takes steps as take_steps() does, to the bit; returns whether surely none read air above the first border of layers.
 template <class R, class S>
 using TakeSteps = bool (*)(const Conditions<S>& c, const FlyerSet<R>& flyers, S relative, S absolute);
 
 /// A point mass with a drag curve in the standard's air over a flat Earth, and nothing special about it but perhaps
-/// weather of its own.
+/// its own weather.
 template <WindModel kWind, bool kOwnWeather>
 struct PlainRung {
   static constexpr bool kHasWind = kWind != WindModel::off;
@@ -54,7 +53,7 @@ class KnownSteps {
  public:
   KnownSteps(const Conditions<S>& c, const FlyerSet<R>& w) : c_(c), w_(w) {}
 
-  /// All slopes and the end; false where some lane asks for air above the first border, and then nothing holds.
+  /// All slopes and the end; false if some lane needs air above the first border, and then nothing holds.
   PHYSIM_INLINE bool take() {
     bool all = true;
     static_for<Method::kStages>([&](auto before) PHYSIM_INLINE_LAMBDA {
@@ -99,7 +98,7 @@ class KnownSteps {
     const R cd = row_cubic_at(c_.curve_rows, e.row, e.part);
     const Vec3<R> through_air = Rung::kHasWind ? Vec3<R>(e.through_air) : slope.x;
     Sum<R> sum;
-    sum.begin(&Accelerations::gravity, weight_per_mass(c_, b, slope.x));  // constant: it asks for no place
+    sum.begin(&Accelerations::gravity, weight_per_mass(c_, b, slope.x));  // constant: it needs no place
     sum.add(&Accelerations::drag, through_air * (e.per_cd * cd));
     slope.v = sum.total;
   }

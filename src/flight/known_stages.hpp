@@ -135,7 +135,7 @@ PHYSIM_INLINE Standpoint start_of(const Step<double>& s) {
   return start;
 }
 
-/// The stages of a step, one after the other. Each waits for the acceleration of the one before, and goes on from it
+/// The stages of a step, one after the other. Each waits for the acceleration of the one before, and continues from it
 /// in as few operations as there are: sums have their last term left then, and the root of the speed is under way
 /// before the air is looked at, which depends on the place and is known early.
 template <class Rung, class Method>
@@ -191,7 +191,7 @@ class KnownStages {
   template <int kStage>
   PHYSIM_INLINE void take() {
     if constexpr (kStage < kEnd) lead<kStage + 1>();
-    Conditions<double> k = Rung::known(c_);  // made anew each time, or the compiler forgets what is known
+    Conditions<double> k = Rung::known(c_);  // made again each time, or the compiler forgets what is known
     k.guess = &cells_.template guess<kStage>();
     a_[kStage] = acceleration(k, b_, time<kStage>(), State<double>{x_[1], v_[kStage]}, air_);
     cells_.template note<kStage>();
@@ -224,7 +224,7 @@ class KnownStages {
   PHYSIM_INLINE void come() {
     const Conditions<double> k = Rung::known(c_);
     v_[kStage] = whole<kStage>(lead_, a_[kStage - 1], h_, v_[0]);
-    air_.u = air_velocity(k, b_, time<kStage>(), State<double>{{}, v_[kStage]});  // which asks for no place
+    air_.u = air_velocity(k, b_, time<kStage>(), State<double>{{}, v_[kStage]});  // which needs no place
     air_.speed = length(air_.u);
     x_[1] = whole<kStage>(lead_of<kStage>(v_, h_, x_[0]), v_[kStage - 1], h_, x_[0]);
     air_.air = low_air_(altitude(k, x_[1]));

@@ -57,12 +57,12 @@ struct KnownStop {
   WatchedSet may_cross;  // what a step that has to be looked at may have crossed; of others nothing is known: all
 };
 
-/// How steps are taken whose rung and integrator are known.
+/// How steps of a known rung and integrator are taken.
 struct KnownStep {
   /// Takes one, as take_step() does, to the bit: a flyer's slopes, its end and its error.
   void (*take)(const Conditions<double>& c, Flyer<double>& flyer, double relative, double absolute) = nullptr;
-  /// Takes steps and keeps them, one after the other, as March does, to the bit; the last one tried, where somebody has
-  /// to look at it, is neither accepted yet nor kept.
+  /// Takes steps and keeps them, one after the other, as March does, to the bit; the last one tried, if it needs a
+  /// closer look, is neither accepted yet nor kept.
   KnownStop (*go_on)(KnownFlight& flight) = nullptr;
   /// The coefficients of its interpolant, as dense_sums() makes them, to the bit; none where it is made of both ends.
   void (*interpolate)(const Step<double>& step, State<double>* coefficients) = nullptr;

@@ -72,7 +72,7 @@ class LaneFlight {
     put_events_in_order();
   }
 
-  /// Up to a time after the start [s], or for so many frames.
+  /// Up to a time after the start [s], or for `most_frames` frames.
   void by_frames(const FrameStart& start, double until, std::int64_t most_frames) {
     frames_ = start;
     const FrameStart& from = frames_;
@@ -414,7 +414,7 @@ class LaneFlight {
   }
   [[nodiscard]] bool is_framed() const { return frames_.dt > 0; }
 
-  /// Goes on from where a contact left it, with a step that it chooses itself.
+  /// Continues from where a contact left it, with a step that it chooses itself.
   void relaunch(double passed) {
     const bool closed = fidelity().motion == Motion::closed_form;
     lane().step.t = closed ? S(0) : static_cast<S>(passed);
@@ -526,7 +526,7 @@ class LaneFlight {
   StepParts parts_{0, false};                  // of the frame, or the flight
   S t_start_{}, t_end_{};                      // of the frame, on the march's clock
   double into_step_ = 0;                       // from the march's clock to the time into the contacts' step [s]
-  double passed_range_ = 0, passed_time_ = 0;  // where closed forms were launched anew [m], [s]
+  double passed_range_ = 0, passed_time_ = 0;  // where closed forms were relaunched [m], [s]
   double counts_from_ = 0;                     // hits, where no frame does [s]
   Vec3d push_at_start_{}, push_at_end_{};
   double begins_ = 0;  // the frame at hand, since the flight began [s]

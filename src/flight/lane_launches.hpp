@@ -54,8 +54,12 @@ PHYSIM_NOINLINE void put_air(const WeatherSource& from, std::size_t first, int f
 template <class R, class S>
 void put_weather(const WeatherSource& from, const Conditions<S>& c, std::size_t first, int filled, Body<R>& into) {
   using W = Cast<double, R>;
-  const auto take = [&](const NumberColumn& column) { return cast<S>(take_column<W>(column, first, filled)); };
-  if (c.has_own_wind) into.wind = {take(from.wind_x), take(from.wind_y), take(from.wind_z)};
+  const auto wind = [&](const NumberColumn& column, double beside) {
+    return cast<S>(take_column<W>(column, first, filled) + W(beside));
+  };
+  const Vec3d& beside = from.wind_less_column;
+  if (c.has_own_wind)
+    into.wind = {wind(from.wind_x, beside.x), wind(from.wind_y, beside.y), wind(from.wind_z, beside.z)};
   if (!c.has_own_air) return;
   if constexpr (std::is_same_v<W, R>) {
     put_air(from, first, filled, into.air);

@@ -1,4 +1,4 @@
-// A flight as SceneContacts (collide/scene_contact.hpp) wants it: who meets things, and what is kept of it.
+// A flight as SceneContacts (collide/scene_contact.hpp) wants it: what meets things, and what is kept of it.
 #pragma once
 
 #include <algorithm>
@@ -77,7 +77,7 @@ class MeetingLane {
     impact.hit = hit_number(step_.draw, hits);
     return impact;
   }
-  /// A contact that goes on, of what lies on a surface, is no further hit.
+  /// A contact that continues, of what lies on a surface, is no further hit.
   void tell(EventKind kind, Reason reason, double passed, const State<double>& s, const SceneHit& hit = {},
             double depth = 0, double energy = 0) {
     constexpr double kAtOnce = 0.05;  // of the longest part

@@ -17,7 +17,7 @@
 #include <vector>
 
 #include "model/body.hpp"
-#include "physim/aim.hpp"
+#include "physim/solve.hpp"
 
 namespace physim {
 
@@ -27,11 +27,11 @@ class Neighbours {
   Neighbours(const Flight& flight, const Environment& environment,
              std::shared_ptr<const Conditions<double>> conditions);
 
-  /// Takes over what a flight before this one, flown a little differently, tells of the error of the model: the
+  /// Takes over what a flight before this one, flown a little differently, shows of the error of the model: the
   /// distance between what its neighbours were and what was flown then. Call before the first move.
   void learn_from(Neighbours& before);
 
-  /// Moves on to the neighbour whose launch velocity differs from the flown one by a change [m/s].
+  /// Moves on to the neighbour with a launch velocity that differs from the flown one by a change [m/s].
   void move_to(const Vec3d& change);
   /// The launch velocity of the neighbour [m/s].
   [[nodiscard]] Vec3d launch_velocity() const { return launch_velocity_ + change_; }

@@ -24,8 +24,8 @@ class PathKeeper {
  public:
   PathKeeper(FlightRecord& record, const Lanes<S>& lane) : record_(record), lane_(lane) {}
 
-  // What interpolants need is kept in their place, and they are made when somebody asks: few ask for all of them. So
-  // flies what takes known steps and meets nothing.
+  // What interpolants need is kept in their place, and they are made on demand: few callers need all of them. Flights
+  // of known steps that meet nothing do so.
   bool keeps_slopes = false;
 
   // What generators give.
@@ -113,7 +113,7 @@ class PathKeeper {
     for_parts(fidelity(), keep, lane_.step, record_.path);
   }
 
-  /// Where a stop makes the acceleration jump, the next step starts from a node of its own, after a step of no length.
+  /// Where a stop makes the acceleration jump, the next step starts from its own node, after a step of no length.
   void keep_jump() {
     PHYSIM_ASSERT(!record_.path.nodes.empty());
     const Node& last = record_.path.nodes.back();
@@ -195,8 +195,8 @@ class PathKeeper {
     if (keeps_slopes) grow(record_.path.kept);
   }
 
-  // Known steps are kept by who takes them: room is lent to them, and what they have filled is taken back. What is lent
-  // is set to zero, so it is not all that there is.
+  // Known steps are kept by the code that takes them: room is lent to it, and what it has filled is taken back. What is
+  // lent is set to zero, so it is not all that there is.
   [[nodiscard]] KnownFlight lend_room(const Course<double>& course, Lanes<double>& lanes) {
     constexpr std::size_t kMostLent = 64;
     make_room();

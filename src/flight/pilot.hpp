@@ -4,7 +4,7 @@
 #include <optional>
 
 #include "physim/flight.hpp"
-#include "physim/infinity.hpp"
+#include "physim/math.hpp"
 #include "prepare/cohort.hpp"
 
 namespace physim {
@@ -35,7 +35,7 @@ struct PilotStep {
                                             const Environment& environment, const Fidelity& granted,
                                             const Tolerance& tolerance, const Until& until, double error_allowed,
                                             double longest = kInfinity);
-/// What to tell of a step that does not keep an error [m].
+/// The note on a step that does not keep an error [m].
 [[nodiscard]] FidelityNote note_of_step(const PilotStep& found, double error_allowed);
 
 }  // namespace physim

@@ -6,7 +6,7 @@
 
 namespace physim {
 
-/// The rungs and features that tell plain point masses apart.
+/// The rungs and features that distinguish plain point masses.
 struct PlainRungs {
   GravityModel gravity = GravityModel::constant;
   EarthModel earth = EarthModel::flat;
@@ -18,8 +18,8 @@ struct PlainRungs {
 
 PHYSIM_ISA_BEGIN
 
-/// Whether somebody flies as a point mass with a drag curve in the standard's air, and has nothing special about it but
-/// these features.
+/// Whether a projectile flies as a point mass with a drag curve in the standard's air, and has nothing special about it
+/// but these features.
 template <class S>
 PHYSIM_INLINE bool is_plain(const Conditions<S>& c, const PlainRungs& rungs) {
   const Fidelity& f = c.fidelity;

@@ -75,6 +75,7 @@ void PlainShots::put_weather(const Fidelity& granted) {
   weather_ = {.wind_x = column(own.wind_x, common.wind.velocity.x),
               .wind_y = column(own.wind_y, common.wind.velocity.y),
               .wind_z = column(own.wind_z, common.wind.velocity.z),
+              .wind_less_column = own_wind_less_column(own, common.wind, granted.wind),
               .temperature = column(own.temperature, station.temperature),
               .pressure = column(own.pressure, station.pressure),
               .humidity = column(own.humidity, station.humidity),

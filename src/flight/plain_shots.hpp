@@ -1,4 +1,4 @@
-// Shots of a batch of columns whose launches and weather lanes compute themselves, as none needs a look of its own.
+// Shots of a batch of columns with launches and weather that lanes compute, as none needs a separate look.
 #pragma once
 
 #include <vector>

@@ -13,9 +13,9 @@
 #include "math/vec3.hpp"
 #include "model/earth.hpp"
 #include "model/sight.hpp"
-#include "physim/aim.hpp"
 #include "physim/names.hpp"
 #include "physim/scene.hpp"
+#include "physim/solve.hpp"
 #include "prepare/check.hpp"
 #include "prepare/grant.hpp"
 
@@ -196,16 +196,20 @@ Result<MaxRange> max_range(const ProjectileDef& projectile, const Launch& launch
   if (const Status status = c.status(); !status) return status.error();
   Carry carry(projectile, launch, environment, fidelity, ground, slope, time);
   constexpr double kScan = 5 * kDegree;
+  // Between a steep slope and the vertical there is less room.
+  const double above = slope > 0 ? (kRightAngle - slope) * (kScan / kRightAngle) : kScan;
   MaxRange best{.range = -1};
   // A rail does not point into the ground.
   const double lowest = std::ceil((from_rest ? slope : slope - kRightAngle) / kScan) * kScan + kScan;
-  for (double elevation = max(lowest, -85 * kDegree); elevation < 89 * kDegree; elevation += kScan) {
+  for (double elevation = max(lowest, -85 * kDegree); elevation < kRightAngle - 0.2 * above;
+       elevation = elevation < slope ? min(elevation + kScan, slope) : elevation + above) {
     const MaxRange found = carry.shoot(elevation);
     if (carry.error()) return *carry.error();
     if (found.range > best.range) best = found;
   }
   const auto shortfall = [&](double elevation) { return -carry.shoot(elevation).range; };
-  const double elevation = least_between(shortfall, best.elevation - kScan, min(best.elevation + kScan, kRightAngle));
+  const double near = best.elevation < slope ? kScan : above;
+  const double elevation = least_between(shortfall, best.elevation - near, min(best.elevation + near, kRightAngle));
   MaxRange found = carry.shoot(elevation);
   if (carry.error()) return *carry.error();
   if (found.range < best.range) found = best;  // a drag curve with corners may have two tops

@@ -8,7 +8,7 @@
 #include "math/minimum.hpp"
 #include "math/root.hpp"
 #include "math/vec3.hpp"
-#include "physim/aim.hpp"
+#include "physim/solve.hpp"
 
 namespace physim {
 
@@ -17,7 +17,7 @@ struct Need {
   double time = 0;
   Vec3d velocity;
   bool in_reach = false;  // with the speed there is
-  bool later = false;     // at the end of what is known: a longer flight may tell more
+  bool later = false;     // at the end of what is known: a longer flight may show more
 };
 
 /// The time at which the required speed falls to the speed there is (low) or rises above it for good (high).
@@ -26,7 +26,7 @@ inline Need find_need(std::span<const double> times, const auto& required, doubl
   PHYSIM_ASSERT(times.size() >= 2 && times.front() == 0 && speed > 0);
   const auto excess = [&](double t) {
     const double value = length(required(t)) / speed - 1;
-    return value < 1e300 ? value : 1e300;  // a path that went beyond all bounds tells nothing
+    return value < 1e300 ? value : 1e300;  // a path that went beyond all bounds says nothing
   };
   const auto at = [&](double t, bool in_reach, bool later) { return Need{t, required(t), in_reach, later}; };
   const auto root = [&](double a, double fa, double b, double fb) {

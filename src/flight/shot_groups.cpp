@@ -38,7 +38,7 @@ unsigned rotation_key(const ProjectileDef& p) {
 }  // namespace
 
 // ------------------------------------------------------------------------------------------- one group
-/// Lanes hold no more than models read; where the rotation is flown, answers about attitudes ask for more.
+/// Lanes hold no more than models read; where the rotation is flown, answers about attitudes need more.
 void ShotGroup::begin() {
   features_ = cohort.conditions;
   const Fidelity& granted = cohort.in_use.fidelity;
@@ -145,7 +145,7 @@ ShotKind& ShotGroups::kind_of(std::size_t shot) {
   return kind_;
 }
 
-/// check() knows a projectile by itself, where 0 says that there is no ballistic coefficient.
+/// check() knows a projectile alone, where 0 means that there is no ballistic coefficient.
 Status ShotGroups::look_at_drag(std::size_t shot) const {
   if (!task_.shots.has_own_drag()) return {};
   const LaunchColumns& from = *task_.shots.columns;
@@ -192,7 +192,10 @@ ShotState ShotGroups::prepare(std::size_t shot) {
   Cohort& cohort = kind.group->cohort;
   const Fidelity& granted = cohort.in_use.fidelity;
   Body<double>& body = kind.body;
-  if (task_.weather.has_wind()) body.wind = environment_->wind.velocity;
+  if (task_.weather.has_wind()) {
+    const Wind& common = task_.environment.wind;
+    body.wind = task_.weather.wind(shot, common) + own_wind_less_column(task_.weather, common, granted.wind);
+  }
   if (task_.weather.has_air()) body.air = prepare_air_numbers(*environment_, granted.air);
   put_launch(projectile, launch, sight_frame(launch), elevation, cohort.conditions, body);
   if (auto status = check_fits(body.launch.x, body.launch.v, granted.precision); !status)

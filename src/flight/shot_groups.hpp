@@ -1,4 +1,4 @@
-// The shots of a batch, prepared and sorted into groups that fly together: those whose granted rungs are equal.
+// The shots of a batch, prepared and sorted into groups that fly together: those with equal granted rungs.
 #pragma once
 
 #include <array>
@@ -17,7 +17,7 @@ namespace physim {
 /// Whether the granted rungs move a flight aside by its spin afterwards.
 [[nodiscard]] inline bool drifts(const Fidelity& granted) { return granted.rotation == RotationModel::spin_drift; }
 
-/// Shots whose granted rungs are equal, gathered until they fly.
+/// Shots with equal granted rungs, gathered until they fly.
 struct ShotGroup {
   Cohort cohort;
   std::optional<double> step;
@@ -63,7 +63,7 @@ struct KnownCurve {
 enum class ShotState {
   refused,
   over,   // ends where it begins
-  alone,  // drag slows it so fast that a frame is too long: it has a step of its own, and no place in a pack
+  alone,  // drag slows it so fast that a frame is too long: it has its own step, and no place in a pack
   flies,
 };
 

@@ -8,7 +8,6 @@
 #include "base/prefetch.hpp"
 #include "model/sight.hpp"
 #include "physim/flight.hpp"
-#include "physim/flight_columns.hpp"
 
 namespace physim {
 
@@ -34,7 +33,7 @@ struct ShotList {
     if (columns) return scratch = columns->at(i);
     return one_projectile ? launches[i] : shots[i].launch;
   }
-  /// Asks for a shot's structures: one with a projectile of its own is a kilobyte, read here and there.
+  /// Prefetches a shot's structures: one with its own projectile is a kilobyte, read here and there.
   void prefetch(std::size_t i) const {
     if (i >= shots.size()) return;
     for (std::size_t at = 0; at < sizeof(Shot); at += 64) prefetch_at(&shots[i], at);
@@ -60,7 +59,8 @@ struct BatchTask {
   /// they bring is no vacuum: what is granted must suit them all.
   [[nodiscard]] Environment granting() const {
     Environment all = environment;
-    if (weather.has_wind()) all.wind = {.velocity = {1, 0, 0}};
+    if (weather.has_wind() && !weather.moves_profile) all.wind = {};
+    if (weather.has_wind()) all.wind.velocity = {1, 0, 0}, all.wind.field = {};
     if (!weather.density.empty()) all.atmosphere.density = 1;
     return all;
   }
@@ -93,6 +93,7 @@ class ShotEnvironments {
   [[nodiscard]] const Environment& of(std::size_t shot) {
     PHYSIM_ASSERT(shot < task_.shots.size());
     if (task_.weather.empty()) return task_.environment;
+    if (task_.weather.moves_profile) own_.wind = task_.environment.wind;
     task_.weather.put(shot, own_);
     return own_;
   }

@@ -1,4 +1,4 @@
-// A step that is flown in parts: it goes on anew from each contact, and near what was touched in short ones.
+// A step that is flown in parts: it restarts at each contact, and takes short parts near what was touched.
 #pragma once
 
 #include <cmath>

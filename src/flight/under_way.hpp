@@ -14,7 +14,7 @@ inline constexpr int kMostPartsOfFrame = 1000;
 class Pushes {
  public:
   virtual ~Pushes() = default;
-  /// Whether one acts in a frame from now; asked for each frame in turn. `mass`: at its start [kg].
+  /// Whether one acts in a frame from now; asked for each frame in order. `mass`: at its start [kg].
   virtual bool begin_frame(std::int64_t frame, double mass) = 0;
   /// Acceleration at a place 0..1 of that frame [m/s^2].
   [[nodiscard]] virtual Vec3d at(double place, const State<double>& state) = 0;
@@ -29,7 +29,7 @@ struct Obstacles {
   std::uint32_t number = 0;  // of the projectile, for what is left to chance
 };
 
-/// Where a projectile is on its way, and by what frames it goes on.
+/// Where a projectile is on its way, and by what frames it continues.
 struct FrameStart {
   State<double> now{};
   Vec3d carried{};             // by the original loop [m/s^2]

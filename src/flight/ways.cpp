@@ -96,10 +96,12 @@ Status keep_open_ways(const ProjectileDef& projectile, const Environment& enviro
 std::string Aim::explanation() const {
   const IeeeMode mode;
   std::string text;
-  if (low && high && low->launch.elevation != high->launch.elevation)
+  if (low && high && low->time != high->time)
     text = "low: " + text_of(*low) + "; high: " + text_of(*high);
   else if (low || high)
     text = text_of(low ? *low : *high);
+  else if (blocked.empty() && nearest.time == 0)
+    text = "out of reach: no path comes nearer than the muzzle, " + length_text(nearest.miss) + " from the target";
   else if (blocked.empty())
     text = (behind_ground ? "behind the ground" : "out of reach") +
            (": the nearest path passes " + length_text(nearest.miss) + " from the target");

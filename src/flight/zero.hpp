@@ -9,7 +9,7 @@ namespace physim {
 [[nodiscard]] Result<double> elevation_of(const ProjectileDef& projectile, const Launch& launch,
                                           const Environment& environment, const Fidelity& fidelity);
 
-/// A launch whose bore lies where its zero range, if it has one, puts it: nothing is left to be looked for.
+/// A launch with its bore where its zero range, if it has one, puts it: no search is left.
 [[nodiscard]] Result<Launch> aimed_launch(const ProjectileDef& projectile, Launch launch,
                                           const Environment& environment, const Fidelity& fidelity);
 

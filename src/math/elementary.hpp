@@ -1,8 +1,8 @@
 // Elementary functions for float, double and packs of them: the same bits on every machine.
 //
 // Only IEEE additions, multiplications, divisions, square roots, comparisons and operations on bits are used, each lane
-// by itself: no libm, no tables, no fused multiply-add (compile with -ffp-contract=off). So a lane's result depends
-// neither on the pack nor on compiler, optimisation or instruction set; tests/math/elementary_test.cpp holds a hash.
+// alone: no libm, no tables, no fused multiply-add (compile with -ffp-contract=off). So a lane's result depends neither
+// on the pack nor on compiler, optimisation or instruction set; tests/math/elementary_test.cpp holds a hash.
 //
 //   function     arguments                            worst error found [ulp]
 //                                                        double    float

@@ -21,7 +21,7 @@ template <class R>
 PHYSIM_INLINE R constant(double for_double, double for_float) {
   return constant<R>(kIsDouble<R> ? for_double : for_float);
 }
-/// A polynomial whose coefficients differ between double and float.
+/// A polynomial with coefficients that differ between double and float.
 template <class R, int N, int M>
 PHYSIM_INLINE R polynomial(const R& x, const double (&for_double)[N], const double (&for_float)[M]) {
   if constexpr (kIsDouble<R>)
@@ -149,7 +149,7 @@ PHYSIM_INLINE R exp(const R& x) {
 }
 
 /// e^x for |x| < 700 to about two units in the last place, without the care that exp() takes at the ends of the number
-/// range; beyond, |x| counts as 700 (float: 80). For kernels whose arguments are bounded by physics.
+/// range; beyond, |x| counts as 700 (float: 80). For kernels with arguments that physics bounds.
 template <class R>
 PHYSIM_INLINE R exp_bounded(const R& x) {
   const R limit = constant<R>(700, 80);

@@ -116,7 +116,7 @@ PiecewiseCubic interpolate(std::span<const double> x, std::span<const double> y,
     PHYSIM_ASSERT(h[i] > 0);
     secant[i] = (y[i + 1] - y[i]) / h[i];
   }
-  if (how == Interpolation::linear) {  // whose slope jumps at the points
+  if (how == Interpolation::linear) {  // its slope jumps at the points
     for (std::size_t i = 0; i < n; ++i) curve.pieces.push_back({y[i], secant[i], 0, 0});
     return curve;
   }

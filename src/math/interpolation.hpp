@@ -35,7 +35,7 @@ struct UniformCubic {
   std::vector<std::array<double, 4>> rows;
 };
 
-/// Finds equal cells whose borders include every knot, so that nothing is resampled: exact but for rounding.
+/// Finds equal cells with borders at every knot, so that nothing is resampled: exact but for rounding.
 /// Nothing where that takes more than `max_cells` cells.
 [[nodiscard]] std::optional<UniformCubic> on_uniform_cells(const PiecewiseCubic& curve, int max_cells);
 

@@ -1,4 +1,4 @@
-// Comparisons of packs that are told by bits of lanes.
+// Comparisons of packs, returned as bits of lanes.
 #pragma once
 
 #include "math/pack.hpp"
@@ -32,7 +32,7 @@ PHYSIM_INLINE unsigned lanes_at_least(const Pack<T, N>& a, const std::type_ident
   return lane_bits(a >= b);
 }
 
-/// Bits of so many lanes, from the first on.
+/// Bits of the first `count` lanes.
 PHYSIM_INLINE constexpr unsigned first_lanes(int count) {
   return static_cast<unsigned>((std::uint64_t(1) << count) - 1);
 }

@@ -6,7 +6,7 @@
 namespace physim {
 
 /// Where between a and b the function f is least, by golden sections: right where f falls and then rises. The place is
-/// known to 1e-6 of the interval; near a smooth minimum nothing finer can be told from the values.
+/// known to 1e-6 of the interval; near a smooth minimum the values resolve nothing finer.
 double least_between(const auto& f, double a, double b) {
   PHYSIM_ASSERT(a <= b);
   constexpr double kPart = 0.3819660112501051;  // 2 - golden ratio

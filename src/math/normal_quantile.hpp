@@ -44,7 +44,7 @@ inline constexpr double kFarUnder[] = {1.0,
 
 }  // namespace quantile_detail
 
-/// By Horner's scheme: Source tells errors of these polynomials with it.
+/// By Horner's scheme: Source gives errors of these polynomials with it.
 template <class R, int N>
 PHYSIM_INLINE R horner(const R& x, const double (&c)[N]) {
   R sum(c[N - 1]);

@@ -1,8 +1,8 @@
-// Structures of numbers: structs whose members all are one number type R (float, double, or a pack of lanes), read as
-// the numbers that they hold, first to last.
+// Structures of numbers: structs with all members of one number type R (float, double, or a pack of lanes), read as the
+// numbers that they hold, first to last.
 //
 // A lane that moves from pack to pack, a row that is loaded from its columns, and doubles that become floats are one
-// loop each, whatever the members are called; nobody counts them. Here alone such a structure is read as an array.
+// loop each, whatever the members are called; none is counted by hand. Here alone such a structure is read as an array.
 #pragma once
 
 #include <cstdint>
@@ -34,7 +34,7 @@ struct NumberRuns {
   Run run[kMost];
   unsigned count = 0;
 
-  /// Goes on with the last run where it can.
+  /// Extends the last run if it can.
   constexpr void add(unsigned first, unsigned numbers) {
     PHYSIM_ASSERT(first + numbers <= 255);
     const auto begin = static_cast<std::uint8_t>(first), end = static_cast<std::uint8_t>(first + numbers);

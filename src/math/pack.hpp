@@ -451,7 +451,7 @@ template <class R>
 PHYSIM_INLINE MaskOf<R> is_finite(const R& x) {
   return x - x == R(ScalarOf<R>(0));
 }
-/// The number whose addition pushes the fraction of |x| < 2^(digits-2) out of the mantissa: 1.5 * 2^52 or 1.5 * 2^23.
+/// When added, it pushes the fraction of |x| < 2^(digits-2) out of the mantissa: 1.5 * 2^52 or 1.5 * 2^23.
 template <class R>
 PHYSIM_INLINE R rounding_magic() {
   return constant<R>(sizeof(ScalarOf<R>) == 8 ? 6755399441055744.0 : 12582912.0);

@@ -1,5 +1,5 @@
 // Philox4x32-10: random numbers by counter. The numbers of a counter and key are always the same, so every projectile
-// has its own without anybody keeping a state, in any order and on any thread.
+// has its own without a stored state, in any order and on any thread.
 // Source: J. K. Salmon, M. A. Moraes, R. O. Dror, D. E. Shaw, "Parallel Random Numbers: As Easy as 1, 2, 3", SC11
 // (2011), sec. 4.3; constants and test vectors of its implementation Random123.
 #pragma once

@@ -27,7 +27,7 @@ PHYSIM_INLINE R polynomial_part(const R* powers, const C (&c)[N]) {
   }
 }
 
-/// c[0] + c[1] x + ... + c[kTerms-1] x^(kTerms-1); all of c unless told otherwise. Lanes may have their own.
+/// c[0] + c[1] x + ... + c[kTerms-1] x^(kTerms-1); all of c by default. Lanes may have their own.
 template <int kTermsGiven = 0, class R, class C, int N>
 PHYSIM_INLINE R polynomial(const R& x, const C (&c)[N]) {
   constexpr int kTerms = kTermsGiven == 0 ? N : kTermsGiven;

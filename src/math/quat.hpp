@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "math/vec3.hpp"
-#include "physim/quat.hpp"
+#include "physim/math.hpp"
 
 namespace physim {
 

@@ -32,7 +32,7 @@ struct RootSearch {
   PHYSIM_INLINE MaskOf<R> is_inside(const R& x) const { return ((x > a) & (x < b)) | ((x < a) & (x > b)); }
 };
 
-/// How fast f changes at both ends of a bracket; zero where nobody knows.
+/// How fast f changes at both ends of a bracket; zero where unknown.
 template <class R>
 struct EndRates {
   R at_a, at_b;
@@ -46,7 +46,7 @@ PHYSIM_INLINE MaskOf<R> same_side(const R& x, const R& y) {
   return (x_below & y_below) | !(x_below | y_below);
 }
 
-/// Looks at f(x) in some lanes, whose x lie inside their brackets.
+/// Evaluates f(x) in some lanes; each x lies inside its bracket.
 template <class R, class F>
 PHYSIM_INLINE void look_at(const F& f, RootSearch<R>& s, const R& x, const MaskOf<R>& lanes, const R& noise) {
   const R fx = f(x);
@@ -58,8 +58,8 @@ PHYSIM_INLINE void look_at(const F& f, RootSearch<R>& s, const R& x, const MaskO
   s.last = select(lanes, x, s.last), s.f_last = select(lanes, fx, s.f_last);
 }
 
-/// Two points of lanes whose f goes one way at both ends: where the inverse cubic through them is zero, and one step
-/// from there by its slope.
+/// Two points of lanes in which f changes in one direction at both ends: where the inverse cubic through them is zero,
+/// and one step from there by its slope.
 template <class R, class F>
 PHYSIM_INLINE void inverse_cubic_phase(const F& f, const EndRates<R>& rates, RootSearch<R>& s, const R& noise) {
   const R zero(ScalarOf<R>(0)), two = constant<R>(2);

@@ -1,4 +1,4 @@
-// Evaluates a cubic whose four coefficients lie in a row of a table, with another row for each lane.
+// Evaluates a cubic with its four coefficients in a row of a table, with another row for each lane.
 //
 // A hardware gather of the four columns costs more than the arithmetic of a whole drag law; loading each lane's row at
 // once and transposing blocks of four rows by shuffles costs a fraction of it.
@@ -36,15 +36,15 @@ requires std::is_floating_point_v<S> PHYSIM_INLINE S row_cubic(const S* rows, S 
 #endif
 
 #ifdef PHYSIM_HAS_SHUFFLE
-/// Lane i of the result is lane kFrom(i) of a, or of b where the count goes on beyond a.
+/// Lane i of the result is lane kFrom(i) of a, or of b where the count exceeds a.
 template <auto kFrom, int kCount, class V>
 PHYSIM_INLINE auto shuffled(const V& a, const V& b) {
   return [&]<int... I>(std::integer_sequence<int, I...>) { return __builtin_shufflevector(a, b, kFrom(I)...); }
   (std::make_integer_sequence<int, kCount>{});
 }
 
-/// Four columns of a table, each with a row of its own in every lane of a register. Neighbouring columns are loaded
-/// together and parted by shuffles; which lanes are loaded side by side is chosen so that full registers are shuffled.
+/// Four columns of a table, each with its own row in every lane of a register. Neighbouring columns are loaded together
+/// and parted by shuffles; which lanes are loaded side by side is chosen so that full registers are shuffled.
 template <class S, int kPer>
 struct TableRows {
   typedef S Two __attribute__((vector_size(2 * sizeof(S))));
@@ -121,7 +121,7 @@ struct TableRows {
 #endif
 
 /// Where the rows of whole numbers begin, in memory of the caller's. (As a class with a member that points into itself,
-/// g++ 12 would forget all else that it knows of memory, such as known conditions.)
+/// g++ 12 would forget all else that it knows about memory, such as known conditions.)
 template <class S, int N>
 PHYSIM_INLINE const UnsignedOf<S>* row_offsets(const Pack<S, N>& index, UnsignedOf<S> (&stored)[N]) {
   PHYSIM_ASSERT(all((index >= S(0)) & (index < S(1 << 22))));
@@ -132,7 +132,7 @@ PHYSIM_INLINE const UnsignedOf<S>* row_offsets(const Pack<S, N>& index, Unsigned
   const U* at = stored;
   // Reading the offsets back from memory costs one load a lane; taking them out of a register three instructions.
 #if defined(__clang__)
-  asm("" : "+m"(stored));  // clang would not store what it thinks nobody reads
+  asm("" : "+m"(stored));  // clang would not store what it thinks is never read
 #elif defined(__GNUC__)
   // Hiding where they lie does it. (Hiding what they are would hide all else in memory, too.)
   asm("" : "+r"(at));
@@ -140,7 +140,7 @@ PHYSIM_INLINE const UnsignedOf<S>* row_offsets(const Pack<S, N>& index, Unsigned
   return at;
 }
 
-/// The four numbers of rows[4 * index ..], each in a column of its own.
+/// The four numbers of rows[4 * index ..], each in its own column.
 template <class S>
 requires std::is_floating_point_v<S> PHYSIM_INLINE void row_columns(const S* rows, S index, S* column) {
   PHYSIM_ASSERT(rows != nullptr && index >= S(0) && index < S(1 << 22));

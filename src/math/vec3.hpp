@@ -4,11 +4,11 @@
 #include <cmath>
 
 #include "base/strict_math.hpp"
-#include "physim/vec3.hpp"
+#include "physim/math.hpp"
 
 namespace physim {
 
-// A function of its own: g++ 12 drops always_inline where the declaration within the class does not have it, and calls
+// A separate function: g++ 12 drops always_inline where the declaration within the class does not have it, and calls
 // the member from the stage sums of kernels.
 template <class T>
 PHYSIM_INLINE void add_scaled(Vec3<T>& sum, const Vec3<T>& b, const T& s) {

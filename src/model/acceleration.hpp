@@ -2,7 +2,7 @@
 //
 // What it models: D'Alembert's principle: the resultant of gravity, air, thrust and applied forces, and the Coriolis
 //   and centrifugal forces of a frame that turns with the Earth, divided by the mass, less what constraints take up
-//   (model/constraint.hpp). sum_effects() is the one list of effects: kernels add them up, Flight and World also tell
+//   (model/constraint.hpp). sum_effects() is the one list of effects: kernels add them up, Flight and World also give
 //   them one by one (model/ledger.hpp). A new effect is one row there and one member of Accelerations.
 // Symbols: t time [s]; x position, v velocity in W; r from the Earth's centre; a acceleration [m/s^2].
 // Equation: a = gravity(x) + drag(x, v) - 2 Omega x v - Omega x (Omega x r) + F / m. Where a motor burns, m falls and
@@ -66,7 +66,7 @@ PHYSIM_INLINE Vec3<R> drag_now(const Conditions<S>& c, const Body<R>& b, const R
   if (!c.has_motor || c.fidelity.drag == DragModel::damping) return d;
   return d * (lighter(c, b, t) * b.burn.drag_factor);
 }
-/// Drag in air whose state is known, of the mass that is left.
+/// Drag in air of known state, of the mass that is left.
 template <class R, class S>
 PHYSIM_INLINE Vec3<R> drag_now_in(const Conditions<S>& c, const Body<R>& b, const R& t, const AirState<R>& air,
                                   const Vec3<R>& u) {
@@ -96,7 +96,7 @@ PHYSIM_INLINE Vec3<R> thrust(const Body<R>& b, const R& t, const Vec3<R>& nose) 
 
 // ------------------------------------------------------------------------------------------- what the air does
 // How a projectile stands in the air decides what the air does to it and where its nose, and with it the thrust,
-// points. Sums of effects are told of the air by one of these.
+// points. One of these gives the air to sums of effects.
 
 /// A point mass: drag along its path; of a ball that spins, lift too.
 struct PointInAir {
@@ -116,7 +116,7 @@ struct PointInAir {
   }
 };
 
-/// A point mass under the drag equation, whose air and way through it are known already.
+/// A point mass under the drag equation, with its air and its way through it known already.
 template <class R>
 struct PointInKnownAir : PointInAir {
   AirState<R> air;
@@ -136,7 +136,7 @@ struct PointInVacuum : PointInAir {
   PHYSIM_INLINE void add_air(const Given&...) const {}
 };
 
-/// The original loop's: damping acts on its velocity by itself, and one-shot forces are those at the launch.
+/// The original loop's: damping acts directly on its velocity, and one-shot forces are those at the launch.
 struct OriginalInAir : PointInAir {
   template <class R, class S, class AnySum>
   PHYSIM_INLINE void add_air(const Conditions<S>& c, const Body<R>& b, const R& t, const State<R>& s,
@@ -249,7 +249,7 @@ PHYSIM_INLINE Vec3<R> acceleration(const Conditions<S>& c, const Body<R>& b, con
   return sum.total;
 }
 
-/// The acceleration at a point whose air is known.
+/// The acceleration at a point in known air.
 template <class R, class S>
 PHYSIM_INLINE Vec3<R> acceleration(const Conditions<S>& c, const Body<R>& b, const R& t, const State<R>& s,
                                    const PointInKnownAir<R>& in_air) {

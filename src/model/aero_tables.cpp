@@ -1,4 +1,4 @@
-// Source: model/aero_tables.hpp, which also tells the layout.
+// Source: model/aero_tables.hpp, which also describes the layout.
 #include "model/aero_tables.hpp"
 
 #include <algorithm>
@@ -18,7 +18,7 @@ const std::array<AeroCoefficient AeroDef::*, 10> kCoefficients = {
     &AeroDef::pitching_cubic, &AeroDef::roll_damping, &AeroDef::pitch_damping, &AeroDef::yaw_damping,
     &AeroDef::magnus_force,   &AeroDef::magnus_moment};
 
-/// The yaw damping of a body that has none of its own is that in pitch.
+/// A body without yaw damping has that in pitch.
 const AeroCoefficient& coefficient(const AeroDef& aero, std::size_t i) {
   const AeroCoefficient& own = aero.*kCoefficients[i];
   return &own == &aero.yaw_damping && own.empty() ? aero.pitch_damping : own;

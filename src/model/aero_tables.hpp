@@ -4,7 +4,7 @@
 //   attack: straight lines between their points, exactly.
 // How: all Mach numbers at which some coefficient has a point are the borders of cells; in a cell every coefficient is
 //   a + b M, two to a row of four numbers. Equal buckets, so narrow that none holds two borders, lead to the cell: a
-//   bucket's row tells how many borders lie at or below its start, and the one inside. In cells of Mach and angle a
+//   bucket's row holds how many borders lie at or below its start, and the one inside. In cells of Mach and angle a
 //   Magnus coefficient is f0 + f1 A + M (g0 + g1 A), A = alpha^2, one row.
 // Source: the interpolation is that of R. L. McCoy, Modern Exterior Ballistics (1999), ch. 9.
 #pragma once
@@ -19,8 +19,8 @@ namespace physim {
 /// Numbers of a coefficient outside of its points, or between them [-].
 [[nodiscard]] double coefficient_at(const AeroCoefficient& coefficient, double mach, double angle_squared);
 
-/// Points closer than this cannot be told apart by buckets: Mach numbers of one projectile, squares of angles [rad^2]
-/// of one coefficient.
+/// Buckets cannot separate points closer than this: Mach numbers of one projectile, squares of angles [rad^2] of one
+/// coefficient.
 inline constexpr double kClosestAeroPoints = 1.0 / 16384;
 /// Two borders that are closer, if there are such.
 struct ClosePair {

@@ -5,7 +5,7 @@
 // When to use it: constant for flat fire within a few hundred metres of height; exponential for games with aircraft and
 //   mountains; isa for everything that should be right.
 // When it is wrong: real days differ from the standard lapse rate; humidity is measured at the station and its effect
-//   is kept at all heights; above 86 km the last layer goes on isothermally (density there is below 1e-5 of sea
+//   is kept at all heights; above 86 km the last layer continues isothermally (density there is below 1e-5 of sea
 //   level's); below -5 km a flight ends with Outcome::left_domain.
 // Symbols: Z geometric altitude, H geopotential altitude, r0 = 6356766 m; T temperature [K]; L lapse rate [K/m];
 //   rho density [kg/m^3]; a sound speed [m/s]; index b: at the base of the layer.
@@ -13,7 +13,7 @@
 //   L != 0: rho = rho_b (T / T_b)^-(1 + g0 M / (R* L));  L = 0: rho = rho_b exp(-g0 M (H - H_b) / (R* T_b));
 //   a = a_b sqrt(T / T_b);  viscosity mu = 1.458e-6 T^1.5 / (T + 110.4).
 //   Below 11 km, where most shots fly, density and 1/a are polynomials in Z for these laws, made when the conditions
-//   are prepared, or in each lane that has air of its own (the standard's are fitted to 1e-14; model/low_air.hpp says
+//   are prepared, or in each lane that has its own air (the standard's are fitted to 1e-14; model/low_air.hpp says
 //   how close those of stations are): a third of the work, and no waiting for logarithm, exponential and divisions.
 //   Above, both laws are written as one, rho = rho_b exp(power ln(T/T_b) + decay (H - H_b)), so that lanes in different
 //   layers run the same instructions.
@@ -72,7 +72,7 @@ PHYSIM_INLINE AirState<R> low_air(const Air<S>& air, const AirNumbers<N>& number
 }
 
 /// As low_air() of the air that all share, to the bit, for one number: both polynomials side by side in one register.
-/// It has copies of all that it reads, so that the compiler knows that nobody else writes them.
+/// It has copies of all that it reads, so that the compiler knows that nothing else writes them.
 class LowAirOfOne {
  public:
   PHYSIM_INLINE explicit LowAirOfOne(const Air<double>& air) : low_middle(air.low_middle), low_scale(air.low_scale) {

@@ -108,7 +108,7 @@ struct ScaledInertia {
 
 bool is_possible(const Inertia& i) {
   const auto& [a, b, c] = i.moments;
-  // Beyond these the inverse is no number.
+  // Beyond these the inverse is not finite.
   constexpr double kLeast = 1e-300, kMost = 1e300;
   if (!(std::min({a, b, c}) >= kLeast && std::max({a, b, c}) <= kMost)) return false;
   const bool triangle = a <= b + c && b <= a + c && c <= a + b;

@@ -1,4 +1,4 @@
-// Attitude: what a Turn means to those who look from outside, and the Turn that a launch begins with.
+// Attitude: what a Turn means as seen from outside, and the Turn that a launch begins with.
 //
 // Symbols and equations as in model/rigid_body.hpp. Source: geometry.
 #pragma once

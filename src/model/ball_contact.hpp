@@ -5,7 +5,7 @@
 //   left, or some of it turned around.
 // When to use it: balls of sports, billiards, superballs, round shot on hard ground.
 // When it is wrong: bodies that are not round; surfaces that give way (clay, grass), where the force acts ahead of the
-//   middle; restitution and the grip of real balls change with speed. The spin about the normal is left as it is.
+//   middle; restitution and the grip of real balls change with speed. The spin about the normal is unchanged.
 //   A ball that nothing spins, with inertia without end and grip 0, is the point of model/contact.hpp, the ground's.
 // Symbols: n unit normal towards the ball; v velocity and w angular velocity before, v' and w' after [m/s, rad/s]; r
 //   radius [m]; k moment of inertia over m r^2 [-]; T part of the turn about n x u that constraints leave, 1 without

@@ -4,8 +4,8 @@
 // that
 //   point does not slip any more; from then on it rolls, against a resistance in proportion to what presses it on.
 // When to use it: balls of sports and billiards, round stones on slopes, over times in which the surface is plane.
-// When it is wrong: bodies that are not round; surfaces that give way; a slip whose direction turns much within the
-//   time, which is held; the spin about the normal is left as it is.
+// When it is wrong: bodies that are not round; surfaces that give way; a slip that turns much within the
+//   time, as its direction is held; the spin about the normal is unchanged.
 // Symbols: n unit normal towards the ball; v velocity along the surface [m/s]; w spin [rad/s]; r radius [m]; k moment
 // of
 //   inertia over m r^2 [-]; u slip of the point of contact [m/s]; a acceleration by everything but the surface, a_t

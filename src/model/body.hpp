@@ -2,7 +2,7 @@
 //
 // A body is made of parts. What a cohort reads is a set of parts: lanes, rows and batches keep and copy no others.
 //
-// Symbols as in the model files. Source: none of its own; each field names the model that reads it.
+// Symbols as in the model files. Source: none; each field names the model that reads it.
 #pragma once
 
 #include <array>
@@ -135,7 +135,7 @@ struct FreePart {
   Vec3<R> free;  // 1 along axes of W that it moves along, 0 along frozen ones [-]
 };
 
-/// The air and the wind of a shot that has weather of its own.
+/// The air and the wind of a shot that has its own weather.
 template <class R>
 struct WindPart {
   Vec3<R> wind;  // velocity of the air [m/s]

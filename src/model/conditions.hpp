@@ -1,7 +1,7 @@
 // Conditions: all numbers that the projectiles of one cohort share: environment data and granted rungs, ready to
 // compute.
 //
-// Source: none of its own; the model files say what the numbers mean.
+// Source: none; the model files say what the numbers mean.
 #pragma once
 
 #include "base/members.hpp"
@@ -77,6 +77,7 @@ struct WindProfile {
   S at[kMaxWindPoints];                    // [m]
   Components<S> velocity[kMaxWindPoints];  // [m/s]
   Components<S> slope[kMaxWindPoints];     // from point i to i + 1 [1/s]
+  S per_length[kMaxWindPoints];            // 1 / (at[i + 1] - at[i]) [1/m]
 };
 
 /// The round Earth ready to compute; see model/earth.hpp, model/geodesy.hpp and model/gravity.hpp.
@@ -109,7 +110,7 @@ struct Features {
   bool has_aero = false;             // aerodynamic coefficients beside drag
   bool has_aero_tables = false;      // ... that change with the Mach number
   bool has_aero_angles = false;      // ... or with the angle of attack
-  bool has_own_air = false;          // weather of its own: air
+  bool has_own_air = false;          // its own weather: air
   bool has_own_wind = false;         // ... and wind
   bool has_gravity_scale = false;    // its own part of gravity
   bool has_frozen = false;           // it does not move along some axis
@@ -130,14 +131,14 @@ struct EnvironmentNumbers {
   WindField<S> wind;
 };
 
-/// Functions of one's own, see model/field_function.hpp. Who prepared the conditions keeps them alive.
+/// Functions of the caller, see model/field_function.hpp. The code that prepared the conditions keeps them alive.
 struct FunctionPointers {
   const WindFunction::Function* wind_function;
   const ForceFunction::Function* force_function;
 };
 
 /// Where on its drag curve a projectile that flies alone is thought to be before its Mach number is known. The
-/// processor goes on with the row that is guessed and looks back later, where it would wait for the number of the row
+/// processor continues with the row that is guessed and looks back later, where it would wait for the number of the row
 /// and then for the row. A guess that is wrong is put right: it changes no bit.
 template <class S>
 struct GuessedCell {
@@ -150,7 +151,7 @@ struct GuessedCell {
 template <class S>
 struct TablePointers {
   const S* curve_rows;                    // pool of cubic rows of all drag curves in use
-  const PiecewiseCubic* searched_curves;  // curves whose points fit no equal cells
+  const PiecewiseCubic* searched_curves;  // curves with points that fit no equal cells
   const MotorPiece* motor_pieces;         // pool of the tables of all motors in use
   const MagnusGrid* magnus_grids;         // tables of balls that spin
   GuessedCell<S>* guess = nullptr;        // null: nothing is guessed

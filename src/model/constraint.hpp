@@ -1,7 +1,7 @@
 // Constraints: planar flight, frozen axes, and the launch rail.
 //
 // What it models: a projectile that cannot move everywhere: it stays in the vertical plane of fire, at rest along some
-//   axes of W, or on a straight rail along which it moves only forwards until it has come as far as the rail is long.
+//   axes of W, or on a straight rail along which it moves only forwards over the length of the rail.
 //   What would push it elsewhere is taken up by the constraint: it does no work.
 // When to use it: planar flight where the classic two-dimensional problem is asked for; frozen axes in games that are
 //   played in a plane or on a line; the rail for rockets.

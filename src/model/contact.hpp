@@ -13,7 +13,7 @@
 //   On the ground: dv_t/dt = a_t - c g_n v_t / |v_t|, and nothing moves while it is at rest and |a_t| <= c g_n. Where
 //   a_t turns it around it stops, and goes on from rest.
 // Source: W. J. Stronge, Impact Mechanics (2000), sec. 1.2 and 3.2 (restitution; impulse of dry friction while sliding
-//   goes on); I. Millington, Game Physics Engine Development (2010), ch. 7 (resting contact).
+//   continues); I. Millington, Game Physics Engine Development (2010), ch. 7 (resting contact).
 #pragma once
 
 #include "base/assert.hpp"
@@ -22,7 +22,7 @@
 
 namespace physim {
 
-/// W is double, or a pack of them: each lane touches a surface of its own.
+/// W is double, or a pack of them: each lane touches its own surface.
 template <class W>
 struct SurfaceOf {
   W restitution;         // [-]

@@ -1,6 +1,6 @@
 // Curl noise: a field of swirls that has no sources.
 //
-// What it models: eddies, by their looks: a smooth field whose vectors come out of no place and vanish in none, so that
+// What it models: eddies, by their looks: a smooth field with neither sources nor sinks of its vectors, so that
 //   what drifts along neither gathers nor thins out. As an acceleration beside a drag k it drives particles towards the
 //   velocity w / k, which is as free of sources.
 // When it is wrong: it is no turbulence: its spectrum is that of its octaves, nothing carries its swirls along, and
@@ -22,7 +22,7 @@
 #include <array>
 #include <cstdint>
 
-#include "physim/vec3.hpp"
+#include "physim/math.hpp"
 
 namespace physim {
 
@@ -30,8 +30,8 @@ class CurlNoise {
  public:
   static constexpr std::uint32_t kMostOctaves = 8;
 
-  /// Swirls of `size` [m] that come again after 1 / rate [s], in so many octaves of which each is by `gain` as strong
-  /// as the one before and of half its size; `seeds` of each.
+  /// Swirls of `size` [m] that come again after 1 / rate [s], in `octaves` octaves, each `gain` times as strong as the
+  /// one before and half its size; `seeds` of each.
   CurlNoise(const std::array<std::uint32_t, kMostOctaves>& seeds, double size, double rate, std::uint32_t octaves,
             double gain);
 

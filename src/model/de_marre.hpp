@@ -6,7 +6,7 @@
 //   quality that a test of similar shot gave.
 // When it is wrong: long rods, shaped charges, shot that shatters, lead bullets; face-hardened plate met by shot
 // without
-//   a cap; thin plates. The cosine is a first guess: at 45 degrees MIL-DTL-12560K asks for 1.30 times the limit at 30,
+//   a cap; thin plates. The cosine is a first guess: at 45 degrees MIL-DTL-12560K requires 1.30 times the limit at 30,
 //   the cosine for 1.22.
 // Symbols: d diameter, T thickness along the normal [m]; m mass [kg]; theta obliquity [rad]; q quality, limit speed
 // over

@@ -22,7 +22,7 @@
 
 PHYSIM_ISA_BEGIN
 
-/// Cd of curves whose points lie on no equal cells, one lane after the other.
+/// Cd of curves with points on no equal cells, one lane after the other.
 template <class R, class S>
 PHYSIM_NOINLINE R searched_cd(const Conditions<S>& c, const Body<R>& b, const R& mach, R cd) {
   PHYSIM_ASSERT(c.searched_curves != nullptr);
@@ -42,7 +42,7 @@ PHYSIM_INLINE R endless_position(const Body<R>& b, const R& per_sound_speed, con
   const R cells = speed * (per_sound_speed * b.curve_cells);
   if constexpr (std::is_floating_point_v<R>) {
     if (b.curve_first == 0) [[likely]]
-      return cells;  // curves mostly begin at Mach 0; nobody waits for a difference that changes nothing
+      return cells;  // curves mostly begin at Mach 0; no wait for a difference that changes nothing
   }
   return cells - b.curve_first;
 }
@@ -64,8 +64,8 @@ PHYSIM_INLINE R curve_cell(const Body<R>& b, const R& place) {
   return min(round_to_int(place - constant<R>(0.5)), b.curve_last);
 }
 
-/// Cd at a place that may lie beyond the curve, by the cell that is guessed, which is right afterwards. Where the guess
-/// holds the place lies on the curve: who waits for Cd does not wait for a look at both ends.
+/// Cd at a place that may lie beyond the curve, by the cell that is guessed, which is right afterwards. If the guess
+/// holds, the place lies on the curve: Cd does not wait for a look at both ends.
 PHYSIM_INLINE double guessed_cd(const Body<double>& b, const double* rows, double place, GuessedCell<double>& guess) {
   if (round_to_int(place - 0.5) != guess.cell || place < 0) [[unlikely]] {
     place = on_curve(b, place);
@@ -132,7 +132,7 @@ PHYSIM_INLINE Vec3<R> simple_drag(const Conditions<S>& c, const Body<R>& b, cons
   switch (c.fidelity.drag) {
     case DragModel::damping: return u * -b.damping_rate;
     case DragModel::linear_quadratic:
-      if (c.fidelity.motion == Motion::closed_form) return u * -b.damping_rate;  // k2 is 0; nobody keeps them for it
+      if (c.fidelity.motion == Motion::closed_form) return u * -b.damping_rate;  // k2 is 0; they are not kept for it
       return u * -(b.k1_per_mass + b.k2_per_mass * length(u));
     case DragModel::off:
     case DragModel::equation: break;

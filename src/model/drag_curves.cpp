@@ -12,7 +12,7 @@
 #include "base/ieee_mode.hpp"
 #include "model/ladder.hpp"
 #include "model/sphere_drag.hpp"
-#include "physim/drag_curve.hpp"
+#include "physim/projectile.hpp"
 
 namespace physim {
 namespace {
@@ -70,7 +70,7 @@ const UniformCubic& standard_drag_cells(DragTable table, Interpolation interpola
 
 namespace {
 
-/// Whether there is a curve to make of what anybody may hand in.
+/// Whether a curve can be made of unchecked input.
 bool has_curve(const DragDef& drag, Interpolation interpolation) {
   if (static_cast<std::size_t>(interpolation) >= kRungCount<Interpolation>) return false;
   if (static_cast<std::size_t>(drag.table) > static_cast<std::size_t>(DragTable::custom)) return false;

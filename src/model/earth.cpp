@@ -26,7 +26,7 @@ Vec3d rotation_in_W(const Earth& earth) {
 /// N of a latitude with sine s.
 double prime_vertical(double s) { return wgs84::kEquatorialRadius / sqrt(1 - wgs84::kEccentricitySquared * s * s); }
 
-/// The origin of W, whose vertical is y, from the Earth's centre.
+/// The origin of W, with y as its vertical, from the Earth's centre.
 Vec3d origin_from_centre(const Vec3d& axis, double height) {
   const double n = prime_vertical(axis.y);
   return Vec3d{0, n + height, 0} - axis * (wgs84::kEccentricitySquared * n * axis.y);
@@ -75,7 +75,7 @@ void prepare_earth(const Environment& environment, const Fidelity& granted, Cond
     c.radius = wgs84::kMeanRadius;
     if (falls(granted.gravity)) c.gravity = wgs84::kGM / (c.radius * c.radius);
   }
-  // Worlds prepare cohorts whose environment has just got a gravity of its own, before their projectiles leave them.
+  // Worlds prepare cohorts when their environment has just got its own gravity, before their projectiles leave them.
   if (!is_round(earth) && row(granted.gravity).field == GravityField::flattened && !own) {
     constexpr double kHigh = 10000;
     c.gravity = weight(environment, granted.gravity, 0);

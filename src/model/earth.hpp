@@ -1,7 +1,7 @@
 // The shape and rotation of the Earth as a flight feels them: heights, the vertical, and what turning does.
 //
 // What it models: `flat`: height is y. `flat_coriolis`: also the Coriolis acceleration of the turning Earth.
-//   `sphere`: heights are above a sphere whose centre lies (R + h0) below the origin; it does not rotate.
+//   `sphere`: heights are above a sphere with its centre (R + h0) below the origin; it does not rotate.
 //   `sphere_rotating`: a sphere, and W turns with it. `ellipsoid`: heights are above WGS-84, and W turns with it.
 // When to use it: flat below 5 km of range, flat_coriolis to some 50 km, ellipsoid beyond; the spheres to meet the
 //   figures of others.
@@ -47,7 +47,7 @@ PHYSIM_INLINE constexpr bool throws_out(const Fidelity& f) {
   return is_turning(f.earth) && is_round(f.earth) && column<&GravityRow::field>(f.gravity) != GravityField::uniform;
 }
 
-/// The environment gives a gravity of its own, which only `constant` and `inverse_square` can have.
+/// The environment gives its own gravity, which only `constant` and `inverse_square` can have.
 [[nodiscard]] bool has_own_gravity(const Environment& environment);
 /// Fills gravity, radius, altitude, omega and globe for the granted rungs.
 void prepare_earth(const Environment& environment, const Fidelity& granted, Conditions<double>& conditions);

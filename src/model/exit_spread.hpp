@@ -13,7 +13,7 @@
 
 #include <cstdint>
 
-#include "physim/vec3.hpp"
+#include "physim/math.hpp"
 
 namespace physim {
 

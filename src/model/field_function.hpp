@@ -7,7 +7,7 @@
 // Symbols: t time since launch, t_0 that of the launch (0 in flights) [s]; x position, v velocity, w wind in W; m mass
 //   that is left [kg]; F force [N].
 // Equations: w = w(t_0 + t, x); a = F(t_0 + t, x, v, m) / m.
-// Source: none of its own.
+// Source: none.
 #pragma once
 
 #include "math/vec3.hpp"
@@ -25,8 +25,7 @@ struct AskedLanes {
   double* mass;     // of forces [kg]
   Vec3d* answer;
 };
-/// Asks about lanes; those whose numbers are not finite are asked about as if they were 0. Answers are NaN where the
-/// function throws.
+/// Calls the function for lanes; numbers that are not finite are passed as 0. Answers are NaN if the function throws.
 void ask(const WindFunction::Function& function, const AskedLanes& lanes);
 void ask(const ForceFunction::Function& function, const AskedLanes& lanes);
 
@@ -58,7 +57,7 @@ PHYSIM_INLINE Vec3<R> answer_of(const Function& function, const R& time, const S
   return answer;
 }
 
-/// Wind by a function. Behind a call, as it is seldom had.
+/// Wind by a function. Behind a call, since it is rare.
 template <class R, class S>
 PHYSIM_NOINLINE void wind_by_function(const Conditions<S>& c, const Body<R>& b, const R& t, const Vec3<R>& x,
                                       Vec3<R>& w) {

@@ -25,7 +25,7 @@
 //   blast      F = F0 (1 - r / R) n for r < R;  at the very centre no direction is known: F = 0
 //   thrust     F(t) on straight lines between the points of its table, from the first until before the last
 // Source: I. Millington, Game Physics Engine Development (2010), sec. 5.2 (drag) and 6.2 (spring, bungee, buoyancy,
-//   whose linear law is that of the box); R. Hooke, De Potentia Restitutiva (1678); Archimedes, On Floating Bodies, I,
+//   with the linear law of the box); R. Hooke, De Potentia Restitutiva (1678); Archimedes, On Floating Bodies, I,
 //   prop. 5-7 (lift) and On the Sphere and Cylinder (cap); H. C. Plummer, MNRAS 71 (1911) 460 (softening). The blast is
 //   ours.
 #pragma once
@@ -41,8 +41,8 @@
 #include "math/pack.hpp"
 #include "math/vec3.hpp"
 #include "model/body.hpp"
-#include "physim/forces.hpp"
-#include "physim/quantity.hpp"
+#include "physim/units.hpp"
+#include "physim/world.hpp"
 
 namespace physim {
 
@@ -62,8 +62,7 @@ template <class Law>
   return n * -(law.stiffness * (now - law.rest_length) + law.damping * dot(v_rel, n));
 }
 
-/// The pull of an elastic rope; d and v_rel as for springs [N]. Comparisons are such that what is no number stays so,
-/// for the world to see.
+/// The pull of an elastic rope; d and v_rel as for springs [N]. Comparisons keep NaN as NaN, for the world to see.
 [[nodiscard]] inline Vec3d bungee_force(const Bungee& law, const Vec3d& d, const Vec3d& v_rel) {
   const double now = length(d);
   if (now <= law.rest_length || now == 0) return {};
@@ -167,7 +166,7 @@ enum class Limit {
 template <auto kPointer>
 struct LawMember {
   static constexpr auto pointer = kPointer;
-  std::string_view name;  // as it is spelled
+  std::string_view name;  // as spelled
   std::string_view doc;   // one line
   Quantity quantity = Quantity::number;
   Limit limit = Limit::any;
@@ -281,7 +280,7 @@ constexpr void for_each_law(const auto& f) {
   }(static_cast<const ForceLaw*>(nullptr));
 }
 
-/// Who is at the other end of a law between two; null for other laws.
+/// The other end of a law between two; null for other laws.
 template <class AnyLaw>  // a ForceLaw, const or not
 [[nodiscard]] auto* other_end_of(AnyLaw& law) {
   using Id = std::conditional_t<std::is_const_v<AnyLaw>, const ProjectileId, ProjectileId>;
@@ -292,7 +291,7 @@ template <class AnyLaw>  // a ForceLaw, const or not
       },
       law);
 }
-/// Whether a law cannot be without somebody at its other end.
+/// Whether a law needs a projectile at its other end.
 [[nodiscard]] inline bool needs_other_end(const ForceLaw& law) {
   bool needs = false;
   std::visit(

@@ -2,7 +2,7 @@
 //
 // What it models: the tangent frame W at a place of the Earth, and its rotation with it.
 // Symbols: phi, lambda, A latitude, longitude and azimuth of W [rad]; r0 origin of W from the Earth's centre; M matrix
-//   whose columns are the axes of W in E; theta = Omega t angle that the Earth has turned by [rad].
+//   with the axes of W in E as its columns; theta = Omega t angle that the Earth has turned by [rad].
 // Equations: x_E = M (r0 + x_W); x_I = Rz(theta) x_E, v_I = Rz(theta) (v_E + Omega x x_E).
 //   Distance along the ground, Lambert's: tan b = (1 - f) tan phi; s the angle between the feet on the sphere of
 //   reduced latitudes b; P = (b1 + b2) / 2, Q = (b2 - b1) / 2; X = (s - sin s) sin^2 P cos^2 Q / cos^2(s/2);
@@ -10,7 +10,7 @@
 // Source: D. A. Vallado, Fundamentals of Astrodynamics and Applications (2007), sec. 3.4 and 3.7, without precession,
 //   nutation and polar motion; W. D. Lambert, "The distance between two widely separated points on the surface of the
 //   Earth", J. Washington Academy of Sciences 32 (1942), 125-130; geometry.
-#include "physim/frames.hpp"
+#include "physim/environment.hpp"
 
 #include "base/ieee_mode.hpp"
 #include "math/elementary.hpp"

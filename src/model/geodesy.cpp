@@ -42,7 +42,7 @@ Geodetic geodetic_from_earth_fixed(const Vec3d& x) {
   const double up = x.z + axis_offset(dot(x, x), x.z, kAllRounds);  // p : up is the direction of the normal
   const double size = sqrt(p * p + up * up);
   const double cosine = p / size, sine = up / size;
-  // From the foot of the normal, whose digits cancel exactly.
+  // From the foot of the normal: its digits cancel exactly.
   const double n = kEquatorialRadius / sqrt(1 - kEccentricitySquared * sine * sine);
   const double height = (p - n * cosine) * cosine + (x.z - n * (1 - kEccentricitySquared) * sine) * sine;
   return {atan2(up, p), p == 0 ? 0 : atan2(x.y, x.x), height};

@@ -22,7 +22,7 @@
 #include "math/pack.hpp"
 #include "math/vec3.hpp"
 #include "model/conditions.hpp"
-#include "physim/geodesy.hpp"
+#include "physim/environment.hpp"
 
 PHYSIM_ISA_BEGIN
 
@@ -61,7 +61,7 @@ struct Vertical {
   R height;    // h - h0: above the origin of W [m]
 };
 
-/// The vertical of the ellipsoid at a place x in W, whose y axis is the vertical at its origin.
+/// The vertical of the ellipsoid at a place x in W; the y axis of W is the vertical at its origin.
 template <class R, class S>
 PHYSIM_NOINLINE void ellipsoid_vertical(const Globe<S>& g, const S& origin_height, const Vec3<R>& x, Vertical<R>& out,
                                         int rounds = kFlightRounds) {

@@ -2,7 +2,7 @@
 #include "model/humid_air.hpp"
 
 #include "base/ieee_mode.hpp"
-#include "physim/air.hpp"
+#include "physim/environment.hpp"
 
 namespace physim {
 

@@ -1,9 +1,9 @@
 // Jerk: how fast the acceleration of a projectile changes along its path.
 //
-// What it models: the derivative of the acceleration that accelerations_of() tells, along the way that the projectile
-//   takes: its place moves with its velocity, its velocity changes as it is flown, its attitude turns, its motor burns.
-// When to use it: comfort and loads of what is carried, fuzes, cameras that follow; to see where a model has a corner.
-// When it is wrong: nearer than h to a corner (a point of a linear drag curve, an edge of a stepped wind) it lies
+// What it models: the derivative of the acceleration that accelerations_of() gives, along the way that the projectile
+//   takes: its place moves with its velocity, its velocity changes as flown, its attitude turns, its motor burns. When
+// to use it: comfort and loads of what is carried, fuzes, cameras that follow; to see where a model has a corner. When
+// it is wrong: nearer than h to a corner (a point of a linear drag curve, an edge of a stepped wind) it lies
 //   between those of both sides, and a jump of the acceleration there shows as a peak. The end of an applied force and
 //   the points of a motor's table have no such peak: there it is the one of the side that the time lies on. Generators
 //   of a world and forces of its emitters count by place and velocity; what of them depends on time alone does not.

@@ -1,4 +1,4 @@
-// The names and texts of rungs, out of their rows. Source: none of its own.
+// The names and texts of rungs, out of their rows. Source: none.
 #include "model/ladder.hpp"
 
 #include "physim/names.hpp"

@@ -8,7 +8,7 @@
 // selections as 1, quotients and square roots as 4, loads of a table's row as 8. Only ratios matter; those of the
 // benchmarks agree within 40 %.
 //
-// Source: none of its own; the files of the models name theirs.
+// Source: none; the files of the models name theirs.
 #pragma once
 
 #include <algorithm>
@@ -59,7 +59,7 @@ PHYSIM_INLINE constexpr IntegratorRow row(Integrator rung) {
   return {};
 }
 
-/// What a model of gravity knows of the Earth.
+/// What a model of gravity knows about the Earth.
 enum class GravityField {
   none,
   uniform,    // weight, the same everywhere

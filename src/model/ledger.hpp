@@ -1,15 +1,15 @@
-// Ledgers: where the effects on a projectile are added up. Kernels keep the sum alone; who asks for accelerations by
-// effect keeps each entry too. Both are told of the same effects in the same order (model/acceleration.hpp).
+// Ledgers: where the effects on a projectile are added up. Kernels keep the sum alone; callers that need accelerations
+// by effect keep each entry too. Both receive the same effects in the same order (model/acceleration.hpp).
 //
-// Source: none of its own.
+// Source: none.
 #pragma once
 
 #include "model/constraint.hpp"
-#include "physim/accelerations.hpp"
+#include "physim/flight.hpp"
 
 namespace physim {
 
-/// An effect, by the member of Accelerations that it is told in.
+/// An effect, by the member of Accelerations that holds it.
 using Effect = Vec3d Accelerations::*;
 
 }  // namespace physim
@@ -33,14 +33,14 @@ struct Sum {
   PHYSIM_INLINE void constrain(const Conditions<S>& c, const Body<R>& b) {
     total = constrained(c, b, total);
   }
-  /// What follows from the sum so far.
+  /// What follows from the sum of the effects before.
   template <class S>
   PHYSIM_INLINE void add_constrained(const Conditions<S>& c, const Body<R>& b, Effect, const Vec3<R>& a) {
     total += constrained(c, b, a);
   }
 };
 
-/// Each effect by itself, and the sum.
+/// Each effect alone, and the sum.
 struct Ledger : Accelerations {
   void begin(Effect effect, const Vec3d& a) { this->*effect = total = a; }
   void add(Effect effect, const Vec3d& a) { this->*effect += a, total += a; }

@@ -45,7 +45,7 @@ struct LowLayer {
   R a, b;
 };
 
-/// `scale` times (T / T_m)^nu, as it is asked for: a series of so many terms, drawn together to N coefficients.
+/// `scale` times (T / T_m)^nu, on demand: a series of kSeries terms, drawn together to N coefficients.
 template <int kSeries, class R, int N>
 struct Power {
   static constexpr int kTerms = kSeries;

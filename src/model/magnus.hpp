@@ -1,8 +1,8 @@
 // Magnus: lift and drag of balls that spin.
 //
-// What it models: a ball whose spin axis stays as it is while the spin dies away; lift across spin and path, drag that
+// What it models: a ball with a constant spin axis while the spin dies away; lift across spin and path, drag that
 //   depends on the spin; both by a formula in the spin parameter or by a table in speed and spin.
-// When to use it: golf balls, baseballs, footballs, tennis balls, whose coefficients were measured.
+// When to use it: golf balls, baseballs, footballs, tennis balls with measured coefficients.
 // When it is wrong: coefficients hold for balls of one make in the range they were measured in; smooth balls have a
 //   lift that turns round near the drag crisis; a ball that does not spin (a knuckle ball) feels forces of its seams
 //   that are not here. Spin decays by the time, not by the air flown through.
@@ -12,7 +12,7 @@
 // Equations: a_lift = rho A / (2 m) Cl |u|^2 (omega x u) / |omega x u|;  a_drag = -rho A / (2 m) Cd |u| u;
 //   omega(t) = omega_0 e^(-t / tau).
 //   Formula: Cl = l S / (b + c S), so that a_lift = rho A / (2 m) l r / (b + c S) omega x u: with c = 0 in air of one
-//   density a = kappa x v, whose path is a trochoid. Cd = Cd_0 + k |omega|.
+//   density a = kappa x v, the path is a trochoid. Cd = Cd_0 + k |omega|.
 //   Table: bilinear in |u| and the spin across the path |omega x u| / |u| (or S), held at its borders; below the lowest
 //   spin the lift falls to zero with it.
 // Source: P. W. Bearman, J. K. Harvey, "Golf ball aerodynamics", Aeronautical Quarterly 27 (1976) 112-122; A. M.

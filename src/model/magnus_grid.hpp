@@ -7,7 +7,7 @@
 #include <cstddef>
 #include <vector>
 
-#include "physim/magnus.hpp"
+#include "physim/projectile.hpp"
 
 namespace physim {
 

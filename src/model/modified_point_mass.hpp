@@ -1,6 +1,6 @@
-// Modified point mass: a spinning shell whose axis stands in its yaw of repose.
+// Modified point mass: a spinning shell with its axis in its yaw of repose.
 //
-// What it models: a gyroscopically stable projectile, symmetric about its axis, whose axis does not follow the bending
+// What it models: a gyroscopically stable projectile, symmetric about its axis, which does not follow the bending
 //   path at once: it stands at that small angle, mostly to the right for right-handed spin, at which the overturning
 //   moment turns the angular momentum as fast as the path turns. Lift and Magnus force of this yaw give the drift; the
 //   yaw brakes; the air brakes the spin. Beside the point only the spin is integrated.
@@ -114,7 +114,7 @@ PHYSIM_INLINE Repose<R> repose(const Conditions<S>& c, const Rotor<R>& b, const 
   return r;
 }
 
-/// The axis of a shell with a yaw whose path through the air is along a unit vector [-].
+/// The axis of a shell with a yaw, for a path through the air along a unit vector [-].
 template <class R>
 PHYSIM_INLINE Vec3<R> yawed_axis(const Vec3<R>& along, const Vec3<R>& yaw) {
   return along * sqrt(ScalarOf<R>(1) - length_squared(yaw)) + yaw;

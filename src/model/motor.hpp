@@ -1,8 +1,8 @@
 // Motor: thrust and the mass that is left.
 //
-// What it models: a motor whose thrust is a table over time, straight lines between its points; propellant that goes in
-//   proportion to the impulse delivered (or by a table of its own); drag that differs while it burns.
-// When to use it: rockets whose thrust curve is known: certified model rocket motors, sounding rockets, boosters of
+// What it models: a motor with a table of thrust over time, straight lines between its points; propellant that goes in
+//   proportion to the impulse delivered (or by its own table); drag that differs while it burns.
+// When to use it: rockets with a known thrust curve: certified model rocket motors, sounding rockets, boosters of
 //   shells.
 // When it is wrong: the rocket flies at zero angle of attack: its nose, and with it the thrust, points along
 //   the velocity through the air, at once and always. Real rockets turn into the wind with a delay and swing about it,

@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "model/body.hpp"
-#include "physim/motor.hpp"
+#include "physim/projectile.hpp"
 
 namespace physim {
 

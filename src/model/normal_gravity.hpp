@@ -1,7 +1,7 @@
 // Gravitation of the Earth as a flattened body: J2, and the field of the WGS-84 ellipsoid.
 //
-// What it models: `j2`: a point mass and the second zonal harmonic. `wgs84`: the gravitation of the ellipsoid whose
-//   surface, turning, is level: exact at every height outside it.
+// What it models: `j2`: a point mass and the second zonal harmonic. `wgs84`: the gravitation of the ellipsoid with a
+//   surface that is level as it turns: exact at every height outside it.
 // When to use it: orbits and ranges beyond 100 km; j2 where other programs are to be compared that know no more.
 // When it is wrong: j2 differs from normal gravity by up to 5e-5 m/s^2 at the ground; the true field from both by some
 //   5e-4 m/s^2 (mountains and density). Below ground both go on as if all mass lay deeper.
@@ -86,7 +86,7 @@ PHYSIM_INLINE Vec3<R> ellipsoid_gravitation(const Vec3<S>& axis, const Vec3<R>& 
   return {r.x * across + axial * axis.x, r.y * across + axial * axis.y, r.z * across + axial * axis.z};
 }
 
-/// The models whose field is GravityField::flattened.
+/// The models with the field GravityField::flattened.
 template <class R, class S>
 PHYSIM_INLINE Vec3<R> flattened_gravitation(GravityModel model, const Vec3<S>& axis, const Vec3<R>& r) {
   switch (model) {

@@ -6,12 +6,12 @@
 #include "base/assert.hpp"
 #include "math/elementary.hpp"
 #include "math/pack.hpp"
-#include "physim/infinity.hpp"
+#include "physim/math.hpp"
 
 namespace physim {
 namespace {
 
-/// What the crater does, or 0 of everything where there is none.
+/// What the crater does; all 0 without a crater.
 struct Crater {
   double slope;          // F / (c m): v^2 falls by slope x^2 [1/s^2]
   double speed_squared;  // v_1^2; below 0: it is not passed [m^2/s^2]

@@ -3,7 +3,7 @@
 // What it models: how deep a rigid projectile goes into a thick material, and with which speed it comes out of a thin
 //   one. Over the depth of a crater the resistance may grow in proportion to the depth first (concrete).
 // When to use it: wood, soil, concrete and masonry, with a strength that was measured near the speed and size at hand;
-//   liquids, whose strength is 0.
+//   liquids, with strength 0.
 // When it is wrong: projectiles that deform, tumble or erode; the back of a wall, which breaks out before it is reached
 //   (scabbing); layers thinner than the projectile is thick; gravity, which ends slow ways in liquids.
 // Symbols: m mass [kg]; A greatest cross section [m^2]; v speed at the depth x [m/s, m]; v_0 at the surface; R strength

@@ -2,7 +2,7 @@
 //
 // What it models: the plate takes the energy that it takes at the limit, and a plug that is driven out ahead shares the
 //   momentum of what is left; in the form of Lambert and Jonas, with any two numbers fitted to tests.
-// When to use it: plates whose ballistic limit is known, by test or by another model.
+// When to use it: plates with a known ballistic limit, by test or by another model.
 // When it is wrong: projectiles that break up; hypervelocity; the turn of the path by a plate that is met aslant.
 // Symbols: v speed, v_l ballistic limit, v_r residual speed [m/s]; m mass, m_p mass of the plug [kg]; a, p [-].
 // Equations: v_r = a (v^p - v_l^p)^(1/p) above the limit; Recht and Ipson: p = 2, a = m / (m + m_p), where sharp noses

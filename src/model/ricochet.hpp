@@ -4,7 +4,7 @@
 //   and loss are data: restitution along the normal and friction along the surface. Off liquids, a sphere is lifted by
 //   Birkhoff's pressure, half the density times the square of the velocity's part along the wetted surface's normal,
 //   on the wetted part of its front, and slowed by the drag of the same pressure.
-// When to use it: round shot and balls on water; bullets and shot on soil, stone and steel whose critical angle was
+// When to use it: round shot and balls on water; bullets and shot on soil, stone and steel, if the critical angle was
 //   measured.
 // When it is wrong: spin (backspin raises the critical angle), bodies that are not round, floats lighter than about the
 //   liquid, speeds below which gravity and surface waves count (v^2 below some tens of g a). The speed is taken as
@@ -13,7 +13,7 @@
 // Symbols: theta angle between path and surface [rad]; theta_c critical angle; s specific gravity of the sphere, its
 //   mean density over that of the liquid [-]; z depth of its lowest point over its radius, 0 to 2 [-]; b angle of the
 //   wetted cap, cos b = 1 - z; x = (theta / theta_c)^2; e restitution, mu friction [-].
-// Equations: lift: z'' ~ -(3 / (64 s)) sin^4 b, whose work up to z is G = 4/3 z^3 - z^4 + z^5 / 5; it turns the sphere
+// Equations: lift: z'' ~ -(3 / (64 s)) sin^4 b; its work up to z is G = 4/3 z^3 - z^4 + z^5 / 5; it turns the sphere
 //   around before z = 2, G = 16/15, where theta < theta_c = 1 / sqrt(10 s) = 18.1 deg / sqrt(s).
 //   Drag along the path: ln(v / v') = sqrt(10 / s) / pi * J(x), J(x) = integral from 0 to z_m of I / sqrt(x - 15/16 G)
 //   dz, I = integral of sin^4 = 3/8 b - sin(2 b) / 4 + sin(4 b) / 32, x = 15/16 G(z_m). It leaves at the angle at which

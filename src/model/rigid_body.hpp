@@ -2,7 +2,7 @@
 //
 // What it models: Euler's equations of a rigid body of any inertia, in the frame W that may turn with the Earth. Two
 //   forms of the same physics: `quaternion` for any body; `axis` for bodies that are symmetric about x and spin fast,
-//   whose steps need to resolve the motion of the symmetry axis only, not every turn of the spin.
+//   with steps that need to resolve the motion of the symmetry axis only, not every turn of the spin.
 // When to use it: where the attitude matters: shells that yaw, finned rockets, tumbling bricks, the true drift.
 // When it is wrong: bodies that bend, slosh or burn from within; no gravity gradient (satellites over hours).
 // Symbols: q = q_WB quaternion [-]; omega angular velocity in I along body axes [rad/s]; I inertia tensor [kg m^2]; M
@@ -11,7 +11,7 @@
 //   x axis of W.
 // Equations: quaternion form: omega' = I^-1 (M - omega x (I omega));  q' = 1/2 q (omega - R^T Omega);
 //   axis form: h' = M / It - Omega x h;  x' = (h - Omega) x x;  phi' = p - Omega.x + e.(x x x') / (1 + e.x).
-//   The roll angle counts from the shortest turn that takes e to x, whose own rate about x is -e.(x x x') / (1 + e.x);
+//   The roll angle counts from the shortest turn that takes e to x; its rate about x is -e.(x x x') / (1 + e.x);
 //   where x points against e it is not defined, and nothing but the roll that is shown depends on it.
 //   After every step |q| or |x| is set back to one; within a step only their directions count.
 // Source: R. L. McCoy, Modern Exterior Ballistics (1999), ch. 9 (vector form); B. L. Stevens, F. L. Lewis,

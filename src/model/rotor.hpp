@@ -3,7 +3,7 @@
 // Both stand beside State and Body, and are touched only where the granted rotation is flown: point masses pay nothing
 // for them.
 //
-// Source: none of its own; the models that read them say what the numbers mean.
+// Source: none; the models that read them say what the numbers mean.
 #pragma once
 
 #include "math/numbers.hpp"
@@ -75,7 +75,7 @@ struct RotorConstants {
   R force_scale;                    // S / 2m [m^2/kg]
   R moment_scale;                   // S d / 2 [m^3]
   R pitch_scale;                    // k S d^2 / 2 [m^4]
-  R yaw_scale;                      // pitch_scale, of the span where there is a yaw damping of its own [m^4]
+  R yaw_scale;                      // pitch_scale, of the span if yaw damping is given separately [m^4]
   R roll_scale;                     // of the span [m^4]
   R magnus_force_scale;             // k S d / 2m [m^3/kg]
   R magnus_moment_scale;            // k S d^2 / 2 [m^4]

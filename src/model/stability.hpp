@@ -15,7 +15,7 @@
 
 namespace physim {
 
-/// At a time since launch [s]; nothing where there is no air, no speed or no coefficient to tell.
+/// At a time since launch [s]; nothing if the air, the speed or a coefficient is missing.
 [[nodiscard]] std::optional<Stability> stability_of(const Conditions<double>& conditions, const Body<double>& body,
                                                     const Rotor<double>& rotor, double time, const State<double>& state,
                                                     const Turn<double>& turn);

@@ -4,7 +4,7 @@
 #pragma once
 
 #include "model/station.hpp"
-#include "physim/air.hpp"
+#include "physim/environment.hpp"
 
 namespace physim {
 

@@ -3,10 +3,10 @@
 // What it models: drag coefficients [-] of the projectiles of the Gavre Commission and their successors: G1 (Ingalls),
 //   G2 (Aberdeen J), G5 (short 7.5 degree boat tail), G6 (flat base), G7 (long boat tail), G8 (flat base, 10 calibre
 //   secant ogive), GI (Ingalls' original table), GS (sphere), RA4 (.22 rimfire).
-// When it is wrong: a real projectile has a curve of its own; its form factor against these changes with Mach number.
+// When it is wrong: a real projectile has its own curve; its form factor against these changes with Mach number.
 // Source: U.S. Army Ballistic Research Laboratory, as tabulated by R. L. McCoy, Modern Exterior Ballistics (1999),
 //   ch. 6, and by the Sierra and JBM exterior-ballistics tables.
-#include "physim/drag_curve.hpp"
+#include "physim/projectile.hpp"
 
 namespace physim {
 namespace {

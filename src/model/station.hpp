@@ -24,7 +24,7 @@ inline constexpr double kHighestAltitude = 86000;
 
 [[nodiscard]] inline double geopotential(double z) { return kGeopotentialRadius * z / (kGeopotentialRadius + z); }
 
-/// What stations of one place measure, or the standard's air there where nobody measures it.
+/// What stations of one place measure, or the standard's air there without measurements.
 template <class R>
 struct Readings {
   R temperature;  // [K]
@@ -55,7 +55,7 @@ struct StandardAir {
   static constexpr double kSeaLevelTemperature = 288.15;                        // [K]
   static constexpr double kHydrostatic = kGravity * kMolarMass / kGasConstant;  // g0 M / R* [K/m]
 
-  // Table 4 of the standard: base height [m] and lapse rate [K/m]. The eighth layer goes on isothermally above 86 km;
+  // Table 4 of the standard: base height [m] and lapse rate [K/m]. The eighth layer continues isothermally above 86 km;
   // its base is at 84852.046 m, which the table rounds to a metre.
   static constexpr double kBase[kAirLayers] = {
       0,     11000, 20000, 32000,
@@ -115,7 +115,7 @@ PHYSIM_INLINE R pressure_at(const Profile& profile, double h) {
 }
 
 /// The profile with the standard's temperatures plus `shift`, through pressure p at height h: temperatures of all
-/// layers, pressures of so many from the lowest on, and of those down from the height.
+/// layers, pressures of the lowest `layers`, and of those down from the height.
 template <class Profile, class R = typename Profile::Number>
 void profile_through(double h, const R& p, const std::type_identity_t<R>& shift, Profile& profile,
                      int layers = kAirLayers) {

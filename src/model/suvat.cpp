@@ -5,7 +5,7 @@
 // Symbols: s displacement [m]; u, v velocity at the start and at the end [m/s]; a acceleration [m/s^2]; t time [s].
 // Equation: v = u + a t; s = u t + a t^2 / 2 = (u + v) t / 2; v^2 = u^2 + 2 a s.
 // Source: G. Galilei, Discorsi (1638), third day, propositions 1 and 2 of accelerated motion.
-#include "physim/suvat.hpp"
+#include "physim/solve.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -19,6 +19,9 @@ std::size_t MagnusPool::add(const MagnusDef& magnus) {
 
 namespace {
 
+constexpr std::size_t kMaxRows = 1 << 22;            // what floats count, and row_cubic() reads
+constexpr std::size_t kMaxCurveRows = kMaxRows / 2;  // the rest is for tables that cannot be searched
+
 CurvePart<double> place_at(double first_row, const UniformCubic& curve) {
   PHYSIM_ASSERT(!curve.rows.empty() && curve.cell > 0);
   return {first_row, curve.start / curve.cell, 1 / curve.cell, static_cast<double>(curve.rows.size() - 1)};
@@ -51,7 +54,8 @@ CurvePart<double> TablePool::add(const DragDef& drag, Interpolation interpolatio
 CurvePart<double> TablePool::place_of(const DragDef& drag, Interpolation interpolation) {
   if (drag.table != DragTable::custom) return place_of(standard_drag_cells(drag.table, interpolation));
   const PiecewiseCubic curve = drag_curve(drag, interpolation);
-  if (const auto cells = on_uniform_cells(curve, kMaxCurveCells)) return place_of(*cells);
+  const auto cells = on_uniform_cells(curve, kMaxCurveCells);
+  if (cells && rows_.size() / 4 + cells->rows.size() <= kMaxCurveRows) return place_of(*cells);
   searched_.push_back(curve);
   if (rows_.empty()) rows_.assign(4, 0);  // lanes with searched curves still read some row
   return {-static_cast<double>(searched_.size()), 0, 1, 0};
@@ -66,7 +70,7 @@ double TablePool::add_rows(const std::vector<std::array<double, 4>>& rows) {
   static_assert(sizeof(rows[0]) == 4 * sizeof(double));  // they lie side by side
   const double* const numbers = rows.front().data();
   rows_.insert(rows_.end(), numbers, numbers + 4 * rows.size());
-  PHYSIM_ASSERT(rows_.size() / 4 <= 1 << 22);  // what floats count, and row_cubic() reads
+  PHYSIM_ASSERT(rows_.size() / 4 <= kMaxRows);
   return static_cast<double>(first / 4);
 }
 

@@ -1,7 +1,7 @@
 // All tables that the projectiles of a cohort look up, side by side in one pool.
 //
 // What it models: Cd by Mach number for every projectile of a cohort: a constant is a curve of one cell, Cd = 1; the
-//   standard functions and curves whose points fit equal cells become rows; other curves are searched (exact, but
+//   standard functions and curves with points that fit equal cells become rows; other curves are searched (exact, but
 //   slower). Beside them the rows of aerodynamic coefficients, the pieces of motors and the grids of balls that spin.
 // Source: math/interpolation.hpp for the interpolation; model/drag_curves.hpp, model/motor.hpp, model/magnus.hpp and
 //   model/aero_tables.hpp for what is in them.

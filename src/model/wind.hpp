@@ -3,8 +3,8 @@
 // What it models: `constant`: one vector everywhere; `profile`: vectors by height above the origin or by downrange
 //   distance, straight lines between them or steps; all three components, so that updraughts are included. It blows in
 //   air that turns with the Earth; over a round Earth it turns with the vertical (model/earth.hpp), and level wind
-//   stays level. Where the environment gives a function of place and time, `profile` is that, as it is in W
-//   (model/field_function.hpp).
+//   stays level. Where the environment gives a function of place and time, `profile` is that, in W
+//   (model/field_function.hpp). A shot with a wind of its own beside a profile has w_i + m instead of w_i.
 // When it is wrong: no turbulence, and but for functions no change in time; horizontal changes only through a profile
 //   by range.
 // Symbols: w velocity of the air in W [m/s]; u height or downrange distance [m]; u_i places of the profile's points.
@@ -20,25 +20,31 @@
 
 PHYSIM_ISA_BEGIN
 
-/// The wind of a profile as it blows at the origin; `w` comes as that of its first point. Behind a call: it is
-/// long.
+/// The wind of a profile as it blows at the origin; `w` comes as that of its first point. With weather of its own all
+/// points of the profile are moved. Behind a call: it is long.
 template <class R, class S>
-PHYSIM_NOINLINE void profile_wind(const Conditions<S>& c, const Vec3<R>& x, Vec3<R>& w) {
+PHYSIM_NOINLINE void profile_wind(const Conditions<S>& c, const Body<R>& b, const Vec3<R>& x, Vec3<R>& w) {
   const WindField<S>& field = c.wind;
   const WindProfile<S>& profile = *c.profile;
   PHYSIM_ASSERT(field.points >= 2 && field.points <= kMaxWindPoints);
   const R u = field.by_range ? x.x : height(c, x);
+  Vec3<R> here = w;
   for (int i = 0; i + 1 < field.points; ++i) {
+    const Components<S>& point = profile.velocity[i + 1];
+    Vec3<R> next{R(point.x), R(point.y), R(point.z)};
+    if (c.has_own_wind) next += b.wind;
     if (field.stepped) {
       const auto past = u >= R(profile.at[i + 1]);
-      w.x = select(past, R(profile.velocity[i + 1].x), w.x);
-      w.y = select(past, R(profile.velocity[i + 1].y), w.y);
-      w.z = select(past, R(profile.velocity[i + 1].z), w.z);
+      w.x = select(past, next.x, w.x);
+      w.y = select(past, next.y, w.y);
+      w.z = select(past, next.z, w.z);
     } else {
       const R inside = clamp(u - R(profile.at[i]), R(S(0)), R(profile.at[i + 1] - profile.at[i]));
-      w.x += profile.slope[i].x * inside;
-      w.y += profile.slope[i].y * inside;
-      w.z += profile.slope[i].z * inside;
+      const Components<S>& slope = profile.slope[i];
+      // As the slopes of moved points are rounded.
+      w += (c.has_own_wind ? (next - here) * R(profile.per_length[i]) : Vec3<R>{R(slope.x), R(slope.y), R(slope.z)}) *
+           inside;
+      here = next;
     }
   }
 }
@@ -46,14 +52,15 @@ PHYSIM_NOINLINE void profile_wind(const Conditions<S>& c, const Vec3<R>& x, Vec3
 /// As it blows at the origin.
 template <class R, class S>
 PHYSIM_INLINE Vec3<R> wind_at_origin(const Conditions<S>& c, const Body<R>& b, const R& t, const Vec3<R>& x) {
-  if (c.has_own_wind) return b.wind;
   const WindField<S>& field = c.wind;
+  if (c.has_own_wind && field.points == 0) return b.wind;
   Vec3<R> w{R(field.velocity.x), R(field.velocity.y), R(field.velocity.z)};
   if (c.fidelity.wind != WindModel::profile) return w;
+  if (c.has_own_wind) w += b.wind;
   if (c.has_wind_function)
     wind_by_function(c, b, t, x, w);
   else if (field.points >= 2)
-    profile_wind(c, x, w);
+    profile_wind(c, b, x, w);
   return w;
 }
 

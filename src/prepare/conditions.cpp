@@ -23,8 +23,10 @@ void put_profile(std::span<const WindPoint> points, WindProfile<double>& profile
     PHYSIM_ASSERT(i == 0 || p.at > profile.at[i - 1]);
     profile.at[i] = p.at;
     profile.velocity[i] = p.velocity;
-    profile.slope[i] = Vec3d{};
-    if (i > 0) profile.slope[i - 1] = (p.velocity - Vec3d(profile.velocity[i - 1])) * (1 / (p.at - profile.at[i - 1]));
+    profile.slope[i] = Vec3d{}, profile.per_length[i] = 0;
+    if (i == 0) continue;
+    profile.per_length[i - 1] = 1 / (p.at - profile.at[i - 1]);
+    profile.slope[i - 1] = (p.velocity - Vec3d(profile.velocity[i - 1])) * profile.per_length[i - 1];
   }
 }
 
@@ -47,7 +49,7 @@ void put_wind(const Wind& wind, WindModel model, WindField<double>& field, WindP
   put_profile(wind.profile, profile);
 }
 
-/// A function that is asked for times so much later [s].
+/// A function that is called with times later by `delay` [s].
 template <class Batch>
 FieldFunction<Batch> later_by(double delay, const FieldFunction<Batch>& function) {
   if (!function || delay == 0) return function;
@@ -100,6 +102,13 @@ Result<AirSample> air_at_origin(const Environment& environment) {
   return air_at(environment, std::clamp(environment.altitude, kLowestAltitude, kHighestAltitude));
 }
 
+Vec3d own_wind_less_column(const Weather& weather, const Wind& common, WindModel granted) {
+  constexpr Vec3d nothing{-0.0, -0.0, -0.0};
+  if (!weather.moves_profile || common.profile.empty()) return nothing;
+  if (granted == WindModel::profile) return -common.velocity;
+  return common.velocity == Vec3d{} ? common.profile.front().velocity : nothing;
+}
+
 Conditions<float> to_float(const Conditions<double>& c) {
   Conditions<float> f{};
   static_cast<Features&>(f) = c;
@@ -110,6 +119,7 @@ Conditions<float> to_float(const Conditions<double>& c) {
     cast_members(c.profile->at[i], f.profile->at[i]);
     cast_members(c.profile->velocity[i], f.profile->velocity[i]);
     cast_members(c.profile->slope[i], f.profile->slope[i]);
+    cast_members(c.profile->per_length[i], f.profile->per_length[i]);
   }
   return f;
 }

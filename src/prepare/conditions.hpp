@@ -2,21 +2,23 @@
 #pragma once
 
 #include "model/conditions.hpp"
-#include "physim/air.hpp"
+#include "physim/environment.hpp"
 
 namespace physim {
 
-/// Pools of curves and flags of what some projectile has come with the projectiles.
+/// Pools of curves, and flags of what some projectile has, are added with the projectiles.
 [[nodiscard]] Conditions<double> prepare_conditions(const Environment& environment, const Fidelity& granted);
 /// ... where they are kept; what was there is not read.
 void put_conditions(const Environment& environment, const Fidelity& granted, Conditions<double>& conditions);
+/// What WindPart::wind of a shot with weather of its own has beside the numbers of its columns [m/s].
+[[nodiscard]] Vec3d own_wind_less_column(const Weather& weather, const Wind& common, WindModel granted);
 /// Whether functions of one's own are in it.
 [[nodiscard]] inline bool has_functions(const Environment& e) { return e.wind.field || e.force; }
 /// The environment of a world as a flight knows it that is launched at a time of that world [s].
 [[nodiscard]] Environment as_launched_at(double time, const Environment& environment);
 /// The air at the origin, at the nearest altitude of the standard atmosphere where it lies beyond that.
 [[nodiscard]] Result<AirSample> air_at_origin(const Environment& environment);
-/// Without tables, whose rows are other ones in float.
+/// Without tables: their rows are other ones in float.
 [[nodiscard]] Conditions<float> to_float(const Conditions<double>& conditions);
 
 }  // namespace physim

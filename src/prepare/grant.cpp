@@ -102,7 +102,7 @@ class Granting {
 
   [[nodiscard]] bool is_flattened() const { return row(f_.gravity).field == GravityField::flattened; }
 
-  /// After the shape of the Earth is settled: whose gravity it can have.
+  /// The gravity that the Earth can have, after its shape is settled.
   void by_earth() {
     const bool own = has_own_gravity(environment_);
     if (is_flattened() && own)
@@ -164,7 +164,7 @@ class Granting {
       remark("drag", f_.drag, "k1 and k2 are zero: k2 is taken from the drag equation at launch");
   }
 
-  /// A standard function says how drag changes with speed; how much there is, nobody said.
+  /// A standard function says how drag changes with speed; its size is not given.
   static bool is_sized_by_default(const ProjectileDef& p) {
     const DragDef& d = p.drag;
     const bool standard = d.table != DragTable::constant && d.table != DragTable::custom;

@@ -1,5 +1,5 @@
 // Presets of projectiles, each with the source of its numbers.
-#include "physim/presets.hpp"
+#include "physim/body.hpp"
 
 #include <algorithm>
 #include <array>
@@ -20,7 +20,7 @@ using namespace units;
 constexpr double kStandardGravity = 9.80665;  // [m/s^2]
 constexpr double kRpm = kPi / 30;             // [rad/s]
 
-// The original had one drag force for all of its shots, whose coefficients are not published: our choice. k2 is that of
+// The original had one drag force for all of its shots. Its coefficients are not published: our choice. k2 is that of
 // the corrected test 3; k1 is felt where a shot begins to move.
 constexpr double kOriginalK1 = 0.1;  // [kg/s]
 constexpr double kOriginalK2 = 0.4;  // [kg/m]

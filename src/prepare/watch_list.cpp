@@ -23,7 +23,7 @@ bool may_happen(const EventRow& row, const Conditions<double>& c) {
   return true;
 }
 
-/// Whether it is told though nobody asked for it.
+/// Whether it is reported without a request.
 bool is_told(const EventRow& row, Watcher watcher) {
   switch (watcher) {
     case Watcher::batch: return false;
@@ -34,7 +34,7 @@ bool is_told(const EventRow& row, Watcher watcher) {
   return row.in_worlds != InWorlds::never;
 }
 
-/// What is told without having been asked for, where a spec asks for that again: told once, it may end the flight.
+/// An event that is reported anyway and that a spec requests again: reported once, it may end the flight.
 Watched* told_anyway(WatchList& watch, const EventSpec& spec, const EventRow& row) {
   if (row.waits_for_value) return nullptr;
   for (int i = 0; i < watch.count; ++i) {
@@ -49,7 +49,7 @@ bool has_dense_stages(const Fidelity& f) {
   return with_method(f.integrator, [](auto method) { return HasDenseStages<decltype(method)>; });
 }
 
-/// A Mach number asks for air and wind, a speed for what changes it where it turns, and some interpolants ask for more
+/// A Mach number needs air and wind, a speed needs what changes it where it turns, and some interpolants need more
 /// slopes. A closed form flies on in the wind.
 bool is_without_air(const WatchList& watch, const Fidelity& f) {
   if (f.motion == Motion::closed_form || turns(f) || has_dense_stages(f)) return false;

@@ -1,9 +1,11 @@
 #include "report/answer.hpp"
 
+#include <cmath>
 #include <nlohmann/json.hpp>
 
 #include "base/assert.hpp"
 #include "math/angles.hpp"
+#include "physim/names.hpp"
 #include "physim/units.hpp"
 #include "report/json.hpp"
 #include "report/number.hpp"
@@ -77,7 +79,7 @@ std::string with_error(double value, double error, const std::string& unit) {
 }
 
 /// What was scaled, and what came out.
-Table fitted_table(const Fit& fit, bool fits_speed) {
+Table fitted_table(const Fit& fit, const FitUnits& units, bool fits_speed) {
   Table table({"fitted", "value"}, "ll");
   const DragDef& d = fit.projectile.drag;
   PHYSIM_ASSERT(fit.scale > 0);
@@ -96,20 +98,27 @@ Table fitted_table(const Fit& fit, bool fits_speed) {
   if (d.k1 > 0) add("drag.k1", d.k1, " kg/s");
   if (d.k2 > 0) add("drag.k2", d.k2, " kg/m");
   if (d.damping < 1) table.add_row({"drag.damping", significant(d.damping, 6)});
-  if (fits_speed) table.add_row({"speed", with_error(fit.launch.speed, fit.muzzle_speed_error, " m/s")});
+  const FitUnit& u = units.speed;
+  if (fits_speed)
+    table.add_row({"speed", with_error(fit.launch.speed / u.size, fit.muzzle_speed_error / u.size, " " + u.name)});
   return table;
 }
 
-std::string fit_text(std::span<const Measurement> measurements, bool fits_speed, const Fit& fit) {
-  Table table({"range [m]", "quantity", "measured", "computed", "off", "unit"}, "rlrrrl");
+std::string fit_text(std::span<const Measurement> measurements, const FitUnits& units, bool fits_speed,
+                     const Fit& fit) {
+  const FitUnit& length = units.range;
+  Table table({"range [" + length.name + "]", "quantity", "measured", "computed", "off", "unit"}, "rlrrrl");
   for (const FitResidual& r : fit.residuals) {
     PHYSIM_ASSERT(r.measurement < measurements.size());
-    const char* unit = r.quantity == "speed" ? "m/s" : r.quantity == "drop" ? "m" : "s";
-    table.add_row({as_typed(measurements[r.measurement].range), r.quantity, significant(r.measured, 6),
-                   significant(r.computed, 6), significant(r.computed - r.measured, 2), unit});
+    const double range = measurements[r.measurement].range;
+    const FitUnit& unit = r.quantity == "speed" ? units.speed : r.quantity == "drop" ? units.drop : units.time;
+    const auto shown = [&](double figure) { return (unit.is_angle ? std::atan2(figure, range) : figure) / unit.size; };
+    table.add_row({as_typed(range / length.size), r.quantity, significant(shown(r.measured), 6),
+                   significant(shown(r.computed), 6), significant(shown(r.computed) - shown(r.measured), 2),
+                   unit.name});
   }
   return "  drag is " + with_error(fit.scale, fit.scale_error, " of the scenario's") + "\n\n" +
-         fitted_table(fit, fits_speed).text(2) + "\n" + table.text(2) + "\n  off by " + significant(fit.rms, 3) +
+         fitted_table(fit, units, fits_speed).text(2) + "\n" + table.text(2) + "\n  off by " + significant(fit.rms, 3) +
          " of the errors that were given, root mean square; " + std::to_string(fit.flights) + " trajectories flown\n";
 }
 
@@ -138,7 +147,7 @@ Answer aim_answer(const AskedShot& asked, const Target& t, const AimOptions& opt
   if (t.velocity != Vec3d{}) text += ", moving at " + vector_text(t.velocity) + " m/s";
   if (t.acceleration != Vec3d{}) text += ", accelerating by " + vector_text(t.acceleration) + " m/s^2";
   std::vector<std::pair<std::string, const AimSolution*>> list;
-  const bool one = aim.low && aim.high && aim.low->launch.elevation == aim.high->launch.elevation;
+  const bool one = aim.low && aim.high && aim.low->time == aim.high->time;
   if (aim.low) list.emplace_back(one ? "only" : "low", &*aim.low);
   if (aim.high && !one) list.emplace_back("high", &*aim.high);
   PHYSIM_ASSERT(aim.in_reach() == !list.empty());
@@ -169,8 +178,8 @@ Answer aim_answer(const AskedShot& asked, const Target& t, const AimOptions& opt
   return about_shot(asked, style, text, out);
 }
 
-Answer fit_answer(const AskedShot& asked, std::span<const Measurement> measurements, bool fits_speed, const Fit& fit,
-                  const Style& style) {
+Answer fit_answer(const AskedShot& asked, std::span<const Measurement> measurements, const FitUnits& units,
+                  bool fits_speed, const Fit& fit, const Style& style) {
   const DragDef& d = fit.projectile.drag;
   Json out = {{"scale", fit.scale},
               {"scale_error", fit.scale_error},
@@ -191,7 +200,7 @@ Answer fit_answer(const AskedShot& asked, std::span<const Measurement> measureme
         {{"measurement", r.measurement}, {"quantity", r.quantity}, {"measured", r.measured}, {"computed", r.computed}});
   out["residuals"] = std::move(residuals);
   out["flights"] = fit.flights;
-  return about_shot(asked, style, fit_text(measurements, fits_speed, fit), out);
+  return about_shot(asked, style, fit_text(measurements, units, fits_speed, fit), out);
 }
 
 Answer max_range_answer(const AskedShot& asked, const MaxRange& far, const Style& style) {
@@ -210,14 +219,23 @@ Answer max_range_answer(const AskedShot& asked, const MaxRange& far, const Style
                      {"flights", far.flights}});
 }
 
-Answer danger_space_answer(const AskedShot& asked, double range, double height, const DangerSpace& space,
-                           const Style& style) {
+Answer danger_space_answer(const AskedShot& asked, const Flight& flight, double range, double height,
+                           const DangerSpace& space, const Style& style) {
   PHYSIM_ASSERT(space.from <= space.to);
-  return about_shot(asked, style,
-                    "  a target " + as_typed(height) + " m high at " + as_typed(range) + " m is hit from " +
-                        fixed(space.from, 2) + " m to " + fixed(space.to, 2) + " m: over " +
-                        fixed(space.to - space.from, 2) + " m\n",
-                    {{"range [m]", range}, {"height [m]", height}, {"from [m]", space.from}, {"to [m]", space.to}});
+  const bool ends_with_flight = space.to >= flight.end().range;
+  return about_shot(
+      asked, style,
+      "  a target " + as_typed(height) + " m high at " + as_typed(range) + " m is hit from " + fixed(space.from, 2) +
+          " m to " + fixed(space.to, 2) + " m: over " + fixed(space.to - space.from, 2) + " m\n" +
+          (ends_with_flight ? "  " + style.warn("it ends there") +
+                                  " because the flight does: " + std::string(name(flight.outcome())) + "\n"
+                            : ""),
+      {{"range [m]", range},
+       {"height [m]", height},
+       {"from [m]", space.from},
+       {"to [m]", space.to},
+       {"ends_with_flight", ends_with_flight},
+       {"outcome", name(flight.outcome())}});
 }
 
 }  // namespace physim::report

@@ -14,7 +14,7 @@ namespace physim::report {
 namespace fs = std::filesystem;
 namespace {
 
-// Whether this program may write into a file or folder, as far as can be told beforehand.
+// Whether this program may write into a file or folder, as far as can be checked beforehand.
 Status check_permission(const std::string& path, const std::string& file_or_folder) {
   if (::access(file_or_folder.c_str(), W_OK) == 0) return {};
   return Error{.message = std::string("cannot write: ") + std::strerror(errno), .place = path};

@@ -7,9 +7,9 @@
 #include <vector>
 
 #include "physim/flight.hpp"
-#include "physim/flight_hits.hpp"
-#include "physim/progress.hpp"
-#include "physim/scenario.hpp"
+#include "physim/result.hpp"
+#include "scenario/scenario.hpp"
+#include "scenario/world_run.hpp"
 
 namespace physim::report {
 
@@ -57,7 +57,7 @@ struct FlownScenario {
 /// The title of a scenario; one without a title is called by its file.
 [[nodiscard]] std::string title_of(const Scenario& scenario);
 
-/// Flies every shot into `flown`, whose scenario is given; the error of the first that is refused.
+/// Flies every shot into `flown`, which has its scenario; the error of the first that is refused.
 [[nodiscard]] Status fly_all(FlownScenario& flown, const Progress& progress = {});
 
 /// "end", "apex", "range 500 m": where an expectation looks.

@@ -27,7 +27,7 @@ struct Format {
   LogParts world_parts = {};      // what it reads of the log of a world's run
   bool is_picture = false;
 
-  // What makes the file of each subject. Where there is none, `records` does; where that is missing too, the format
+  // What makes the file of each subject. If it is null, `records` does; if that is null too, the format
   // cannot show the subject.
   Content (*flights)(const Flights& flights) = nullptr;
   Content (*world)(const WorldLog& log) = nullptr;

@@ -5,7 +5,7 @@
 
 #include "base/assert.hpp"
 #include "physim/names.hpp"
-#include "physim/version.hpp"
+#include "physim/result.hpp"
 #include "report/fidelity_text.hpp"
 #include "scenario/writer.hpp"
 

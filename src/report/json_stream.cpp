@@ -8,7 +8,7 @@
 namespace physim::report {
 namespace {
 
-constexpr std::size_t kKept = 64;  // to look through the keys of so many members costs less than to write them
+constexpr std::size_t kKept = 64;  // looking through the keys of this many members costs less than writing them
 
 }  // namespace
 

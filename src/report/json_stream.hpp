@@ -10,7 +10,7 @@
 
 namespace physim::report {
 
-/// Keeps some members or elements until they make a piece. Whoever opens an object or a list closes it.
+/// Keeps some members or elements until they make a piece. The code that opens an object or a list closes it.
 class JsonStream {
  public:
   using Json = nlohmann::ordered_json;

@@ -34,7 +34,7 @@ Fidelity for_shot(Fidelity preset, const ScenarioShot& shot) {
   return preset;
 }
 
-/// A preset with the Earth, gravity and rotation that the shot asks for, if those are truer.
+/// A preset with the Earth, gravity and rotation that the shot sets, if those are truer.
 Fidelity at_least_as_asked(Fidelity preset, const Scenario& scenario, const ScenarioShot& shot) {
   preset = for_shot(preset, shot);
   const Fidelity& asked = shot.projectile.fidelity;
@@ -46,7 +46,7 @@ Fidelity at_least_as_asked(Fidelity preset, const Scenario& scenario, const Scen
   return preset;
 }
 
-/// Steps and tolerances belong to a rung: those that a scenario gives are of its own rung.
+/// Steps and tolerances belong to a rung: those that a scenario gives belong to its own rung.
 Tolerance own_tolerance(const Scenario& scenario) {
   return {.position_error = scenario.tolerance.position_error, .max_steps = scenario.tolerance.max_steps};
 }
@@ -161,7 +161,7 @@ double greatest(const Flight& flight, const Measure& measure) {
   return out;
 }
 
-/// Marks rows that another row of their family beats: one that costs no more and whose error is smaller by 1 % at
+/// Marks rows that another row of their family beats: one that costs no more and has an error smaller by 1 % at
 /// least. Errors below what no measurement resolves, and below a rung's rounding, count as that.
 void mark_beaten(Ladder& ladder) {
   constexpr double kMicrometre = 1e-6;                  // [m]
@@ -252,7 +252,7 @@ class Climber {
                            reference_setting(scenario_, shot_), scenario_.until, progress);
   }
 
-  /// What the shot asks for by an error instead of rungs.
+  /// The setting of a shot that gives an error instead of rungs.
   [[nodiscard]] Result<Rung> chosen_rung() const {
     const Result<FlightSetting> chosen = own_setting(scenario_, shot_);
     if (!chosen) return chosen.error();

@@ -1,12 +1,12 @@
 // The ladder of fidelity for one shot: which rungs there are, how far each ends from the reference, and what it costs.
 #pragma once
 
-#include "physim/compare.hpp"
 #include "physim/result.hpp"
-#include "physim/scenario.hpp"
+#include "physim/solve.hpp"
 #include "report/picture.hpp"
 #include "report/records.hpp"
 #include "report/style.hpp"
+#include "scenario/scenario.hpp"
 
 namespace physim::report {
 
@@ -67,15 +67,15 @@ struct LadderOfShot {
   const Ladder& ladder;
 };
 
-/// What the others are measured against: the reference preset, with Earth, gravity and rotation that the shot asks for
+/// The setting that the others are measured against: the reference preset, with Earth, gravity and rotation of the shot
 /// if those are truer.
 [[nodiscard]] FlightSetting reference_setting(const Scenario& scenario, const ScenarioShot& shot);
 /// How the ladder flies a preset of fidelity, which has to exist: by its own steps and tolerance. Those of the scenario
-/// are of its own rung.
+/// belong to its own rung.
 [[nodiscard]] FlightSetting preset_setting(const Scenario& scenario, const ScenarioShot& shot, std::string_view preset);
 
-/// How a scenario flies its shot: as the shot asks; of one that asks for an error, what is chosen for it. An error
-/// where nothing can be.
+/// How a scenario flies its shot: as the shot says; if it gives an error, what is chosen for it. An error
+/// if nothing can be chosen.
 [[nodiscard]] Result<FlightSetting> own_setting(const Scenario& scenario, const ScenarioShot& shot);
 
 /// Flies a shot of a scenario on every rung.

@@ -10,11 +10,11 @@ namespace physim::report {
 [[nodiscard]] std::string shortest(double value);
 /// Fixed decimals, "-3.100"; never "-0.000".
 [[nodiscard]] std::string fixed(double value, int decimals);
-/// So many significant digits, with an exponent where the number is very large or small.
+/// `digits` significant digits, with an exponent if the number is very large or small.
 [[nodiscard]] std::string significant(double value, int digits);
 /// What a person typed, without the rounding errors of its conversion into SI: "0.026", not "0.026000000000000002".
 [[nodiscard]] std::string as_typed(double value);
-/// As many decimals as give so many significant digits, without an exponent: "1234", "12.3", "0.0123"; six at most.
+/// As many decimals as give `digits` significant ones, without an exponent: "1234", "12.3", "0.0123"; six at most.
 [[nodiscard]] std::string readable(double value, int digits);
 /// "0x00000000000000ff", as hashes are shown.
 [[nodiscard]] std::string hex(std::uint64_t value);

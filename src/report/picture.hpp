@@ -88,7 +88,7 @@ struct Extent {
 
 /// A value that does not change but for rounding errors.
 [[nodiscard]] bool is_constant(Extent extent);
-/// Room around the data; a constant is shown in the middle of a range of its own size.
+/// Room around the data; a constant is shown in the middle of a range of its size.
 [[nodiscard]] Extent padded(Extent extent);
 /// "set xrange [low:high]"
 [[nodiscard]] std::string range_of(const char* axis, Extent extent);
@@ -97,7 +97,7 @@ struct Extent {
 struct AxisNames {
   const char *across, *up;
 };
-/// Makes a metre as long across as upwards in a panel of so many pixels, where both axes keep a visible part of it;
+/// Makes a metre as long across as upwards in a panel of `width` by `height` pixels, if both axes keep a visible part;
 /// `part_below` of the room that is left lies below the data. Else they stay stretched. Gives what the title says of
 /// it.
 [[nodiscard]] std::string to_scale(Extent& across, Extent& up, double width, double height, double part_below,

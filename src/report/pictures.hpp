@@ -9,7 +9,7 @@
 namespace physim::report {
 
 /// Path and speed, then position, velocity, acceleration and, where it is asked for, jerk over time, axis by axis; of
-/// the first 14 shots, since more could not be told apart.
+/// the first 14 shots, since more could not be distinguished.
 /// `scene`: things that stand about; null: none. `expected`: figures of times, drawn as marks over the curves.
 [[nodiscard]] Picture shots_picture(const std::string& title, std::span<const FlownShot> shots,
                                     const Scene* scene = nullptr, std::span<const Expectation> expected = {},

@@ -145,7 +145,7 @@ class FlightsPicture {
     int row = 0;
   };
 
-  // What lines and marks stand for; a single shot without a colour of its own has a colour for each row of panels.
+  // What lines and marks stand for; a single shot without its own colour has a colour for each row of panels.
   [[nodiscard]] std::vector<LegendItem> legend_names() const {
     std::vector<LegendItem> items;
     for (std::size_t i = 0; i < curves_.size() && curves_.size() > 1; ++i)
@@ -158,7 +158,7 @@ class FlightsPicture {
   }
   [[nodiscard]] bool has_marks() const { return marks_.has_rings() || marks_.has_crosses(); }
 
-  // ... in rows, from `indent` px on; no name longer than so many characters.
+  // ... in rows, from `indent` px on; no name longer than `characters`.
   [[nodiscard]] std::vector<LegendItem> legend_items(double indent, std::size_t characters) const {
     std::vector<LegendItem> items = legend_names();
     double x = kHeaderLeft * kWidth + indent + kLegendGap;
@@ -268,7 +268,7 @@ class FlightsPicture {
   }
 
   std::string title_;
-  const Scene* scene_;  // null: there is none
+  const Scene* scene_;  // null: no scene
   std::span<const FlownShot> shots_;
   std::size_t all_;
   PlotMarks marks_;

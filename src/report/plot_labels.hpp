@@ -29,7 +29,7 @@ struct LabelRequest {
 struct PlacedLabel {
   bool shown = false;
   PixelPoint at;            // left end of the text, middle of its height
-  bool has_leader = false;  // the label is so far off that a line should lead to its point
+  bool has_leader = false;  // the label is far enough off that a line should lead to its point
   PixelPoint leader_end;    // on the label's side
 };
 

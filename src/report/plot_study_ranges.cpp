@@ -35,7 +35,7 @@ class RangesPicture {
  private:
   [[nodiscard]] std::string blocks() const {
     std::string scatter, hits;
-    for (const auto& [range, r] : list_) {
+    for (const auto& [range, r, held] : list_) {
       PHYSIM_ASSERT(r.from_centre.has_value());
       scatter += significant(range, 9);
       for (const double x :
@@ -107,7 +107,7 @@ class RangesPicture {
                                r.quantities[1].deviation};
       ends.emplace_back(std::string(kScatterNames[i]) + " " + readable(values[i], 3) + " m", values[i]);
     }
-    for (const auto& [range, r] : list_) y.add(r.from_centre->r95), y.add(r.quantities[0].deviation);
+    for (const auto& [range, r, held] : list_) y.add(r.from_centre->r95), y.add(r.quantities[0].deviation);
     y.high = std::max(1.07 * y.high, 1e-9);
     return ranges_panel(box) + range_of("y", y) + "set xlabel 'range [m]' offset 0,0.4\n" +
            panel_title("how far shots scatter [m]: radii about the mean impact, deviations aside and upwards") +

@@ -198,7 +198,7 @@ class WorldPicture {
   }
 
   static std::string frame(const Axes& axes, Extent x, Extent y, Extent across, Extent up) {
-    const bool is_from_above = axes.up.axis == &Vec3d::z;  // z grows to the right of who looks along x: downwards
+    const bool is_from_above = axes.up.axis == &Vec3d::z;  // z grows to the right of a viewer along x: downwards
     return "unset label\nunset arrow\n" + panel_at(x.low, x.high, y.low, y.high) + range_of("x", across) +
            range_of("y", is_from_above ? Extent{up.high, up.low} : up) + "set xlabel " + literal(axes.across.label) +
            " offset 0,0.5\nset ylabel " + literal(axes.up.label) + " offset 1,0\n";

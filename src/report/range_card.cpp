@@ -82,6 +82,14 @@ CardFigures figures_of(const Card& card) {
   return out;
 }
 
+/// Whether lengths are whole numbers of a unit, as who wrote them in it writes them.
+bool are_whole(const std::vector<double>& lengths, double unit) {
+  constexpr double kRounding = 1e-9;
+  return std::ranges::all_of(lengths, [&](double length) {
+    return std::abs(length / unit - std::round(length / unit)) <= kRounding * std::abs(length / unit);
+  });
+}
+
 // ------------------------------------------------------------------------------------------------------- the flights
 /// With the bore where the main flight had it: a zero is not shot anew for every wind.
 Flight fly_again(const Card& card, const Environment& environment, const Fidelity& fidelity) {
@@ -122,7 +130,7 @@ Table table_of(const Card& card) {
     std::vector<std::string> row = {as_typed(*figures_of_row.front())};
     for (std::size_t i = 1; i < figures_of_row.size(); ++i)
       row.push_back(figures_of_row[i] ? fixed(*figures_of_row[i], figures.columns[i].decimals) : "-");
-    if (row.size() == 1) row.push_back(not_reached(card.flight));
+    if (row.size() == 1) row.push_back(not_reached(card.flight, card.units.range.name, card.units.range.size));
     table.add_row(std::move(row));
   }
   return table;
@@ -147,7 +155,8 @@ Result<Card> make_card(const AskedShot& asked, const CardWishes& wishes) {
   const ScenarioShot& shot = asked.shot();
   Card card{.asked = &asked, .units = wishes.units, .flight = fly_shot(asked.scenario, shot)};
   if (card.flight.error()) return refusal(asked.scenario, shot, card.flight);
-  if (wishes.scenario_ranges) card.ranges = asked.scenario.ranges;
+  if (wishes.scenario_ranges || are_whole(asked.scenario.ranges, card.units.range.size))
+    card.ranges = asked.scenario.ranges;
   if (card.ranges.empty()) {
     card.ranges = default_ranges(card.flight.end().range / card.units.range.size);
     for (double& range : card.ranges) range *= card.units.range.size;

@@ -38,7 +38,7 @@ struct AskedWind {
 /// What a card is to show.
 struct CardWishes {
   CardUnits units = kMetric;
-  bool scenario_ranges = true;  // those of the scenario; else round ones in the units of the card
+  bool scenario_ranges = true;  // those of the scenario; else only if whole numbers of the unit
   std::vector<AskedWind> winds;
 };
 

@@ -3,8 +3,8 @@
 #include <nlohmann/json.hpp>
 
 #include "base/assert.hpp"
-#include "physim/recording_file.hpp"
-#include "physim/version.hpp"
+#include "physim/files.hpp"
+#include "physim/result.hpp"
 #include "report/json.hpp"
 #include "report/number.hpp"
 #include "report/table.hpp"

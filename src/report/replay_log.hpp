@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "physim/recording.hpp"
+#include "physim/world.hpp"
 #include "report/picture.hpp"
 #include "report/records.hpp"
 #include "report/style.hpp"
@@ -17,7 +17,7 @@ struct ReplayFrame {
   std::uint64_t step = 0;
   double time = 0;  // [s]
   std::uint64_t projectiles = 0, events = 0;
-  std::optional<std::uint64_t> hash;  // the last one compared; none so far
+  std::optional<std::uint64_t> hash;  // the last one compared; none before the first
 };
 
 struct ReplayLog {

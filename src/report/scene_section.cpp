@@ -66,7 +66,7 @@ std::vector<TrackPlace> extended(const std::vector<TrackPlace>& track, Extent ac
     end.time = to.time;
     return end;
   };
-  // The first and the last place that are elsewhere than their end say which way it goes on.
+  // The first and the last place that are elsewhere than their end give its direction beyond.
   const auto second = std::ranges::find_if(track, [&](const TrackPlace& p) { return p.across > track[0].across; });
   if (second == track.end()) return track;
   const auto last = std::ranges::find_if(track.rbegin(), track.rend(),

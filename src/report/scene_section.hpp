@@ -17,7 +17,7 @@ struct TrackPlace {
   double time = 0;    // [s]
 };
 
-/// A track that goes on straight at both ends, as far as a panel is wide, in steps that a picture does not show.
+/// A track that continues straight at both ends, as far as a panel is wide, in steps that a picture does not show.
 [[nodiscard]] std::vector<TrackPlace> extended(const std::vector<TrackPlace>& track, Extent across);
 
 /// What a cut goes through, as rows of a datablock.

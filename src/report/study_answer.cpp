@@ -26,6 +26,7 @@ std::string counts_text(const FlownStudy& flown) {
                      std::string(name(flown.plan.study().sampling)) + ", seed " +
                      std::to_string(flown.plan.study().seed);
   if (r.time_was_up) text += "; the time was up, and --shots " + std::to_string(r.shots) + " gives the same again";
+  if (misses_width(flown.plan.study(), r)) text += "; the width asked for takes more shots than these";
   if (r.not_arrived > 0) text += "; " + std::to_string(r.not_arrived) + " did not arrive";
   if (r.refused > 0) text += "; " + std::to_string(r.refused) + " refused: " + r.first_refusal->text();
   return text + "\n\n";
@@ -78,11 +79,26 @@ std::string plane_text(const StudyResult& r) {
   return text + "\n";
 }
 
-std::string hits_text(const StudyResult& r) {
+/// A circle is given by its radius, a rectangle by its sides.
+std::string shape_text(const StudyTarget& target) {
+  const auto metres = [](double length) { return significant(length, 4) + " m"; };
+  if (const auto* circle = std::get_if<CircleTarget>(&target.shape)) return "radius " + metres(circle->radius);
+  if (const auto* sides = std::get_if<RectangleTarget>(&target.shape))
+    return metres(sides->width) + " x " + metres(sides->height);
+  return std::holds_alternative<PolygonTarget>(target.shape) ? "polygon" : "thing";
+}
+
+std::string hits_text(const FlownStudy& flown) {
+  const StudyResult& r = flown.result;
+  const std::vector<StudyTarget>& targets = flown.plan.study().targets;
   if (r.hits.empty()) return "";
-  Table table({"target", "hits [%]", "95 % interval"}, "lr");
-  for (const HitResult& hit : r.hits)
-    table.add_row({hit.name, percent(hit.probability.value), percent(hit.low) + " .. " + percent(hit.high)});
+  PHYSIM_ASSERT(r.hits.size() == targets.size());
+  Table table({"target", "", "hits [%]", "95 % interval"}, "llr");
+  for (std::size_t i = 0; i < r.hits.size(); ++i) {
+    const HitResult& hit = r.hits[i];
+    table.add_row({hit.name, shape_text(targets[i]), percent(hit.probability.value),
+                   percent(hit.low) + " .. " + percent(hit.high)});
+  }
   return table.text(2) + "\n";
 }
 
@@ -187,7 +203,7 @@ std::string worst_text(const FlownStudy& flown) {
 
 /// All figures of an end, or of a place.
 std::string figures_text(const FlownStudy& flown) {
-  return quantities_text(flown) + plane_text(flown.result) + hits_text(flown.result) + over_inputs_text(flown) +
+  return quantities_text(flown) + plane_text(flown.result) + hits_text(flown) + over_inputs_text(flown) +
          inputs_text(flown) + indices_text(flown) + histograms_text(flown) + worst_text(flown);
 }
 
@@ -293,6 +309,8 @@ std::string with_unit(StudyQuantity quantity) {
   return std::string(name(quantity)) + " [" + std::string(unit_of(quantity)) + "]";
 }
 
+bool misses_width(const Study& study, const StudyResult& result) { return study.until_width && !result.width_reached; }
+
 FlownStudy told_study(const StudyPlan& plan, StudyResult result, std::size_t histogram_bars) {
   FlownStudy flown{plan, std::move(result)};
   flown.histogram_bars = histogram_bars;
@@ -325,7 +343,7 @@ std::vector<StudyAtRange> ranges_of(const FlownStudy& flown) {
     const bool is_plane = study.quantities.size() >= 2 && study.quantities[0] == StudyQuantity::right &&
                           study.quantities[1] == StudyQuantity::up;
     if (!study.until.range || !is_plane) return;
-    list.push_back({*study.until.range, there.result});
+    list.push_back({*study.until.range, there.result, {}});
     std::vector<HitResult>& hits = list.back().result.hits;  // without things, which stand where they stand
     for (std::size_t i = study.targets.size(); i-- > 0;)
       if (std::holds_alternative<ThingTarget>(study.targets[i].shape))
@@ -340,12 +358,15 @@ std::vector<StudyAtRange> ranges_of(const FlownStudy& flown) {
 std::string over_range_text(std::span<const StudyAtRange> list) {
   PHYSIM_ASSERT(!list.empty());
   std::vector<std::string> headers = {"range [m]", "right +- [m]", "up +- [m]", "CEP [m]", "R95 [m]"};
+  const bool holds = std::ranges::any_of(list, [](const StudyAtRange& at) { return at.held != PlanePoint{}; });
+  if (holds) headers.insert(headers.end(), {"held right [m]", "held up [m]"});
   for (const HitResult& hit : list.front().result.hits) headers.push_back(hit.name + " [%]");
   Table table(headers);
-  for (const auto& [range, r] : list) {
+  for (const auto& [range, r, held] : list) {
     std::vector<std::string> cells = {as_typed(range), significant(r.quantities[0].deviation, 3),
                                       significant(r.quantities[1].deviation, 3), significant(r.from_centre->r50, 3),
                                       significant(r.from_centre->r95, 3)};
+    if (holds) cells.insert(cells.end(), {fixed(held.right, 3), fixed(held.up, 3)});
     for (const HitResult& hit : r.hits) cells.push_back(percent(hit.probability.value));
     table.add_row(std::move(cells));
   }
@@ -354,13 +375,20 @@ std::string over_range_text(std::span<const StudyAtRange> list) {
 
 Records records_of(std::span<const StudyAtRange> list) {
   PHYSIM_ASSERT(!list.empty());
-  Records records{{"range [m]", "right.deviation [m]", "up.deviation [m]", "cep [m]", "r95 [m]"}, {}};
+  Records records{
+      {"range [m]", "right.deviation [m]", "up.deviation [m]", "cep [m]", "r95 [m]", "held.right [m]", "held.up [m]"},
+      {}};
   for (const HitResult& hit : list.front().result.hits)
     for (const char* what : {"", ".low", ".high"}) records.columns.push_back("hit." + hit.name + what);
   records.rows = [list](const std::function<void(Row)>& take) {
-    for (const auto& [range, r] : list) {
-      std::vector<Cell> cells = {range, r.quantities[0].deviation, r.quantities[1].deviation, r.from_centre->r50,
-                                 r.from_centre->r95};
+    for (const auto& [range, r, held] : list) {
+      std::vector<Cell> cells = {range,
+                                 r.quantities[0].deviation,
+                                 r.quantities[1].deviation,
+                                 r.from_centre->r50,
+                                 r.from_centre->r95,
+                                 held.right,
+                                 held.up};
       for (const HitResult& hit : r.hits) cells.insert(cells.end(), {hit.probability.value, hit.low, hit.high});
       take(cells);
     }

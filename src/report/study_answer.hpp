@@ -34,10 +34,13 @@ struct FlownStudy {
 [[nodiscard]] std::string with_unit(StudyQuantity quantity);
 
 [[nodiscard]] Answer study_answer(const AskedShot& asked, const FlownStudy& flown, const Style& style);
+/// Whether a study ended before its figure was known to the width that was asked for.
+[[nodiscard]] bool misses_width(const Study& study, const StudyResult& result);
 /// A study with its plane of impact at a range [m].
 struct StudyAtRange {
   double range;
   StudyResult result;
+  PlanePoint held;  // how far the sight is held off for what is known of wind and drift [m]
 };
 /// The ranges among the places of a study, and its end where it has a range, in their order: those with a plane across
 /// the line of sight.

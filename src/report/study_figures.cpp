@@ -107,8 +107,12 @@ std::vector<Figure> figures_of(const FlownStudy& flown) {
     list.push_back({"ellipse.short_axis [m]", r.ellipse->short_axis, kNoError});
     list.push_back({"ellipse.angle [rad]", r.ellipse->angle, kNoError});
   }
-  for (const SpreadResult& s : r.spreads)
-    list.push_back({"extreme_spread." + std::to_string(s.size) + " [m]", s.mean.value, s.mean.error});
+  for (const SpreadResult& s : r.spreads) {
+    const std::string head = "extreme_spread." + std::to_string(s.size);
+    list.push_back({head + " [m]", s.mean.value, s.mean.error});
+    for (const double p : {0.05, 0.5, 0.95})
+      list.push_back({head + ".quantile_" + as_typed(p) + " [m]", s.cells.quantile(p), kNoError});
+  }
   for (const HitResult& hit : r.hits) {
     list.push_back({"hit." + hit.name, hit.probability.value, hit.probability.error});
     list.push_back({"hit." + hit.name + ".low", hit.low, kNoError});

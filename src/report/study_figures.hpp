@@ -1,4 +1,4 @@
-// Figures of a study, each under a name of its own.
+// Figures of a study, each under its own name.
 #pragma once
 
 #include <string>

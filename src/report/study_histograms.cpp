@@ -19,7 +19,7 @@ double density(const HistogramBar& bar) {
   return bar.high > bar.low ? static_cast<double>(bar.count) / (bar.high - bar.low) : 0;
 }
 
-/// So many digits that ends of bars differ, however narrow bars are beside their numbers.
+/// The number of digits at which ends of bars differ, however narrow bars are beside their numbers.
 int digits_of_ends(std::span<const HistogramBar> bars) {
   constexpr int kLeast = 5, kMost = 17;
   double digits = kLeast;

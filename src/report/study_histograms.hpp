@@ -14,7 +14,7 @@ struct NamedHistogram {
   std::vector<HistogramBar> bars;
 };
 
-/// None where FlownStudy::histogram_bars asks for none.
+/// Empty if FlownStudy::histogram_bars is zero.
 [[nodiscard]] std::vector<NamedHistogram> histograms_of(const FlownStudy& flown);
 /// Those of quantities, drawn with characters.
 [[nodiscard]] std::string histograms_text(const FlownStudy& flown);

@@ -8,7 +8,7 @@
 #include "math/vec3.hpp"
 #include "model/ladder.hpp"
 #include "model/sight.hpp"
-#include "physim/frames.hpp"
+#include "physim/environment.hpp"
 #include "report/kml.hpp"
 #include "report/number.hpp"
 #include "report/study_pictures.hpp"

@@ -16,13 +16,13 @@ namespace physim::report {
 /// Hit probability of each target with its interval, and how far shots scatter, over range.
 [[nodiscard]] Picture ranges_picture(const std::string& title, std::span<const StudyAtRange> list);
 
-/// Hit probability of each target with its interval over each input: those whose parts differ most.
+/// Hit probability of each target with its interval over each input: those with the most different parts.
 [[nodiscard]] Picture over_inputs_picture(const std::string& title, const FlownStudy& flown);
 
-/// Histograms of a study that was told with some: of its quantities, then of distances, nine at most.
+/// Histograms of a study that has some: of its quantities, then of distances, nine at most.
 [[nodiscard]] Picture histograms_picture(const std::string& title, const FlownStudy& flown);
 
-/// The closed rims of a target (a thing has none: no points), and of so many deviations about the mean.
+/// The closed rims of a target (a thing has none: no points), and of `deviations` deviations about the mean.
 [[nodiscard]] std::vector<PlanePoint> rim_of(const StudyTarget& target);
 [[nodiscard]] std::vector<PlanePoint> rim_of(const EllipseResult& ellipse, double deviations);
 

@@ -8,7 +8,7 @@
 
 namespace physim::report {
 
-/// Flies the shot's shard again, which no number of shots or threads changes.
+/// Flies the shot's shard again; the numbers of shots and threads do not change the result.
 [[nodiscard]] Answer study_shot_answer(const AskedShot& asked, const StudyPlan& plan, std::uint64_t shot,
                                        const Style& style);
 

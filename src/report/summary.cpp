@@ -62,7 +62,8 @@ std::string place_text(const Flight& flight, const Vec3d& position, double downr
   if (!is_round(flight.fidelity_in_use().fidelity.earth))
     return readable(downrange, 6) + " m downrange, height " + readable(position.y, 5) + " m";
   const EarthFrames frames = flight.earth_frames();
-  return readable(frames.ground_distance(flight.at(0).position, position), 6) + " m along the ground, altitude " +
+  const double distance = frames.ground_distance(flight.at(0).position, position);
+  return readable(downrange < 0 ? -distance : distance, 6) + " m along the ground, altitude " +
          readable(frames.geodetic(position).height, 5) + " m";
 }
 
@@ -127,7 +128,7 @@ std::string shot_text(const FlownShot& flown, const Scenario& scenario, const St
   for (const Event& event : flight.events()) {
     if (event.kind == EventKind::apex)
       out += line("apex", "at " + time_text(event.time, flight) +
-                              " s: " + place_text(flight, event.position, event.position.x));
+                              " s: " + place_text(flight, event.position, flight.at(event.time).range));
     if (is_of_motor_or_rail(event.kind)) out += line(std::string(name(event.kind)), "at " + stop_text(flight, event));
   }
   if (const std::string text = stability_text(*flown.shot, flight, scenario.environment); !text.empty())
@@ -150,8 +151,9 @@ bool has_sight(const Launch& launch) {
   return sight.zero_range > 0 || sight.look_angle != 0 || sight.height != 0;
 }
 
-std::string not_reached(const Flight& flight) {
-  return "not reached: " + std::string(name(flight.outcome())) + " at " + readable(flight.end().range, 4) + " m";
+std::string not_reached(const Flight& flight, const std::string& unit, double size) {
+  const std::string end = readable(flight.end().range / size, 4) + " " + unit;
+  return "not reached: " + std::string(name(flight.outcome())) + " at " + end;
 }
 
 std::vector<double> default_ranges(double end_range) {

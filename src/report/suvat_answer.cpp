@@ -3,7 +3,7 @@
 #include <array>
 
 #include "base/assert.hpp"
-#include "physim/version.hpp"
+#include "physim/result.hpp"
 #include "report/answer.hpp"
 #include "report/json.hpp"
 #include "report/number.hpp"

@@ -36,7 +36,7 @@ class Table {
 /// at its ends.
 [[nodiscard]] std::string one_line(const std::string& text);
 
-/// The first characters of a UTF-8 text and "…" where it is longer than so many.
+/// The first characters of a UTF-8 text and "…" if it is longer than `characters`.
 [[nodiscard]] std::string shortened(const std::string& text, std::size_t characters);
 
 }  // namespace physim::report

@@ -10,7 +10,7 @@
 
 namespace physim::report {
 
-inline constexpr std::size_t kShownHits = 40;  // in the table, and kept where no file asks for all
+inline constexpr std::size_t kShownHits = 40;  // in the table, and kept if no file wants all
 
 /// Hits, what hit, and how often each was launched.
 struct HitList {
@@ -27,7 +27,7 @@ struct HitList {
 [[nodiscard]] HitList hits_of(const FlownScenario& flown);
 
 [[nodiscard]] bool has_scene(const Scenario& scenario);
-/// A row for each hit; empty where there is none.
+/// A row for each hit; empty without hits.
 [[nodiscard]] std::string hits_table(const HitList& list);
 [[nodiscard]] Content world_hits_csv(const WorldLog& log);
 [[nodiscard]] Content flight_hits_csv(const Flights& flights);

@@ -6,8 +6,8 @@
 #include <set>
 
 #include "base/assert.hpp"
+#include "physim/files.hpp"
 #include "physim/names.hpp"
-#include "physim/recording_file.hpp"
 #include "report/fidelity_text.hpp"
 #include "report/json.hpp"
 #include "report/number.hpp"
@@ -93,7 +93,7 @@ class Logger {
  private:
   /// Which launches of a group draw their path.
   struct Drawn {
-    std::uint64_t launches = 0;          // so far
+    std::uint64_t launches = 0;          // counted up to now
     std::uint64_t every = 1;             // so manyth of them
     std::vector<std::uint64_t> numbers;  // of those that do
   };
@@ -147,7 +147,7 @@ class Logger {
   void begin(const RunEvent& spawned) {
     const auto& [group, number] = spawned.launched;
     PHYSIM_ASSERT(group < met_.size());
-    PHYSIM_ASSERT(number >= path_.size());  // launches are told in their order
+    PHYSIM_ASSERT(number >= path_.size());  // launches are reported in their order
     if (!met_[group] && run_.world()[spawned.event.id].is_alive()) {
       log_.in_use[group] = run_.world()[spawned.event.id].fidelity_in_use();
       met_[group] = true;
@@ -192,7 +192,7 @@ class Logger {
     for (const RunEvent& each : events) {
       const Event& event = each.event;
       if (event.kind == EventKind::spawned) begin(each);
-      if (event.reason == Reason::despawned) continue;  // at the wall: its hit is told instead
+      if (event.reason == Reason::despawned) continue;  // at the wall: its hit is counted instead
       const bool is_impact = event.kind == EventKind::landed || event.kind == EventKind::bounced;
       tell({name(event.kind), name(event.reason), each.launched, event.time, {event.position, event.velocity}},
            is_impact ? &log_.impacts : nullptr);
@@ -305,7 +305,7 @@ std::string counts_table(const std::vector<WorldGroup>& all, bool of_emitters, s
   return table.empty() ? "" : table.text(kTableIndent);
 }
 
-/// What was fired by itself or in volleys, then what emitters fired.
+/// What was fired as shots or in volleys, then what emitters fired.
 std::string counts_tables(const std::vector<WorldGroup>& groups) {
   const std::string fired = counts_table(groups, false, kCounts), emitted = counts_table(groups, true, kEmitterCounts);
   return fired + (fired.empty() || emitted.empty() ? "" : "\n") + emitted;

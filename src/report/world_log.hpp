@@ -3,11 +3,11 @@
 
 #include <deque>
 
-#include "physim/world_run.hpp"
 #include "report/flown.hpp"
 #include "report/picture.hpp"
 #include "report/records.hpp"
 #include "report/style.hpp"
+#include "scenario/world_run.hpp"
 
 namespace physim::report {
 
@@ -31,7 +31,7 @@ struct LogOptions {
   std::optional<double> interval;      // between samples [s]
   std::optional<std::uint64_t> steps;  // instead of the scenario's duration
   std::string record = {};             // into this file; empty: nowhere
-  std::string load = {};               // goes on from this save; empty: from the start
+  std::string load = {};               // continues from this save; empty: from the start
   std::string save = {};               // into this file; empty: nowhere
   std::optional<double> save_at = {};  // instead of at the end [s]
 };
@@ -68,7 +68,7 @@ struct WorldLog {
 
   std::deque<WorldSample> samples;  // of very many, a longer list must not need the room of two
   std::deque<LoggedEvent> events;
-  std::deque<ThingHit> thing_hits;    // the first, where no part of the log asks for all
+  std::deque<ThingHit> thing_hits;    // the first, if no part of the log needs all
   std::uint64_t thing_hit_count = 0;  // of all
   std::vector<LoggedPath> paths;
   std::vector<std::vector<Vec3d>> impacts;  // by group

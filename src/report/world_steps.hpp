@@ -3,8 +3,8 @@
 
 #include <optional>
 
-#include "physim/scenario.hpp"
 #include "physim/world.hpp"
+#include "scenario/scenario.hpp"
 
 namespace physim::report {
 

@@ -56,7 +56,7 @@ Status check_drag(const DragDef& drag, const Value& shot) {
   return check_bands(drag, shot);
 }
 
-/// A motor and a rail are judged by the library; where it objects, the table is told.
+/// A motor and a rail are checked by the library; if it objects, the error names the table.
 Status check_motor(const ScenarioShot& shot, const Value& table) {
   const Value* given = table.find("motor");
   if (given == nullptr || shot.projectile.motor == MotorDef{}) return {};

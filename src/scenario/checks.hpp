@@ -1,13 +1,13 @@
 // Checks that need more than one setting; of scenarios with a [world], what its tables cannot say about themselves.
 #pragma once
 
-#include "physim/scenario.hpp"
 #include "scenario/document.hpp"
 #include "scenario/names.hpp"
+#include "scenario/scenario.hpp"
 
 namespace physim {
 
-/// The first contradiction within a scenario; the document tells where its settings stand.
+/// The first contradiction within a scenario; the document gives the places of its settings.
 [[nodiscard]] Status check_scenario(const Scenario& scenario, const Value& document);
 
 /// Contradictions of a [world], or of what there is without one.
@@ -38,7 +38,7 @@ void complete_joints(Scenario& scenario);
 
 [[nodiscard]] Status check_shot_name(const ScenarioNames& names, const std::string& name, const std::string& path,
                                      const std::string& place);
-/// ... of a shot that is fired by itself, so that there is one of it.
+/// ... of a shot that is fired alone, so that there is one of it.
 [[nodiscard]] Status check_lone_shot(const ScenarioNames& names, const std::string& name, const std::string& path,
                                      const std::string& place);
 

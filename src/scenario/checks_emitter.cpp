@@ -1,4 +1,4 @@
-// Checks of [[emitter]]: what it names is there, and its definition makes sense, told with its line.
+// Checks of [[emitter]]: what it names exists, and its definition makes sense; errors have its line.
 #include <algorithm>
 #include <charconv>
 
@@ -31,7 +31,7 @@ const Value& value_at(const Value& table, std::string_view path) {
   return *value;
 }
 
-/// An error of the library about an emitter, as one of the file, whose settings have the library's paths.
+/// An error of the library about an emitter, as one of the file; its settings have the library's paths.
 Error in_file(const Error& error, const Value& table) {
   constexpr std::string_view kEmitter = "emitter.", kSubs = "subs", kSub = "sub";
   std::string path = error.place;

@@ -4,8 +4,8 @@
 #include <string>
 #include <utility>
 
-#include "physim/scenario.hpp"
 #include "scenario/document.hpp"
+#include "scenario/scenario.hpp"
 
 namespace physim {
 

@@ -1,12 +1,12 @@
-// Checks of [[material]], [[shape]] and [[thing]]: by making the scene, so that what it refuses is told with its line.
+// Checks of [[material]], [[shape]] and [[thing]]: by making the scene, so that errors have its line.
 #include <algorithm>
 #include <charconv>
 #include <filesystem>
 #include <set>
 
 #include "base/assert.hpp"
-#include "physim/frames.hpp"
-#include "physim/mesh_file.hpp"
+#include "physim/environment.hpp"
+#include "physim/files.hpp"
 #include "scenario/checks.hpp"
 #include "scenario/checks_motion.hpp"
 #include "scenario/expectation.hpp"

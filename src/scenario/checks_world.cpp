@@ -136,7 +136,7 @@ Status check_force(const ScenarioNames& names, const ScenarioForce& force, const
   if (!force.other.empty() || needs_other_end(force.law))
     if (Status status = check_other(names, force, *laws[0]); !status) return status;
   ForceDef def{.law = force.law, .target = ForceTarget::everything(), .delay = force.delay, .duration = force.duration};
-  if (needs_other_end(def.law)) *other_end_of(def.law) = {1, 1};  // somebody
+  if (needs_other_end(def.law)) *other_end_of(def.law) = {1, 1};  // any projectile
   if (const Status status = check(def); !status)
     return in_file(status.error(), "force." + laws[0]->key, laws[0]->value);
   return {};
@@ -195,7 +195,7 @@ void complete_world(Scenario& scenario, const Value& document) {
   for (std::size_t i = 0; i < scenario.forces.size(); ++i) {
     ScenarioForce& force = scenario.forces[i];
     if (force.name.empty()) force.name = "force-" + std::to_string(i + 1);
-    // A law without a single number is read by nobody: its first setting makes it.
+    // A law without a single number is never read: its first setting makes it.
     for (const Member* law : laws_of(element(document, "force", i))) {
       const Scope scope{.force = &force};
       PHYSIM_ASSERT(law->value.get<Table>() != nullptr);

@@ -164,7 +164,7 @@ Value parse_override_value(std::string_view text, const Place& place) {
   const Result<Value> parsed = parse_document("value = " + std::string(text), "");
   if (parsed && parsed->get<Table>()->size() == 1) {
     out = parsed->get<Table>()->front().value;
-    // Places inside an override's text help nobody: the whole of it is named.
+    // Places inside an override's text do not help: the whole of it is named.
     const auto set_place = [&place](auto& self, Value& value) -> void {
       value.place = place;
       if (Array* array = value.get<Array>())

@@ -31,7 +31,7 @@ Result<std::vector<std::size_t>> order_of_emitters(const Scenario& scenario, con
     if (waits[i] == 0) order.push_back(i);
   for (std::size_t k = 0; k < order.size(); ++k)
     for (const std::size_t i : fired_by[order[k]]) {
-      // In rounds over the list, each takes those that may come by then.
+      // In rounds over the list, each takes those that may exist by then.
       round[i] = std::max(round[i], round[order[k]] + (i < order[k] ? 1 : 0));
       if (--waits[i] == 0) order.push_back(i);
     }

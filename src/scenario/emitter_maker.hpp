@@ -3,8 +3,8 @@
 
 #include <vector>
 
-#include "physim/scenario.hpp"
 #include "scenario/names.hpp"
+#include "scenario/scenario.hpp"
 
 namespace physim {
 

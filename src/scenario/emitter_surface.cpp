@@ -2,7 +2,7 @@
 #include <map>
 
 #include "emit/emit_surface.hpp"
-#include "physim/mesh_file.hpp"
+#include "physim/files.hpp"
 #include "scenario/checks.hpp"
 #include "scenario/names.hpp"
 #include "scenario/suggest.hpp"

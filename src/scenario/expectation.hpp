@@ -1,16 +1,16 @@
-// The figures that an [[expect]] can ask for.
+// The figures that an [[expect]] can check.
 #pragma once
 
 #include <span>
 #include <string_view>
 
-#include "physim/scenario.hpp"
-#include "physim/world_run.hpp"
+#include "scenario/scenario.hpp"
+#include "scenario/world_run.hpp"
 
 namespace physim {
 
 /// A figure: of a flight at one time, by its sample, by its place on the Earth or by more of the flight; of a flight as
-/// a whole where there is none of these; and of a group of projectiles at the end of a world's run, or of its hits on
+/// a whole if it is none of these; and of a group of projectiles at the end of a world's run, or of its hits on
 /// things.
 struct Figure {
   std::string_view name;
@@ -32,7 +32,7 @@ struct Figure {
 [[nodiscard]] std::span<const std::string_view> figure_names();
 [[nodiscard]] std::vector<std::string_view> group_figure_names();
 [[nodiscard]] std::vector<std::string_view> hit_figure_names();
-/// The figure of a name; null where there is none.
+/// The figure of a name; null if not found.
 [[nodiscard]] const Figure* find_figure(std::string_view name);
 
 }  // namespace physim

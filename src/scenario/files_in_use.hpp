@@ -13,7 +13,7 @@
 namespace physim {
 
 /// Whether two paths lead to one file: through links, "..", or as two names of it. The files need not exist. Never true
-/// of an empty path, nor of character devices, which may be written to by everybody.
+/// of an empty path, nor of character devices, which may have any number of writers.
 [[nodiscard]] bool is_same_file(const std::string& a, const std::string& b);
 
 /// A record of the files that its thread opens while it lives. A file that is read cannot be written and the other way
@@ -34,7 +34,7 @@ class FilesInUse {
   /// The paths of the files that were read, in order, each once.
   [[nodiscard]] std::vector<std::string> inputs() const;
 
-  /// The record of this thread that was made last; null: there is none.
+  /// The record of this thread that was made last; null: none.
   [[nodiscard]] static FilesInUse* current();
 
  private:

@@ -1,5 +1,5 @@
 // Hits of a flight, from its events, as those of a world's run are.
-#include "physim/flight_hits.hpp"
+#include "scenario/world_run.hpp"
 
 #include <algorithm>
 #include <functional>

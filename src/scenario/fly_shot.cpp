@@ -1,10 +1,10 @@
-// Flies a shot of a scenario through its things; where it asks for a fidelity by its error, that is found first.
+// Flies a shot of a scenario through its things; if it sets a fidelity by its error, that is found first.
 #include <algorithm>
 
 #include "base/ieee_mode.hpp"
 #include "flight/flight_record.hpp"
-#include "physim/auto_fidelity.hpp"
-#include "physim/scenario.hpp"
+#include "physim/solve.hpp"
+#include "scenario/scenario.hpp"
 #include "world/registry.hpp"
 
 namespace physim {
@@ -24,7 +24,7 @@ Flight fly_until(const Scenario& scenario, const ScenarioShot& shot, const Until
   };
   if (!shot.cheapest_within) return fly_at(projectile.fidelity);
 
-  // The scenario may end a flight in ways that a purpose does not know; a first flight tells how long it lasts.
+  // The scenario may end a flight in ways that a purpose cannot express; a first flight shows how long it lasts.
   Purpose purpose{.error = *shot.cheapest_within,
                   .step = scenario.tolerance.step,
                   .ground = until.ground,

@@ -3,7 +3,7 @@
 
 #include "base/assert.hpp"
 #include "base/ieee_mode.hpp"
-#include "physim/mesh_file.hpp"
+#include "physim/files.hpp"
 #include "scenario/libraries.hpp"
 #include "scenario/text_file.hpp"
 

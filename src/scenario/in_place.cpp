@@ -63,11 +63,11 @@ class DistributionTable {
     if (const auto* text = value.get<std::string>()) return *text;
     if (const auto* integer = value.get<std::int64_t>()) return std::to_string(*integer);
     if (const auto* real = value.get<double>()) return number_text(*real);
-    return shown(value);  // no number: the text is refused where it is read
+    return shown(value);  // not a number: the text is refused where it is read
   }
   [[nodiscard]] std::string at(std::string_view key) const { return has(key) ? text_of(*table_.find(key)) : ""; }
 
-  /// The text of the shape whose keys are there, which it notes.
+  /// The text of the shape of the keys that exist, which it notes.
   [[nodiscard]] std::string shape() {
     if (has("values")) {
       used_ = {"values", "per_occasion"};
@@ -97,7 +97,7 @@ class DistributionTable {
 
 // ---------------------------------------------------------------------------------------------------------------
 // places
-/// The value of a path below a table, also of a component of a vector; null where there is none.
+/// The value of a path below a table, also of a component of a vector; null if not found.
 Value* value_at(Value& table, std::string_view path) {
   PHYSIM_ASSERT(!path.empty());
   Value* here = &table;

@@ -6,7 +6,7 @@
 namespace physim {
 
 /// Puts each of them into study.inputs, before those that are there, and leaves its mean in its place: so `physim run`
-/// flies the mean, and all else need not know of it. One of several shots is named: "shot.NAME.speed".
+/// flies the mean, and other code needs no change. One of several shots is named: "shot.NAME.speed".
 [[nodiscard]] Status take_distributions(Value& document, const std::string& file);
 
 }  // namespace physim

@@ -21,7 +21,7 @@ Status check_joint(const ScenarioNames& names, const ScenarioJoint& joint, const
     return Error{"joint.point: given together with b", place_of(table, {"point"}), "give one of them"};
   PHYSIM_ASSERT(!joint.a.empty());  // a required key
   Joint def = joint.def;
-  def.a = {1, 1};  // somebody
+  def.a = {1, 1};  // any projectile
   if (const Status status = check(def); !status) {
     const Error& error = status.error();
     const std::string key = error.place.substr(error.place.find('.') + 1);

@@ -2,11 +2,11 @@
 
 #include "base/assert.hpp"
 #include "base/ieee_mode.hpp"
-#include "physim/flight_hits.hpp"
 #include "physim/names.hpp"
 #include "scenario/expectation.hpp"
 #include "scenario/suggest.hpp"
 #include "scenario/units.hpp"
+#include "scenario/world_run.hpp"
 
 namespace physim {
 namespace {

@@ -8,8 +8,8 @@
 #include <string_view>
 #include <vector>
 
-#include "physim/quantity.hpp"
 #include "physim/result.hpp"
+#include "physim/units.hpp"
 
 namespace physim {
 

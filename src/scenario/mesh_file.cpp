@@ -1,5 +1,5 @@
 // The only file that knows Assimp. Its headers warn where ours do not, so they are system headers to the build.
-#include "physim/mesh_file.hpp"
+#include "physim/files.hpp"
 
 #include <cstdint>
 

@@ -1,12 +1,13 @@
 // The RASP format of thrust curves. Source: the format of G. H. Stine's program RASP as described by the National
 // Association of Rocketry and thrustcurve.org ("RASP file format").
-#include "physim/motor_file.hpp"
+#include "physim/files.hpp"
 
 #include <algorithm>
 #include <charconv>
 #include <cmath>
 #include <optional>
 #include <string_view>
+#include <utility>
 
 #include "base/assert.hpp"
 #include "base/ieee_mode.hpp"
@@ -55,7 +56,7 @@ class MotorReader {
       }
       text.remove_prefix(std::min(end + 1, text.size()));
     }
-    if (open_) keep(never_ends());
+    end_open();
     if (motors_.empty()) return Error{"there is no motor in it", file_, std::string(kHeaderHint)};
     const auto sound = [](const MotorFileEntry& entry) { return !entry.fault; };
     if (std::ranges::none_of(motors_, sound)) return *motors_.front().fault;
@@ -67,10 +68,18 @@ class MotorReader {
   [[nodiscard]] Error fault(const std::string& message, std::string_view hint) const {
     return Error{message, place(), std::string(hint)};
   }
-  [[nodiscard]] Error never_ends() const {
-    PHYSIM_ASSERT(open_);
-    return fault("the thrust of " + in_quotes(motors_.back().motor.name) + " does not end at zero",
-                 "the last point of a motor has a thrust of 0; is the file cut off?");
+  /// Thrust that does not end at zero falls to it at its last point, as other programs have it.
+  void end_open() {
+    if (!std::exchange(open_, false)) return;
+    MotorDef& motor = motors_.back().motor;
+    std::vector<ThrustPoint>& thrust = motor.thrust;
+    if (thrust.size() < 2)
+      return keep(fault("the thrust of " + in_quotes(motor.name) + " has no points", "is the file cut off?"));
+    const double end = thrust.back().time;
+    if (thrust[thrust.size() - 2].time == end)
+      thrust.back().force = 0;
+    else
+      thrust.push_back({end, 0});
   }
   /// The first thing that is wrong with the motor at hand.
   void keep(const Error& error) {
@@ -82,8 +91,10 @@ class MotorReader {
     line = line.substr(0, line.find(';'));
     const auto words = words_of(line);
     if (words.empty()) return {};
-    if (words.size() == 7) {
-      if (open_) keep(never_ends());
+    // What begins with words is the header of another motor, sound or not.
+    constexpr std::size_t kHeader = 7, kLikeHeader = 5;
+    if (words.size() == kHeader || (words.size() >= kLikeHeader && !number_of(words[0]))) {
+      end_open();
       return read_header(words);
     }
     if (open_) return read_point(words);
@@ -91,16 +102,20 @@ class MotorReader {
     if (is_point && motors_.empty()) return fault("a point of thrust before any motor", kHeaderHint);
     if (is_point)
       return fault("a point after the end of " + in_quotes(motors_.back().motor.name), "its thrust came to 0 before");
+    return no_header(words);
+  }
+  [[nodiscard]] Error no_header(const std::vector<std::string_view>& words) const {
     return fault(std::to_string(words.size()) + " words are no header of a motor", kHeaderHint);
   }
 
   Status read_header(const std::vector<std::string_view>& words) {
-    PHYSIM_ASSERT(words.size() == 7);
+    PHYSIM_ASSERT(!words.empty());
     MotorFileEntry& entry = motors_.emplace_back();
     entry.motor.name = words[0];
+    open_ = true;
+    if (words.size() != 7) return no_header(words);
     entry.delays = words[3];
     entry.manufacturer = words[6];
-    open_ = true;
     double numbers[4];  // diameter, length, propellant, mass
     constexpr std::size_t kPlaces[] = {1, 2, 4, 5};
     constexpr std::string_view kPlaceNames[] = {"diameter", "length", "propellant", "mass"};

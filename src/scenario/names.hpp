@@ -7,7 +7,7 @@
 #include <unordered_set>
 #include <vector>
 
-#include "physim/scenario.hpp"
+#include "scenario/scenario.hpp"
 
 namespace physim {
 

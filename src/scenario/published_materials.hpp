@@ -5,7 +5,7 @@
 #include <span>
 #include <string_view>
 
-#include "physim/material.hpp"
+#include "physim/scene.hpp"
 
 namespace physim {
 

@@ -28,7 +28,7 @@ Status check_keys(std::string_view path, const Value& table, KeyNames names) {
   return fault(path, table, "missing key " + in_quotes(names.front()), "expected { " + all + " }");
 }
 
-/// Reads { value, to, curve, to_curve } by handing each key that is there to who reads the likes of it.
+/// Reads { value, to, curve, to_curve } by handing each key that exists to the reader of its kind.
 template <class ReadEnd, class ReadCurve>
 Status read_keys(std::string_view path, const Value& table, KeyNames names, const ReadEnd& end,
                  const ReadCurve& curve) {
@@ -80,7 +80,7 @@ Status read_drawn(const Wanted& wanted, const Value& value, DrawnNumber& target)
     return read_number(wanted, from, is_to ? read.to.emplace() : read.value);
   };
   const auto curve = [&](const Value& from, bool is_to) {
-    const Entry entry{.path = wanted.path, .range = kCurveKeys};
+    const Entry entry{{.path = wanted.path, .range = kCurveKeys}};
     const ValueRef points = points_of(is_to ? read.to_curve : read.curve);
     return read_points(entry, from, std::get<Points>(points));
   };

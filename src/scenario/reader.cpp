@@ -158,6 +158,20 @@ Status check_length(std::string_view path, const Value& value, std::size_t lengt
       "allowed are " + range.text());
 }
 
+namespace {
+
+/// Thrust may jump: two points at one time are a step.
+bool may_step(const Points& points) { return points.quantities[1] == Quantity::force; }
+
+/// Whether a point may stand behind those before it.
+bool may_follow(const Points& points, const Points::Pairs& before, double at) {
+  if (before.empty() || at > before.back().first) return true;
+  const bool is_third = before.size() > 1 && before[before.size() - 2].first == at;
+  return at == before.back().first && may_step(points) && !is_third;
+}
+
+}  // namespace
+
 Status read_points(const Entry& entry, const Value& value, const Points& points) {
   const std::string first(points.names[0]), second(points.names[1]);
   const std::string wanted = "points [[" + first + ", " + second + "], ...]";
@@ -173,9 +187,10 @@ Status read_points(const Entry& entry, const Value& value, const Points& points)
       const Wanted coordinate{entry.path, points.quantities[i], points.ranges[i]};
       if (Status status = read_number(coordinate, (*pair)[i], xy[i]); !status) return status;
     }
-    if (!pairs.empty() && xy[0] <= pairs.back().first)
+    if (!may_follow(points, pairs, xy[0]))
       return fault(entry.path, (*pair)[0],
-                   first + " " + number_text(xy[0]) + " after " + number_text(pairs.back().first), "they must rise");
+                   first + " " + number_text(xy[0]) + " after " + number_text(pairs.back().first),
+                   may_step(points) ? "they must rise; two points at one time are a step" : "they must rise");
     pairs.emplace_back(xy[0], xy[1]);
   }
   points.set(pairs);
@@ -239,6 +254,7 @@ Status fill_steps(const Wanted& wanted, const Value& value, const double (&steps
   if (!(count <= static_cast<double>(kMostRanges)))
     return fault(wanted.path, value, "too many steps", "at most " + std::to_string(kMostRanges));
   for (int i = 0; i < static_cast<int>(count); ++i) list.push_back(from + i * step);
+  if (std::abs(list.back() - to) <= kSlack * step) list.back() = to;  // without what was rounded on the way
   return {};
 }
 

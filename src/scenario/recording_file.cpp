@@ -1,4 +1,4 @@
-#include "physim/recording_file.hpp"
+#include "physim/files.hpp"
 
 #include <memory>
 

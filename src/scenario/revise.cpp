@@ -130,7 +130,7 @@ std::string said_by(std::string_view text, const Value& value) {
 /// A table and the text that it was read from.
 struct TableText {
   std::string_view text;
-  const Value* table;  // null: there is none
+  const Value* table;  // null: none
 
   [[nodiscard]] const Value* find(const std::string& key) const { return table ? table->find(key) : nullptr; }
 };
@@ -222,7 +222,7 @@ std::string more_of(List Scenario::*list, const char* name, const Scenario& befo
   return added;
 }
 
-/// Takes materials that are more than before out of the list; who reads things, parts or meshes that are made of
+/// Takes materials that are more than before out of the list; a reader of things, parts or meshes that are made of
 /// published ones has those anyway.
 std::string more_materials(const Scenario& before, const Scenario& now, Scenario& kept) {
   if (kept.materials.size() <= before.materials.size()) return {};

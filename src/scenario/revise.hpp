@@ -4,7 +4,7 @@
 #include <optional>
 #include <string>
 
-#include "physim/scenario.hpp"
+#include "scenario/scenario.hpp"
 
 namespace physim {
 
@@ -12,7 +12,7 @@ namespace physim {
 [[nodiscard]] bool say_the_same(const Scenario& a, const Scenario& b);
 
 /// The text of a scenario's file with what is different in `now`: settings and shots at the end. All else stays as it
-/// is written. Nothing where that cannot say it: shots that are gone, a motor whose file is not beside `file`. `file`
+/// written. Nothing if that cannot express it: removed shots, a motor with a file that is not beside `file`. `file`
 /// is where the text is to stand.
 [[nodiscard]] std::optional<std::string> revised_text(const std::string& text, const std::string& file,
                                                       const Scenario& now);

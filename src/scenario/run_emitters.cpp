@@ -1,4 +1,4 @@
-// Emitters of a run: those of its scenario added to its world, and their particles told apart.
+// Emitters of a run: those of its scenario added to its world, and their particles by group.
 #include "scenario/emitter_maker.hpp"
 #include "scenario/suggest.hpp"
 #include "scenario/world_run_impl.hpp"

@@ -1,8 +1,8 @@
 // RunState: what changes during a run of a scenario's world, beside the world.
 #pragma once
 
-#include "physim/scenario.hpp"
-#include "physim/world_run.hpp"
+#include "scenario/scenario.hpp"
+#include "scenario/world_run.hpp"
 
 namespace physim {
 
@@ -20,7 +20,7 @@ struct Track {
 struct Magazine {
   std::size_t group = 0;
   std::uint64_t fired = 0;
-  Volley volley;  // of a shot fired by itself: one launch without spread
+  Volley volley;  // of a shot fired alone: one launch without spread
   Launch launch;  // its bore is known
 };
 

@@ -1,5 +1,5 @@
 // Scenario files: text to document, overrides into it, settings out of it, contradictions.
-#include "physim/scenario.hpp"
+#include "scenario/scenario.hpp"
 
 #include <cstdint>
 
@@ -9,6 +9,7 @@
 #include "scenario/files_in_use.hpp"
 #include "scenario/in_place.hpp"
 #include "scenario/measured_column.hpp"
+#include "scenario/notes.hpp"
 #include "scenario/overrides.hpp"
 #include "scenario/reader.hpp"
 #include "scenario/text_file.hpp"
@@ -83,18 +84,30 @@ Result<Scenario> parse_scenario(const std::string& text, const std::string& file
   if (Status status = complete_emitters(scenario, *document); !status) return status.error();
   if (Status status = check_scenario(scenario, *document); !status) return status.error();
   if (Status status = begin_reading_measurements(scenario); !status) return status.error();
+  add_notes(scenario, *document);
   scenario.files = in_use.inputs();
   return scenario;
 }
 
-Result<Scenario> load_scenario(const std::string& file, std::span<const std::string> overrides) {
+Result<std::string> read_scenario_text(const std::string& file) {
   const FilesInUse in_use;
   if (Status begun = begin_reading(file, "scenario"); !begun) return begun.error();
-  const Result<std::string> text = read_text_file(file, kLargestScenario, "scenario file");
-  if (!text) return text.error();
-  Result<Scenario> scenario = parse_scenario(*text, file, overrides);
+  return read_text_file(file, kLargestScenario, "scenario file");
+}
+
+Result<Scenario> parse_scenario_file(const std::string& text, const std::string& file,
+                                     std::span<const std::string> overrides) {
+  const FilesInUse in_use;
+  if (Status begun = begin_reading(file, "scenario"); !begun) return begun.error();
+  Result<Scenario> scenario = parse_scenario(text, file, overrides);
   if (scenario) scenario->files = in_use.inputs();
   return scenario;
+}
+
+Result<Scenario> load_scenario(const std::string& file, std::span<const std::string> overrides) {
+  const Result<std::string> text = read_scenario_text(file);
+  if (!text) return text.error();
+  return parse_scenario_file(*text, file, overrides);
 }
 
 }  // namespace physim

@@ -5,9 +5,9 @@
 #include "base/assert.hpp"
 #include "base/ieee_mode.hpp"
 #include "collide/mesh.hpp"
-#include "physim/scene_parts.hpp"
 #include "scenario/published_materials.hpp"
 #include "scenario/suggest.hpp"
+#include "scenario/world_run.hpp"
 
 namespace physim {
 namespace {

@@ -1,10 +1,10 @@
-// The scene of a scenario, made part by part, so that what is wrong is told with its part.
+// The scene of a scenario, made part by part, so that an error names its part.
 #pragma once
 
 #include <map>
 
-#include "physim/scenario.hpp"
 #include "scenario/names.hpp"
+#include "scenario/scenario.hpp"
 
 namespace physim {
 
@@ -32,7 +32,7 @@ class SceneMaker {
   [[nodiscard]] Status add_material(std::size_t index);
   /// Does nothing where it is a compound.
   [[nodiscard]] Status add_shape(std::size_t index);
-  /// Does nothing where it is none.
+  /// Does nothing if it is no compound.
   [[nodiscard]] Status add_compound(std::size_t index);
   [[nodiscard]] Status add_thing(std::size_t index);
   /// All of them; the place of an error names the part.

@@ -85,22 +85,6 @@ Setting public_setting(const Entry& entry) {
 
 }  // namespace
 
-bool Range::contains(double value) const {
-  if (std::isinf(value) && !infinite) return false;
-  return (low_open ? value > low : value >= low) && value <= high;  // false for NaN
-}
-
-std::string Range::text() const {
-  if (!words.empty()) return std::string(words);
-  const bool has_low = std::isfinite(low), has_high = std::isfinite(high);
-  if (has_low && low == high) return number_text(low);
-  if (has_low && has_high && !low_open) return number_text(low) + " .. " + number_text(high);
-  std::string out;
-  if (has_low) out = (low_open ? "> " : ">= ") + number_text(low);
-  if (has_high) out += (out.empty() ? "<= " : ", <= ") + number_text(high);
-  return out;
-}
-
 const SchemaNode* SchemaNode::find(std::string_view child) const {
   for (const SchemaNode& node : children)
     if (node.name == child) return &node;

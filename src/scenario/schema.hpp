@@ -1,7 +1,8 @@
 // The declared list of settings, and the tree of tables and keys that it spans.
 //
-// A setting is one Entry in settings.cpp: its path, where it lives in a Scenario, its quantity, range and one line of
-// documentation. Its type and default are read from the field itself. Everything else is made from the list.
+// A setting is one Entry: a row (settings/row.hpp) and where its value lives in a Scenario. The rows of public structs
+// stand in src/settings, those of files alone in settings_*.cpp. Type and default are read from the field itself.
+// Everything else is made from the list.
 #pragma once
 
 #include <array>
@@ -17,7 +18,8 @@
 
 #include "base/members.hpp"
 #include "physim/names.hpp"
-#include "physim/scenario.hpp"
+#include "scenario/scenario.hpp"
+#include "settings/row.hpp"
 
 namespace physim {
 
@@ -51,18 +53,6 @@ struct Scope {
   [[nodiscard]] auto pointers() {
     return with_members(*this, [](auto&... each) { return std::tie(each...); });
   }
-};
-
-/// The values a number may have, or the lengths a list may have. Infinity only where the range asks for it.
-struct Range {
-  double low = -std::numeric_limits<double>::infinity();
-  double high = std::numeric_limits<double>::infinity();
-  bool low_open = false;   // low itself is out of range
-  bool infinite = false;   // infinity is in range
-  std::string_view words;  // instead of the text made from the numbers
-
-  [[nodiscard]] bool contains(double value) const;
-  [[nodiscard]] std::string text() const;  // "> 0", "0 .. 1", ""
 };
 
 /// A number that may be absent.
@@ -123,19 +113,9 @@ using ValueRef =
                  Reference, Choice, Points, AeroCoefficient*, DrawnNumber*, DrawnColour*, Gradient*,
                  std::vector<double>*, std::vector<std::string>*, std::vector<Vec3d>*, std::vector<Triangle>*, Records>;
 
-/// One setting.
-struct Entry {
-  std::string_view path;
+/// One setting: a row, and where its value is in a scenario. Its path is the whole one.
+struct Entry : SettingRow {
   ValueRef (*slot)(const Scope&) = nullptr;
-  std::string_view doc;
-  Quantity quantity = Quantity::number;
-  Range range;
-  std::string_view none = "none";                   // how the absence of an optional value is written
-  bool required = false;                            // no default
-  bool shorthand = false;                           // its table may be written as this value alone
-  bool starts = false;                              // a choice of presets, which other settings of its table change
-  bool live = false;                                // worlds can change it for one projectile in flight
-  bool of_contact = false;                          // of how a shot meets things, which single flights read, too
   Quantity (*quantity_by)(const Scope&) = nullptr;  // where another setting decides the quantity
   std::string_view unit_by = {};                    // by which: "of the kind"
   bool (*is_there)(const Scope&) = nullptr;         // where another setting decides whether there is a value to write
@@ -160,7 +140,7 @@ struct SchemaNode {
 
 /// The root of the tree; its name and path are empty.
 [[nodiscard]] const SchemaNode& schema();
-/// The node of a path; null where there is none.
+/// The node of a path; null if not found.
 [[nodiscard]] const SchemaNode* find_node(std::string_view path);
 /// Lists of tables that only a scenario with a [world] has.
 inline constexpr std::string_view kWorldLists[] = {"volley", "force", "emitter", "joint"};

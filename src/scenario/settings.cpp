@@ -1,9 +1,11 @@
-// The list of all settings of scenario files: one row each, here and in the files settings_*.cpp. Adding a setting is
-// adding a row.
+// The list of all settings of scenario files: one row each, in src/settings, here and in the files settings_*.cpp.
+// Adding a setting is adding a row.
 #include "base/event_table.hpp"
 #include "scenario/expectation.hpp"
 #include "scenario/settings_parts.hpp"
 #include "scenario/units.hpp"
+#include "settings/environment_rows.hpp"
+#include "settings/flight_rows.hpp"
 
 namespace physim {
 namespace {
@@ -56,66 +58,15 @@ Quantity quantity_of_expectation(const Scope& scope) {
   return figure ? figure->quantity : Quantity::number;
 }
 
-#define PHYSIM_ENVIRONMENT(field, ...) PHYSIM_SCENARIO(environment.field, __VA_ARGS__)
 #define PHYSIM_EXPECT(...) PHYSIM_ROW("expect", expect, __VA_ARGS__)
 
 constexpr Entry kFileSettings[] = {
     setting("physim", PHYSIM_FIELD(format[0]), "format version of the file", between(1, 1)),
     PHYSIM_SCENARIO(title, "what the scenario shows"),
     PHYSIM_SCENARIO(source, "where its figures come from"),
-    PHYSIM_ENVIRONMENT(altitude, "altitude of the origin of the world frame above sea level, or above the ellipsoid",
-                       Quantity::length, between(-5000, 1e9)),
-    PHYSIM_ENVIRONMENT(gravity.model, "gravity field that is there", kShorthand),
-    PHYSIM_ENVIRONMENT(gravity.acceleration, "gravity at sea level, downwards, of constant and inverse_square",
-                       Quantity::acceleration),
-    PHYSIM_ENVIRONMENT(gravity.radius, "distance of sea level from the Earth's centre", Quantity::length, above(0)),
-    PHYSIM_ENVIRONMENT(atmosphere.model, "air that is there", kShorthand),
-    PHYSIM_ENVIRONMENT(atmosphere.temperature, "at the station; none: standard", Quantity::temperature,
-                       between(150, 350)),
-    PHYSIM_ENVIRONMENT(atmosphere.pressure, "at the station, not reduced to sea level; none: standard",
-                       Quantity::pressure, between(100, 120000)),
-    PHYSIM_ENVIRONMENT(atmosphere.humidity, "relative humidity at the station; none: dry", between(0, 1)),
-    PHYSIM_ENVIRONMENT(atmosphere.station_altitude, "altitude of the station above sea level; none: that of the origin",
-                       Quantity::length, between(-5000, 80000)),
-    PHYSIM_ENVIRONMENT(atmosphere.density, "at the origin, overrides all else for constant and exponential air",
-                       Quantity::density, at_least(0)),
-    PHYSIM_ENVIRONMENT(atmosphere.sound_speed, "at the origin, overrides all else for constant and exponential air",
-                       Quantity::speed, above(0)),
-    PHYSIM_ENVIRONMENT(atmosphere.scale_height, "of exponential air", Quantity::length, above(0)),
-    PHYSIM_ENVIRONMENT(wind.velocity, "velocity of the air; (0, 0, -4) blows from the right", Quantity::speed),
-    PHYSIM_ENVIRONMENT(wind.profile, "wind by height or range, at rising places, held outside", at_most(32)),
-    PHYSIM_ROW("environment.wind.profile", wind_point, at, "height above the origin, or distance downrange",
-               Quantity::length),
-    PHYSIM_ROW("environment.wind.profile", wind_point, velocity, "velocity of the air there", Quantity::speed),
-    PHYSIM_ENVIRONMENT(wind.by, "what the profile is read by"),
-    PHYSIM_ENVIRONMENT(wind.interpolation, "how the profile is read between its points"),
-    PHYSIM_ENVIRONMENT(earth.latitude, "of the origin, north positive", Quantity::angle, kHalfTurn),
-    PHYSIM_ENVIRONMENT(earth.longitude, "of the origin, east positive", Quantity::angle, kTurn),
-    PHYSIM_ENVIRONMENT(earth.azimuth, "compass direction of the x axis, clockwise from north", Quantity::angle, kTurn),
-    PHYSIM_ENVIRONMENT(earth.rotation_rate, "of the Earth", Quantity::angular_rate),
 };
 
 constexpr Entry kRunSettings[] = {
-    PHYSIM_SCENARIO(
-        tolerance.relative,
-        "adaptive integrators: error per step relative to position and velocity; none: 1e-9, in float32 2e-6",
-        at_least(0)),
-    PHYSIM_SCENARIO(tolerance.absolute,
-                    "adaptive integrators: error per step where these are near zero, in m and m/s; both add as squares",
-                    at_least(0)),
-    PHYSIM_SCENARIO(
-        tolerance.step,
-        "of fixed-step integrators; 0: heun and rk4 find it by pilot flights, the others take 1/60 s or less",
-        Quantity::time, at_least(0)),
-    PHYSIM_SCENARIO(tolerance.position_error, "what pilot flights keep along the whole flight", Quantity::length,
-                    above(0)),
-    PHYSIM_SCENARIO(tolerance.max_step, "adaptive integrators never step further", Quantity::time,
-                    or_infinite(above(0))),
-    PHYSIM_SCENARIO(tolerance.max_steps, "then the flight ends", between(1, 1e9)),
-    PHYSIM_SCENARIO(until.ground, "height of the ground above the origin; off: no ground", Quantity::length,
-                    Absent{"off"}),
-    PHYSIM_SCENARIO(until.time, "the flight ends after this time", Quantity::time, above(0)),
-    PHYSIM_SCENARIO(until.range, "the flight ends at this range along the line of sight", Quantity::length, above(0)),
     PHYSIM_SCENARIO(until.events, "further events to look for", at_most(24)),
     setting("until.events.kind", event_kind_slot, "what is watched", kRequired),
     PHYSIM_ROW("until.events", event, value, "that is crossed",
@@ -154,10 +105,18 @@ constexpr Entry kRunSettings[] = {
 std::span<const Entry> entries() {
   static const std::vector<Entry> all = [] {
     std::vector<Entry> list;
-    for (const std::span<const Entry> part :
-         {std::span<const Entry>(kFileSettings), shot_settings(), world_settings(), force_settings(), scene_settings(),
-          emitter_settings(), joint_settings(), study_settings(), std::span<const Entry>(kRunSettings)})
-      list.insert(list.end(), part.begin(), part.end());
+    add(list, kFileSettings);
+    add_rows<environment_in, kGroundRows>(list, "environment.");
+    add_rows<environment_in, kAirRows>(list, "environment.");
+    add_rows<environment_in, kScaleHeightRows>(list, "environment.");
+    add_rows<environment_in, kWindRows>(list, "environment.");
+    add_rows<environment_in, kEarthRows>(list, "environment.");
+    for (const std::span<const Entry> part : {shot_settings(), world_settings(), force_settings(), scene_settings(),
+                                              emitter_settings(), joint_settings(), study_settings()})
+      add(list, part);
+    add_rows<tolerance_in, kToleranceRows>(list, "tolerance.");
+    add_rows<until_in, kUntilRows>(list, "until.");
+    add(list, kRunSettings);
     PHYSIM_ASSERT(list.front().path == "physim");  // the version is read first
     return list;
   }();

@@ -1,5 +1,5 @@
 // Settings of [[emitter]]: their paths are those of EmitterDef, but for what a file says by name. EmitterCycle::stop is
-// none: emitters of a run stay to its end, which tells their counts.
+// not among them: emitters of a run stay to its end, which reports their counts.
 #include "scenario/settings_parts.hpp"
 
 namespace physim {

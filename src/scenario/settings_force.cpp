@@ -65,13 +65,13 @@ template <class Law>
 void add_law(std::vector<Entry>& list, std::deque<std::string>& paths) {
   for_each_member<Law>([&]<auto kMember>(const LawMember<kMember>& member) {
     paths.push_back("force." + std::string(kLaw<Law>.name) + "." + std::string(member.name));
-    list.push_back({.path = paths.back(),
-                    .slot = member_slot<Law, kMember>,
-                    .doc = member.doc,
-                    .quantity = member.quantity,
-                    .range = range_of(member.limit),
-                    .required = member.limit == Limit::needed,
-                    .is_there = is_law<Law>});
+    list.push_back({{.path = paths.back(),
+                     .doc = member.doc,
+                     .quantity = member.quantity,
+                     .range = range_of(member.limit),
+                     .required = member.limit == Limit::needed},
+                    member_slot<Law, kMember>});
+    list.back().is_there = is_law<Law>;
     if constexpr (std::is_same_v<Law, Thrust>)
       if (member.name == "curve") list.back().range = at_most(1000);
   });

@@ -18,7 +18,7 @@ constexpr Entry kJointSettings[] = {
     PHYSIM_JOINT_DEF(point, "of the world, where there is no b", Quantity::length),
     PHYSIM_JOINT_DEF(length,
                      "of a rod, of a taut cable, of a spring at rest; launch: as far as its ends are apart then",
-                     Quantity::length, Range{.low = 0, .high = 1e15, .low_open = true}, Absent{"launch"}),
+                     Quantity::length, Range{.low = 0, .high = 1e15, .low_open = true}, absent("launch")),
     PHYSIM_JOINT_DEF(restitution, "of a cable: speed kept when it comes taut", between(0, 1)),
     PHYSIM_JOINT_DEF(stiffness, "of a spring: force for each metre of stretch", Quantity::stiffness, at_least(0)),
     PHYSIM_JOINT_DEF(damping, "of a spring: of the rate at which its length changes", Quantity::linear_drag,

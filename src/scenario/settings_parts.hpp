@@ -1,6 +1,7 @@
 // What the list of settings is written with: ranges, slots made from the types of fields, rows.
 #pragma once
 
+#include <deque>
 #include <utility>
 
 #include "base/assert.hpp"
@@ -10,54 +11,35 @@
 
 namespace physim {
 
-// -------------------------------------------------------------------------------------------------------------- ranges
-constexpr Range above(double low) { return {.low = low, .low_open = true}; }
-constexpr Range at_least(double low) { return {.low = low}; }
-constexpr Range at_most(double high) { return {.low = 0, .high = high}; }
-constexpr Range between(double low, double high) { return {.low = low, .high = high}; }
-constexpr Range or_infinite(Range range) {
-  range.infinite = true;
-  return range;
-}
-inline constexpr Range kHalfTurn = {.low = -kRightAngle, .high = kRightAngle, .words = "-90 deg .. 90 deg"};
-inline constexpr Range kTurn = {.low = -4 * kRightAngle, .high = 4 * kRightAngle, .words = "-360 deg .. 360 deg"};
-inline constexpr Range kBits = {.low = 0, .high = 4294967295.0};
-inline constexpr Range kFraction = {.low = 0, .high = 1};
+using namespace setting_rows;
+
 inline constexpr Range kCurveKeys = {.low = 0, .high = 10'000};  // of a curve or gradient of an emitter
 inline constexpr Range kBelowRightAngle = {.low = 0, .high = kRightAngle, .words = "0 .. 90 deg"};
 inline constexpr Range kToBothSides = {.low = 0, .high = 2 * kRightAngle, .words = "0 .. 180 deg"};
 
 // --------------------------------------------------------------------------------------------- slots from field types
-/// Points as pairs of two of their fields.
-template <class Point>
-ValueRef points(std::vector<Point>& list, double Point::*first, double Point::*second, Points described) {
-  described.get = [&list, first, second] {
-    Points::Pairs pairs;
-    for (const Point& point : list) pairs.emplace_back(point.*first, point.*second);
-    return pairs;
-  };
-  described.set = [&list, first, second](const Points::Pairs& pairs) {
-    list.clear();
-    for (const auto& [x, y] : pairs) list.emplace_back(), list.back().*first = x, list.back().*second = y;
-  };
-  return described;
+/// Points as pairs: two members of an item, each with a row.
+template <class List, class First, class Second>
+ValueRef points(List& list, const First& first, const Second& second) {
+  return Points{{first.doc, second.doc},
+                {first.quantity, second.quantity},
+                [&list, first = first.get, second = second.get] {
+                  Points::Pairs pairs;
+                  for (auto& point : list) pairs.emplace_back(first(point), second(point));
+                  return pairs;
+                },
+                [&list, first = first.get, second = second.get](const Points::Pairs& pairs) {
+                  list.clear();
+                  for (const auto& [x, y] : pairs) list.emplace_back(), first(list.back()) = x, second(list.back()) = y;
+                },
+                {first.range, second.range}};
 }
-inline ValueRef points_of(std::vector<DragPoint>& list) {
-  return points(list, &DragPoint::mach, &DragPoint::coefficient,
-                {{"Mach number", "drag coefficient"}, {Quantity::number, Quantity::number}, {}, {}});
-}
-inline ValueRef points_of(std::vector<ThrustPoint>& list) {
-  return points(list, &ThrustPoint::time, &ThrustPoint::force,
-                {{"time", "thrust"}, {Quantity::time, Quantity::force}, {}, {}});
-}
-inline ValueRef points_of(std::vector<PropellantPoint>& list) {
-  return points(list, &PropellantPoint::time, &PropellantPoint::mass,
-                {{"time", "mass"}, {Quantity::time, Quantity::mass}, {}, {}});
-}
+inline constexpr auto kCurveKeyRows = std::tuple{
+    PHYSIM_SETTING(at, "part of the span", kFraction),
+    PHYSIM_SETTING(value, "value"),
+};
 inline ValueRef points_of(Curve& curve) {
-  return points(
-      curve, &CurveKey::at, &CurveKey::value,
-      {{"part of the span", "value"}, {Quantity::number, Quantity::number}, {}, {}, {{.low = 0, .high = 1}, {}}});
+  return points(curve, std::get<0>(kCurveKeyRows), std::get<1>(kCurveKeyRows));
 }
 
 /// A list of tables; in the scope of an element, the pointer for its kind points to it.
@@ -72,7 +54,7 @@ ValueRef records(const Scope& outer, std::vector<T>& list) {
                  }};
 }
 
-/// One of several names, whose places in the list are the values.
+/// One of several names; their places in the list are the values.
 template <class T>
 Choice choice(std::span<const std::string_view> names, T& value) {
   return {names, [&value] { return std::optional(static_cast<std::size_t>(value)); },
@@ -121,27 +103,7 @@ struct QuantityBy {
 struct WhereTrue {
   bool (*is_there)(const Scope&);
 };
-/// How the absence of a value is written.
-struct Absent {
-  std::string_view word;
-};
-enum class Trait { required, shorthand, preset, live, contact };
-inline constexpr Trait kRequired = Trait::required, kShorthand = Trait::shorthand, kPreset = Trait::preset,
-                       kLive = Trait::live, kContact = Trait::contact;
-
-constexpr void say(Entry& entry, Quantity quantity) { entry.quantity = quantity; }
-constexpr void say(Entry& entry, const Range& range) { entry.range = range; }
-constexpr void say(Entry& entry, Absent absent) { entry.none = absent.word; }
 constexpr void say(Entry& entry, WhereTrue where) { entry.is_there = where.is_there; }
-constexpr void say(Entry& entry, Trait trait) {
-  switch (trait) {
-    case Trait::required: entry.required = true; return;
-    case Trait::shorthand: entry.shorthand = true; return;
-    case Trait::preset: entry.starts = true; return;
-    case Trait::live: entry.live = true; return;
-    case Trait::contact: entry.of_contact = true; return;
-  }
-}
 constexpr void say(Entry& entry, QuantityBy by) {
   entry.quantity_by = by.quantity;
   entry.unit_by = by.unit;
@@ -150,13 +112,72 @@ constexpr void say(Entry& entry, QuantityBy by) {
 /// A row of the list; `said` is what else there is to say about the setting, in any order.
 template <class... Said>
 constexpr Entry setting(std::string_view path, ValueRef (*slot)(const Scope&), std::string_view doc, Said... said) {
-  Entry entry{.path = path, .slot = slot, .doc = doc};
+  Entry entry{{.path = path, .doc = doc}, slot};
   (say(entry, said), ...);
   return entry;
 }
 
+template <class Item, class Pointers>
+inline constexpr bool kIsAmong = false;
+template <class Item, class... Pointers>
+inline constexpr bool kIsAmong<Item, std::tuple<Pointers...>> = (std::is_same_v<Item*&, Pointers> || ...);
+/// Items that a file has as tables.
+template <class Item>
+concept ItemOfScope = kIsAmong<Item, decltype(std::declval<Scope&>().pointers())>;
+template <ItemOfScope Item>
+Item& item_of(const Scope& scope) {
+  Scope own = scope;
+  PHYSIM_ASSERT(std::get<Item*&>(own.pointers()) != nullptr);
+  return *std::get<Item*&>(own.pointers());
+}
+
+/// Items that a file has as pairs of numbers.
+template <class Item>
+inline constexpr bool kIsPair =
+    std::is_same_v<Item, DragPoint> || std::is_same_v<Item, ThrustPoint> || std::is_same_v<Item, PropellantPoint>;
+
+/// The slot of row `i`; its member is in what `owner` finds.
+template <auto owner, const auto& rows, std::size_t i>
+ValueRef slot_of_row(const Scope& scope) {
+  auto& value = std::get<i>(rows).get(owner(scope));
+  if constexpr (requires { requires kIsPair<std::decay_t<decltype(value.front())>>; })
+    return points(value, std::get<0>(kItemRows<rows, i>), std::get<1>(kItemRows<rows, i>));
+  else
+    return slot_of(scope, value);
+}
+
+/// Adds entries of rows, and behind each list those of its items where these are tables. `before`: what stands before
+/// the paths of the rows in a file.
+template <auto owner, const auto& rows>
+void add_rows(std::vector<Entry>& list, const std::string& before) {
+  static std::deque<std::string> paths;  // what the entries refer to
+  const auto add = [&]<std::size_t i>(std::integral_constant<std::size_t, i>) {
+    const auto& row = std::get<i>(rows);
+    paths.push_back(before + std::string(row.path));
+    Entry& entry = list.emplace_back(Entry{row, slot_of_row<owner, rows, i>});
+    entry.path = paths.back();
+    entry.range = row.in_files.value_or(row.range);
+    using List = std::decay_t<decltype(row.get(owner(Scope{})))>;
+    if constexpr (requires { requires ItemOfScope<typename List::value_type>; })
+      add_rows<item_of<typename List::value_type>, kItemRows<rows, i>>(list, paths.back() + ".");
+  };
+  [&]<std::size_t... i>(std::index_sequence<i...>) { (add(std::integral_constant<std::size_t, i>()), ...); }
+  (std::make_index_sequence<std::tuple_size_v<std::decay_t<decltype(rows)>>>());
+}
+
+inline void add(std::vector<Entry>& list, std::span<const Entry> more) {
+  list.insert(list.end(), more.begin(), more.end());
+}
+
+inline ProjectileDef& projectile_in(const Scope& scope) { return scope.shot->projectile; }
+inline Launch& launch_in(const Scope& scope) { return scope.shot->launch; }
+inline Fidelity& fidelity_in(const Scope& scope) { return scope.shot->projectile.fidelity; }
+inline Tolerance& tolerance_in(const Scope& scope) { return scope.scenario->tolerance; }
+inline Until& until_in(const Scope& scope) { return scope.scenario->until; }
+inline Environment& environment_in(const Scope& scope) { return scope.scenario->environment; }
+
 #define PHYSIM_FIELD(...) [](const Scope& s) { return slot_of(s, s.__VA_ARGS__); }
-/// A row of a table whose keys are called as the fields of what a pointer of Scope points to.
+/// A row of a table with keys that are called as the fields of what a pointer of Scope points to.
 #define PHYSIM_ROW(table, pointer, field, ...) setting(table "." #field, PHYSIM_FIELD(pointer->field), __VA_ARGS__)
 /// A row of what a scenario calls as its file does.
 #define PHYSIM_SCENARIO(field, ...) setting(#field, PHYSIM_FIELD(scenario->field), __VA_ARGS__)

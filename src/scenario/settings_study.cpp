@@ -12,7 +12,9 @@ constexpr Entry kStudySettings[] = {
                     at_most(64)),
     PHYSIM_SCENARIO(study.correlated, "\"shot.speed with shot.mass = 0.5\", \"shot.drag.curve.N by distance = 0.3\"",
                     at_most(1000)),
-    PHYSIM_SCENARIO(study.targets, "\"plate: rectangle 30 cm x 50 cm at 0 m, 1 m\", \"circle 10 cm\", \"thing wall\"",
+    PHYSIM_SCENARIO(study.targets,
+                    "\"plate: rectangle 30 cm x 50 cm at 0 m, 1 m\" (width x height), \"circle 10 cm\" (radius), "
+                    "\"thing wall\"",
                     at_most(1000)),
     PHYSIM_SCENARIO(
         study.quantities,

@@ -1,5 +1,8 @@
 // Settings of worlds: [shot.body], how they treat a projectile; [world]; [[volley]].
+#include <algorithm>
+
 #include "scenario/settings_parts.hpp"
+#include "settings/body_rows.hpp"
 
 namespace physim {
 
@@ -48,49 +51,14 @@ ValueRef on_hit_slot(const Scope& scope) {
   return slot;
 }
 
-#define PHYSIM_SHOT(field, ...) setting("shot." #field, PHYSIM_FIELD(shot->field), __VA_ARGS__)
 #define PHYSIM_WORLD_DEF(field, ...) setting("world." #field, PHYSIM_FIELD(scenario->world.def.field), __VA_ARGS__)
 #define PHYSIM_VOLLEY(...) PHYSIM_ROW("volley", volley, __VA_ARGS__)
 
-constexpr Entry kWorldSettings[] = {
-    PHYSIM_SHOT(body.gravity_scale, "times gravity; 0: none", kLive),
-    PHYSIM_SHOT(body.use_gravity, "false is a gravity_scale of 0", kLive),
-    PHYSIM_SHOT(body.drag_scale, "times every drag; 0: none", at_least(0)),
-    PHYSIM_SHOT(body.angular_drag, "rate at which turning dies away", Quantity::frequency, at_least(0)),
-    PHYSIM_SHOT(body.angular_velocity, "at launch; shown only: it moves nothing", Quantity::angular_rate),
-    PHYSIM_SHOT(body.kinematic, "moves only when told to", kLive),
-    PHYSIM_SHOT(body.infinite_mass, "nothing ever moves it"),
-    PHYSIM_SHOT(body.frozen, "axes of the world along which it does not move", kLive),
-    PHYSIM_SHOT(body.frozen_rotation, "axes of the world about which it does not turn", kLive),
-    PHYSIM_SHOT(body.can_sleep, "goes to sleep after resting", kLive),
-    PHYSIM_SHOT(body.sleep_speed, "slower than this is resting", Quantity::speed, at_least(0)),
-    PHYSIM_SHOT(body.sleep_time, "rest before it sleeps", Quantity::time, at_least(0)),
-    PHYSIM_SHOT(body.restitution, "speed kept by a bounce", between(0, 1), kContact),
-    PHYSIM_SHOT(body.friction, "Coulomb's, of bounces and sliding", at_least(0), kContact),
-    PHYSIM_SHOT(body.rolling_resistance, "part of the weight that resists rolling; 0: a point slides, against friction",
-                at_least(0), kContact),
-    setting("shot.body.collision.on_hit", on_hit_slot, "what it does where it meets a thing of the scene", kContact),
-    PHYSIM_SHOT(body.collision.radius, "it meets them as a ball of so much, 1e-12 m at least; 0: as a point",
-                Quantity::length, between(0, 1e6), kContact),
-    PHYSIM_SHOT(body.collision.inertia, "of the ball, over mass and radius squared",
-                Range{.low = 0, .high = 1, .low_open = true}, kContact),
-    PHYSIM_SHOT(body.collision.layers, "bits: it meets things of these layers; 0: none", kBits, kContact),
-    PHYSIM_SHOT(body.collision.others, "bits: it meets projectiles of these layers that want its own; 0: none", kBits),
-    PHYSIM_SHOT(body.despawn.below, "leaves below this height above the origin", Quantity::length, or_infinite({})),
-    PHYSIM_SHOT(body.despawn.farther, "leaves farther than this from its launch", Quantity::length,
-                or_infinite(above(0))),
-    PHYSIM_SHOT(body.despawn.older, "leaves this long after launch", Quantity::time, or_infinite(above(0))),
-    PHYSIM_SHOT(body.despawn.slower, "leaves when slower than this", Quantity::speed, at_least(0)),
-    PHYSIM_SHOT(body.despawn.outside_box, "leaves outside of the box"),
-    PHYSIM_SHOT(body.despawn.box_low, "corner of the box", Quantity::length),
-    PHYSIM_SHOT(body.despawn.box_high, "opposite corner of the box", Quantity::length),
-    PHYSIM_SHOT(body.smoothing, "how a position between two steps is shown", kLive),
+constexpr Entry kPoolSettings[] = {
     PHYSIM_ROW("shot.body", shot, pool, "name of its pool, out of world.pools; empty: the first"),
-    PHYSIM_SHOT(body.within_time, "how long after its launch shot.fidelity.cheapest_within is kept", Quantity::time,
-                above(0)),
-    PHYSIM_SHOT(body.layers, "bits for forces and for the user's own use", kBits, kLive),
-    PHYSIM_SHOT(body.colour, "carried along, 0xRRGGBBAA", kBits, kLive),
-    PHYSIM_SHOT(body.label, "carried along", kLive),
+};
+
+constexpr Entry kWorldSettings[] = {
     PHYSIM_SCENARIO(world.duration, "of the run", Quantity::time, above(0)),
     PHYSIM_WORLD_DEF(step, "fixed time step", Quantity::time, Range{.low = 0, .high = 10, .low_open = true}),
     PHYSIM_WORLD_DEF(ground.mode, "what happens where a projectile reaches the ground", kShorthand),
@@ -98,7 +66,7 @@ constexpr Entry kWorldSettings[] = {
     PHYSIM_WORLD_DEF(ground.restitution, "times that of the projectile", between(0, 1)),
     PHYSIM_WORLD_DEF(ground.friction, "times that of the projectile", at_least(0)),
     PHYSIM_SCENARIO(world.wall, "distance downrange of a wall that stops what reaches it; off: none", Quantity::length,
-                    Absent{"off"}),
+                    absent("off")),
     PHYSIM_WORLD_DEF(apex_events, "tell when a projectile passes its highest point"),
     PHYSIM_WORLD_DEF(pools, "limits on projectiles; the first is that of shots that name none", at_most(1000)),
     PHYSIM_ROW("world.pools", pool, name, "for shot.body.pool", kRequired),
@@ -138,8 +106,27 @@ constexpr Entry kWorldSettings[] = {
                   between(0, 9007199254740992.0)),
 };
 
+BodyDef& body_in(const Scope& scope) { return scope.shot->body; }
+
+std::vector<Entry> all_world_settings() {
+  std::vector<Entry> list;
+  add_rows<body_in, kBodyRows>(list, "shot.body.");
+  add_rows<body_in, kContactRows>(list, "shot.body.");
+  std::ranges::find(list, "shot.body.collision.on_hit", &Entry::path)->slot = on_hit_slot;
+  add_rows<body_in, kDespawnRows>(list, "shot.body.");
+  add_rows<body_in, kBoxRows>(list, "shot.body.");
+  add_rows<body_in, kShownRows>(list, "shot.body.");
+  add(list, kPoolSettings);
+  add_rows<body_in, kCarriedRows>(list, "shot.body.");
+  add(list, kWorldSettings);
+  return list;
+}
+
 }  // namespace
 
-std::span<const Entry> world_settings() { return kWorldSettings; }
+std::span<const Entry> world_settings() {
+  static const std::vector<Entry> all = all_world_settings();
+  return all;
+}
 
 }  // namespace physim

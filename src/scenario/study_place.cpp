@@ -3,7 +3,7 @@
 #include <array>
 
 #include "base/event_table.hpp"
-#include "physim/scenario.hpp"
+#include "scenario/scenario.hpp"
 #include "scenario/suggest.hpp"
 #include "scenario/units.hpp"
 

@@ -4,8 +4,8 @@
 #include <filesystem>
 
 #include "base/assert.hpp"
-#include "physim/scenario.hpp"
 #include "scenario/measured_column.hpp"
+#include "scenario/scenario.hpp"
 #include "scenario/schema.hpp"
 #include "scenario/study_text.hpp"
 #include "scenario/suggest.hpp"
@@ -457,6 +457,8 @@ Result<Study> study_of(const Scenario& scenario, const ScenarioShot& shot) {
               .seed = static_cast<std::uint64_t>(texts.seed),
               .shots = static_cast<std::uint64_t>(texts.shots),
               .indices = texts.indices};
+  if (study.rounds > study.shard_shots) study.shard_shots = study.rounds;
+  study.shard_shots -= study.shard_shots % study.rounds;  // whole occasions
   std::erase_if(study.until.events, [](const EventSpec& event) { return !event.terminal; });
   if (texts.histograms != 0 && (texts.histograms < 3 || texts.histograms > 1000))
     return Error{"must be from 3 to 1000 bars", "study.histograms", "0 for none"};

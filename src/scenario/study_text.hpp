@@ -5,7 +5,7 @@
 #include <string_view>
 #include <vector>
 
-#include "physim/scenario_study.hpp"
+#include "scenario/scenario.hpp"
 
 namespace physim {
 
@@ -15,7 +15,7 @@ struct ScenarioShot;
 /// that depend on another of its settings.
 [[nodiscard]] Result<StudyInput> parse_study_input_in(const std::string& folder, std::string_view text,
                                                       const ScenarioShot* shot = nullptr);
-/// What a study is told at; an error names the text that is no place.
+/// The places of a study; an error names the text that is no place.
 [[nodiscard]] Result<std::vector<StudyPlace>> study_places_of(const ScenarioStudy& texts);
 
 }  // namespace physim

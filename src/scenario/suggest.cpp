@@ -10,7 +10,7 @@ namespace {
 
 constexpr std::size_t kLongestWord = 200;    // a longer one is no misspelling; keeps the quadratic cost small
 constexpr std::size_t kLongestQuote = 60;    // [characters]
-constexpr std::size_t kMostCandidates = 30;  // a longer list helps nobody
+constexpr std::size_t kMostCandidates = 30;  // a longer list does not help
 
 std::string lower_case(std::string_view text) {
   std::string out(text);

@@ -1,11 +1,13 @@
 // The only file that knows GDAL.
-#include "physim/terrain_file.hpp"
+#include "physim/files.hpp"
 
 #include <algorithm>
 #include <array>
 #include <bit>
 #include <cmath>
+#include <limits>
 #include <memory>
+#include <utility>
 
 #include "base/checker.hpp"
 #include "base/ieee_mode.hpp"
@@ -36,12 +38,13 @@ namespace {
 #define PHYSIM_GDAL_FUNCTIONS(F) \
   F(CPLGetLastErrorMsg) F(CPLPopErrorHandler) F(CPLPushErrorHandler) F(CPLQuietErrorHandler) F(CSLDestroy) \
   F(GDALAllRegister) F(GDALAutoCreateWarpedVRT) F(GDALClose) F(GDALCreate) F(GDALFillRaster) \
-  F(GDALGetDriverByName) F(GDALGetFileList) F(GDALGetGeoTransform) F(GDALGetRasterBand) F(GDALGetRasterCount) \
-  F(GDALGetRasterNoDataValue) F(GDALGetRasterOffset) F(GDALGetRasterScale) F(GDALGetRasterUnitType) \
-  F(GDALGetRasterXSize) F(GDALGetRasterYSize) F(GDALGetSpatialRef) F(GDALOpenEx) F(GDALRasterIO) \
-  F(GDALReprojectImage) F(GDALSetGeoTransform) F(GDALSetRasterNoDataValue) F(OSRDestroySpatialReference) \
-  F(OSRExportToWkt) F(OSRIsGeographic) F(OSRNewSpatialReference) F(OSRSetAxisMappingStrategy) \
-  F(OSRSetWellKnownGeogCS) F(VSIFree)
+  F(GDALGetDriverByName) F(GDALGetFileList) F(GDALGetGeoTransform) F(GDALGetMaskBand) F(GDALGetRasterBand) \
+  F(GDALGetRasterColorInterpretation) F(GDALGetRasterCount) F(GDALGetRasterOffset) F(GDALGetRasterScale) \
+  F(GDALGetRasterUnitType) F(GDALGetRasterXSize) F(GDALGetRasterYSize) F(GDALGetSpatialRef) F(GDALOpenEx) \
+  F(GDALRasterIO) F(GDALReprojectImage) F(GDALSetGeoTransform) F(GDALSetRasterNoDataValue) \
+  F(GDALSetSpatialRef) F(OCTDestroyCoordinateTransformation) F(OCTNewCoordinateTransformation) F(OCTTransform) \
+  F(OSRDestroySpatialReference) F(OSRExportToWkt) F(OSRIsGeographic) F(OSRNewSpatialReference) \
+  F(OSRSetAxisMappingStrategy) F(OSRSetWellKnownGeogCS) F(VSIFree)
 // clang-format on
 
 /// What is used of GDAL. It is loaded when the first file of terrain is read: with all that it needs it is a hundred
@@ -72,11 +75,12 @@ const Gdal& gdal() {
   return loaded;
 }
 
-constexpr double kDegree = 3.141592653589793 / 180;            // [rad]
-constexpr double kEarthRadius = 6371008.8;                     // the mean one: how far about a place counts by it [m]
-constexpr double kFoot = 0.3048, kSurveyFoot = 1200.0 / 3937;  // [m]
+constexpr double kDegree = 3.141592653589793 / 180;  // [rad]
+constexpr double kEarthRadius = 6371008.8;           // the mean one: how far about a place counts by it [m]
 constexpr double kMostPoints = 2e7, kMostWarped = 1e8;
-constexpr double kNothing = -1e30;  // where another projection has no height
+constexpr double kNothing = -1e30;                    // where another projection has no height
+constexpr double kDeepest = -12e3, kHighest = 9.2e3;  // the Mariana Trench, Mount Everest, and room [m]
+constexpr double kSamePlace = 1e-6;                   // 0.1 m: frames that differ by less are one [degrees]
 
 struct Close {
   void operator()(void* dataset) const { gdal().GDALClose(dataset); }
@@ -122,13 +126,16 @@ struct Span {
   int count = 0;
 };
 
-/// All within `half` of a middle, widened to whole cells.
-Span cut_of(const Axis& axis, double middle, double half) {
+/// All within `half` of a middle, widened to whole cells. `around`: how many columns are once around the Earth, so that
+/// the span may go over the end of the axis; 0: it ends there.
+Span cut_of(const Axis& axis, double middle, double half, int around) {
   PHYSIM_ASSERT(axis.step != 0 && axis.count > 0);
   const double one = (middle - half - axis.first) / axis.step, other = (middle + half - axis.first) / axis.step;
+  const double low = std::floor(std::min(one, other)), high = std::ceil(std::max(one, other));
+  if (around > 0 && high - low < around && (low < 0 || high >= axis.count))
+    return {static_cast<int>(low), static_cast<int>(high - low) + 1};
   const double last = axis.count - 1.0;
-  const double from = std::clamp(std::floor(std::min(one, other)), 0.0, last);
-  const double to = std::clamp(std::ceil(std::max(one, other)), 0.0, last);
+  const double from = std::clamp(low, 0.0, last), to = std::clamp(high, 0.0, last);
   return {static_cast<int>(from), static_cast<int>(to - from) + 1};
 }
 
@@ -150,9 +157,9 @@ class Raster {
     const OGRSpatialReferenceH projection = gdal().GDALGetSpatialRef(raster.file_.get());
     if (!projection) return Error{"it does not say where on the Earth it lies", file, "gdal_edit.py -a_srs adds that"};
     raster.use(raster.file_.get());
-    raster.unit_ = unit_of(raster.band_);
-    if (!gdal().OSRIsGeographic(projection) || !raster.is_upright_)
-      if (const Status status = raster.warp(); !status) return status.error();
+    if (const Status status = raster.take_unit(); !status) return status.error();
+    if (!raster.is_upright_ || !raster.lies_in_wgs84(projection))
+      if (const Status status = raster.warp(projection); !status) return status.error();
     return raster;
   }
 
@@ -160,15 +167,15 @@ class Raster {
     const double half = cut.reach / kEarthRadius / kDegree;
     const double wide = half / std::max(std::cos(cut.latitude), 1e-6);
     const double latitude = cut.latitude / kDegree, longitude = turned_towards(cut.longitude / kDegree);
-    const bool is_beside = latitude + half < south() || latitude - half > north() || longitude + wide < west() ||
-                           longitude - wide > east();
+    const bool is_beside = latitude + half < south() || latitude - half > north() ||
+                           (around() == 0 && (longitude + wide < west() || longitude - wide > east()));
     if (is_beside) {
       const std::string has = "it has latitudes of " + degrees(south(), north()) + " and longitudes of " +
                               degrees(west(), east()) + " degrees";
       return Error{"it has nothing about " + std::to_string(latitude) + ", " + std::to_string(longitude), file_name_,
                    has};
     }
-    return read(cut_of(columns_, longitude, wide), cut_of(rows_, latitude, half), cut);
+    return read(cut_of(columns_, longitude, wide, around()), cut_of(rows_, latitude, half, 0), cut);
   }
 
  private:
@@ -192,14 +199,69 @@ class Raster {
     columns_ = {at[0] + at[1] / 2, at[1], gdal().GDALGetRasterXSize(dataset)};
     rows_ = {at[3] + at[5] / 2, at[5], gdal().GDALGetRasterYSize(dataset)};
     band_ = gdal().GDALGetRasterBand(dataset, 1);
+    alpha_ = nullptr;  // GDALGetMaskBand() sees alpha bands of bytes and 16 bits alone
+    for (int i = 2; i <= gdal().GDALGetRasterCount(dataset); ++i)
+      if (const GDALRasterBandH band = gdal().GDALGetRasterBand(dataset, i);
+          gdal().GDALGetRasterColorInterpretation(band) == GCI_AlphaBand)
+        alpha_ = band;
   }
 
-  /// Another projection is brought to latitude and longitude; where the file has nothing, there is nothing.
-  Status warp() {
-    const auto refused = [&] {
-      return Error{"it cannot be brought to latitude and longitude: " + Quiet::words(), file_name_, ""};
-    };
-    const Dataset plan(gdal().GDALAutoCreateWarpedVRT(file_.get(), nullptr, wgs84().c_str(), GRA_Bilinear, 0, nullptr));
+  [[nodiscard]] Error refused() const {
+    return Error{"it cannot be brought to latitude and longitude: " + Quiet::words(), file_name_, ""};
+  }
+
+  /// Whether latitudes and longitudes are those of WGS 84, in degrees: NAD83 and ETRS89 are within a metre, the datum
+  /// of Tokyo is 450 m off, and some count in grads from Paris.
+  [[nodiscard]] bool lies_in_wgs84(OGRSpatialReferenceH projection) const {
+    if (!gdal().OSRIsGeographic(projection)) return false;
+    const OGRSpatialReferenceH there = new_wgs84();
+    const OGRCoordinateTransformationH transform = gdal().OCTNewCoordinateTransformation(projection, there);
+    bool is_same = transform != nullptr;
+    for (const double x : {west(), east()})
+      for (const double y : {south(), north()}) {
+        if (std::abs(y) > 89.9) continue;  // a longitude means nothing at a pole
+        double longitude = x, latitude = y;
+        is_same = is_same && gdal().OCTTransform(transform, 1, &longitude, &latitude, nullptr) != 0 &&
+                  std::abs(within_half_turn(longitude - x)) < kSamePlace && std::abs(latitude - y) < kSamePlace;
+      }
+    if (transform) gdal().OCTDestroyCoordinateTransformation(transform);
+    gdal().OSRDestroySpatialReference(there);
+    return is_same;
+  }
+
+  /// A copy of the file in memory: heights in metres, kNothing where there is none. The warper sees masks of some kinds
+  /// alone.
+  Result<Dataset> clean_copy(OGRSpatialReferenceH projection) const {
+    const int wide = columns_.count, high = rows_.count;
+    if (static_cast<double>(wide) * high > kMostWarped)
+      return Error{"has " + std::to_string(wide) + " by " + std::to_string(high) + " points in another projection",
+                   file_name_, "at most 1e8 are brought to latitude and longitude: gdalwarp -t_srs EPSG:4326 does it"};
+    Dataset copy(gdal().GDALCreate(gdal().GDALGetDriverByName("MEM"), "", wide, high, 1, GDT_Float64, nullptr));
+    std::array<double, 6> at{};
+    gdal().GDALGetGeoTransform(file_.get(), at.data());
+    if (!copy || gdal().GDALSetGeoTransform(copy.get(), at.data()) != CE_None ||
+        gdal().GDALSetSpatialRef(copy.get(), projection) != CE_None)
+      return refused();
+    const GDALRasterBandH band = gdal().GDALGetRasterBand(copy.get(), 1);
+    gdal().GDALSetRasterNoDataValue(band, kNothing);
+    Line line(wide);
+    for (int row = 0; row < high; ++row) {
+      if (const Status status = read(0, row, wide, 0, line); !status) return status.error();
+      for (double& height : line.heights)
+        if (!std::isfinite(height)) height = kNothing;
+      if (gdal().GDALRasterIO(band, GF_Write, 0, row, wide, 1, line.heights.data(), wide, 1, GDT_Float64, 0, 0) !=
+          CE_None)
+        return refused();
+    }
+    return copy;
+  }
+
+  /// Another frame is brought to latitude and longitude; where the file has nothing, there is nothing.
+  Status warp(OGRSpatialReferenceH projection) {
+    Result<Dataset> clean = clean_copy(projection);
+    if (!clean) return clean.error();
+    const Dataset copy = std::move(*clean);
+    const Dataset plan(gdal().GDALAutoCreateWarpedVRT(copy.get(), nullptr, wgs84().c_str(), GRA_Bilinear, 0, nullptr));
     if (!plan) return refused();
     // GDAL keeps the diagonal of cells. Neither side may be longer than that of the file: its bilinear interpolation is
     // none where points are left out.
@@ -216,19 +278,22 @@ class Raster {
     const GDALRasterBandH band = gdal().GDALGetRasterBand(warped_.get(), 1);
     gdal().GDALSetRasterNoDataValue(band, kNothing);
     gdal().GDALFillRaster(band, kNothing, 0);
-    if (gdal().GDALReprojectImage(file_.get(), nullptr, warped_.get(), wgs84().c_str(), GRA_Bilinear, 0, 0, nullptr,
+    if (gdal().GDALReprojectImage(copy.get(), nullptr, warped_.get(), wgs84().c_str(), GRA_Bilinear, 0, 0, nullptr,
                                   nullptr, nullptr) != CE_None)
       return refused();
-    const GDALRasterBandH of_file = gdal().GDALGetRasterBand(file_.get(), 1);
-    unit_ = unit_of(of_file);
+    unit_ = {};
     use(warped_.get());
     return {};
   }
   static int finer(int count) { return static_cast<int>(std::ceil(count * 1.4142135623730951)); }
-  static std::string wgs84() {
+  static OGRSpatialReferenceH new_wgs84() {
     const OGRSpatialReferenceH frame = gdal().OSRNewSpatialReference(nullptr);
     gdal().OSRSetWellKnownGeogCS(frame, "WGS84");
     gdal().OSRSetAxisMappingStrategy(frame, OAMS_TRADITIONAL_GIS_ORDER);
+    return frame;
+  }
+  static std::string wgs84() {
+    const OGRSpatialReferenceH frame = new_wgs84();
     char* text = nullptr;
     gdal().OSRExportToWkt(frame, &text);
     const std::string wkt = text ? text : "";
@@ -248,16 +313,15 @@ class Raster {
     grid.columns = static_cast<std::uint32_t>(wide);
     grid.rows = static_cast<std::uint32_t>(high);
     grid.heights.resize(std::size_t{grid.columns} * grid.rows);
-    std::vector<double> line(static_cast<std::size_t>(columns.count));
+    Line line(columns.count);
     for (int row = 0; row < high; ++row) {
       const int of_file = rows.first + (high - 1 - row) * every;  // rows of the grid go northwards
-      if (gdal().GDALRasterIO(band_, GF_Read, columns.first, of_file, columns.count, 1, line.data(), columns.count, 1,
-                              GDT_Float64, 0, 0) != CE_None)
-        return Error{"the file is damaged: " + Quiet::words(), file_name_, ""};
+      if (const Status status = read_around(columns, of_file, line); !status) return status.error();
       for (int i = 0; i < wide; ++i) {
-        const Result<double> height = height_of(line[static_cast<std::size_t>(i * every)], cut);
-        if (!height) return height.error();
-        grid.heights[static_cast<std::size_t>(row) * grid.columns + static_cast<std::size_t>(i)] = *height;
+        double height = line.heights[static_cast<std::size_t>(i * every)];
+        if (!std::isfinite(height) && !cut.missing) return without_height(columns.first + i * every, of_file);
+        if (!std::isfinite(height)) height = *cut.missing;
+        grid.heights[static_cast<std::size_t>(row) * grid.columns + static_cast<std::size_t>(i)] = height + cut.geoid;
       }
     }
     grid.longitude = within_half_turn(columns_.first + columns.first * columns_.step) * kDegree;
@@ -267,16 +331,55 @@ class Raster {
     return grid;
   }
 
-  [[nodiscard]] Result<double> height_of(double raw, const TerrainCut& cut) const {
-    int is_known = 0;
-    const double nothing = gdal().GDALGetRasterNoDataValue(band_, &is_known);
-    if (!std::isfinite(raw) || (is_known != 0 && raw == nothing)) {
-      if (!cut.missing)
-        return Error{"has points without a height", file_name_,
-                     "say which one they get, 0 for the sea; or give a smaller reach"};
-      return *cut.missing + cut.geoid;
+  /// Part of a row: heights in metres, NaN where there is none.
+  struct Line {
+    explicit Line(int count) : heights(static_cast<std::size_t>(count)), there(heights.size()) {}
+    std::vector<double> heights;
+    std::vector<double> there;  // of a mask: 0 where there is nothing
+  };
+
+  /// Reads `count` points from a column on to `into` and behind. A point that the file's number for nothing, its mask
+  /// or its alpha band leaves out has no height; nor has one beyond the Earth's heights, such as 32767 m.
+  [[nodiscard]] Status read(int column, int row, int count, int into, Line& line) const {
+    const auto take = [&](GDALRasterBandH band, double* to) -> Status {
+      if (gdal().GDALRasterIO(band, GF_Read, column, row, count, 1, to, count, 1, GDT_Float64, 0, 0) == CE_None)
+        return {};
+      return Error{"the file is damaged: " + Quiet::words(), file_name_, ""};
+    };
+    double* const heights = line.heights.data() + into;
+    double* const there = line.there.data() + into;
+    if (Status status = take(band_, heights); !status) return status;
+    for (int i = 0; i < count; ++i) heights[i] = heights[i] * unit_.scale + unit_.offset;
+    for (const GDALRasterBandH mask : {gdal().GDALGetMaskBand(band_), alpha_}) {
+      if (mask == nullptr) continue;
+      if (Status status = take(mask, there); !status) return status;
+      for (int i = 0; i < count; ++i)
+        if (there[i] == 0) heights[i] = std::numeric_limits<double>::quiet_NaN();
     }
-    return raw * unit_.scale + unit_.offset + cut.geoid;
+    for (int i = 0; i < count; ++i)
+      if (!(heights[i] >= kDeepest && heights[i] <= kHighest)) heights[i] = std::numeric_limits<double>::quiet_NaN();
+    return {};
+  }
+
+  /// Reads a row of a span that may go over the end of the axis.
+  [[nodiscard]] Status read_around(const Span& columns, int row, Line& line) const {
+    for (int done = 0; done < columns.count;) {
+      int column = columns.first + done;
+      if (const int whole = around(); whole > 0) column = ((column % whole) + whole) % whole;
+      const int count = std::min(columns.count - done, columns_.count - column);
+      if (Status status = read(column, row, count, done, line); !status) return status;
+      done += count;
+    }
+    return {};
+  }
+
+  [[nodiscard]] Error without_height(int column, int row) const {
+    const double longitude = within_half_turn(columns_.first + column * columns_.step);
+    const std::string where =
+        warped_ ? "" : "row " + std::to_string(row + 1) + ", column " + std::to_string(column + 1) + ": ";
+    return Error{"has points without a height: " + where + "latitude " +
+                     std::to_string(rows_.first + row * rows_.step) + ", longitude " + std::to_string(longitude),
+                 file_name_, "say which one they get, 0 for the sea; or give a smaller reach"};
   }
 
   /// Metres of what the file holds.
@@ -284,14 +387,51 @@ class Raster {
     double scale = 1;
     double offset = 0;
   };
-  static Unit unit_of(GDALRasterBandH band) {
+  [[nodiscard]] Status take_unit() {
+    constexpr double kFoot = 0.3048, kSurveyFoot = 1200.0 / 3937;
+    static constexpr std::pair<std::string_view, double> kUnits[] = {{"", 1},
+                                                                     {"m", 1},
+                                                                     {"metre", 1},
+                                                                     {"meter", 1},
+                                                                     {"metres", 1},
+                                                                     {"meters", 1},
+                                                                     {"mm", 1e-3},
+                                                                     {"cm", 1e-2},
+                                                                     {"dm", 0.1},
+                                                                     {"km", 1e3},
+                                                                     {"ft", kFoot},
+                                                                     {"foot", kFoot},
+                                                                     {"feet", kFoot},
+                                                                     {"yd", 0.9144},
+                                                                     {"fathom", 1.8288},
+                                                                     {"fathoms", 1.8288},
+                                                                     {"international foot", kFoot},
+                                                                     {"us-ft", kSurveyFoot},
+                                                                     {"ftus", kSurveyFoot},
+                                                                     {"us survey foot", kSurveyFoot},
+                                                                     {"us_survey_foot", kSurveyFoot},
+                                                                     {"us survey feet", kSurveyFoot},
+                                                                     {"us foot", kSurveyFoot},
+                                                                     {"sft", kSurveyFoot}};
+    const std::string said = gdal().GDALGetRasterUnitType(band_);
+    std::string name = said;
+    for (char& c : name) c = static_cast<char>(c >= 'A' && c <= 'Z' ? c + 32 : c);
+    const auto* const unit = std::ranges::find(kUnits, name, &std::pair<std::string_view, double>::first);
+    if (unit == std::end(kUnits))
+      return Error{"its heights are in \"" + said + "\", which is no unit of length here", file_name_,
+                   "m, dm, cm, mm, km, ft, us-ft, yd and fathom are: gdal_edit.py -units sets it"};
     int has_scale = 0, has_offset = 0;
-    const double scale = gdal().GDALGetRasterScale(band, &has_scale),
-                 offset = gdal().GDALGetRasterOffset(band, &has_offset);
-    const std::string name = gdal().GDALGetRasterUnitType(band);
-    const bool are_feet = name.starts_with("f") || name.starts_with("F");
-    const double metre = name.starts_with("US") ? kSurveyFoot : are_feet ? kFoot : 1;
-    return {(has_scale != 0 ? scale : 1) * metre, (has_offset != 0 ? offset : 0) * metre};
+    const double scale = gdal().GDALGetRasterScale(band_, &has_scale),
+                 offset = gdal().GDALGetRasterOffset(band_, &has_offset);
+    unit_ = {(has_scale != 0 ? scale : 1) * unit->second, (has_offset != 0 ? offset : 0) * unit->second};
+    return {};
+  }
+
+  /// How many columns are once around the Earth, if the file has all of them; else 0.
+  [[nodiscard]] int around() const {
+    const double whole = std::round(360 / columns_.step);
+    const bool is_whole = std::abs(whole * columns_.step - 360) < 1e-3 * columns_.step;
+    return is_whole && columns_.count >= whole ? static_cast<int>(whole) : 0;
   }
 
   static double end(const Axis& axis) { return axis.first + (axis.count - 1) * axis.step; }
@@ -311,6 +451,7 @@ class Raster {
   Dataset file_{};
   Dataset warped_{};  // goes before the file that it reads
   GDALRasterBandH band_ = nullptr;
+  GDALRasterBandH alpha_ = nullptr;  // null: there is none
   Axis columns_{}, rows_{};
   Unit unit_{};
   bool is_upright_ = false;  // columns go east and rows south

@@ -28,7 +28,7 @@ Error too_large(const std::string& file, std::uintmax_t most_bytes, const std::s
   return {"larger than " + limit, file, "this cannot be a " + kind};
 }
 
-/// What stands at a path, as far as it is no file. Nothing is opened: to open a device may change it.
+/// What stands at a path, if it is no file. Nothing is opened: to open a device may change it.
 Status check_what_it_is(const std::string& file, const std::string& kind, bool allows_pipe, struct stat& at) {
   if (file.find('\0') != file.npos || ::stat(file.c_str(), &at) != 0) {
     const bool is_missing = errno == ENOENT || errno == ENOTDIR || file.find('\0') != file.npos;
@@ -82,7 +82,7 @@ Result<Bytes> read(const std::string& file, std::uintmax_t most_bytes, const std
     if (filled > most_bytes) return too_large(file, most_bytes, kind);
     if (count > 0 || (count < 0 && errno == EINTR)) continue;
     if (count < 0 && errno != EAGAIN) return unreadable(file);
-    if (count < 0) {  // a pipe whose writer takes its time
+    if (count < 0) {  // a pipe with a slow writer
       if (!in.wait(kWaitForMore))
         return Error{"nothing came through this pipe for a minute", file, "write a file first"};
     } else if (S_ISFIFO(at.st_mode) && filled == 0 && !waited_for_writer) {

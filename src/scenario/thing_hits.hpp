@@ -3,12 +3,12 @@
 
 #include <span>
 
-#include "physim/world_run.hpp"
 #include "scenario/run_state.hpp"
+#include "scenario/world_run.hpp"
 
 namespace physim {
 
-/// What a run, or a flight, knows of its scene.
+/// The scene of a run, or of a flight.
 struct SceneOfRun {
   const Scenario* scenario = nullptr;
   std::span<const MaterialId> materials;  // of Scenario::materials

@@ -1,7 +1,7 @@
 // How the launches of a volley scatter.
 #pragma once
 
-#include "physim/scenario.hpp"
+#include "scenario/scenario.hpp"
 
 namespace physim {
 

@@ -1,5 +1,5 @@
 // A scenario's world, step by step: fires what is due, steps, looks at the wall, and counts.
-#include "physim/world_run.hpp"
+#include "scenario/world_run.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -11,7 +11,7 @@
 #include "flight/zero.hpp"
 #include "model/force_laws.hpp"
 #include "model/sight.hpp"
-#include "physim/recording_file.hpp"
+#include "physim/files.hpp"
 #include "scenario/checks.hpp"
 #include "scenario/emitter_maker.hpp"
 #include "scenario/files_in_use.hpp"
@@ -54,7 +54,7 @@ Status WorldRun::Impl::load() {
     if (Status status = add_group(emitter.def.name, index_of_shot(emitter.shot)); !status) return status;
   world.set_observer(scenario.world.observer);
   if (Status status = set_scene(); !status) return status;
-  // Springs to a shot need it to be there; all other forces are there first, so that what is fired knows of them.
+  // Springs to a shot need it to exist; all other forces are added first, so that they act on what is fired.
   if (Status status = add_forces(false); !status) return status;
   fire();
   const std::size_t known = world.events().size();
@@ -153,7 +153,7 @@ void WorldRun::Impl::fire(Magazine& magazine) {
     const ProjectileId id = *spawned;
     const auto born = std::ranges::find(news, EventKind::spawned, &Event::kind);
     const auto before = static_cast<std::size_t>(born - news.begin());
-    count(news.first(before));  // it may have taken the place of another, whose track ends here
+    count(news.first(before));  // it may have taken the place of another; that one's track ends here
     if (tracks.size() <= id.index) tracks.resize(id.index + std::size_t{1});
     tracks[id.index] = {id.generation, {magazine.group, ++launches}, false, world.time(), launch.position};
     count(news.subspan(before));

@@ -8,9 +8,9 @@
 #include <vector>
 
 #include "base/assert.hpp"
-#include "physim/world_run.hpp"
 #include "scenario/names.hpp"
 #include "scenario/run_state.hpp"
+#include "scenario/world_run.hpp"
 
 namespace physim {
 
@@ -27,7 +27,7 @@ struct WorldRun::Impl : RunState {
   std::vector<KindId> kinds;          // of Scenario::shots; none of a shot that has no group
   std::vector<Segment> segments;      // work space
   std::vector<ProjectileId> stopped;  // work space
-  // Tracks of those whose index a particle took over in the step whose events are counted: it may be born before they
+  // Tracks with an index that a particle took over in the step of the counted events: it may appear before they
   // leave.
   std::map<ProjectileId, Track> taken_over;
   std::unordered_map<std::uint32_t, std::size_t> group_of_emitter;  // by EmitterId::index; made when it is asked for
@@ -50,7 +50,7 @@ struct WorldRun::Impl : RunState {
   Status add_emitters();
   WorldGroup& group_of(std::size_t emitter);
   Result<EmitterDef> in_world(std::size_t emitter);
-  /// The group of an emitter's particles; null if there is none.
+  /// The group of an emitter's particles; null: no group.
   [[nodiscard]] const std::size_t* group_fired_by(std::uint32_t emitter);
   Track* adopt(const Event& born);
   [[nodiscard]] std::string place_of_shot(std::size_t index) const;

@@ -293,7 +293,7 @@ Settings all_settings(const Scenario& scenario, Style style) {
 }
 
 // ---------------------------------------------------------------------------------------------------------- in brief
-// A file says what its reader does not have anyway. Beside what is written goes a reader who reads it: it starts with
+// A file says what its reader does not have anyway. A reader follows what is written: it starts with
 // defaults, and has what presets and other settings bring along.
 
 using Keys = std::vector<std::pair<std::string, std::string>>;  // of one table, with their values

@@ -46,7 +46,7 @@ PHYSIM_INLINE bool only_below_first_layer(const Conditions<S>& c, const Lanes<R>
   return all(is_in_first_layer(c, l.step.end.x) & starts_in_first_layer(l));
 }
 
-/// Behind a place by so much a state is surely behind it in its own precision, too [s].
+/// A state behind a place by this time is surely behind it in its own precision, too [s].
 template <class S>
 PHYSIM_INLINE double roundings(double t) {
   return 64.0 * std::numeric_limits<S>::epsilon() * t;
@@ -88,14 +88,14 @@ inline constexpr double kPastKink = 1e-6;
 /// own precision has it, would follow each other.
 inline constexpr double kSoonestKink = 1e-3;
 
-/// Lanes between whose regimes the acceleration bends, which is expected.
+/// Lanes in which the acceleration bends between the regimes, which is expected.
 template <class R, class S>
 PHYSIM_INLINE MaskOf<R> bends(const Conditions<S>& c, const Regime<R>& a, const Regime<R>& b) {
   MaskOf<R> bend = (a.curve_cell != b.curve_cell) | (a.aero_cell != b.aero_cell);
   if (has_wind_pieces(c) && !c.wind.stepped) bend = bend | (a.wind_piece != b.wind_piece);
   return bend;
 }
-/// Lanes between whose regimes the acceleration jumps.
+/// Lanes in which the acceleration jumps between the regimes.
 template <class R, class S>
 PHYSIM_INLINE MaskOf<R> jumps(const Conditions<S>& c, const Regime<R>& a, const Regime<R>& b) {
   MaskOf<R> jump = (a.band != b.band) | (a.force != b.force) | (a.rail != b.rail);
@@ -111,7 +111,7 @@ PHYSIM_INLINE State<R> expected_state(const State<R>& start, const Vec3<R>& a, c
   return {start.x + way * h, start.v + change * h};
 }
 
-/// The part of a step after which the first kink is expected; 1 where there is none.
+/// The part of a step after which the first kink is expected; 1 if there is no kink.
 inline double expected_kink(const Conditions<double>& c, const Body<double>& b, const Rotor<double>& rotor, double t,
                             double h, const State<double>& start, const Vec3d& a, const Vec3d& jerk) {
   PHYSIM_ASSERT(h > 0 && expects_kinks(c));
@@ -159,7 +159,7 @@ PHYSIM_NOINLINE void end_behind_kinks(const Course<S>& course, Lanes<R>& l) {
   }
 }
 
-/// Cuts the steps of lanes that would cross a corner; returns lanes whose step stands.
+/// Cuts the steps of lanes that would cross a corner; returns lanes in which the step stands.
 template <class R, class S>
 MaskOf<R> respect_corners(const Course<S>& course, Lanes<R>& l, const MaskOf<R>& accepted) {
   const R zero(S(0));

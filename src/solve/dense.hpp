@@ -1,9 +1,9 @@
 // Dense output: the state anywhere inside a step, from what the step left behind.
 //
-// The classic loop: straight lines. Methods whose tableau has an interpolant: that one. The others: the quintic through
-// position, velocity and acceleration at both ends, and the cubic through velocity and acceleration: no less accurate
-// than the methods themselves. Computed in double at every precision, so that fly() and fly_batch() share it; there,
-// packs of steps at once.
+// The classic loop: straight lines. Methods with an interpolant in their tableau: that one. The others: the quintic
+// through position, velocity and acceleration at both ends, and the cubic through velocity and acceleration: no less
+// accurate than the methods themselves. Computed in double at every precision, so that fly() and fly_batch() share it;
+// there, packs of steps at once.
 //
 // Sources: see solve/explicit_runge_kutta.hpp; the form of DOP853's is Hairer, Norsett and Wanner (1993), sec. II.6.
 #pragma once

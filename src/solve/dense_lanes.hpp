@@ -114,7 +114,7 @@ void add_coefficients(const Course<S>& course, const Lanes<R>& l, DenseLanes<R>&
   dense_coefficients(fidelity.integrator, s, f, out.coefficient);
 }
 
-/// Without what the additional slopes of dop853 give: for steps whose models did not tell all.
+/// Without what the additional slopes of dop853 give: for steps in which models did not give them all.
 template <class R>
 void drop_higher_terms(DenseLanes<R>& at) {
   const Fidelity& f = at.conditions->fidelity;
@@ -138,7 +138,7 @@ void dense_ends(const Course<S>& course, const Lanes<R>& l, DenseLanes<R>& out) 
   cast_numbers(l.body, out.body, has_stops(c) ? kWatchedWithStops : kWatched);
   constexpr NumberRuns kBirth = PartSet::of<BirthPart>().runs(), kWeather = kWeatherParts.runs();
   const bool reads_weather = (c.has_own_wind || c.has_own_air) && !course.watch.without_air;
-  if (c.has_wind_function) cast_numbers(l.body, out.body, kBirth);  // Mach numbers ask for the wind ...
+  if (c.has_wind_function) cast_numbers(l.body, out.body, kBirth);  // Mach numbers need the wind ...
   if (reads_weather) cast_numbers(l.body, out.body, kWeather);      // ... and the air
   out.n0.t = cast<double>(l.step.t);
   out.n1.t = cast<double>(l.step.t_end);

@@ -171,12 +171,12 @@ concept HasTwoErrors = requires {
 };
 template <class Method>
 concept Adaptive = HasErrorWeights<Method> || HasTwoErrors<Method>;
-/// DOP853's interpolant, with slopes of its own.
+/// DOP853's interpolant, with its own slopes.
 template <class Method>
 concept HasDenseStages = requires {
   Method::kDenseStages;
 };
-/// An interpolant whose weights are polynomials over all slopes and that at the end.
+/// An interpolant with polynomials as weights, over all slopes and that at the end.
 template <class Method>
 concept HasDensePolynomials = requires {
   Method::kDense;
@@ -228,8 +228,8 @@ constexpr int first_nonzero() {
   return j;
 }
 
-/// sum over j < N of weight(j) * slope[j], without the terms whose weight is zero. `Weights::at(j)` is constexpr. Y is
-/// State or Turn.
+/// sum over j < N of weight(j) * slope[j], without the terms of weight zero. `Weights::at(j)` is constexpr. Y is State
+/// or Turn.
 template <class Weights, int N, template <class> class Y, class R>
 PHYSIM_INLINE_ALWAYS Y<R> weighted_sum(const Y<R>* slope) {
   Y<R> sum{};
@@ -247,8 +247,8 @@ PHYSIM_INLINE_ALWAYS Y<R> weighted_sum(const Y<R>* slope) {
   return sum;
 }
 
-/// h times that, with h in the weights: who waits for the last slope waits for a product and a sum less. `first` is
-/// what the sum begins with, if anything.
+/// h times that, with h in the weights: the way from the last slope is a product and a sum shorter. `first` is what the
+/// sum begins with, if anything.
 template <class Weights, int N, template <class> class Y, class R, class... First>
 PHYSIM_INLINE_ALWAYS Y<R> step_sum(const Y<R>* slope, const R& h, const First&... first) {
   Y<R> sum{};
@@ -289,8 +289,8 @@ PHYSIM_INLINE_ALWAYS auto end_state(const AnyStep& s, const R& h) {
 }
 
 /// Runs the stages of some steps side by side and goes to their ends; slope[0] of each is given. `f(i, t, y, a)` puts
-/// step i's acceleration into `a`; where they turn, f(i, t, y, turn, a, slope) is told the Turn too and gives its slope
-/// beside it. (Where packs are returned, g++ sets their place to zero first, by `rep stos`, and copies them.)
+/// step i's acceleration into `a`; where they turn, f(i, t, y, turn, a, slope) receives the Turn too and gives its
+/// slope beside it. (Where packs are returned, g++ sets their place to zero first, by `rep stos`, and copies them.)
 ///
 /// A stage waits for the one before: for a square root, a table look-up, and a chain of sums. The steps do not wait for
 /// each other, so the processor fills one's waiting with the other's work.

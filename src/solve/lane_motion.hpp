@@ -29,7 +29,7 @@ template <class S>
   return attitude_of(c, wide_body(lane), rotor, t, s, turn);
 }
 
-/// How it would accelerate in a state, turned as it is where its step starts; `held` are the numbers of its body that
+/// Its acceleration in a state, with the rotation it has where its step starts; `held` are the numbers of its body that
 /// its course names.
 template <class S>
 [[nodiscard]] Vec3d acceleration_of_lane(const Conditions<double>& c, const Lanes<S>& lane, const NumberRuns& held,

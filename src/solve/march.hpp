@@ -2,8 +2,8 @@
 // accepted and followed by others.
 //
 // fly() and fly_batch() launch lanes and march until their flights end; a world lets rows march from moment to moment,
-// a frame at a time: the fixed steps of a flight are those of its plan, a frame is one step of its own length. Adaptive
-// integrators try a frame as one step and divide it where their error or a corner asks for it; they remember nothing
+// a frame at a time: the fixed steps of a flight are those of its plan, a frame is one step of its length. Adaptive
+// integrators try a frame as one step and divide it where their error or a corner requires it; they remember nothing
 // from frame to frame. Rows that push each other go through a step stage by stage (solve/stages.hpp).
 #pragma once
 
@@ -55,10 +55,10 @@ class March {
   Lanes<R> lanes;
 
   [[nodiscard]] PHYSIM_INLINE const Course<S>& course() const { return *course_; }
-  /// Tells lanes their course where they lie: a march is too large to be made anew and copied.
+  /// Sets the course of the lanes in place: a march is too large to be rebuilt and copied.
   PHYSIM_INLINE void set_course(const Course<S>& course) { course_ = &course; }
 
-  /// Launches lanes whose body, and rotor where it is read, is set.
+  /// Launches lanes; their body, and rotor where it is read, is set.
   PHYSIM_INLINE void launch() {
     const Conditions<S>& c = conditions();
     Lanes<R>& l = lanes;
@@ -76,14 +76,14 @@ class March {
     framed_ = false;
   }
 
-  /// Starts a frame where step.start is, at the time step.t; it ends at `limit`, which is so far away. What the
+  /// Starts a frame where step.start is, at the time step.t; it ends at `limit`, which is `frame` away. What the
   /// original loop carries over from its last frame is in step.slope[0].v.
   PHYSIM_INLINE void restart(const R& limit, const R& frame) {
     const Conditions<S>& c = conditions();
     Lanes<R>& l = lanes;
     const R zero(S(0));
     if (has_stops(c)) pass_stops(c, l.step.t, zero == zero, l.step.start, l.body);
-    PHYSIM_ASSERT(course_->plan.step == S(0));  // a frame is one step of its own length
+    PHYSIM_ASSERT(course_->plan.step == S(0));  // a frame is one step of its length
     PHYSIM_ASSERT(!any(frame < zero) && !any(limit < l.step.t));
     begin_frame();
     l.control = {zero, frame};
@@ -94,7 +94,7 @@ class March {
     framed_ = true;
   }
 
-  /// Goes on from step.start at the time step.t as from a launch, with what chooses its steps itself.
+  /// Continues from step.start at the time step.t as from a launch, with what chooses its steps itself.
   PHYSIM_INLINE void relaunch() {
     const Conditions<S>& c = conditions();
     Lanes<R>& l = lanes;
@@ -165,7 +165,7 @@ class March {
 
   /// Lanes that are through their frame.
   [[nodiscard]] PHYSIM_INLINE Mask arrived() const { return lanes.step.t >= limit_; }
-  /// Lanes whose steps became too many or too short.
+  /// Lanes with too many or too short steps.
   [[nodiscard]] PHYSIM_INLINE Mask is_stuck() const {
     return (lanes.tries >= R(course_->plan.max_tries)) | stands_still(lanes);
   }

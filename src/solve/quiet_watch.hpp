@@ -35,8 +35,8 @@ class QuietWatch {
     }
   }
 
-  /// What a step from where the last one ended, to a state at t_end with the acceleration a, may have crossed. Where
-  /// that is something, this watch is over. `c` is what the compiler knows of the conditions.
+  /// What a step from where the last one ended, to a state at t_end with the acceleration a, may have crossed. If that
+  /// is something, this watch is over. `c` is what the compiler knows about the conditions.
   PHYSIM_INLINE WatchedSet may_cross(const Conditions<S>& c, const Body<S>& b, const S& t_end, const State<S>& end,
                                      const Vec3<S>& a) {
     WatchedSet some = time_.holds(t_end) ? 0 : time_.items;

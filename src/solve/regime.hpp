@@ -162,7 +162,7 @@ double turning_point(const auto& rate) {
   return behind;
 }
 
-/// The part of a finished step after which the first corner lies just behind, or 1 where there is none to respect.
+/// The part of a finished step after which the first corner lies just behind, or 1 if there is no corner to respect.
 /// `at(theta)` is the dense output, `rates(theta)` its edge_rates(); the search begins `before` some part of the step.
 template <class F, class Rates>
 double first_corner(const Conditions<double>& c, const Body<double>& b, const Rotor<double>& rotor, double t, double h,

@@ -41,7 +41,7 @@ PHYSIM_INLINE_ALWAYS auto next_stage(Integrator integrator, int stage, const Any
   return y;
 }
 
-/// Goes on from a stage to the next: the slope of the stage, then the state of the next one, or the end of the step.
+/// Continues from a stage to the next: the slope of the stage, then the state of the next one, or the end of the step.
 /// The state of the stage is where the step starts, or step.end.
 template <class R, class S>
 PHYSIM_INLINE_ALWAYS void advance_stage(const Conditions<S>& c, int stage, Flyer<R>& l) {

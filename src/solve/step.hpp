@@ -56,7 +56,7 @@ PHYSIM_INLINE_ALWAYS void for_parts(const Fidelity& granted, const F& f, Whole&.
   f(whole...);
   if (turns(granted)) f(*whole.turn...);
 }
-/// Calls f with the rotors of flyers whose rotation is flown.
+/// Calls f with the rotors of flyers, if rotation is flown.
 template <class F, class... Flyers>
 PHYSIM_INLINE_ALWAYS void for_rotors(const Fidelity& granted, const F& f, Flyers&... flyers) {
   if (turns(granted)) f(*flyers.rotor...);

@@ -5,8 +5,8 @@
 // h * safety * e^(-1/q).
 // The integral part keeps the step from oscillating where the drag curve bends. Powers are rough
 // (math/rough_power.hpp): the next step waits for them, and need not be known better than an error is estimated. With
-// safety = 0.87 a step whose error asks for neither a longer nor a shorter one is left as it is where exact powers with
-// 0.9 would leave it.
+// safety = 0.87 a step with an error that requires neither a longer nor a shorter one stays where exact powers with 0.9
+// would leave it.
 //
 // Sources: K. Gustafsson, "Control theoretic techniques for stepsize selection in explicit Runge-Kutta methods", ACM
 // Trans. Math. Softw. 17 (1991) 533-554; E. Hairer, G. Wanner, Solving ODEs II (1996), sec. IV.2, eq. 2.43c.
@@ -20,7 +20,7 @@
 
 namespace physim {
 
-inline constexpr double kSafety = 0.87;  // of the step that the error asks for [-]
+inline constexpr double kSafety = 0.87;  // of the step that the error allows [-]
 
 template <class R>
 struct StepControl {
@@ -32,8 +32,8 @@ struct StepControl {
 
 PHYSIM_ISA_BEGIN
 
-/// As clamp(), of what mostly lies between: a number by itself passes without waiting for comparisons, which the
-/// processor foresees.
+/// As clamp(), of what mostly lies between: a single number passes without waiting for comparisons, which the processor
+/// foresees.
 template <class R>
 PHYSIM_INLINE R seldom_clamped(const R& x, const R& low, const R& high) {
   if constexpr (std::is_floating_point_v<R>) {
@@ -54,7 +54,7 @@ PHYSIM_INLINE R next_step(Integrator integrator, const R& h, const R& error, con
   const R e = log2_roughly(seldom_clamped(select(error < huge, error, huge), constant<R>(1e-16), huge));
   const R with_memory = constant<R>(-0.35 / q) * e + constant<R>(0.2 / q) * control.log_previous;
   const R after_rejection = constant<R>(-0.5 / q) * e;
-  // The bounds are those of h, not of a factor: who waits for the error waits for one product.
+  // The bounds are those of h, not of a factor: only one product waits for the error.
   const R next = (constant<R>(kSafety) * h) * exp2_roughly(select(accepted, with_memory, after_rejection));
   control.log_previous = select(accepted, e, control.log_previous);
   return seldom_clamped(next, constant<R>(0.1) * h, constant<R>(5) * h);

@@ -3,8 +3,8 @@
 //
 // A step belongs to one piece of the table and one phase on the rail, which the body holds; all stages use them, the
 // last one too, so that each step is smooth up to its very end. Then the body passes to the next piece and phase, and
-// the next step begins with a slope of its own. Where a piece ends is known before, so steps are made to end there;
-// where a phase ends is found as corners are (solve/regime.hpp).
+// the next step begins with its own slope. Where a piece ends is known before, so steps are made to end there; where a
+// phase ends is found as corners are (solve/regime.hpp).
 #pragma once
 
 #include "base/assert.hpp"
@@ -20,7 +20,7 @@ PHYSIM_INLINE bool has_stops(const Conditions<S>& c) {
   return c.has_motor || c.has_rail;
 }
 
-/// The phase on the rail at a time and state, for a body that was in another one so far.
+/// The phase on the rail at a time and state, for a body that was in another one before.
 template <class R, class S>
 PHYSIM_NOINLINE void rail_phase(const Conditions<S>& c, const Body<R>& b, const R& t, const State<R>& s, R& phase) {
   const R zero(S(0));
@@ -58,7 +58,7 @@ PHYSIM_INLINE MaskOf<R> pass_pieces(const Conditions<S>& c, const R& t, const Ma
 }
 
 /// Passes on to the piece and the phase at the start of the next step; returns the lanes in which something is new, so
-/// that their acceleration is another one. Who comes to rest on the rail stands still.
+/// that their acceleration is another one. A body that comes to rest on the rail stands still.
 template <class R, class S>
 PHYSIM_INLINE MaskOf<R> pass_stops(const Conditions<S>& c, const R& t, const MaskOf<R>& lanes, State<R>& s,
                                    Body<R>& b) {

@@ -122,7 +122,7 @@ PHYSIM_INLINE_ALWAYS R error_squared(Integrator integrator, const AnyStep& s, co
   });
 }
 
-/// Flyers whose steps are taken side by side; more at a time hide no more latency.
+/// Flyers with steps taken side by side; more at a time hide no more latency.
 inline constexpr int kMostSets = 4;
 template <class R>
 struct FlyerSet {
@@ -189,7 +189,7 @@ PHYSIM_INLINE_ALWAYS void reach_ends(const Conditions<S>& c, const FlyerSet<R>& 
   });
 }
 
-/// The slope at a time, as slope[place]: place 0 where the step starts, else at the state that it has come to.
+/// The slope at a time, as slope[place]: place 0 where the step starts, else at the state that it has reached.
 template <class R, class S>
 PHYSIM_INLINE_ALWAYS void set_slope(const Conditions<S>& c, Flyer<R>& l, int place, const R& t) {
   PHYSIM_ASSERT(place >= 0 && place < kMaxSlopes);

@@ -100,7 +100,7 @@ PHYSIM_INLINE R watched_value(const Conditions<S>& c, const Body<R>& b, const Ev
   return watched_value(c, b, row_of(spec.kind).watch, spec.value, t, s);
 }
 
-/// On which side of nothing a number lies; of what is no number nothing holds.
+/// On which side of zero a number lies; for NaN nothing holds.
 template <class R>
 struct SideOf {
   const R& x;
@@ -135,8 +135,8 @@ PHYSIM_INLINE MaskOf<R> crosses(Crossing direction, const R& from, const R& to) 
   return MaskOf<R>(side_changes(direction, SideOf<R>{from}, SideOf<R>{to}));
 }
 
-/// The sign of this is the sign of the rate at which the watched quantity changes; zero for quantities whose turning
-/// points are not looked for (Mach number) or that have none (time).
+/// The sign of this is the sign of the rate at which the watched quantity changes; zero for quantities without a search
+/// for turning points (Mach number) or without such points (time).
 template <class R, class S>
 PHYSIM_INLINE R watched_rate(const Conditions<S>& c, const Body<R>& b, const EventSpec& spec, const State<R>& s,
                              const Vec3<R>& a) {
@@ -156,7 +156,7 @@ PHYSIM_INLINE R watched_rate(const Conditions<S>& c, const Body<R>& b, const Eve
 }
 
 /// The rate at which the watched quantity changes at an end of a step, or nearly; zero where it is not known, and in
-/// the original loop, whose steps are straight.
+/// the original loop, with straight steps.
 template <class R, class S>
 PHYSIM_INLINE R rough_rate(const Conditions<S>& c, const Body<R>& b, const EventSpec& spec, const State<R>& s,
                            const Vec3<R>& a) {
@@ -350,7 +350,7 @@ struct CrossingFinder {
   PHYSIM_INLINE W value(const W& theta, const State<W>& s) const {
     return watched_value(c, at.body, watch, spec.value, at.time(theta), s);
   }
-  /// Searches ask for it again and again: of the state the commonest quantities get what they read, and the compiler
+  /// Searches call it again and again: of the state the commonest quantities get what they read, and the compiler
   /// leaves out the rest.
   PHYSIM_INLINE W value(const W& theta) const {
     const bool is_flat = column<&EarthRow::shape>(c.fidelity.earth) == EarthShape::flat;

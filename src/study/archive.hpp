@@ -1,4 +1,4 @@
-// What archives must know of a study: its enumerations, and the format of saved parts.
+// What archives need of a study: its enumerations, and the format of saved parts.
 #pragma once
 
 #include "base/archive.hpp"

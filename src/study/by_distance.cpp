@@ -40,8 +40,7 @@ Result<std::vector<DrawnPoint>> drawn_points(const Study& study, const PathRow& 
     drawn.push_back({path.point, i, *place});
   }
   if (drawn.size() < 2)
-    return Error{"fewer than two points of " + std::string(list.path) + " are drawn", "list",
-                 "draw more of them in the inputs"};
+    return Error{"fewer than two points of " + list.path + " are drawn", "list", "draw more of them in the inputs"};
   return drawn;
 }
 

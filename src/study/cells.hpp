@@ -8,14 +8,14 @@
 
 #include <span>
 
-#include "physim/study_result.hpp"
+#include "physim/study.hpp"
 #include "study/shard_job.hpp"
 
 namespace physim {
 
 /// Counts numbers, none of which is NaN. Beyond 2^40 scales they count as that far.
 void count_into(CountedCells& cells, std::span<const double> numbers);
-/// Counts some numbers whose least and most are known.
+/// Counts numbers with a known least and most.
 void count_into(CountedCells& cells, std::span<const double> numbers, const LeastAndMost& ends);
 /// Adds the counts of cells with the same centre and scale.
 void join(CountedCells& cells, const CountedCells& others);

@@ -22,27 +22,30 @@ Error placed(const Error& error, const std::string& place) {
 
 std::string list_of_paths() {
   std::string text;
-  for (const PathRow& row : all_paths()) text += (text.empty() ? "one of " : ", ") + std::string(row.path);
+  for (const PathRow& row : all_paths()) text += (text.empty() ? "one of " : ", ") + row.path;
   return text;
 }
 
 /// A wind by compass has a speed and a side that it comes from, and nothing else beside it.
 Status check_compass(const Study& study, const PathRow& row, const std::string& place) {
   if (row.compass == CompassWind::none) return {};
-  const auto is_drawn = [&](std::string_view path) {
-    return std::ranges::any_of(study.inputs, [&](const StudyInput& input) { return input.path == path; });
+  const auto is_drawn = [&](auto PathRow::*member, auto value) {
+    return std::ranges::any_of(study.inputs, [&](const StudyInput& input) {
+      const FoundPath path = find_path(input.path);
+      return path && (*path.row).*member == value;
+    });
   };
-  if (is_drawn("environment.wind.velocity.x") || is_drawn("environment.wind.velocity.z"))
+  if (is_drawn(&PathRow::weather, &Weather::wind_x) || is_drawn(&PathRow::weather, &Weather::wind_z))
     return Error{"the wind is drawn by compass and by components", place, "draw it in one of the two ways"};
   const Wind& wind = study.environment.wind;
   if (!wind.profile.empty())
     return Error{"a wind by compass is the same everywhere, and the environment has a profile", place,
                  "leave the profile out, or let components be `added` to it"};
   if (wind.velocity.x != 0 || wind.velocity.z != 0) return {};
-  if (row.compass == CompassWind::speed && !is_drawn("environment.wind.from"))
+  if (row.compass == CompassWind::speed && !is_drawn(&PathRow::compass, CompassWind::from))
     return Error{"is the speed of a wind that comes from nowhere", place,
                  "draw environment.wind.from, too, or give environment.wind.velocity"};
-  if (row.compass == CompassWind::from && !is_drawn("environment.wind.speed"))
+  if (row.compass == CompassWind::from && !is_drawn(&PathRow::compass, CompassWind::speed))
     return Error{"is where no wind comes from", place,
                  "draw environment.wind.speed, too, or give environment.wind.velocity"};
   return {};
@@ -54,8 +57,7 @@ Status check_point(const Study& study, const FoundPath& path, const std::string&
   Shot shot{study.projectile, study.launch};
   Environment environment = study.environment;
   if (path.point_of(shot, environment)) return {};
-  const std::string_view row = path.row->path;
-  const std::string list(row.substr(0, row.find(".N")));
+  const std::string list = path.row->path.substr(0, path.row->path.find(".N"));
   if (const std::size_t points = path.points(shot, environment))
     return Error{list + " has no point " + std::to_string(path.point), place,
                  points == 1 ? "it has one, with the number 1" : "its points are 1 to " + std::to_string(points)};
@@ -70,17 +72,19 @@ Status check_path(const Study& study, std::size_t i) {
   const std::string place = numbered("inputs", i) + ".path";
   const FoundPath path = find_path(input.path);
   if (!path) return Error{"no number of a shot is called \"" + input.path + "\"", place, list_of_paths()};
+  if (input.path == "shot.elevation" && !input.added && study.launch.sight.zero_range > 0)
+    return Error{"an elevation is drawn, and the zero range gives another", place,
+                 "let what is drawn be `added` to it (+- without a mean), or leave the zero range out"};
   const Wind& wind = study.environment.wind;
-  const bool is_wind = input.path.starts_with("environment.wind");
   const bool moves_all = !path.row->is_of_list() && !wind.profile.empty();
-  if (is_wind && (wind.field || (moves_all && !input.added)))
+  if (path.row->is_wind && (wind.field || (moves_all && !input.added)))
     return Error{"an uncertain wind is the same everywhere, and the environment has a profile", place,
                  "leave the profile out, or let what is drawn be `added` to it"};
   if (const Status status = check_compass(study, *path.row, place); !status) return status;
   if (const Status status = check_point(study, path, place); !status) return status;
   const AirModel asked = study.fidelity.air, there = study.environment.atmosphere.model;  // the simpler one is flown
   const bool has_own_density = asked == AirModel::isa && there == AirModel::isa;
-  if (input.path == "environment.atmosphere.density" && has_own_density)
+  if (path.row->weather == &Weather::density && has_own_density)
     return Error{"a density is drawn for constant and exponential air, and this is isa", place,
                  "draw temperature, pressure and humidity"};
   for (std::size_t j = 0; j < i; ++j)
@@ -125,16 +129,16 @@ void check_sizes(Checker& c, const Study& study) {
   c.require(
       study.shard_shots % study.rounds == 0, "rounds",
       std::to_string(study.rounds) + " do not divide the " + std::to_string(study.shard_shots) + " shots of a shard",
-      "choose another shard_shots");
+      "choose shard_shots that are a multiple of them");
   if (study.sampling != Sampling::sobol) return;
   c.require(std::has_single_bit(study.shard_shots), "shard_shots", "must be a power of two for Sobol's sequence");
   c.require(study.rounds == 1, "rounds", "Sobol's sequence knows no occasions", "draw at random or Latin hypercubes");
 }
 
 void check_plane(Checker& c, const Study& study) {
-  const bool has_plane = study.quantities.size() != 1;  // none: those of the rule
+  const bool has_plane = study.quantities.empty() || has_plane_axes(study.quantities);  // none: those of the rule
   c.is_number(study.aim.right, "aim.right").is_number(study.aim.up, "aim.up");
-  c.require(study.targets.empty() || has_plane, "targets", "lie on a plane: ask for two quantities");
+  c.require(study.targets.empty() || has_plane, "targets", "lie on a plane: ask for two lengths first");
   for (std::size_t i = 0; i < study.targets.size(); ++i) c.also(check(study.targets[i], numbered("targets", i)));
   for (const std::uint32_t size : study.group_sizes)
     c.require(size >= 2 && size <= 100, "group_sizes", "must be from 2 to 100 shots");

@@ -4,7 +4,7 @@
 #include <span>
 #include <vector>
 
-#include "physim/distribution.hpp"
+#include "physim/study.hpp"
 
 namespace physim {
 

@@ -31,7 +31,7 @@ void distribute(const StudyPlanRecord& plan, const InputGroup& group, std::span<
   }
 }
 
-/// An input that is drawn by itself at random: block by block, which stays in the fastest cache until it is done.
+/// An input that is drawn alone at random: block by block, which stays in the fastest cache until it is done.
 void draw_alone(const StudyPlanRecord& plan, const Sampler& sampler, std::uint64_t shard, unsigned dimension,
                 std::size_t input, std::span<double> numbers) {
   constexpr std::size_t kBlock = 1024;

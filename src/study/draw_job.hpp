@@ -26,7 +26,7 @@ struct DrawKernel {
   void (*normals)(double* numbers, std::size_t count, const NormalScale& scale);
 };
 
-/// That of the instruction set whose batch kernel is in use.
+/// That of the instruction set of the batch kernel in use.
 [[nodiscard]] const DrawKernel& draw_kernel();
 
 }  // namespace physim

@@ -1,4 +1,4 @@
-// Who flies the shards of a study: threads, or the ranks of a job.
+// The engines that fly the shards of a study: threads, or the ranks of a job.
 #pragma once
 
 #include <functional>
@@ -22,7 +22,7 @@ class ShardsToFly {
       : at_once_(plan.shards_at_once()), asked_(end), end_(end), time_is_up_(time_is_up) {}
 
   [[nodiscard]] std::uint64_t end() const { return end_; }
-  /// Asks for the time before a shard is handed out: the first that is not yet.
+  /// Checks the time before a shard is handed out: the first that is not yet.
   void look_at_time(std::uint64_t next);
   /// How far the engine came.
   [[nodiscard]] Flown flown(bool stopped) const;
@@ -33,7 +33,7 @@ class ShardsToFly {
   bool is_up_ = false;
 };
 
-/// A study from what is there of it to its end, or until its figure is known well enough: who flies changes no bit.
+/// Completes a study from `so_far` to its end, or until its figure is precise enough: the engine changes no bit.
 [[nodiscard]] Result<StudyResult> run_study_on(const StudyPlan& plan, const StudyPart& so_far,
                                                const ShardEngine& engine);
 

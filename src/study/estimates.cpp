@@ -168,13 +168,15 @@ HitResult hit_result(const StudyPlanRecord& plan, std::size_t target, const HitC
 HitResult hits_on(const StudyPlanRecord& plan, const ShardSums& sums, std::size_t target) {
   PHYSIM_ASSERT(target < plan.study.targets.size() && sums.shots > 0);
   const std::uint64_t hits = sums.hits.empty() ? 0 : sums.hits[target];
+  // Shots that cannot be are no misses.
+  const std::uint64_t flown = std::max<std::uint64_t>(sums.shots - sums.refused, 1);
+  const double per_flown = static_cast<double>(sums.shots) / static_cast<double>(flown);
   std::vector<double> parts;
   for (const Replicate& part : sums.replicates)
     if (part.shots > 0)
-      parts.push_back((part.hits.empty() ? 0.0 : static_cast<double>(part.hits[target])) /
+      parts.push_back(per_flown * (part.hits.empty() ? 0.0 : static_cast<double>(part.hits[target])) /
                       static_cast<double>(part.shots));
-  return hit_result(plan, target, {hits, sums.shots}, static_cast<double>(hits) / static_cast<double>(sums.shots),
-                    parts);
+  return hit_result(plan, target, {hits, flown}, static_cast<double>(hits) / static_cast<double>(flown), parts);
 }
 
 double width_of(const StudyPlanRecord& plan, const ShardSums& sums) {

@@ -21,7 +21,7 @@ struct Interval {
 };
 [[nodiscard]] Interval wilson_interval(std::uint64_t hits, std::uint64_t shots);
 
-/// How many of so many shots hit.
+/// How many of a number of shots hit.
 struct HitCount {
   std::uint64_t hits, shots;
 };

@@ -2,8 +2,8 @@
 // more of it is.
 //
 // The plane of impact is that of the shot without uncertainty: across its line of sight, at the range. A flight ends on
-// the plane of its own line of sight, from its own muzzle, which an uncertain azimuth or place moves; from there it
-// goes on, or back, for the time t to the plane:
+// the plane across its own line of sight, from its own muzzle, which an uncertain azimuth or place moves; from there it
+// continues, or returns, for the time t to the plane:
 //   x' = x + v t + a t^2 / 2,  v' = v + a t,
 // a the acceleration of the shot without uncertainty where it arrives. With an azimuth e off [rad] the planes are
 // range e^2 / 2 apart, and nothing of it is left to see. With a muzzle off by 20 m, t is about 0.04 s; what is left out
@@ -33,7 +33,6 @@
 namespace physim {
 namespace {
 
-constexpr std::string_view kWindPath = "environment.wind.velocity";
 constexpr double kNowhere = std::numeric_limits<double>::quiet_NaN();
 
 /// A number of the shot or its weather, and the inputs that are drawn for it.
@@ -112,16 +111,18 @@ class FlightModel : public ShotModel {
   bool has_own_place_ = false;  // numbers of the place are uncertain, which all shots of a batch have in common
   bool has_factor_ = false;     // of several numbers of a shot
   bool by_compass_ = false;     // the wind; two more columns have its components
+  bool draws_gravity_ = false;
+  std::optional<std::size_t> azimuth_;  // among the numbers, where that of the x axis is drawn
 };
 
 void FlightModel::take(const StudyInput& input, std::size_t index) {
   const FoundPath path = find_path(input.path);
   PHYSIM_ASSERT(path);
   const PathRow* row = path.row;
-  if (input.path.starts_with(kWindPath) && study_.environment.wind.profile.size() > 0) moves_profile_ = true;
+  if (row->is_wind && row->weather && study_.environment.wind.profile.size() > 0) moves_profile_ = true;
   if (row->compass != CompassWind::none)
     by_compass_ = true;
-  else if ((!row->launches && !row->weather) || moves_profile_)
+  else if (!row->launches && !row->weather)
     as_columns_ = false;
   if (row->is_of_place()) has_own_place_ = true;
   if (row->scale) has_factor_ = true;
@@ -129,6 +130,8 @@ void FlightModel::take(const StudyInput& input, std::size_t index) {
   if (at == numbers_.end()) {
     numbers_.push_back({path, path.there(plain_, study_.environment)});
     at = numbers_.end() - 1;
+    if (path.is(study_.environment, study_.environment.earth.azimuth)) azimuth_ = numbers_.size() - 1;
+    if (path.is(study_.environment, study_.environment.gravity.acceleration)) draws_gravity_ = true;
   }
   at->inputs.insert(input.added ? at->inputs.end() : at->inputs.begin(), index);
   at->replaced = at->replaced || !input.added;
@@ -137,10 +140,8 @@ void FlightModel::take(const StudyInput& input, std::size_t index) {
 /// An acceleration of one's own goes with no flattened field, nor with the GM of a round Earth: shots that drew one
 /// would stand on another rung than a shot with the mean.
 Status FlightModel::check_gravity() const {
-  const bool drawn = std::ranges::any_of(
-      numbers_, [](const UncertainNumber& n) { return n.row().path == "environment.gravity.acceleration"; });
   const bool of_the_earth = row(granted_.gravity).field != GravityField::uniform && is_round(granted_.earth);
-  if (!drawn || !of_the_earth) return {};
+  if (!draws_gravity_ || !of_the_earth) return {};
   return Error{"an acceleration of each shot's own has no field of the Earth", "inputs",
                "let gravity be 'constant', or the earth 'flat' or 'flat_coriolis'"};
 }
@@ -185,7 +186,7 @@ void FlightModel::blow_by_compass(const std::vector<std::span<const double>>& co
   for (std::size_t i = 0; i < numbers_.size(); ++i) {
     if (numbers_[i].row().compass == CompassWind::speed) speed = columns[i];
     if (numbers_[i].row().compass == CompassWind::from) from = columns[i];
-    if (numbers_[i].row().path == "environment.earth.azimuth") azimuth = columns[i];
+    if (i == azimuth_) azimuth = columns[i];
   }
   const double plain_speed = std::sqrt(there.x * there.x + there.z * there.z);
   const Vec3d plain_way = plain_speed > 0 ? there * (1 / plain_speed) : Vec3d{};
@@ -206,9 +207,9 @@ Weather FlightModel::weather_of(const std::vector<std::span<const double>>& colu
   Weather weather;
   for (std::size_t i = 0; i < numbers_.size(); ++i) {
     const PathRow& row = numbers_[i].row();
-    const bool moves_profile = moves_profile_ && row.path.starts_with(kWindPath);
-    if (row.weather && !moves_profile) weather.*row.weather = columns[i];
+    if (row.weather) weather.*row.weather = columns[i];
   }
+  weather.moves_profile = moves_profile_;
   if (by_compass_) weather.wind_x = columns[numbers_.size()], weather.wind_z = columns[numbers_.size() + 1];
   return weather;
 }
@@ -259,7 +260,7 @@ ModelTold FlightModel::fly_shots_of(const std::vector<std::span<const double>>& 
   if (scratch.shots.size() < count) scratch.shots.resize(count, plain_);
   const Weather weather = weather_of(columns);
   const auto shots = std::span(scratch.shots).first(count);
-  if (has_factor_) std::ranges::fill(shots, plain_);  // whose points it multiplies, those that are drawn, too
+  if (has_factor_) std::ranges::fill(shots, plain_);  // its points are multiplied by the factor, drawn ones, too
   for (std::size_t i = 0; i < numbers_.size(); ++i)
     for (std::size_t shot = 0; shot < count; ++shot) numbers_[i].path.put(shots[shot], columns[i][shot]);
   for (std::size_t i = 0; i < numbers_.size(); ++i)
@@ -267,7 +268,7 @@ ModelTold FlightModel::fly_shots_of(const std::vector<std::span<const double>>& 
       numbers_[i].row().scale(shots[shot], columns[i][shot]);
   if (study_.scene)
     fly_among_things(columns, weather, shots, inputs, scratch);
-  else if (moves_profile_ || has_own_place_)
+  else if (has_own_place_)
     fly_in_own_places(columns, weather, shots, scratch);
   else
     fly_batch(shots, study_.environment, study_.fidelity, study_.tolerance, study_.until, scratch.batch, nullptr,
@@ -302,25 +303,17 @@ ModelTold FlightModel::take_batch(std::size_t count, ModelScratch& scratch, cons
   return told;
 }
 
-/// The environment that a shot flies in alone. What is drawn moves all points of a profile of wind by one velocity.
+/// The environment that a shot flies in alone.
 Environment FlightModel::environment_of(std::size_t shot, const std::vector<std::span<const double>>& columns,
                                         const Weather& weather) const {
-  const Vec3d& there = study_.environment.wind.velocity;
-  Environment own = weather.empty() ? study_.environment : weather.at(shot, study_.environment);
-  for (std::size_t k = 0; k < numbers_.size(); ++k) numbers_[k].path.put(own, columns[k][shot]);
-  if (!moves_profile_) return own;
-  Vec3d moved{};
-  for (std::size_t k = 0; k < numbers_.size(); ++k) {
-    const auto column = numbers_[k].row().weather;
-    if (column == &Weather::wind_x) moved.x = columns[k][shot] - there.x;
-    if (column == &Weather::wind_y) moved.y = columns[k][shot] - there.y;
-    if (column == &Weather::wind_z) moved.z = columns[k][shot] - there.z;
-  }
-  for (WindPoint& point : own.wind.profile) point.velocity += moved;
+  Environment own = study_.environment;
+  for (std::size_t k = 0; k < numbers_.size(); ++k)
+    if (!numbers_[k].row().weather) numbers_[k].path.put(own, columns[k][shot]);
+  if (!weather.empty()) weather.put(shot, own);
   return own;
 }
 
-/// Each shot alone, at a place or in a profile of wind of its own.
+/// Each shot alone, at its own place.
 void FlightModel::fly_in_own_places(const std::vector<std::span<const double>>& columns, const Weather& weather,
                                     std::span<const Shot> shots, ModelScratch& scratch) const {
   BatchResult all, one;
@@ -335,7 +328,7 @@ void FlightModel::fly_in_own_places(const std::vector<std::span<const double>>& 
   scratch.batch = std::move(all);
 }
 
-/// Each shot by itself through the scene, as fly() does. What its contacts leave to chance follows from what it drew.
+/// Each shot alone through the scene, as fly() does. What its contacts leave to chance follows from what it drew.
 void FlightModel::fly_among_things(const std::vector<std::span<const double>>& columns, const Weather& weather,
                                    std::span<const Shot> shots, InputColumns inputs, ModelScratch& scratch) const {
   BatchResult all;

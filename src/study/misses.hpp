@@ -2,12 +2,12 @@
 //
 // Model: impacts on the plane are normal about the impact m of the shot with the mean of each input, with a covariance
 //   S = sum over groups of correlated inputs of S_g, J C J^T of that group (study/linear.cpp).
-// Symbols: M(S) part of the impacts beside the target; share of a group's misses 1 - M(S - S_g) / M(S): so many of them
+// Symbols: M(S) part of the impacts beside the target; share of a group's misses 1 - M(S - S_g) / M(S): these
 //   would hit if its inputs stood at their means. Shares of all groups do not add up to 1; where the mean shot misses,
 //   spread brings hits, and shares may be negative.
 //   M is a mean over a Fibonacci lattice of N points u_i = (i / N, {i F / N}), shifted by half a cell, which the
 //   inverse normal distribution function and Cholesky's root of S carry to the plane.
-// When wrong: where slopes are (study/linear.cpp). Fewer than a hundred points beside a target tell nothing.
+// When wrong: as for slopes (study/linear.cpp). Fewer than a hundred points beside a target show nothing.
 // Source: I. H. Sloan, S. Joe, Lattice Methods for Multiple Integration (1994), sec. 1.4 and ch. 4.
 #pragma once
 
@@ -26,7 +26,7 @@ struct PlaneCovariance {
   }
 };
 
-/// Misses of the targets of a study, whose mean shot hits the plane at a point.
+/// Misses of the targets of a study; its mean shot hits the plane at a point.
 class Misses {
  public:
   Misses(const Study& study, const PlanePoint& mean, const PlaneCovariance& all);

@@ -31,7 +31,7 @@ struct ModelScratch {
                                          // that know things alone
 };
 
-/// What a model tells beside its columns.
+/// What a model reports beside its columns.
 struct ModelTold {
   std::uint64_t refused = 0;
   std::optional<Error> error{};        // of the first shot that was refused

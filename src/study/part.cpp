@@ -21,7 +21,7 @@ std::string shards_text(std::uint64_t first, std::uint64_t count) {
   return "shards " + std::to_string(first) + " to " + std::to_string(first + count - 1);
 }
 
-/// A node as it is saved.
+/// A node in its saved form.
 struct SavedNode {
   std::uint64_t first = 0, count = 0;
   CommonSums sums;
@@ -105,7 +105,7 @@ struct SavedPlace {
   CommonSums sums;
   MoreSums more;
 };
-/// What a node has besides the common sums, as it is saved.
+/// What a node has besides the common sums, in its saved form.
 struct SavedMore {
   MoreSums own;
   std::vector<SavedPlace> places;

@@ -43,7 +43,7 @@ Status check_event(const EventSpec& event, const std::string& place) {
   return c.status();
 }
 
-/// Some columns of a model, for whoever wants no others.
+/// Some columns of a model, for a caller that needs no others.
 class PartOfModel : public ShotModel {
  public:
   PartOfModel(std::shared_ptr<const ShotModel> whole, std::size_t first, std::size_t all)
@@ -57,7 +57,7 @@ class PartOfModel : public ShotModel {
       columns.push_back(i >= first_ && i - first_ < quantities.size()
                             ? quantities[i - first_]
                             : std::span(others).subspan(count * other++, count));
-    ModelScratch own;  // the caller's would have hits on things, which are told at the end alone
+    ModelScratch own;  // the caller's would have hits on things, which are reported at the end alone
     return whole_->evaluate(inputs, columns, own);
   }
 
@@ -111,7 +111,7 @@ void fill_places(Study& study) {
       place.quantities = {Q::right, Q::up, Q::time, Q::speed};
       continue;
     }
-    place.quantities = {Q::right, Q::along};  // a place itself tells the value that is crossed there
+    place.quantities = {Q::right, Q::along};  // a place itself gives the value that is crossed there
     if (kind != EventKind::height) place.quantities.push_back(Q::y);
     if (kind != EventKind::time) place.quantities.push_back(Q::time);
     if (kind != EventKind::speed) place.quantities.push_back(Q::speed);

@@ -139,6 +139,22 @@ Status fly_pilot(StudyPlanRecord& plan) {
   return {};
 }
 
+/// Targets that stand where nobody aims: on the ground the plane begins at the muzzle.
+void note_targets_at_muzzle(StudyPlanRecord& plan) {
+  const Study& study = plan.study;
+  if (!plan.has_plane() || study.quantities[1] != StudyQuantity::along || study.aim.up != 0) return;
+  const bool far = plan.centre.up > 10 * plan.radius_scale;
+  for (const StudyTarget& target : study.targets) {
+    const auto is_at_muzzle = [](const auto& shape) {
+      if constexpr (requires { shape.centre; }) return shape.centre.up == 0;
+      return false;
+    };
+    if (far && std::visit(is_at_muzzle, target.shape))
+      plan.notes.push_back("target \"" + target.name + "\" stands at the muzzle: without until.range the plane lies " +
+                           "on the ground, and shots come down about " + rounded_text(plan.centre.up) + " m along it");
+  }
+}
+
 /// A study that ends at a place.
 StudyPlanRecord place_of(const StudyPlanRecord& whole, std::size_t i) {
   StudyPlanRecord place;
@@ -165,6 +181,7 @@ Result<StudyPlan> finish(StudyPlanRecord&& plan) {
   plan.shards = shards_of(plan, plan.study.shots);
   for (std::size_t i = 0; i < plan.study.at.size(); ++i) plan.places.push_back(place_of(plan, i));
   if (const Status status = fly_pilot(plan); !status) return status.error();
+  note_targets_at_muzzle(plan);
   return StudyPlanRecord::plan_of(std::move(plan));
 }
 
@@ -204,6 +221,7 @@ Result<StudyPlan> plan_study(const Study& study) {
     launch.elevation = *elevation;
     launch.sight.zero_range = 0;
   }
+  plan.takes_plane = has_plane_axes(plan.study.quantities);
   auto model = flight_model(plan.study);
   if (!model) return model.error();
   plan.model = std::move(*model);
@@ -216,6 +234,7 @@ Result<StudyPlan> plan_study(const Study& study, const StudyFunction& function) 
   if (!function) return Error{"is empty", "function", ""};
   StudyPlanRecord plan;
   plan.study = study;
+  plan.takes_plane = has_plane_axes(plan.study.quantities);
   plan.model = function_model(function);
   return finish(std::move(plan));
 }

@@ -48,14 +48,14 @@ struct StudyPlanRecord {
   [[nodiscard]] bool has_plane() const { return takes_plane && study.quantities.size() >= 2; }
   /// Random shots that know nothing of each other.
   [[nodiscard]] bool is_plain() const { return study.sampling == Sampling::random && study.rounds == 1; }
-  /// A study ends at a multiple of so many shards: at one of them, or where each replicate has as many.
+  /// A study ends at a multiple of this number of shards: at one of them, or where each replicate has as many.
   [[nodiscard]] std::uint64_t shards_at_once() const;
 };
 
 /// Draws the inputs of a shard. Dimensions of the sampler from `first_dimension` on: another set of shots.
 void draw(const StudyPlanRecord& plan, const Sampler& sampler, std::uint64_t shard, unsigned first_dimension,
           std::span<const std::span<double>> columns);
-/// What one shot of the study draws, by itself: the numbers that its place in draw() gets.
+/// What one shot of the study draws, computed alone: the numbers that its place in draw() gets.
 [[nodiscard]] std::vector<double> drawn_by(const StudyPlanRecord& plan, std::uint64_t shot);
 
 }  // namespace physim

@@ -3,7 +3,7 @@
 #include <mutex>
 
 #include "base/ieee_mode.hpp"
-#include "physim/task_runner.hpp"
+#include "physim/result.hpp"
 #include "study/engine.hpp"
 #include "study/estimates.hpp"
 #include "study/part.hpp"
@@ -20,7 +20,7 @@ StudyPartRecord begun(const StudyPlan& plan, const StudyPart& so_far) {
   return part;
 }
 
-/// Shards of a study go to whichever thread is free; who flies which changes nothing.
+/// Shards of a study go to any thread that is free; the assignment changes nothing.
 class ShardThreads {
  public:
   ShardThreads(const StudyPlan& plan, const StudyOptions& options, StudyPartRecord& part)
@@ -120,7 +120,7 @@ Result<StudyResult> run_study_on(const StudyPlan& plan, const StudyPart& so_far,
     flown = engine(part, count);
     if (flown != Flown::all) break;
     if (!judged) continue;
-    // Where more was flown before, fewer shards are not to be told apart in it: they were judged then.
+    // If more was flown before, the part has no separate sums for fewer shards: they were judged then.
     const auto sums = part.first_shards(count);
     if (!sums || !(width_of(record, **sums) <= record.study.until_width->width)) continue;
     StudyResult result = figures_of(record, **sums);

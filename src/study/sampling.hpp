@@ -1,8 +1,8 @@
 // Evenly spread numbers for the shots of a study. Each depends on seed, dimension and shot alone.
 //
 // Random: a number of Philox for each. Latin hypercube: a shard's shots are dealt out to as many equal parts of (0, 1),
-// one to each, by a permutation of its own in every dimension; within its part a shot lies at random. Sobol: replicate
-// r of the scrambled sequence flies the shards r, r + kReplicates, ... and goes on from one to the next.
+// one to each, by a separate permutation in every dimension; within its part a shot lies at random. Sobol: replicate
+// r of the scrambled sequence flies the shards r, r + kReplicates, ... and continues from one to the next.
 // Source: M. D. McKay, R. J. Beckman, W. J. Conover, "A Comparison of Three Methods for Selecting Values of Input
 //   Variables ...", Technometrics 21 (1979) 239; R. A. Fisher, F. Yates, Statistical Tables (1948), for the
 //   permutation; study/sobol.hpp.
@@ -20,7 +20,7 @@ namespace physim {
 /// What numbers are drawn for.
 enum class DrawStream : std::uint32_t { draw, permutation, scramble };
 
-/// Errors are told from this many parts of a study that know nothing of each other.
+/// Errors are estimated from this many independent parts of a study.
 inline constexpr std::uint32_t kReplicates = 16;
 
 /// One word of the counters of an input; dimension < 256.

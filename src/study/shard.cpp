@@ -88,7 +88,7 @@ ShardSums ShardFlyer::add_up(std::uint64_t shard, const ModelTold& told, Columns
   return sums;
 }
 
-/// Who arrived, and which targets each shot hit. Things may be hit on the way by shots that do not arrive.
+/// Which shots arrived, and which targets each hit. Things may be hit on the way by shots that do not arrive.
 void ShardFlyer::mark_hits() {
   const auto& columns = m_.quantities.columns;
   const std::size_t all = columns[0].size();

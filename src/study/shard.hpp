@@ -8,7 +8,7 @@
 
 namespace physim {
 
-/// Flies shards, with memory of its own: one for each thread.
+/// Flies shards, with its own memory: one for each thread.
 class ShardFlyer {
  public:
   explicit ShardFlyer(const StudyPlanRecord& plan) : plan_(plan), memory_(plan.spare->take()) {

@@ -7,7 +7,7 @@
 #include <cstddef>
 #include <cstdint>
 
-#include "physim/vec3.hpp"
+#include "physim/math.hpp"
 
 namespace physim {
 
@@ -16,7 +16,7 @@ struct PlaneJob {
   Vec3d forward, muzzle;  // the plane's normal, and where the range is counted from [m]
   double range;           // [m]
   Vec3d acceleration;     // [m/s^2]
-  double most_time;       // of the time of flight; a shot that needs more gets an x that is no number
+  double most_time;       // of the time of flight; a shot that needs more gets a NaN as its x
   double* time;           // [s]
   double *x, *y, *z;      // [m]
   double *vx, *vy, *vz;   // [m/s]
@@ -31,7 +31,7 @@ struct AxisJob {
   std::size_t count;
 };
 
-/// Extreme spreads of groups of shots that follow each other; no number where a shot of a group is none.
+/// Extreme spreads of groups of consecutive shots; NaN if a shot of a group is NaN.
 struct SpreadJob {
   const double *right, *up;
   std::size_t size;  // of a group
@@ -87,7 +87,7 @@ struct ShardKernel {
   void (*reach)(ReachJob& job);
 };
 
-/// That of the instruction set whose batch kernel is in use.
+/// That of the instruction set of the batch kernel in use.
 [[nodiscard]] const ShardKernel& shard_kernel();
 
 }  // namespace physim

@@ -15,7 +15,7 @@ using Numbers = Pack<double, kLanesAtOnce>;
 using Eight = Pack<double, 8>;
 constexpr double kNoNumber = std::numeric_limits<double>::quiet_NaN();
 
-/// f for a pack of places at a time, then for each that is left; its second argument tells which.
+/// f for a pack of places at a time, then for each that is left; its second argument distinguishes the two.
 template <class F>
 PHYSIM_INLINE void each_place(std::size_t count, const F& f) {
   std::size_t i = 0;
@@ -97,7 +97,7 @@ bool all_are_finite(const double* numbers, std::size_t count) {
   return rest && all(finite);
 }
 
-/// Where zeros differ by their sign the first is the least, the last the most, as if one looked at each in turn.
+/// If zeros differ by their sign the first is the least, the last the most, as if each were compared in sequence.
 LeastAndMost least_and_most_of(const double* numbers, std::size_t count) {
   PHYSIM_ASSERT(count > 0);
   Eight least(numbers[0]), most = least;
@@ -127,7 +127,7 @@ LeastAndMost least_and_most_of(const double* numbers, std::size_t count) {
 }
 
 namespace {
-/// Sums of so many terms over all shots, side by side: each addition waits for the one before.
+/// Sums of `kSums` terms over all shots, side by side: each addition waits for the one before.
 template <int kSums, class Term>
 PHYSIM_INLINE void put_sums(std::size_t count, double* sums, const Term& term) {
   using Four = Pack<double, 4>;

@@ -31,8 +31,8 @@ struct ShardMemory {
   ShotBlock other_inputs, other_quantities, mixed_inputs, mixed_quantities;  // of Sobol indices
 };
 
-/// Memory that nobody flies in at the moment. A study is flown shard by shard, and many times: asking the system for it
-/// anew took as long as drawing two of a shot's inputs.
+/// Memory that is not in use at the moment. A study is flown shard by shard, and many times: allocating it
+/// again took as long as drawing two of a shot's inputs.
 class SpareMemory {
  public:
   [[nodiscard]] std::unique_ptr<ShardMemory> take() {

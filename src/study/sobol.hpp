@@ -6,7 +6,7 @@
 //   primitive polynomial, m_1 ... m_s its first odd numbers; v_k = m_k / 2^k.
 // Scrambling: digit r of x becomes digit r plus a random sum of the digits before it (a lower triangular matrix), and
 //   all digits a random shift: independent ones for each seed, replicate and dimension. The variance of means is that
-//   of Owen's nested scrambling, and it costs nothing a point, as it is put into the v_k.
+//   of Owen's nested scrambling, and it has no cost per point, as it is put into the v_k.
 // Source: S. Joe, F. Y. Kuo, "Constructing Sobol Sequences with Better Two-Dimensional Projections", SIAM J. Sci.
 //   Comput. 30 (2008) 2635, with the numbers of its file new-joe-kuo-6.21201; J. Matousek, "On the L2-Discrepancy for
 //   Anchored Boxes", J. Complexity 14 (1998) 527, sec. 2; A. B. Owen, "Variance with Alternative Scramblings of Digital
@@ -28,7 +28,7 @@ struct SobolDimension {
   std::uint64_t shift = 0;
 };
 
-/// A dimension < kSobolDimensions as it is without scrambling.
+/// A dimension < kSobolDimensions without scrambling.
 [[nodiscard]] SobolDimension sobol_dimension(unsigned dimension);
 /// The first 2^bits points of a dimension, scrambled; replicates are independent of each other.
 [[nodiscard]] SobolDimension scrambled_dimension(std::uint64_t seed, unsigned dimension, std::uint32_t replicate,

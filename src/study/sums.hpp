@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "physim/study_result.hpp"
+#include "physim/study.hpp"
 #include "study/moments.hpp"
 
 namespace physim {
@@ -31,7 +31,7 @@ struct IndexSums {
   std::vector<double> total;
 };
 
-/// One of the parts of a study from which errors are told.
+/// One of the parts of a study from which errors are estimated.
 struct Replicate {
   std::uint64_t shots = 0;
   SampleMoments moments;
@@ -76,7 +76,7 @@ struct CommonSums {
   std::vector<StageSums> stages;      // the last of them is of all shots
 };
 
-/// Distances of a replicate, and spreads: what errors of their means are told from.
+/// Distances of a replicate, and spreads: the errors of their means are estimated from them.
 struct ReplicateDistances {
   SampleMoments from_aim, from_centre, in_space;
   std::vector<SampleMoments> spreads;  // of each group size

@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "physim/ids.hpp"
+#include "physim/event.hpp"
 #include "physim/study.hpp"
 
 namespace physim {

@@ -1,4 +1,4 @@
-// A zone that holds next to all shots: a polygon whose edges each touch the farthest shot in one direction.
+// A zone that holds next to all shots: a polygon with edges that each touch the farthest shot in one direction.
 //
 // Symbols: K directions n_k evenly around, h_k = largest n_k . p over N shots p. The polygon is n_k . p <= h_k for all
 // k;
@@ -16,7 +16,7 @@
 #include <span>
 #include <vector>
 
-#include "physim/study_result.hpp"
+#include "physim/study.hpp"
 
 namespace physim {
 
@@ -24,7 +24,7 @@ inline constexpr std::size_t kZoneDirections = 16;
 
 /// The farthest of some impacts in each direction; empty where there are none.
 [[nodiscard]] std::vector<double> reach_of(std::span<const double> right, std::span<const double> up);
-/// The zone of so many random shots that arrived; nothing where they are too few to say anything.
+/// The zone of `shots` random shots that arrived; nothing if they are too few to say anything.
 [[nodiscard]] std::optional<ZoneResult> zone_of(std::span<const double> reach, std::uint64_t shots);
 
 }  // namespace physim

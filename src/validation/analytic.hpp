@@ -72,7 +72,7 @@ struct Parameter {
 /// "v0=100 elev=45": the inputs of a row.
 [[nodiscard]] std::string label_of(const CsvFile& file, const CsvRow& row, std::initializer_list<Parameter> parameters);
 
-/// The apex of a flight; all numbers are NaN where there is none.
+/// The apex of a flight; all numbers are NaN if it has no apex.
 [[nodiscard]] Sample apex_of(const Flight& flight);
 
 using Reader = void (*)(const CsvFile& file, SuiteResult& result);

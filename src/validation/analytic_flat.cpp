@@ -12,7 +12,7 @@ namespace {
 constexpr EventSpec kApex = {.kind = EventKind::apex};
 constexpr double kFlatAirDensity = 1.225;  // of the air in cases that give only k = rho Cd A / (2 m) [kg/m^3]
 
-/// The shot of a row that gives speed and elevation; its apex is told.
+/// The shot of a row that gives speed and elevation; its apex is an event.
 ShotInPlace aimed_shot(const CsvFile& file, const CsvRow& row) {
   ShotInPlace shot = shot_under(file.constant("g", kStandardGravity));
   shot.launch.speed = file.needed(row, "v0_m_s");
@@ -21,7 +21,7 @@ ShotInPlace aimed_shot(const CsvFile& file, const CsvRow& row) {
   return shot;
 }
 
-/// Air and projectile whose drag deceleration is k v^2 at the origin.
+/// Air and a projectile with a drag deceleration of k v^2 at the origin.
 void set_quadratic_drag(ShotInPlace& shot, double k) {
   DragDef& drag = shot.projectile.drag;
   drag.table = DragTable::constant;

@@ -118,7 +118,7 @@ std::vector<Method> with_magnus() {
   return methods;
 }
 
-/// A ball without drag whose lift is kappa x v, for any kappa in W: rho A l r / (2 m) omega = kappa.
+/// A ball without drag with the lift kappa x v, for any kappa in W: rho A l r / (2 m) omega = kappa.
 void spin_by(const Vec3d& kappa, ShotInPlace& shot) {
   constexpr double kDensity = 1.2, kRadius = 0.1, kArea = 0.0314159265358979323846;
   shot.environment.atmosphere.model = AirModel::constant;

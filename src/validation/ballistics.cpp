@@ -3,7 +3,7 @@
 #include <array>
 #include <cmath>
 
-#include "physim/air.hpp"
+#include "physim/environment.hpp"
 #include "physim/flight.hpp"
 #include "physim/names.hpp"
 #include "physim/units.hpp"

@@ -186,7 +186,7 @@ bool compare_published(const CsvFile& file, SuiteResult& result) {
 // -------------------------------------------------------------------------------------- as they should have been
 constexpr double kPushLasts = 1.0;  // [s]
 
-/// A test of forces that act as long as they last: the push for a second, gravity for ever, drag as it is given.
+/// A test of forces that act as long as they last: the push for a second, gravity for ever, drag as given.
 ClassicShot corrected_shot(const Setup& setup, double k1, double k2) {
   ClassicShot shot = shot_of(setup);
   shot.projectile.force_duration = kPushLasts;

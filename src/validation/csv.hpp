@@ -43,7 +43,7 @@ class CsvFile {
   /// Throws DataError where a column is missing.
   void require(std::initializer_list<std::string_view> columns) const;
 
-  /// A field as it stands; empty where there is none.
+  /// The text of a field; empty if the file has no such column.
   [[nodiscard]] const std::string& text(const CsvRow& row, std::string_view column) const;
   /// A number; nothing where the field is empty or missing. Throws DataError where it is not a number.
   [[nodiscard]] std::optional<double> number(const CsvRow& row, std::string_view column) const;

@@ -13,7 +13,7 @@
 
 namespace physim::validation {
 
-/// Is it a list of so many numbers?
+/// Is it a list of `count` numbers?
 inline bool is_numbers(const nlohmann::json& list, std::size_t count) {
   const auto is_number = [](const nlohmann::json& v) { return v.is_number(); };
   return list.is_array() && list.size() == count && std::ranges::all_of(list, is_number);
@@ -100,7 +100,7 @@ class CaseReader {
     if (!value) fail(std::string("\"") + key + "\" is missing");
     return *value;
   }
-  /// Empty where there is none.
+  /// Empty if the key is missing.
   [[nodiscard]] std::string text(const char* key) const {
     const nlohmann::json& value = checked(key, &nlohmann::json::is_string, "not a text");
     return value.is_null() ? std::string() : value.get<std::string>();
@@ -109,7 +109,7 @@ class CaseReader {
     const nlohmann::json& value = checked(key, &nlohmann::json::is_boolean, "neither true nor false");
     return !value.is_null() && value.get<bool>();
   }
-  /// Zero where there is none.
+  /// Zero if the key is missing.
   [[nodiscard]] Vec3d vector(const char* key) const {
     const nlohmann::json& value = raw(key);
     if (value.is_null()) return {};
@@ -122,7 +122,7 @@ class CaseReader {
     const auto at = object_.find(key);
     return at == object_.end() ? kNull : *at;
   }
-  /// An object within this one; without fields where there is none.
+  /// An object within this one; without fields if the key is missing.
   [[nodiscard]] CaseReader object(const char* key) const {
     return {file_, index_, raw(key), (path_.empty() ? "" : path_ + ".") + key};
   }

@@ -10,7 +10,7 @@
 #include <sstream>
 
 #include "base/assert.hpp"
-#include "physim/scenario.hpp"
+#include "scenario/scenario.hpp"
 #include "validation/suite.hpp"
 
 namespace physim::validation {

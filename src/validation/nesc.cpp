@@ -59,7 +59,7 @@ Wind wind_of(int number) {
   return wind;
 }
 
-/// The case of a number, in one of its variants; nothing where there is none.
+/// The case of a number, in one of its variants; nothing if it does not exist.
 std::optional<CheckCase> case_of(int number, const std::string& variant) {
   if (number < 1 || number > 10) return std::nullopt;
   if (!variant.empty() && !(number == 3 && variant == "dampinertial")) return std::nullopt;

@@ -3,7 +3,7 @@
 #include <nlohmann/json.hpp>
 
 #include "base/assert.hpp"
-#include "physim/version.hpp"
+#include "physim/result.hpp"
 #include "report/json.hpp"
 #include "report/number.hpp"
 #include "report/table.hpp"

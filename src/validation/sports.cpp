@@ -2,7 +2,7 @@
 // folder holds, or the preset's; nothing is tuned.
 #include <cmath>
 
-#include "physim/presets.hpp"
+#include "physim/body.hpp"
 #include "validation/suite.hpp"
 
 namespace physim::validation {

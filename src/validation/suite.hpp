@@ -18,7 +18,7 @@ namespace physim::validation {
 
 constexpr double kFoot = 0.3048;  // in which many figures are published [m]
 
-/// A suite: its name, what it shows, the folder it lives in, the files that tell such a folder, and how to run it.
+/// A suite: its name, what it shows, its folder, the files that identify such a folder, and how to run it.
 struct Suite {
   std::string_view name;
   std::string_view title;

@@ -3,7 +3,7 @@
 #include <cmath>
 #include <optional>
 
-#include "physim/air.hpp"
+#include "physim/environment.hpp"
 #include "report/number.hpp"
 #include "validation/suite.hpp"
 
@@ -51,7 +51,7 @@ std::optional<int> significant_digits(const std::string& comments) {
   const std::string text = lower(comments);
   const auto at = text.find(" significant digit");
   if (at == std::string::npos) return std::nullopt;
-  const auto first = text.find_last_of(" .,(", at - 1) + 1;  // 0 where there is none
+  const auto first = text.find_last_of(" .,(", at - 1) + 1;  // 0 if no such character precedes it
   const std::string word = text.substr(first, at - first);
   const auto found = std::find(std::begin(kWords), std::end(kWords), word);
   if (found != std::end(kWords)) return static_cast<int>(found - std::begin(kWords));

@@ -7,7 +7,6 @@
 #include <utility>
 #include <vector>
 
-#include "physim/progress.hpp"
 #include "physim/result.hpp"
 #include "report/style.hpp"
 
@@ -26,7 +25,7 @@ struct Figure {
 
   [[nodiscard]] double error() const;
   [[nodiscard]] bool pass() const;
-  /// Error in units of the gate; infinite where there is no number.
+  /// Error in units of the gate; infinite if the error is not finite.
   [[nodiscard]] double badness() const;
 };
 
@@ -61,7 +60,7 @@ struct SuiteResult {
   std::vector<StateRow> states;  ///< where the cases ended, judged or not
   std::vector<StateRow> beside;  ///< how far others lie from them
 
-  /// Adds a figure; `problem` tells why it could not be computed, and is empty where it could.
+  /// Adds a figure; `problem` says why it could not be computed, and is empty if it could.
   void compare(std::string case_name, std::string figure, double expected, double actual, double gate,
                std::string problem = {});
   [[nodiscard]] std::size_t missed() const;

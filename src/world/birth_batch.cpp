@@ -11,7 +11,7 @@
 namespace physim {
 namespace {
 
-/// Somebody waits for births, or for ages, which may be reached in the step of the birth.
+/// A sub-emitter waits for births or for ages, which may be reached in the step of the birth.
 bool waits_for_the_young(const EmitterDef& def) {
   return std::ranges::any_of(
       def.subs, [](const SubEmitter& sub) { return sub.on == SubEvent::birth || sub.on == SubEvent::age; });
@@ -87,10 +87,10 @@ std::size_t BirthBatches::room(const BirthPlan& plan, std::size_t departed) cons
 
 std::size_t BirthBatches::plain(const BirthPlan& plan, const BirthColumns& b) const {
   PHYSIM_ASSERT(plan.kind != 0 && b.next < b.count);
-  if (b.number[b.next] != w_.state.emitters[plan.emitter].born) return 0;  // others were born between
+  if (b.number[b.next] != w_.state.emitters[plan.emitter].born) return 0;  // other births came in between
   const std::uint32_t others = ~(b.plain >> b.next);
   const std::size_t plain = others == 0 ? BirthColumns::kLanes : static_cast<std::size_t>(__builtin_ctz(others));
-  // The first of all rows says by itself what those of later ones are compared with.
+  // The first of all rows gives the values to which later ones are compared.
   const std::size_t at_once = w_.state.rows[plan.cohort].size() == 0 ? 1 : BirthColumns::kLanes;
   return std::min({plain, b.count - b.next, at_once});
 }

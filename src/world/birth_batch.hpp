@@ -1,6 +1,6 @@
-// Birth batches: births of one emitter put into the world column by column, where nothing happens to them in the step
-// that they are born in, and where nothing about them needs a look of its own. All others are born one by one, through
-// a launch as a caller would give it; both do the same to the world, to the bit.
+// Birth batches: births of one emitter are put into the world column by column, if nothing happens to them in the step
+// of their birth and nothing about them needs a separate check. All others are added one by one, through a launch as a
+// caller would give it. Both have the same effect on the world, to the bit.
 #pragma once
 
 #include <array>
@@ -20,13 +20,13 @@ class BirthBatches {
 
   /// How births of an emitter go side by side; null: one by one.
   [[nodiscard]] const BirthPlan* plan(std::uint32_t emitter);
-  /// How many more it may let out now, at least, by its own maximum and by what all share.
+  /// A lower bound on how many more it may emit now, by its own maximum and the shared limits.
   [[nodiscard]] std::size_t room(const BirthPlan& plan, std::size_t departed) const;
   /// Draws, places and flies them.
   void prepare(const BirthPlan& plan, BirthColumns& births) const;
-  /// How many of the next ones may be born side by side, as far as they go.
+  /// How many of the next births may be processed side by side, among those present.
   [[nodiscard]] std::size_t plain(const BirthPlan& plan, const BirthColumns& births) const;
-  /// The next ones of one emitter are born, at most so many. `like` has what they inherit.
+  /// Adds the next births of one emitter, at most `most`. `like` has what they inherit.
   std::size_t bear(const BirthPlan& plan, BirthColumns& births, std::size_t most, const Particle& like);
 
  private:

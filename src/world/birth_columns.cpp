@@ -33,7 +33,7 @@ NewbornPack drawn(const Emission& emission, const BirthColumns& b, std::size_t f
 struct WidePose {
   Vec3<Wide> position;
   Quat<Wide> rotation;
-  Vec3<Wide> velocity;  // as far as it is inherited
+  Vec3<Wide> velocity;  // the inherited part
 };
 /// Poses from a lane on.
 WidePose poses(const BirthColumns& b, std::size_t first) {
@@ -59,7 +59,7 @@ struct Starts {
 };
 Starts placed_by_one(const Pose& pose, double inherited, const NewbornPack& pack) {
   Starts starts;
-  if (pack.count < NewbornPack::kLanes) starts = {};  // lanes that nobody needs
+  if (pack.count < NewbornPack::kLanes) starts = {};  // unused lanes
   StartJob job{.count = pack.count,
                .position = pose.position,
                .rotation = pose.rotation,

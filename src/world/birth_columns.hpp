@@ -32,9 +32,9 @@ struct BirthColumns {
 
   // ------------------------------------------------------------------------------------------- given
   std::size_t count = 0;
-  std::size_t next = 0;            // the first one that was not born
+  std::size_t next = 0;            // the first one that is not yet in the world
   Column<std::uint64_t> number;    // as Birth has it
-  Column<double> own_time, phase;  // likewise [s]
+  Column<double> own_time, phase;  // as Birth has it [s]
   Column<std::uint32_t> of_moment, moment;
   Column<double> time;  // of the world [s]
   Column<Pose> pose;    // of the emitter; the first holds for all where they have one
@@ -42,7 +42,7 @@ struct BirthColumns {
   double inherited = 0;  // part of the emitter's velocity
 
   // ------------------------------------------------------------------------------------------- what follows
-  std::uint32_t plain = 0;  // a bit for each that may be born side by side: nothing happens to it
+  std::uint32_t plain = 0;  // a bit for each that may be added side by side: nothing happens to it
   Column<double> dies;      // [s]
   Column<double> age;       // at the end of the step [s]
   std::tuple<NewbornFlights<float>, NewbornFlights<double>> flights;  // one of them is in use

@@ -7,8 +7,8 @@
 
 namespace physim {
 
-/// As Event{} is. A copy of this one is a few moves; g++ clears so much memory by a repeated string instruction, which
-/// takes longer than all else about an event.
+/// Equal to Event{}. A copy of this one is a few moves; g++ clears an object of this size by a repeated string
+/// instruction, which takes longer than all else about an event.
 extern const Event kBlankEvent;
 
 /// One more event of a list, to be filled in there: a copy of one that was filled in elsewhere would read in wide

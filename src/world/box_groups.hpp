@@ -1,4 +1,4 @@
-// Many boxes in a few groups, those of each near to each other, so that few comparisons tell who is away from all.
+// Many boxes in a few groups, those of each near to each other, so that few comparisons show which rows avoid all.
 #pragma once
 
 #include <cstddef>
@@ -27,7 +27,7 @@ class BoxGroups {
 
  private:
   [[nodiscard]] Group group_of(std::size_t first, std::size_t end) const;
-  /// Parts a group in two; false where it stays as it is.
+  /// Parts a group in two; false if it stays unchanged.
   bool part(std::size_t group);
 
   std::vector<collide::Bounds> boxes_;

@@ -7,8 +7,8 @@
 #include <unordered_map>
 
 #include "base/archive.hpp"
+#include "physim/body.hpp"
 #include "physim/world.hpp"
-#include "physim/world_def.hpp"
 
 namespace physim {
 
@@ -36,8 +36,8 @@ inline constexpr auto kCalls = static_cast<std::size_t>(Call::count);
   return names[static_cast<std::size_t>(call)];
 }
 
-/// What the calls of a replay need beside their arguments: who answers hits that ask, as was recorded, and snapshots,
-/// by their numbers in the recording. Only those that are gone back to are kept, until the last time: a session of
+/// What the calls of a replay need beside their arguments: a function that answers hits as recorded, and snapshots by
+/// their numbers in the recording. Each is kept until the last call that restores it: a session of
 /// rollback netcode takes one in every frame.
 class Moments {
  public:
@@ -64,7 +64,7 @@ class Moments {
   std::unordered_map<std::uint64_t, Moment> moments_;
 };
 
-/// World::spawn() of many, whose caller had room for so many ids.
+/// World::spawn() of many; its caller had room for `ids` ids.
 inline void spawn_many(World& world, KindId kind, const std::vector<Launch>& launches, std::uint64_t ids) {
   std::vector<ProjectileId> room(static_cast<std::size_t>(std::min<std::uint64_t>(ids, launches.size())));
   world.spawn(kind, launches, room);

@@ -3,7 +3,7 @@
 #include <cmath>
 
 #include "base/checker.hpp"
-#include "physim/task_runner.hpp"
+#include "physim/result.hpp"
 #include "prepare/check.hpp"
 #include "world/registry.hpp"
 

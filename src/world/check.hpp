@@ -1,8 +1,8 @@
 // What a world refuses: definitions that make no sense.
 #pragma once
 
+#include "physim/body.hpp"
 #include "physim/result.hpp"
-#include "physim/world_def.hpp"
 
 namespace physim {
 

@@ -17,7 +17,7 @@
 
 PHYSIM_ISA_BEGIN
 
-/// As a row keeps it. All zero: there is none.
+/// A tube as a row stores it. All zero: no tube.
 template <class R>
 struct ClearTube {
   Vec3<R> from;          // where its axis begins [m]
@@ -47,7 +47,7 @@ PHYSIM_INLINE R distance_from(const ClearTube<R>& tube, const Vec3<R>& x) {
   return length(off - tube.along * part);
 }
 
-/// Whether a step stays inside of a tube; no step with a number that is none does.
+/// Whether a step stays inside of a tube; false if the step has a NaN.
 template <class R, class S>
 PHYSIM_INLINE MaskOf<R> stays_inside(const ClearTube<R>& tube, const Vec3<R>& x0, const Vec3<R>& v0, const Vec3<R>& x1,
                                      const Vec3<R>& v1, S h) {

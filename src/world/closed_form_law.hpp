@@ -5,8 +5,8 @@
 
 namespace physim {
 
-/// A row that goes from one law to another, or stood still meanwhile, has to be launched anew where it is: its launch
-/// and its clock tell where it would be had it flown by the new law from the start.
+/// A row that changes its law, or stood still meanwhile, has to be launched again where it is: its launch
+/// and its clock define where it would be had it flown by the new law from the start.
 struct ClosedFormLaw {
   bool closed = false;  // else none of it is asked for
   bool still = false;   // clocks go on while a row stands still

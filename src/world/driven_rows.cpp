@@ -150,7 +150,7 @@ void DrivenRows::push(const Registry& registry, const WorldState& state, double 
   });
 }
 
-/// Gravity and masses, where the law asks for them.
+/// Gravity and masses, if the law needs them.
 void DrivenRows::put_felt(const Registry& registry, const WorldState& state, const FlightLaw& law,
                           const DrivenBlock& block, std::span<const std::uint8_t> lanes,
                           FlightPack<FlightLaw::kPack>& pack) const {

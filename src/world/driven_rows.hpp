@@ -1,7 +1,7 @@
-// Driven rows: what emitters do to the flights of many of their particles, asked for pack by pack.
+// Driven rows: the effects of emitters on the flights of many of their particles, computed pack by pack.
 //
-// What a law reads of a particle lies by slots, all over the memory, and stays as it is while the particle lives. So it
-// is kept here in order of rows from step to step, and looked up anew only where a row has changed.
+// What a law reads of a particle lies by slots, scattered in memory, and is constant while the particle lives. So it is
+// kept here in order of rows from step to step, and looked up again only if a row has changed.
 #pragma once
 
 #include <span>
@@ -23,7 +23,7 @@ struct DrivenBlock {
 
 class DrivenRows {
  public:
-  /// Before the stages of a step: who is in the rows now.
+  /// Before the stages of a step: finds which particles the rows hold now.
   void find(const Registry& registry, WorldState& state);
   /// The world is as it was at another time: nothing that is known holds.
   void forget() { cohorts_.clear(); }
@@ -32,9 +32,9 @@ class DrivenRows {
   /// Rates of drag at a time, of DrivenBlock::kMost rows of a cohort, where the flights of all are drag_by_age() [1/s].
   void rates(const ParticleKernel& kernel, const WorldState& state, std::uint16_t cohort, std::uint32_t first,
              double time, double* rate) const;
-  /// Whether all of it is done by packs: velocities that are added need to know of the whole step.
+  /// Whether all of it is done by packs: velocities that are added need the whole step.
   [[nodiscard]] static bool in_packs(const WorldState& state);
-  /// Whether emitters do nothing to flights but drag whose rate follows age.
+  /// Whether emitters do nothing to flights but drag with a rate that follows age.
   [[nodiscard]] static bool drag_by_age(const WorldState& state);
 
  private:
@@ -43,9 +43,9 @@ class DrivenRows {
     bool is_known = false;
     std::vector<std::uint32_t> slot;
     std::vector<std::uint32_t> emitter;  // that drives it; 0: none
-    std::vector<std::uint64_t> number;   // of the particle, as InFlight has it; likewise
+    std::vector<std::uint64_t> number;   // of the particle, as InFlight has it; 0: none
     std::vector<double> birth, span;
-    void resize(std::size_t rows);  // those behind the last one are nobody's
+    void resize(std::size_t rows);  // those behind the last one belong to no particle
     void look_up(const WorldState& state, std::uint32_t row, std::uint32_t slot);
     /// Whether what is known of a row is so.
     [[nodiscard]] bool is_of(const WorldState& state, const Rows& rows, std::uint64_t row) const;

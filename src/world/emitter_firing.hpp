@@ -1,4 +1,4 @@
-// Firing: what an emitter lets out at one moment inside of a step, and the order in which that happens.
+// Firing: what an emitter emits at one moment inside of a step, and the order of these moments.
 #pragma once
 
 #include <algorithm>
@@ -24,7 +24,7 @@ struct Firing {
   std::uint64_t order = 0;      // in which they were found
   EmitMoment moment;
 
-  /// Later, for a queue whose top is the first.
+  /// Whether it comes later, for a queue that has the first on top.
   bool operator<(const Firing& other) const { return time != other.time ? time > other.time : key() > other.key(); }
 
  private:
@@ -34,9 +34,9 @@ struct Firing {
   }
 };
 
-/// What fires next. The first one waits apart: mostly an emitter's next moment comes before anybody else's, and is not
-/// sorted in. Those that came in order are a run, as are next moments of emitters that fire in turn; of the others a
-/// heap orders what tells most of them apart. Each stays where it was put.
+/// What fires next. The first one waits apart: mostly an emitter's next moment comes before any other, and is not
+/// sorted in. Those that came in order are a run, as are next moments of emitters that fire alternately. A heap orders
+/// the others by what distinguishes most of them. Each stays where it was put.
 class FiringQueue {
   struct Waiting {
     double time;
@@ -59,7 +59,7 @@ class FiringQueue {
     if (first_) wait(*first_);
     first_ = firing;
   }
-  /// When the first one is; infinite: there is none [s].
+  /// When the first one is; infinite: the queue is empty [s].
   [[nodiscard]] double next_time() const {
     return first_ ? first_->time : has_others() ? next_other().time : kInfinity;
   }

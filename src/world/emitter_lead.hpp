@@ -1,12 +1,12 @@
 // The way of an emitter that calls lead: straight legs from place to place, each to be done by a time of the world.
 //
-// Where it is at a moment follows from the two ends of the leg that the moment lies on, and how far it has come from
-// the lengths of the legs before, added up in their order. So what is born on a way does not depend on the steps that
+// Its place at a moment follows from the two ends of the leg that the moment lies on, and its distance from the lengths
+// of the legs before, added up in their order. So what is emitted on a way does not depend on the steps that
 // cut it.
 //
 // Symbols: a, b ends of a leg [m], s, t their times [s], d what was counted before the leg [m], u from when on metres
 //   count [s].
-// Equation: |b - a| (t - max(s, u)) / (t - s) metres count of a leg; it has come D >= d far at
+// Equation: |b - a| (t - max(s, u)) / (t - s) metres count of a leg; a distance D >= d is reached at
 //   max(s, u) + (D - d) (t - s) / |b - a|.
 // Source: none; it is a steady velocity on a straight line.
 #pragma once
@@ -28,11 +28,11 @@ class EmitterLead {
   [[nodiscard]] bool empty() const { return legs_.empty(); }
   /// Where, and when, the last leg ends; there is one.
   [[nodiscard]] const MotionKey& end() const { return legs_.back().to; }
-  /// One more leg, from the end of the last one; where there is none, from `here`.
+  /// Adds a leg from the end of the last one; from `here` if it is the first.
   void go(const MotionKey& here, const MotionKey& to);
   /// Stands where the last leg ends from then on; a moment at which two legs meet belongs to the first of them.
   [[nodiscard]] MotionState at(double time) const;
-  /// By when it has come so far, if that is not after `latest`; `travelled` was counted before the first leg, and
+  /// The time at which the distance is reached, if not after `latest`; `travelled` was counted before the first leg,
   /// metres count from a time on.
   [[nodiscard]] std::optional<double> when(double distance, double travelled, double counted_from, double latest) const;
   /// What counts of the legs up to now.

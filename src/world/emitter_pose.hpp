@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "math/quat.hpp"
-#include "physim/vec3.hpp"
+#include "physim/math.hpp"
 
 namespace physim {
 

@@ -5,7 +5,7 @@
 #include <unordered_map>
 
 #include "emit/rain.hpp"
-#include "physim/world_projectile.hpp"
+#include "physim/world.hpp"
 #include "world/emitter_pose.hpp"
 #include "world/emitters.hpp"
 

@@ -20,18 +20,18 @@
 namespace physim {
 namespace {
 
-/// Births of a past, most of which nobody has to fly.
+/// Births of a past, most of which need no flight.
 constexpr std::uint32_t kMostOfPast = 1u << 26;
-/// So many at least are worth being drawn side by side.
+/// The fewest births that are worth being drawn side by side.
 constexpr std::uint32_t kFew = 4;
 
 /// One particle, that is no round of a gun.
 bool lets_out_one(const EmitMoment& moment) { return moment.count == 1 && !moment.is_round; }
 
-/// When emitters fire in a step, in order of time, where they are then, and what is born.
+/// When emitters fire in a step, in order of time, where they are then, and what they emit.
 ///
-/// Each emitter's next moment waits in a queue, beside those of its metres and its rain, and beside what sub-emitters
-/// were set off by. Moments of one emitter by itself are taken from its timeline several at a time, so that their
+/// Each emitter's next moment waits in a queue, beside those of its metres and its rain, and beside those of triggered
+/// sub-emitters. An emitter's own moments are taken from its timeline several at a time, so that their
 /// births are drawn and flown side by side; they wait in the queue one by one as all others do.
 class EmitterBirths {
  public:
@@ -97,7 +97,7 @@ class EmitterBirths {
       fire(firing);
       queue_triggers();
     }
-    s_.departures.clear();  // nobody asks any more who was there
+    s_.departures.clear();  // no later code reads it
   }
   void fire(const Firing& firing) {
     Emitter& e = all_[firing.emitter];
@@ -123,7 +123,7 @@ class EmitterBirths {
 
  private:
   enum Rank : std::uint32_t { kOwnMoment, kMetre, kFill, kRain, kSub };
-  /// Births that lead to one another at one moment, and those of all sub-emitters, or of one emitter by itself, in one
+  /// Births that lead to one another at one moment, and those of all sub-emitters, or of one emitter alone, in one
   /// step: more are cut.
   static constexpr std::uint32_t kDeepest = 32;
   static constexpr std::uint32_t kMostBirths = 1u << 20;
@@ -132,7 +132,7 @@ class EmitterBirths {
   // fire
   /// Where one is and which way it points; none: what it follows is gone.
   [[nodiscard]] std::optional<Pose> pose_at(std::uint32_t emitter, double time) const;
-  /// So far it is led in this step; what lies before the first cycle does not count [m].
+  /// Distance led up to here in this step; what lies before the first cycle does not count [m].
   [[nodiscard]] double led_way(std::uint32_t emitter) const;
 
   /// An emitter's own moment, and when that is in the world [s].
@@ -150,7 +150,7 @@ class EmitterBirths {
 
   /// Whether moments of one are taken ahead: nothing between them changes which they are, or their numbers.
   [[nodiscard]] bool sees_ahead(const Firing& first) const;
-  /// Takes its first moment, `first`, and those after it that let out one particle each, at most so many.
+  /// Takes its first moment, `first`, and those after it that emit one particle each, at most `most`.
   BirthColumns& look_ahead(const Firing& first, std::size_t most);
   [[nodiscard]] bool has_ahead(std::uint32_t emitter) const {
     return s_.ahead[emitter] && !s_.ahead[emitter]->is_over();
@@ -165,7 +165,7 @@ class EmitterBirths {
   [[nodiscard]] EmitMoment rain_moment(std::uint32_t emitter, double time, std::uint32_t count) const;
 
   // ------------------------------------------------------------------------------------------- drawn ahead
-  /// What set off a sub-emitter, until others are queued; null: it fires by itself.
+  /// What set off a sub-emitter, until others are queued; null: it fires on its own.
   [[nodiscard]] const EmitterTrigger* cause_of(const Firing& firing) const {
     return firing.by == Firing::kNothing ? nullptr : &s_.causes[firing.by];
   }
@@ -183,7 +183,7 @@ class EmitterBirths {
   [[nodiscard]] const BirthPlan* plan_ahead(const Firing& firing);
   /// Births of a moment, from that one on.
   void look_at_moment(const BirthPlan& plan, const Firing& firing, const Pose& pose, std::uint32_t from);
-  /// How many more one lets out by its maximum, at least.
+  /// A lower bound on how many more one may emit by its maximum.
   [[nodiscard]] std::size_t room(const BirthPlan& plan) const;
   /// How many more are not cut.
   [[nodiscard]] std::size_t may_be_born(const Firing& firing) const;
@@ -217,7 +217,7 @@ class EmitterBirths {
   }
 
   // ------------------------------------------------------------------------------------------- being born
-  /// The next moment of an emitter by itself, and those that come after it before anything else does.
+  /// The next own moment of an emitter, and those that follow before anything else happens.
   void fire_own(const Firing& firing) {
     const std::uint32_t index = firing.emitter;
     const BirthPlan* const plan = plan_ahead(firing);
@@ -233,7 +233,7 @@ class EmitterBirths {
     }
     queue_moment(index);
   }
-  /// The next of them: some at once where that may be, at most so many; how many.
+  /// The next births: several at once if possible, at most `most`; returns how many.
   std::uint32_t bear_next(const BirthPlan& plan, BirthColumns& births, const Firing& firing, const Pose& pose,
                           std::size_t most) {
     most = std::min({most, room(plan), may_be_born(firing)});
@@ -281,7 +281,7 @@ class EmitterBirths {
     return true;
   }
 
-  /// One too many. An emitter that lets out so many by itself stops.
+  /// Whether it is one too many. An emitter that reaches the limit without a trigger stops.
   bool is_cut(const Firing& firing) {
     if (cause_of(firing)) return depth_of(firing) > kDeepest || ++s_.births > kMostBirths;
     if (++s_.own_births[firing.emitter] <= (is_past_ ? kMostOfPast : kMostBirths)) return false;
@@ -302,7 +302,7 @@ class EmitterBirths {
     const Newborn newborn = e.emission->newborn(birth);
     if (is_past_ && e.def().subs.empty() && firing.time + newborn.lifetime <= end_) {
       ++e.counts.born, ++e.counts.aged;
-      return append(s_.departures, {firing.emitter, firing.time + newborn.lifetime});  // nobody has to fly it
+      return append(s_.departures, {firing.emitter, firing.time + newborn.lifetime});  // it need not be flown
     }
     const KindId kind = newborn.tracer ? e.def().gun.tracer : e.def().kind;
     Launch launch = launch_of(firing, pose, birth.number, newborn);
@@ -422,7 +422,7 @@ class EmitterBirths {
   std::uint64_t departed_ = 0;  // particles that left in this step and were asked about
   EmitterWatch watch_;
   std::uint64_t found_ = 0;
-  // When particles of each emitter left in this step, where somebody had to ask.
+  // When particles of each emitter left in this step, for emitters that had to check.
   std::unordered_map<std::uint32_t, std::priority_queue<double, std::vector<double>, std::greater<>>> later_;
 };
 
@@ -493,7 +493,7 @@ void EmitterBirths::queue_metre(std::uint32_t index) {
   queue_.push({.time = now, .emitter = index, .rank = kMetre, .moment = moment});
 }
 
-/// By when it has come so far, where calls or a projectile lead it.
+/// The time at which the distance is reached, if calls or a projectile lead the emitter.
 std::optional<double> EmitterBirths::when_led(std::uint32_t index, double distance) const {
   const std::optional<Led>& led = s_.led[index];
   if (!led || !led->odometer) return std::nullopt;
@@ -687,7 +687,7 @@ void fire_emitters(WorldImpl& world, const SettleContext& context) {
 
 void fire_past(WorldImpl& world, std::uint32_t index) {
   const Restored<const Gate*> asking(Gate::in_question, &world);  // functions of one's own change nothing meanwhile
-  world.is_stirred = false;                                       // who is born knows how far it may fly
+  world.is_stirred = false;                                       // a newborn row has its own clear way
   world.emitting.births = 0;
   SettleContext context = now_of(world);
   const double now = context.time;

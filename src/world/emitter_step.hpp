@@ -1,9 +1,9 @@
-// What emitters do in a step: who is born inside of it, whose life ends in it, and which sub-emitters fire.
+// The part of emitters in a step: particles emitted inside of it, lives that end in it, and sub-emitters that fire.
 //
-// Before the others move, those whose life ends within the step are flown to that moment and leave, and what reaches an
-// age is looked at. Then all fly. What was told then, or on the way to the end of a life, sets off sub-emitters; these
-// and the emitters' own moments are gone through in order of time. Each particle is placed at its own moment and flown
-// to the end of the step by the code that settles rows, and what is told on that way sets off more. So nothing depends
+// Before the others move, those that die within the step are flown to that moment and leave, and what reaches an
+// age is looked at. Then all fly. Events of that flight, or of the way to the end of a life, set off sub-emitters;
+// these and the emitters' own moments are handled in order of time. Each particle is placed at its own moment and flown
+// to the end of the step by the code that settles rows, and events on that way set off more. So nothing depends
 // on frames but for the rows' own steps; neither on threads, nor on the order of rows.
 #pragma once
 
@@ -21,7 +21,7 @@
 
 namespace physim {
 
-/// Something happened to a particle whose emitter has sub-emitters.
+/// An event of a particle of an emitter with sub-emitters.
 struct EmitterTrigger {
   SubEvent on = SubEvent::birth;
   double time = 0;   // [s]
@@ -37,7 +37,7 @@ struct LedByLaunch {
   std::uint16_t cohort = 0;
   Body<double> body;
   double launched = 0;       // [s]
-  double until = kInfinity;  // it meets something, and sets out anew [s]
+  double until = kInfinity;  // it meets something, and sets out again [s]
 };
 
 /// The way of an emitter that a projectile or a call leads through the step.
@@ -61,14 +61,14 @@ struct EmitterScratch {
   std::vector<EmitterTrigger> triggers;
   std::vector<EmitterTrigger> causes;     // those that set off a sub-emitter
   std::vector<Departure> departures;      // of particles, in the step at hand
-  std::vector<ProjectileId> dying;        // whose lives end in it, in that order
+  std::vector<ProjectileId> dying;        // particles that die in it, in that order
   std::vector<double> ends;               // and when they do [s]
   std::vector<std::optional<Led>> led;    // by emitter
   std::uint32_t births = 0;               // by sub-emitters, in the step at hand
-  std::vector<std::uint32_t> own_births;  // of each emitter by itself, in the step at hand
+  std::vector<std::uint32_t> own_births;  // of each emitter without a trigger, in the step at hand
   Chunk chunk;
   KnownFlights known;                                // of the step at hand
-  std::vector<std::unique_ptr<BirthColumns>> ahead;  // of each emitter by itself, in the step at hand
+  std::vector<std::unique_ptr<BirthColumns>> ahead;  // own moments of each emitter, in the step at hand
   BirthColumns together;                             // of one moment
 };
 
@@ -76,14 +76,14 @@ struct WorldImpl;
 
 /// Before a step: ends of lives, ages, and where followed projectiles are.
 void begin_emitters(WorldImpl& world, double dt);
-/// All have moved, and nobody has left yet: what that sets off.
+/// All have moved, and none has left yet: what that sets off.
 void watch_for_emitters(WorldImpl& world, const SettleContext& context);
-/// Whoever had to has left: births.
+/// All that had to leave have left: births.
 void fire_emitters(WorldImpl& world, const SettleContext& context);
 
 /// Between steps: one that has just begun to play and began before the world's time: its past.
 void fire_past(WorldImpl& world, std::uint32_t emitter);
-/// Between steps: so many of one emitter; how many were born.
+/// Between steps: emits `count` particles of one emitter; returns how many were emitted.
 std::size_t fire_now(WorldImpl& world, std::uint32_t emitter, std::uint32_t count);
 /// Between steps: SubEvent::trigger of all of its particles.
 void trigger_now(WorldImpl& world, std::uint32_t emitter);

@@ -21,9 +21,9 @@ std::optional<SubEvent> sub_event(EventKind kind) {
   return std::nullopt;
 }
 
-/// Whether an event's velocity is that after it was thrown off; nothing: it goes on as it went.
+/// Whether an event's velocity is that after it was thrown off; nothing: its way continues unchanged.
 std::optional<bool> thrown_off(const Event& event) {
-  if (event.kind == EventKind::hit) return false;  // what comes of it is told next
+  if (event.kind == EventKind::hit) return false;  // the next event reports its consequence
   const bool is_thrown = event.kind == EventKind::bounced || event.kind == EventKind::ricocheted ||
                          event.kind == EventKind::penetrated || event.kind == EventKind::stopped;
   return is_thrown ? std::optional(true) : std::nullopt;
@@ -181,7 +181,7 @@ bool EmitterWatch::is_known(std::uint32_t slot) const {
 bool EmitterWatch::follows(const Emitter& e, std::uint32_t slot) const {
   return e.def().follows && e.def().follows == w_.state.slots.id_of(slot);
 }
-/// Who follows it turns where it does.
+/// An emitter that follows it turns where it does.
 void EmitterWatch::turn_followed(const Event& event) {
   const auto turns = thrown_off(event);
   if (!turns) return;
@@ -207,7 +207,7 @@ void EmitterWatch::leaves(std::uint32_t slot, const Event* last) {
   end_followed(slot, at, time);
   if (const Particle* particle = all_.particle(slot)) depart(slot, particle->emitter, at, time);
 }
-/// Who follows it comes no farther.
+/// An emitter that follows it comes no farther.
 void EmitterWatch::end_followed(std::uint32_t slot, const BodyState& at, double time) {
   if (!is_any_led_) return;
   for (std::uint32_t i = 1; i < all_.size(); ++i)
@@ -245,7 +245,7 @@ std::optional<BodyState> EmitterWatch::flown_to(std::uint32_t index, std::option
     });
   return at ? std::optional(BodyState{at->x, at->v}) : std::nullopt;
 }
-/// For somebody who only looks.
+/// For a caller that only looks.
 std::optional<BodyState> EmitterWatch::seen_at(std::uint32_t index, std::optional<double> born, double time) {
   const std::optional<BodyState> at = flown_to(index, born, time);
   s_.chunk.events.clear(), s_.chunk.changes.clear();
@@ -270,7 +270,7 @@ void EmitterWatch::expire(std::uint32_t index, const BodyState& at, double time)
   all_.leave(index, &EmitterCounts::aged);
   w_.remove(index, LifeStatus::expired);
 }
-/// Takes what one told that was flown alone, and what follows from it; whether it left.
+/// Takes the events of a row that was flown alone, and what follows from them; returns whether it left.
 bool EmitterWatch::tell_chunk() {
   Chunk& chunk = s_.chunk;
   if (chunk.events.empty() && chunk.changes.empty()) return false;

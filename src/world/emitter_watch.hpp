@@ -1,4 +1,4 @@
-// What happens to the particles of emitters in a step: whose life ends, who reaches an age, and what sets off
+// Events of the particles of emitters in a step: lives that end, ages that are reached, and what sets off
 // sub-emitters. All of it is noted in the world's EmitterScratch.
 #pragma once
 
@@ -28,12 +28,12 @@ class EmitterWatch {
                std::size_t only = ~0u);
 
   // ------------------------------------------------------------------------------------------- of one newborn
-  /// The ages that one born `born` into the step reaches in it, and the end of its life there.
+  /// The ages that one emitted `born` into the step reaches in it, and the end of its life there.
   void look_ahead(std::uint32_t slot, double born, double birth, double until);
   void end_life(std::uint32_t slot, std::optional<double> born, double time);
   /// From its birth to the end of the step.
   void fly_newborn(std::uint32_t slot, double born);
-  /// One born before the world's time, alone up to that time, by steps of the world.
+  /// Flies one emitted before the world's time, alone up to that time, by steps of the world.
   void grow_up(std::uint32_t slot, double birth, double dies);
   [[nodiscard]] double passed_at(double time) const { return std::clamp(time - context_.time, 0.0, context_.dt); }
 
@@ -55,7 +55,7 @@ class EmitterWatch {
   bool fly_in_parts(std::uint32_t slot, double from, double to, bool is_birth);
   void count_from(const Slot& slot, double step);
   void expire(std::uint32_t slot, const BodyState& at, double time);
-  /// Takes what one told that was flown alone, and what follows from it; whether it left.
+  /// Takes the events of a row that was flown alone, and what follows from them; returns whether it left.
   bool tell_chunk();
 
   WorldImpl& w_;
@@ -63,7 +63,7 @@ class EmitterWatch {
   Emitters& all_;
   EmitterScratch& s_;
   double end_;               // of the step [s]
-  bool is_any_led_ = false;  // somebody may follow who dies
+  bool is_any_led_ = false;  // an emitter may follow a particle that dies
 };
 
 }  // namespace physim

@@ -139,7 +139,7 @@ void add_emitter(Hash& hash, const Emitter& e) {
 
 void Emitters::add_to(Hash& hash, const SlotTable& slots) const {
   if (empty()) return;
-  std::uint64_t ends = 0;  // of those whose emitter is gone
+  std::uint64_t ends = 0;  // of particles of removed emitters
   for (const Due& due : lives.all())
     if (!particle(due.id.index) && slots.find(due.id)) ends += hash_of(due.time, due.id.index);
   hash.add(ends);

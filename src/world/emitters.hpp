@@ -23,8 +23,8 @@ namespace physim {
 
 /// A particle, beside what every projectile has. Nothing of how it looks: that follows from its number.
 struct Particle {
-  std::uint32_t emitter = 0;          // index; 0: nobody fired it
-  std::uint32_t events = 0;           // that sub-emitters were asked about
+  std::uint32_t emitter = 0;          // index; 0: no emitter
+  std::uint32_t events = 0;           // those checked for sub-emitters
   std::uint64_t number = 0;           // among those of its emitter
   double phase = 0;                   // of the cycle at its birth
   double dies = 0;                    // [s]
@@ -36,15 +36,15 @@ struct Particle {
 /// What is read of every particle that is shown or driven, apart from all else that is kept of it: few bytes.
 struct ParticleSpan {
   std::uint64_t number = 0;  // as Particle has it
-  double dies = 0;           // likewise [s]
+  double dies = 0;           // as Particle has it [s]
 };
 
-/// One that is born among others.
+/// A particle that is emitted among others.
 struct Joining {
   ProjectileId id;
   std::uint64_t number = 0;  // as Particle has it
-  double phase = 0;          // likewise
-  double dies = 0;           // likewise [s]
+  double phase = 0;          // as Particle has it
+  double dies = 0;           // as Particle has it [s]
   double birth = 0;          // [s]
 };
 
@@ -68,14 +68,14 @@ void each_age(const std::vector<SubEmitter>& subs, double birth, const F& f) {
   }
 }
 
-// A candidate of rain that lacks so little has come: at a frame's end some frame rates would have one and others not,
-// as the ways of a viewer are rounded.
+// A candidate of rain that lacks no more than this has fallen: at a frame's end some frame rates would have one and
+// others not, as the ways of a viewer are rounded.
 inline constexpr double kRainRounding = 1e-9;
 
-/// How far a box of rain has come.
+/// The progress of a box of rain.
 struct RainState {
   std::optional<Vec3d> about{};  // its middle where it is full of rain; none: it is empty [m]
-  double due = 0;                // part of the next candidate that has come already, -kRainRounding to 1
+  double due = 0;                // elapsed part of the next candidate, -kRainRounding to 1
 };
 
 /// Where and when a projectile that flies by its closed form set out: its way since then does not depend on frames.
@@ -86,7 +86,7 @@ struct FollowedLaunch {
   double time = 0;  // as it was first seen [s]
 };
 
-/// An emitter and how far it has come.
+/// An emitter and its progress.
 struct Emitter {
   std::uint32_t generation = 0;
   bool active = false;
@@ -122,7 +122,7 @@ struct Emitter {
   }
   /// From when on metres count: from its first cycle on [s].
   [[nodiscard]] double counted_from() const;
-  /// It goes no farther on its legs than it has come by now.
+  /// Ends its legs where it is now.
   void leave_lead(double now);
 };
 
@@ -145,13 +145,13 @@ class Emitters {
     return e.active && e.generation == id.generation ? &e : nullptr;
   }
   [[nodiscard]] const Emitter* find(EmitterId id) const { return const_cast<Emitters*>(this)->find(id); }
-  /// So many were added before and are now.
+  /// How many were added in total, removed ones included.
   [[nodiscard]] std::uint64_t added() const { return added_; }
   [[nodiscard]] EmitterId id_of(std::uint32_t index) const { return {index, (*this)[index].generation}; }
 
   /// A place for one more, active.
   std::uint32_t add();
-  /// It is gone; its particles are nobody's, but their lives end as they would.
+  /// Removes it; its particles have no emitter, but their lives end as they would.
   void erase(std::uint32_t index);
 
   /// The particle of a slot; null: no emitter fired it.
@@ -163,7 +163,7 @@ class Emitters {
   [[nodiscard]] const Particle* particle(std::uint32_t slot) const {
     return const_cast<Emitters*>(this)->particle(slot);
   }
-  /// Who fired the particle of a slot; 0: nobody.
+  /// The emitter of the particle of a slot; 0: none.
   [[nodiscard]] std::uint32_t emitter_of(std::uint32_t slot) const {
     return slot < emitter_of_.size() ? emitter_of_[slot] : 0;
   }
@@ -178,7 +178,7 @@ class Emitters {
     prefetch_span(slot);
     if (slot < emitter_of_.size()) prefetch_at(&particles_[slot]);
   }
-  /// Asks for what of a particle is its number, its emitter and the end of its life.
+  /// Prefetches number, emitter and end of life of a slot's particle.
   void prefetch_span(std::uint32_t slot) const {
     if (slot >= emitter_of_.size()) return;
     prefetch_at(&emitter_of_[slot]);
@@ -189,13 +189,13 @@ class Emitters {
     const std::uint32_t emitter = emitter_of(slot);
     return emitter != 0 && (*this)[emitter].drives ? &(*this)[emitter].emission->flight() : nullptr;
   }
-  /// Whether there is anybody whose flight an emitter acts on.
+  /// Whether an emitter acts on any flight.
   [[nodiscard]] bool drive_any() const {
     return std::ranges::any_of(all_, [](const Emitter& e) { return e.drives; });
   }
-  /// One was born. What it will come to by `seen` somebody has looked at already [s].
+  /// Adds a particle. The caller has handled what happens to it up to `seen` [s].
   void join(ProjectileId id, const Particle& particle, double birth, double seen);
-  /// So many were born of one emitter no age of whose particles is waited for: one(i) says which, all else is as `like`
+  /// Adds `count` particles of an emitter, none with a pending age: one(i) gives each, all else is as `like`
   /// has it.
   template <class F>
   void join_each(const Particle& like, std::size_t count, double seen, const F& one) {
@@ -230,7 +230,7 @@ class Emitters {
     for (std::uint32_t slot = 1; slot < particles_.size(); ++slot)
       if (emitter_of_[slot] != 0) f(slot, particles_[slot]);
   }
-  /// Likewise, of one emitter.
+  /// As each_particle(), of one emitter.
   template <class F>
   void each_particle_of(std::uint32_t index, const F& f) const {
     for (std::uint32_t slot = 1; slot < emitter_of_.size(); ++slot)
@@ -244,23 +244,23 @@ class Emitters {
   void add_to(Hash& hash, const SlotTable& slots) const;
 
   // ------------------------------------------------------------------------------------------- as a save tells it
-  [[nodiscard]] const std::vector<Emitter>& all() const { return all_; }  // the first is none
+  [[nodiscard]] const std::vector<Emitter>& all() const { return all_; }  // the first is unused
   [[nodiscard]] const std::vector<std::uint32_t>& free() const { return free_; }
   /// False where that makes no sense. Particles join afterwards, in order of their births.
   bool restore(std::vector<Emitter> all, std::vector<std::uint32_t> free, std::uint64_t added);
-  /// One that was born before; in order of births.
+  /// Adds one that was emitted before; in order of births.
   void resume(ProjectileId id, const Particle& particle);
 
  private:
   [[nodiscard]] bool is_gone(const Aged& aged, std::uint32_t emitter) const;
   void leave_emitter(std::uint32_t slot, EmitterCount why);
 
-  std::vector<Emitter> all_{1};  // 0 is none
+  std::vector<Emitter> all_{1};  // 0 is unused
   std::uint64_t added_ = 0;
   std::vector<std::uint32_t> free_;
   std::vector<Particle> particles_;        // by slot
-  std::vector<ParticleSpan> spans_;        // likewise
-  std::vector<std::uint32_t> emitter_of_;  // likewise, for searches: 0 where nobody fired it
+  std::vector<ParticleSpan> spans_;        // by slot
+  std::vector<std::uint32_t> emitter_of_;  // by slot, for searches: 0 if it has no emitter
 };
 
 }  // namespace physim

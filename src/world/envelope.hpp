@@ -1,4 +1,4 @@
-// Linear equations whose coefficients lie near the diagonal, at places that are symmetric: L U without a choice of
+// Linear equations with coefficients near the diagonal, at places that are symmetric: L U without a choice of
 // pivots, within the envelope (George & Liu 1981, Computer Solution of Large Sparse Positive Definite Systems, chapter
 // 4).
 #pragma once

@@ -1,8 +1,8 @@
-// Events of a world: what was told since the step before, in which order, and the list of it that somebody reads.
+// Events of a world: those since the step before, their order, and the list of them for a reader.
 //
-// A step with many births and deaths tells an event of each, and mostly nobody reads it. So an event that says who,
-// when, where and how fast is kept in few bytes, in fewer where float32 holds its numbers, all others whole. What is
-// put in order are keys alone; the list is made when it is asked for.
+// A step with many births and deaths has an event of each, and mostly no caller reads it. So an event that holds only
+// id, time, place and velocity is kept in few bytes, in fewer if float32 holds its numbers, all others whole. What is
+// put in order are keys alone; the list is made when it is read.
 #pragma once
 
 #include <algorithm>
@@ -27,7 +27,7 @@ struct EventKey {
   std::uint32_t slot = 0, order = 0, at = 0;
   std::uint32_t place = 0;  // of what is kept of it; decides nothing
 
-  /// No time is none, and two are seldom equal.
+  /// No time is NaN, and two are seldom equal.
   std::weak_ordering operator<=>(const EventKey& other) const {
     if (time != other.time) return time < other.time ? std::weak_ordering::less : std::weak_ordering::greater;
     if (slot != other.slot) return slot <=> other.slot;
@@ -68,7 +68,7 @@ class EventList {
   static constexpr std::size_t kMost = std::size_t{1} << 30;  ///< events; places are counted in 30 bits
 
   EventList() = default;
-  /// Copies have what was told, and have shown nothing yet.
+  /// Copies have all events, and have shown nothing yet.
   EventList(const EventList& other)
       : keys_(other.keys_), in_float_(other.in_float_), in_double_(other.in_double_), whole_(other.whole_) {}
   EventList& operator=(const EventList& other) {
@@ -82,7 +82,7 @@ class EventList {
   ~EventList() = default;
 
   [[nodiscard]] std::size_t size() const { return keys_.size(); }
-  /// Room for so many more plain ones of numbers in float, and so many in double, which float32 may hold, too; may end
+  /// Room for more plain ones: `in_float` of float, `in_double` of double, which float32 may hold, too; may end
   /// for lack of memory.
   void reserve(std::size_t in_float, std::size_t in_double) {
     make_room(keys_, in_float + in_double);
@@ -99,7 +99,7 @@ class EventList {
     add_numbers(e, x.x, x.y, x.z, v.x, v.y, v.z);
   }
 
-  /// So many plain ones: told(i) gives each, as a Told<S>. They are kept in numbers of that type.
+  /// Adds `count` plain ones: told(i) gives each, as a Told<S>. They are kept in numbers of that type.
   template <class S, class F>
   void add_each(std::size_t count, const F& told) {
     make_room(keys_, count), make_room(plain<S>(), count);
@@ -116,7 +116,7 @@ class EventList {
     }
   }
 
-  /// By time, projectile and kind; what one tells at one time stays in the order in which it was told.
+  /// By time, projectile and kind; events of one projectile at one time stay in the order in which they were added.
   void put_in_order(std::vector<EventKey>& spare, GivenEvents& given);
   /// All of them. What was given stays where it is until these and `given` are cleared.
   [[nodiscard]] std::span<const Event> all(GivenEvents& given) const;
@@ -189,7 +189,7 @@ class EventList {
   StepList<Plain<float>> in_float_;
   StepList<Plain<double>> in_double_;
   StepList<Event> whole_;
-  mutable StepList<Event> shown_;  // the first of them, as somebody reads them
+  mutable StepList<Event> shown_;  // the first of them, as a caller reads them
 };
 
 }  // namespace physim

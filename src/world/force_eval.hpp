@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "model/body.hpp"
-#include "physim/forces.hpp"
 #include "physim/result.hpp"
+#include "physim/world.hpp"
 
 namespace physim {
 
@@ -69,7 +69,7 @@ struct ForceScratch {
 /// Each row's force depends on that row alone, so any cut of the members gives the same bits, also from several threads
 /// with a scratch each; but not for a user function (one call for all) nor a spring between two (rows of one partner
 /// are summed in the order of the members, which must not depend on where rows happen to lie: order them by id).
-/// Nothing here hides what is no number: it reaches the force of that row, and of its partner.
+/// A NaN is not hidden: it reaches the force of that row, and of its partner.
 bool add_force(const ForceLaw& law, const ForceClock& clock, std::span<const std::uint32_t> members,
                const Surroundings& surroundings, ForceStage& stage, ForceScratch& scratch);
 

@@ -174,7 +174,7 @@ bool ForceField::is_sound(std::uint32_t row) const {
          std::isfinite(v.z);
 }
 
-/// A row that is no number any more leaves at the end of the step; until then it must not reach others.
+/// A row with a NaN leaves at the end of the step; until then it must not reach others.
 std::span<const std::uint32_t> ForceField::members_of(const Push& push) {
   PHYSIM_ASSERT(push.first < push.last && push.last <= rows_.members.size());
   const std::span<const std::uint32_t> all(rows_.members.data() + push.first, push.last - push.first);

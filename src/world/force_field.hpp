@@ -14,7 +14,7 @@ namespace physim {
 [[nodiscard]] double mass_of(const Registry& registry, const WorldState& state, const Slot& slot);
 /// Times gravity: its projectile's own and its live one [-].
 [[nodiscard]] double gravity_scale_of(const Registry& registry, const WorldState& state, std::uint32_t slot);
-/// The layer bits of a projectile, of its own or of its kind.
+/// The layer bits of a projectile, its own or those of its kind.
 [[nodiscard]] std::uint32_t layers_of(const Registry& registry, const WorldState& state, std::uint32_t slot);
 /// Whether a generator's kind or layers hold a projectile.
 [[nodiscard]] bool is_in_group(const Generator& generator, const Registry& registry, const WorldState& state,
@@ -31,7 +31,7 @@ struct Push {
   std::uint32_t generator;
   std::uint32_t first;  // of its members
   std::uint32_t last;
-  ProjectileId from;  // a spring whose target is not among the rows pulls at its other end: that target
+  ProjectileId from;  // a spring with a target outside of the rows pulls at its other end: that target
 };
 
 /// Rows that generators act on, side by side.

@@ -47,7 +47,7 @@ struct ForcedJob {
   std::size_t stride;  // from column to column
   int stage;
   bool own_force;  // some have a ProjectileDef::force
-  bool at_once;    // nobody asks for steps of rows that are not marked
+  bool at_once;    // steps of rows that are not marked are not needed
   /// Rates of linear drag, which is all that pushes in the first stage, of the rows from rows.first on [1/s]. Their
   /// pushes are put into scratch memory where rows are marked. Null: pushes are there.
   const double* drag_rate;

@@ -95,7 +95,7 @@ PHYSIM_INLINE void put_push(const Vec3<R>& push, Body<R>& b) {
   b.applied_until = constant<R>(std::numeric_limits<double>::infinity());
 }
 
-/// A known rung whose rows feel a push beside.
+/// A known rung with rows that feel an additional push.
 template <class Rung>
 struct PushedRung {
   template <class S>
@@ -111,7 +111,7 @@ struct PushedRung {
     return k;
   }
 
-  /// One pack, whose marks are returned. `told` is the job for calls, see look_for_near().
+  /// Steps a pack and returns its marks. `told` is the job for calls, see look_for_near().
   template <class R, class S>
   PHYSIM_INLINE static unsigned step(const ForcedJob<S>& told, const ForcedJob<S>& job, const Conditions<S>& given,
                                      std::uint32_t row) {
@@ -142,7 +142,7 @@ struct PushedRung {
     store_vector(m.end.v, job.rows.columns.velocity, row);
     return bits;
   }
-  /// The ends of those rows whose pack has no mark, and another one in their word has.
+  /// The ends of the rows in packs without a mark, if another pack in their word has one.
   template <class R, class S>
   [[gnu::noinline]] static void keep_ends(const ForcedJob<S>& job, std::uint32_t first) {
     const std::uint32_t word = job.rows.attention[first / kRowsPerWord];

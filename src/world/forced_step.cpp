@@ -119,7 +119,7 @@ class ForcedStep {
     PHYSIM_ASSERT(group.first_run < group.last_run && group.last_run <= s_.runs.size());
     if (has_generators_) list_rows(group), field_.begin_step(context_.time, context_.dt);
     bool attention = false;
-    // Where nobody asks for all at once, some rows at a time go through all stages: they stay in the cache.
+    // If not all rows are needed at once, some rows at a time go through all stages: they stay in the cache.
     for (std::uint32_t first = 0, most = longest(group); first < most; first += part_rows()) {
       part_ = {first, std::min(most - first, part_rows())};
       for (int stage = 0; stage < end_slope(group.integrator); ++stage) {
@@ -133,7 +133,7 @@ class ForcedStep {
       }
       if (!has_generators_) keep_ends(group);  // else others see these rows as they were
     }
-    // Landings and the like lie on the dense output, which needs the slope at the end; and who meets another one flies
+    // Landings and the like lie on the dense output, which needs the slope at the end; a row that meets another flies
     // the rest of its step between the pushes at both ends.
     part_ = {0, longest(group)};
     if ((attention || context_.pairs) && group.integrator != Integrator::classic)
@@ -334,7 +334,7 @@ class ForcedStep {
 
   template <class S>
   TakenStep<S> taken_by(const ForcedRun& r, std::uint32_t row) {
-    PHYSIM_ASSERT(row < r.count && r.count == rows_of(r).size());  // nobody left meanwhile
+    PHYSIM_ASSERT(row < r.count && r.count == rows_of(r).size());  // no row left meanwhile
     const ForcedJob<S> j = job<S>(r, 0);
     const RowColumns<S>& c = j.rows.columns;
     const Fidelity& f = key(r.cohort).fidelity;

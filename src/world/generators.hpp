@@ -6,8 +6,8 @@
 
 #include "base/assert.hpp"
 #include "base/hash.hpp"
-#include "physim/forces.hpp"
-#include "physim/world_def.hpp"
+#include "physim/body.hpp"
+#include "physim/world.hpp"
 #include "world/kinds.hpp"
 
 namespace physim {
@@ -57,9 +57,9 @@ class Generators {
   void forget(std::uint32_t slot) {
     if (!named_.empty()) named_.erase(slot);
   }
-  [[nodiscard]] const std::vector<Generator>& all() const { return all_; }  // the first is none
+  [[nodiscard]] const std::vector<Generator>& all() const { return all_; }  // the first is unused
   [[nodiscard]] const std::vector<std::uint32_t>& free() const { return free_; }
-  /// As a save tells them; false where that makes no sense. What has begun is to be resumed then.
+  /// As a save holds them; false if they are inconsistent. Generators that have begun are to be resumed then.
   bool restore(std::vector<Generator> all, std::vector<std::uint32_t> free, std::vector<std::uint32_t> order);
   /// One that has begun is in a group, or not.
   void resume(std::uint32_t index, bool in_group) {
@@ -71,7 +71,7 @@ class Generators {
   void add_to(Hash& hash, const Kinds& kinds) const;
 
  private:
-  std::vector<Generator> all_{1};  // 0 is none
+  std::vector<Generator> all_{1};  // 0 is unused
   std::vector<std::uint32_t> free_;
   std::vector<std::uint32_t> order_;
   std::vector<std::uint32_t> groups_;

@@ -1,6 +1,6 @@
 // Contact of what flies in a world with its ground: what the ground and the projectile let follow.
 //
-// Who flies is a Host, as for things of a scene (collide/scene_contact.hpp). Of what it has there the ground asks for
+// The flying object is a Host, as for things of a scene (collide/scene_contact.hpp). Of it the ground uses
 // surface(), step_length(), acceleration_at() and tell(), and for
 //   conditions()                        of its motion: they know where up is
 #pragma once
@@ -10,7 +10,7 @@
 #include "collide/scene_contact.hpp"
 #include "flight/step_parts.hpp"
 #include "model/contact.hpp"
-#include "physim/world_def.hpp"
+#include "physim/body.hpp"
 
 namespace physim {
 

@@ -14,7 +14,7 @@ struct DenseHeight {
   const Node& n0 = whole.n0;
   const Node& n1 = whole.n1;
 
-  /// Whether it tells what `whole` tells of steps under these conditions.
+  /// Whether it gives the same results as `whole` for steps under these conditions.
   [[nodiscard]] static bool holds(const Conditions<double>& c) {
     const Fidelity& f = c.fidelity;
     return !is_round(f.earth) && f.motion != Motion::closed_form && f.integrator != Integrator::classic &&

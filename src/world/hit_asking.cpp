@@ -37,7 +37,7 @@ std::optional<std::string> fault_of(const HitQuestion& q, const HitAnswer& answe
   return std::nullopt;
 }
 
-/// In order of time, then of slots, whoever came to them.
+/// In order of time, then of slots, whichever rows reached them.
 std::vector<HitQuestion> questions_of(const std::vector<OpenHit>& open) {
   std::vector<HitQuestion> questions;
   questions.reserve(open.size());
@@ -74,7 +74,7 @@ const HitAnswer* HitAsking::find(const HitQuestion& question) const {
   return at->second.size() < kMostAsked ? nullptr : &kStays;
 }
 
-/// Whether it came back; whatever it does to the world or to the arithmetic of the thread, the step goes on as before.
+/// Whether the call returned; whatever it does to the world or to the arithmetic of the thread, the step is unaffected.
 bool HitAsking::call(std::span<const HitQuestion> questions, std::span<HitAnswer> answers) {
   const Inside inside(gate_);
   try {

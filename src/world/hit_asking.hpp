@@ -1,9 +1,9 @@
 // Hits that ask: what the function of a world said about hits of the step at hand.
 //
-// A row that comes to a hit about which nothing is known is left as it was when the step began, and its question stays
-// open. When everybody has come so far, one call asks about all that is open, and those rows go through their step
-// again: with the same numbers up to the same hits, about which something is known now. So what follows from an answer
-// is what follows from a kind that does the same, to the bit, and neither threads nor the order of rows matter.
+// A row that comes to a hit without a known answer is left as it was when the step began, and its question stays
+// open. When all rows have reached this state, one call asks about all open hits, and those rows repeat their step
+// with the same numbers up to the same hits, now with known answers. So the consequence of an answer is that
+// of a kind that does the same, to the bit, and neither threads nor the order of rows matter.
 #pragma once
 
 #include <span>
@@ -11,7 +11,7 @@
 #include <unordered_map>
 #include <vector>
 
-#include "physim/hit_question.hpp"
+#include "physim/event.hpp"
 
 namespace physim {
 
@@ -40,7 +40,7 @@ class HitAsking {
   [[nodiscard]] const HitCounts& counts() const { return counts_; }
   [[nodiscard]] const std::string& refused() const { return refused_; }
 
-  /// What was said of one that is the same but for what only informs; null: nothing. Whoever has kMostAsked in the step
+  /// The answer to an equal question, apart from what only informs; null: none. A row with kMostAsked in the step
   /// sticks at the next one. Any number of threads may look.
   [[nodiscard]] const HitAnswer* find(const HitQuestion& question) const;
   /// Asks about all of them in one call, and remembers.

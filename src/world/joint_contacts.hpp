@@ -4,13 +4,13 @@
 #include <cstdint>
 #include <optional>
 
-#include "physim/vec3.hpp"
+#include "physim/math.hpp"
 
 namespace physim {
 
 struct WorldImpl;
 
-/// A plane that somebody stays in front of.
+/// A plane that a projectile stays in front of.
 struct NetContact {
   Vec3d normal{};     // of length one, outwards
   double offset = 0;  // dot(normal, place) is not below [m]

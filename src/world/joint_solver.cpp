@@ -7,7 +7,7 @@
 
 #include "base/assert.hpp"
 #include "math/vec3.hpp"
-#include "physim/infinity.hpp"
+#include "physim/math.hpp"
 #include "world/envelope.hpp"
 
 namespace physim {
@@ -44,7 +44,7 @@ class Net {
     std::uint32_t row;
     double sign;
   };
-  /// What is known of a row so far.
+  /// What has been found about a row.
   struct Found {
     Vec3d n0;             // direction from b to a when the step began
     Vec3d n;              // ... where they are now
@@ -126,7 +126,7 @@ class Net {
       gained += stored(found_[i].l) - stored(found_[i].l0);
       moved += stored(found_[i].l0);
     }
-    return !(gained <= kMostGain * moved);  // written so that what is no number gains, too
+    return !(gained <= kMostGain * moved);  // written so that a NaN counts as a gain
   }
 
   // ------------------------------------------------------------------------------------------- equations
@@ -154,7 +154,7 @@ class Net {
     const double value = i.sign * j.sign * dot(one.*n, component_product(w, other.*pushed));
     coefficients_.push_back({order_[i.row], order_[j.row], value});
   }
-  /// The unknowns of the active rows, whose right hand sides f gives.
+  /// The unknowns of the active rows; f gives their right hand sides.
   template <class F, class G>
   void solve(const F& right_hand_side, const G& take) {
     for (std::size_t i = 0; i < rows_.size(); ++i)
@@ -164,7 +164,7 @@ class Net {
       if (found_[i].active) take(i, unknown_[order_[i]]);
   }
 
-  /// Block pivoting: tries sets of active rows until one fits. `attempt` tries one, `fits(i)` tells whether a row that
+  /// Block pivoting: tries sets of active rows until one fits. `attempt` tries one, `fits(i)` says whether a row that
   /// takes part is rightly active, or rightly not.
   template <class Try, class Fits>
   bool choose(const Try& attempt, const Fits& fits) {

@@ -20,7 +20,7 @@
 // The steps of Newton's method are solved directly (J1 M^-1 J0^T, factored within its envelope, rows of a net in the
 // order in which a breadth-first search finds them: Cuthill & McKee 1969), so a long chain costs as much as its rows
 // are many and is as stiff as a short one. Which cables pull follows from block pivoting (Judice & Pires 1994,
-// Computers Ops Res. 21, 587-596), whose last resort is Murty's rule. Rows that others imply already take no part.
+// Computers Ops Res. 21, 587-596); its last resort is Murty's rule. Rows that others imply already take no part.
 //
 // Error: of order h^2 in place and time over a fixed span. Wrong: where a net turns by a quarter of a turn or more
 // within a step. Then, where the rounds do not suffice, and where the net would gain more than a fiftieth of the energy
@@ -31,7 +31,7 @@
 #include <cstdint>
 #include <span>
 
-#include "physim/vec3.hpp"
+#include "physim/math.hpp"
 
 namespace physim {
 
@@ -39,8 +39,8 @@ namespace physim {
 struct NetBody {
   Vec3d start{};           // where it was when the step began [m]
   Vec3d start_velocity{};  // [m/s]
-  Vec3d x{};               // as it flew alone; then as it is held [m]
-  Vec3d v{};               // likewise [m/s]
+  Vec3d x{};               // place after its flight alone; then the held place [m]
+  Vec3d v{};               // velocity after its flight alone; then the held velocity [m/s]
   Vec3d mobility{};        // one over its mass, along each axis; 0: nothing moves it [1/kg]
   double spacing = 0;      // of the numbers that keep its place [m]
 };

@@ -1,4 +1,4 @@
-// A step of held projectiles: nets of joints, who wakes and sleeps with whom, and where each is put.
+// A step of held projectiles: nets of joints, which projectiles wake and sleep together, and where each is put.
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -66,7 +66,7 @@ void each_end(const WorldState& state, const std::vector<std::uint32_t>& net, co
   }
 }
 
-/// An end of it that somebody put elsewhere pulls at those who sleep.
+/// An end of it that a call put elsewhere pulls at sleeping projectiles.
 [[nodiscard]] bool is_strained(const WorldState& state, const Joint& joint) {
   constexpr double kStrain = 1e-6;  // of its length and of how far out it is: more than float32 rounds [-]
   const Vec3d a = state.state_of(state.slots[joint.a.index]).position;
@@ -81,7 +81,7 @@ void each_end(const WorldState& state, const std::vector<std::uint32_t>& net, co
   return false;
 }
 
-/// Nobody of a net sleeps while somebody of it moves.
+/// Wakes all projectiles of a net if one of it moves.
 void wake_net(WorldImpl& world, const std::vector<std::uint32_t>& net) {
   WorldState& state = world.state;
   bool moves =
@@ -168,7 +168,7 @@ class NetStep {
     return at != held.end() && at->id == id ? &*at : nullptr;
   }
 
-  /// Who would be moved into the ground or a thing stays in front of it, and the net is solved once more.
+  /// A body that would be moved into the ground or a thing stays in front of it, and the net is solved once more.
   NetReport solve() {
     constexpr int kMostTimes = 8;
     const std::vector<NetBody> flown = bodies_;
@@ -210,7 +210,7 @@ class NetStep {
   [[nodiscard]] static bool is_shallow(const NetBody& body, const NetContact& contact) {
     return depth(body, contact) < 1e-12 * (1 + length(body.x)) + 16 * body.spacing;
   }
-  /// Where the net and what is met contradict each other, nobody goes into anything.
+  /// If the net and its contacts contradict each other, no body enters anything.
   static void stop_at(NetBody& body, const NetContact& contact) {
     body.x = is_shallow(body, contact) ? body.x + contact.normal * depth(body, contact) : contact.place;
     const double into = dot(contact.normal, body.v);
@@ -281,7 +281,7 @@ class NetStep {
   std::vector<NetBody> bodies_;
   std::vector<std::uint32_t> slots_;  // of bodies; 0: a fixed point
   std::vector<NetRow> rows_;
-  std::optional<std::uint32_t> origin_;                      // body that planes are told from
+  std::optional<std::uint32_t> origin_;                      // body that planes are relative to
   std::vector<std::uint32_t> joints_;                        // of rows
   std::unordered_map<std::uint32_t, std::uint32_t> places_;  // of slots among the bodies
 };

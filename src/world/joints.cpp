@@ -11,7 +11,7 @@
 namespace physim {
 namespace {
 
-/// Joints of one projectile: so many are solved quickly, as all of them feel each other.
+/// Joints of one projectile: this many are solved quickly, as all of them feel each other.
 constexpr std::size_t kMostJointsOfOne = 64;
 constexpr std::size_t kMostJoints = 1u << 22;
 

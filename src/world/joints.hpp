@@ -1,7 +1,7 @@
-// Joints: the rods, cables and springs of a world; who holds whom, and what became of them in the last step.
+// Joints: the rods, cables and springs of a world; what they hold, and their state in the last step.
 //
-// All fly their step as if alone, and meet what they meet. Then each net of joints is solved (world/joint_solver.hpp),
-// in the order of its joints, on one thread, and who it holds is put where it holds them. Of a step to the next nothing
+// All fly their step as if alone, with their contacts. Then each net of joints is solved (world/joint_solver.hpp),
+// in the order of its joints, on one thread, and what it holds is put where it holds it. From step to step nothing
 // is kept but the joints themselves, so snapshots and saves hold no more. Those of a net sleep and wake together.
 #pragma once
 
@@ -10,9 +10,8 @@
 
 #include "base/assert.hpp"
 #include "base/hash.hpp"
-#include "physim/joint.hpp"
 #include "physim/result.hpp"
-#include "physim/world_projectile.hpp"
+#include "physim/world.hpp"
 #include "world/joint_solver.hpp"
 
 namespace physim {
@@ -66,7 +65,7 @@ class Joints {
   void add_to(Hash& hash) const;
 
   // ------------------------------------------------------------------------------------------- as a save tells it
-  [[nodiscard]] const std::vector<HeldJoint>& all() const { return all_; }  // the first is none
+  [[nodiscard]] const std::vector<HeldJoint>& all() const { return all_; }  // the first is unused
   [[nodiscard]] const std::vector<std::uint32_t>& free() const { return free_; }
   /// False where that makes no sense.
   bool restore(std::vector<HeldJoint> all, std::vector<std::uint32_t> free);
@@ -77,13 +76,13 @@ class Joints {
  private:
   void join(std::uint32_t index);
 
-  std::vector<HeldJoint> all_{1};  // 0 is none
+  std::vector<HeldJoint> all_{1};  // 0 is unused
   std::vector<std::uint32_t> free_;
   std::size_t count_ = 0;
   std::unordered_map<std::uint32_t, std::vector<std::uint32_t>> of_slot_;
 };
 
-/// One who is held, in the step at hand.
+/// A held projectile, in the step at hand.
 struct HeldBody {
   ProjectileId id;
   BodyState start;  // when the step began
@@ -98,11 +97,11 @@ struct JointScratch {
 struct WorldImpl;
 
 [[nodiscard]] Status check(const Joint& joint);
-/// Before a step: who is held is remembered as it is; nets in which somebody moves wake whole.
+/// Before a step: stores the state of held projectiles; nets with a moving member wake as a whole.
 void begin_joints(WorldImpl& world);
-/// After it: who is held comes where joints hold it.
+/// After it: puts held projectiles where joints hold them.
 void hold_joints(WorldImpl& world, double dt);
-/// The joints of a projectile that leaves end, and are told.
+/// Ends the joints of a projectile that leaves, with events.
 void end_joints_of(WorldImpl& world, std::uint32_t slot);
 
 }  // namespace physim

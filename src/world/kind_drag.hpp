@@ -9,7 +9,7 @@
 
 namespace physim {
 
-/// Cd is taken by the Mach number in air of 15 degrees Celsius (a zone has no temperature of its own), with the
+/// Cd is taken by the Mach number in air of 15 degrees Celsius (a zone has no temperature), with the
 /// projectile's table, area, form factor, ballistic coefficient or bands: the model is that of every flight.
 class KindDrag {
  public:

@@ -110,7 +110,7 @@ void Kinds::begin_recount() {
   });
 }
 
-/// In order of numbers, so that a replay, whose kinds lie elsewhere, does the same.
+/// In order of numbers, so that a replay, which has its kinds elsewhere, does the same.
 void Kinds::end_recount(std::uint64_t moment) {
   std::vector<std::uint32_t> by_age;
   for (std::uint32_t index = 1; index <= all_.size(); ++index)

@@ -13,7 +13,7 @@
 #include <vector>
 
 #include "base/assert.hpp"
-#include "physim/world_def.hpp"
+#include "physim/body.hpp"
 #include "prepare/cohort.hpp"
 #include "prepare/equivalent_drag.hpp"
 #include "world/live.hpp"
@@ -52,7 +52,7 @@ struct Kind {
     return rung == 0 ? rungs.front() : rungs[rung];
   }
 
-  std::uint32_t number = 0;       // as KindId tells it
+  std::uint32_t number = 0;       // as in KindId
   std::uint64_t hash = 0;         // of projectile and body
   std::uint32_t alive = 0;        // projectiles of it
   bool stays = false;             // add_kind() was asked for it
@@ -69,7 +69,7 @@ class Kinds {
     return *all_[index - 1];
   }
   [[nodiscard]] Kind& operator[](std::uint32_t index) { return const_cast<Kind&>(std::as_const(*this)[index]); }
-  /// The index of a kind that is known by its number; 0 where there is none.
+  /// The index of a kind with this number; 0 if not found.
   [[nodiscard]] std::uint32_t find(KindId id) const {
     // Indices are numbers until a kind was let go.
     if (id.index > 0 && id.index <= all_.size()) {
@@ -84,7 +84,7 @@ class Kinds {
     const std::uint32_t index = find(id);
     return index == 0 ? 0 : (*this)[index].hash;
   }
-  /// The index of a kind of equal definitions; 0 where there is none.
+  /// The index of a kind with equal definitions; 0 if not found.
   [[nodiscard]] std::uint32_t find(std::uint64_t hash, const ProjectileDef& projectile, const BodyDef& body) const;
   [[nodiscard]] bool is(std::uint32_t index, const ProjectileDef& projectile, const BodyDef& body) const {
     return (*this)[index].projectile == projectile && (*this)[index].body == body;
@@ -94,11 +94,11 @@ class Kinds {
   /// Whether there ever was one that meets other projectiles.
   [[nodiscard]] bool meet_others() const { return meet_others_; }
 
-  /// A kind of a new number, or of one that a save tells; its index. It is idle.
+  /// Adds a kind with a new number, or one from a save; returns its index. It is idle.
   std::uint32_t add(Kind kind);
-  /// It stays, whether somebody uses it or not.
+  /// Keeps it, whether it is in use or not.
   void keep(std::uint32_t index);
-  /// So many projectiles of it came, or one left; `moment`: snapshots taken so far.
+  /// Counts `count` new projectiles of it, or one that left; `moment`: snapshots taken before.
   void join(std::uint32_t index, std::uint32_t count = 1) {
     Kind& kind = (*this)[index];
     PHYSIM_ASSERT(!kind.forgotten && count > 0);
@@ -115,7 +115,7 @@ class Kinds {
   }
   /// Lets idle kinds go where there are too many.
   void forget_idle(const Living& living);
-  /// After a restore: who is there now. `count` calls its argument with the index of the kind of every projectile.
+  /// After a restore: counts the projectiles. `count` calls its argument with the index of the kind of each projectile.
   template <class F>
   void recount(std::uint64_t moment, const F& count) {
     begin_recount();
@@ -164,7 +164,7 @@ class Kinds {
   std::size_t idle_count_ = 0;
   std::uint64_t idle_turns_ = 0;
   std::vector<std::uint32_t> forgotten_;  // and still held
-  std::size_t look_at_ = 64;              // forgotten ones, when there are so many
+  std::size_t look_at_ = 64;              // forgotten ones, at this number of them
 };
 
 }  // namespace physim

@@ -40,7 +40,7 @@ struct ShortStep : KnownRung<drag, wind, air> {
   }
 };
 
-/// A step of one stage of other rungs: what they are is asked as it is flown.
+/// A step of one stage of other rungs: their properties are looked up at run time.
 struct AnyShortStep {
   static constexpr bool kPushed = false;
   template <class S>
@@ -112,7 +112,7 @@ struct ShortFall : KnownFall {
   }
 };
 
-/// A step of a rung whose rows feel what their emitter does to them, and no generator.
+/// A step of a rung with rows that feel the effect of their emitter, and no generator.
 template <class Rung>
 struct PushedStep : Rung {
   static constexpr bool kPushed = true;
@@ -133,7 +133,7 @@ MaskOf<R> touches_between(const Conditions<S>& c, const State<R>& start, const S
   return (climb_rate(c, start) < zero) & (climb_rate(c, end) > zero);
 }
 
-/// What its emitter does to a row that starts there, so far into the step, for so long; none: it has none.
+/// The effect of the emitter on a row that starts at `start`, `from` into the step, for `length`; none: no effect.
 template <class S>
 std::optional<Vec3<S>> push_of(const SettleContext& context, std::uint16_t cohort, std::uint32_t row, double from,
                                S length, const State<S>& start) {
@@ -164,7 +164,7 @@ std::optional<State<double>> KnownFlights::fly_alone(const Cohort& cohort, const
   }
   const State<S> end = Rung::end(c, b, start, length);
   const S floor = static_cast<S>(cohort.floor), slowest = static_cast<S>(cohort.slowest);
-  // As noteworthy() asks of a whole step; and it may have been born below the ground.
+  // As noteworthy() checks for a whole step; and a row may begin below the ground.
   const bool is_high = height(c, start.x) > floor && height(c, end.x) > floor;
   if (!is_high || !is_finite(end) || length_squared(end.v) < slowest * slowest) return std::nullopt;
   if (Rung::kPushed && touches_between(c, start, end)) return std::nullopt;

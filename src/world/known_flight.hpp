@@ -1,7 +1,7 @@
-// Known flights: a part of a step of rows whose rung kernels know at compile time, where nothing happens to them.
+// Known flights: a part of a step of rows on rungs that kernels know at compile time, if nothing happens to them.
 //
-// Settling takes any row through anything, and most of what it costs is getting ready. Who is born in a step, or whose
-// life ends in it, mostly flies a part of it on one of the rungs that games use most, and meets nothing: that is the
+// Settling takes any row through anything, and most of its cost is preparation. A row that is emitted in a step, or
+// dies in it, mostly flies a part of it on one of the rungs that games use most, and meets nothing: that is the
 // one step that the kernel would take, shorter. Settling flies all others.
 #pragma once
 
@@ -32,7 +32,7 @@ class KnownFlights {
  public:
   /// Before rows are asked for: the step, its length or the cohorts may be others than before.
   void forget() { cohorts_.clear(); }
-  /// Where a row is `until` so far into the step, from its start on, or from where it was born in it; none: it wants to
+  /// Where a row is `until` into the step, from its start on, or from its birth in it; none: it has to
   /// be settled.
   [[nodiscard]] std::optional<State<double>> state_after(const SettleContext& context, std::uint16_t cohort,
                                                          std::uint32_t row, std::optional<double> born, double until);
@@ -65,8 +65,8 @@ class KnownFlights {
     bool is_asked = false;
     Fly fly = nullptr;  // null: not a known one
     std::tuple<FlyEach<float>, FlyEach<double>> fly_each{};
-    double floor = 0;    // as Watchdog tells it [m]
-    double slowest = 0;  // likewise [m/s]
+    double floor = 0;    // as in Watchdog [m]
+    double slowest = 0;  // as in Watchdog [m/s]
   };
   Cohort& find(const SettleContext& context, std::uint16_t index);
   template <class S>

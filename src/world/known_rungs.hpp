@@ -2,7 +2,7 @@
 #pragma once
 
 #include "physim/fidelity.hpp"
-#include "physim/macros.hpp"
+#include "physim/math.hpp"
 
 namespace physim {
 

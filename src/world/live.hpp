@@ -4,11 +4,11 @@
 #include <array>
 
 #include "model/body.hpp"
-#include "physim/world_def.hpp"
+#include "physim/body.hpp"
 
 namespace physim {
 
-/// Live settings that models read. Few projectiles have others than every cohort has by itself.
+/// Live settings that models read. Few projectiles have others than their cohort.
 struct Own {
   double gravity_scale = 1;
   Axes frozen = Axes::none;

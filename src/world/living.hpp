@@ -1,4 +1,4 @@
-// Living: which snapshots of a world are still held by somebody. What only a snapshot that is gone could bring back
+// Living: which snapshots of a world still have an owner. What only a released snapshot could bring back
 // need not be kept.
 #pragma once
 
@@ -19,7 +19,7 @@ class Living {
     }
     moments_.emplace(number, snapshot);
   }
-  /// Whether a snapshot lives whose number lies above `after` and not above `upto`.
+  /// Whether a snapshot lives with a number above `after` and not above `upto`.
   [[nodiscard]] bool has_one(std::uint64_t after, std::uint64_t upto) const {
     for (auto at = moments_.upper_bound(after); at != moments_.end() && at->first <= upto; ++at)
       if (!at->second.expired()) return true;
@@ -30,7 +30,7 @@ class Living {
   static constexpr std::size_t kFew = 64;
 
   std::map<std::uint64_t, std::weak_ptr<const WorldState>> moments_;
-  std::size_t look_at_ = kFew;  // when there are so many
+  std::size_t look_at_ = kFew;  // expired ones, at this number of entries
 };
 
 }  // namespace physim

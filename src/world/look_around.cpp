@@ -64,7 +64,7 @@ Ahead judged(const SettleContext& context, const RowColumns<S>& c, std::uint32_t
   return part > 1 ? Ahead::met : Ahead::unknown;
 }
 
-/// What a row knows of the things at rest on its way.
+/// What a row has found about the things at rest on its way.
 template <class S>
 Ahead known_of_rest(const SettleContext& context, const RowColumns<S>& c, std::uint32_t row, const Way<S>& way,
                     double beside, const CollisionDef& collision) {
@@ -214,7 +214,7 @@ std::vector<SceneHit> answers_to(const SettleContext& context, std::vector<Quest
     for (; end < questions.size() && questions[end].layers == questions[first].layers; ++end) {
       const NearRow& near = questions[end].row;
       with_row(context, *near.chunk, near.row, [&](const auto& c, const CollisionDef& collision) {
-        // Who passes is told where he comes out of what he began in, too.
+        // A row that passes also gets the event of leaving what it began in.
         if (collision.on_hit == OnHit::pass) return;
         questions[end].pieces = add_pieces(context, Way(c, near.row), collision.radius, pieces);
       });
@@ -243,7 +243,7 @@ void look_around(const SettleContext& context, const std::vector<NearRow>& rows)
         put_back(c, near.row);
         return settle_row(context, *near.chunk, near.row);
       }
-      c.clear[near.row] = 0;  // nobody knows how far its things are
+      c.clear[near.row] = 0;  // the distance to its things is unknown
     });
   }
   PHYSIM_ASSERT(at == hits.size());

@@ -1,4 +1,4 @@
-// How far rows are from the things of a scene: who may have come near is looked at once a step.
+// How far rows are from the things of a scene: rows that may have come near are looked at once a step.
 #pragma once
 
 #include "collide/scene_by_motion.hpp"
@@ -8,12 +8,12 @@
 
 namespace physim {
 
-/// Whether what rests can be told from what does not, so that rows keep what they find out about it.
+/// Whether resting things can be distinguished from others, so that rows keep what they find out about them.
 [[nodiscard]] inline bool knows_rest(const SettleContext& context) {
   return context.scene && !context.scene->engine() && !SceneByMotion(*context.scene).has_boundless_movers();
 }
 
-/// So far something may fly from where it is before it can touch anything at rest; 0 where nobody knows. Where that is
+/// How far something may fly from its place before it can touch anything at rest; 0 if unknown. If that is
 /// less than the way of a step, it is that way, below 0: near something, as look_around() knows it [m].
 template <class S>
 [[nodiscard]] S clear_way(const SettleContext& context, const State<double>& s, const CollisionDef& collision) {
@@ -28,15 +28,15 @@ template <class S>
   return static_cast<S>(left > way ? left : -way);
 }
 
-inline constexpr double kNearSteps = 64;  // who was near something looks again how far he may fly after so many
+inline constexpr double kNearSteps = 64;  // a row that was near something looks again after this number of steps
 
 /// Whether it is time to look how far a row may fly, by what its column of clear ways says after a step of a length
-/// [m]: who comes from afar always does. It takes as long as some steps near a thing.
+/// [m]: a row that comes from afar always does. It takes as long as some steps near a thing.
 template <class S>
 [[nodiscard]] bool is_look_due(S clear, double gone) {
   return static_cast<double>(clear) > -0.5 * gone || static_cast<double>(clear) < -kNearSteps * gone;
 }
-/// What the column of clear ways keeps of how far a row flew since it looked, below 0: 0 of who is new, which mostly is
+/// What the column of clear ways keeps of how far a row flew since it looked, below 0: 0 for a new row, which mostly is
 /// near something; all of these do not look in one step, nor at once.
 template <class S>
 [[nodiscard]] S waited(S clear, std::uint32_t row, double gone) {
@@ -45,7 +45,7 @@ template <class S>
   return is_new ? static_cast<S>(-gone * (kNearSteps - 1 - row % kSpread)) : clear;
 }
 
-/// About the way of something that goes on at a steady acceleration. `beside`: how far the path of one step may be from
+/// About the way of something at a steady acceleration. `beside`: how far the path of one step may be from
 /// its chord [m].
 template <class S>
 [[nodiscard]] TubeAhead way_ahead(const SettleContext& context, const State<double>& s, const Vec3d& acceleration,
@@ -56,7 +56,7 @@ template <class S>
   constexpr double kSlack = 1.25;          // of the sag: accelerations change
   constexpr double kBeside = 2;            // and so does what a step needs
   constexpr double kDrift = 1e-4;          // of the length
-  const double turns = 0.5 * length(s.v);  // so much of its velocity may it lose
+  const double turns = 0.5 * length(s.v);  // it may lose this much of its velocity
   const double time = std::min(kSteps * context.dt, turns / std::max(length(acceleration), 1e-9));
   const Vec3d along = s.v * time + acceleration * (0.5 * time * time);
   const double far = length(along);

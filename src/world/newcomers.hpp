@@ -1,4 +1,4 @@
-// Things of a scene that rows do not know of yet.
+// Things of a scene that rows have not noticed yet.
 #pragma once
 
 #include <cstdint>
@@ -13,7 +13,7 @@ class SceneByMotion;
 class Newcomers {
  public:
   static constexpr std::size_t kMost = 1024;
-  static constexpr std::uint64_t kQuiet = 256;  // after so many steps in which none came all rows look anew
+  static constexpr std::uint64_t kQuiet = 256;  // after this number of steps without a new thing all rows look again
 
   /// One came, before a step; false where there are too many.
   [[nodiscard]] bool add(std::uint32_t thing, std::uint64_t step);

@@ -29,7 +29,7 @@ class PairSweep {
     std::sort(places_.begin(), places_.end());
   }
 
-  /// Calls visit(i, j), i < j, for all whose boxes meet.
+  /// Calls visit(i, j), i < j, for all pairs of boxes that meet.
   template <class Visit>
   void each(const Visit& visit) const {
     for (auto at = places_.begin(); at != places_.end(); ++at) {
@@ -49,7 +49,7 @@ class PairSweep {
     new_.push_back(i);
   }
 
-  /// Calls visit(j) for all others whose boxes meet its own.
+  /// Calls visit(j) for all others with a box that meets its own.
   template <class Visit>
   void each_beside(std::uint32_t i, const Visit& visit) const {
     PHYSIM_ASSERT(i < colliders_.size());
@@ -120,7 +120,7 @@ class PairSweep {
       for (std::uint32_t j = other.of(box.low[other.axis]); j <= other.of(box.high[other.axis]); ++j)
         f(column_of(i, j));
   }
-  /// The first column that two boxes share: there they are told.
+  /// The first column that two boxes share: the pair is reported there.
   [[nodiscard]] std::uint64_t first_common(const collide::Bounds& a, const collide::Bounds& b) const {
     const auto first = [&](const Cells& cells) {
       return std::max(cells.of(a.low[cells.axis]), cells.of(b.low[cells.axis]));

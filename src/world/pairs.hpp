@@ -1,8 +1,8 @@
 // Pairs: projectiles that meet each other inside a step.
 //
 // All fly their step as if alone. Then the paths that were flown are searched for the first touch of two of them; both
-// part as their restitution and friction say, and fly what is left of the step anew, with their own models, from there
-// on; what they told of the rest is forgotten. So it goes on until nobody touches anybody any more. Meetings are taken
+// part as their restitution and friction say, and fly the rest of the step again, with their own models, from there
+// on; their earlier events of the rest are dropped. This repeats until no two touch any more. Meetings are taken
 // in order of time, and of slots where two fall on one moment; nothing depends on threads, packs or the order of rows,
 // and nothing is kept from step to step.
 #pragma once
@@ -27,7 +27,7 @@ struct Collider {
   double spacing = 0;        // of its row's numbers, times their size [-]
   std::vector<collide::Knot> path;
   std::vector<Trace> traces;  // where its step was settled
-  collide::Bounds box;        // of its path, as wide as it is itself
+  collide::Bounds box;        // of its path, as wide as the projectile
   double since = 0;           // its path counts from then on [s into the step]
   std::uint32_t version = 0;  // of its path
   int hits = 0;
@@ -54,7 +54,7 @@ struct PairScratch {
 
 struct WorldImpl;
 
-/// Before a step: who meets others, and what their rows are.
+/// Before a step: finds which projectiles meet others, and their rows.
 void begin_pairs(WorldImpl& world);
 /// After it, before what follows from it: lets them meet.
 void meet_pairs(WorldImpl& world, const SettleContext& context);

@@ -160,7 +160,7 @@ void Placement::set_row_state(std::uint32_t index, const BodyState& given) {
   BodyState at = given;
   if (slot.is(kOwn)) at.velocity = component_product(at.velocity, free_axes(state_.extras.own_of(index).frozen));
   const bool closed = registry_.cohort(slot.cohort).key.fidelity.motion == Motion::closed_form;
-  if (closed) return refill_row(index, at, {.previous = at.position});  // the clock starts anew
+  if (closed) return refill_row(index, at, {.previous = at.position});  // the clock starts again
   state_.rows_of(slot).visit([&](const auto& c) {
     Rows::put(c.position, slot.row, at.position);
     Rows::put(c.velocity, slot.row, at.velocity);
@@ -199,7 +199,7 @@ Status Placement::relocate(std::uint32_t index) {
   const std::uint16_t from = slot.cohort;
   const std::uint32_t old_row = slot.row;
   Rows& source = state_.rows[from];
-  // Each interpolation has curves of its own: a row's place among them does not hold for another.
+  // Each interpolation has its own curves: a row's place among them does not hold for another.
   const auto curves = [this](std::uint16_t cohort) { return registry_.cohort(cohort).key.fidelity.interpolation; };
   // Nor does a Turn for another rotation model.
   const auto rotation = [this](std::uint16_t cohort) {
@@ -239,8 +239,8 @@ Status Placement::relocate(std::uint32_t index) {
   return {};
 }
 
-/// Launches a closed form anew where it is; of what its launch gave it keeps what is no part of the law. Other motions
-/// go on as they are.
+/// Launches a closed form again at its place; from its launch it keeps what is not part of the law. Other motions
+/// continue unchanged.
 void Placement::relaunch(std::uint32_t index) {
   const Slot& slot = state_.slots[index];
   if (registry_.cohort(slot.cohort).key.fidelity.motion != Motion::closed_form) return;
@@ -322,7 +322,7 @@ void Placement::rebase(double new_dt) {
 bool is_in_place(const Registry& registry, const WorldState& state, std::uint16_t cohort, std::uint32_t row) {
   const Slot& slot = state.slots[state.rows[cohort].slot(row)];
   const Prepared& rung = registry.kind(slot.kind).on(slot.rung);
-  const std::uint16_t known = rung.cohort[slot.variant().index()];  // none where its environment was set anew
+  const std::uint16_t known = rung.cohort[slot.variant().index()];  // none if its environment was set again
   return slot.is(kAlive) && !slot.is(kStill) && slot.cohort == cohort && slot.row == row &&
          (known == cohort || known == kNoCohort);
 }

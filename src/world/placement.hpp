@@ -4,14 +4,14 @@
 #include <optional>
 
 #include "model/attitude.hpp"
-#include "physim/departure.hpp"
+#include "physim/flight.hpp"
 #include "world/closed_form_law.hpp"
 #include "world/registry.hpp"
 #include "world/state.hpp"
 
 namespace physim {
 
-/// Fills and moves the rows of a world's state. It keeps nothing of its own.
+/// Fills and moves the rows of a world's state. It has no state.
 class Placement {
  public:
   Placement(Registry& registry, WorldState& state) : registry_(registry), state_(state) {}
@@ -36,7 +36,7 @@ class Placement {
                                             double elevation) const;
   [[nodiscard]] std::optional<Attitude> attitude(std::uint32_t slot) const;
   void set_attitude(std::uint32_t slot, const Attitude& attitude);
-  /// Makes a projectile whose attitude is flown stand still in W.
+  /// Makes a projectile with a flown attitude stand still in W.
   void stop_turning(std::uint32_t slot);
   /// Angular velocity of W in inertial space, along body axes.
   [[nodiscard]] Vec3d omega_of_W(const Slot& slot, const Quatd& q_WB) const;
@@ -49,15 +49,15 @@ class Placement {
     double elevation = 0;               // of the launch's bore above the horizon [rad]
     std::optional<double> birth{};      // time of the launch; none: as its age says [s]
   };
-  /// Fills a row anew: the models start from here.
+  /// Fills a row again: the models start from here.
   void write_row(std::uint32_t slot, const BodyState& at, const RowStart& start);
-  /// Fills a row anew where its switches changed: its clock and its motor go on.
+  /// Fills a row again after its switches changed: its clock and its motor continue.
   void rewrite_row(std::uint32_t slot);
   /// The numbers of a row that do not follow from its kind and rung, as a save holds them; the other way round, false
   /// where they make no sense.
   [[nodiscard]] std::vector<double> saved_numbers(std::uint32_t slot) const;
   [[nodiscard]] bool put_saved(std::uint32_t slot, const std::vector<double>& numbers);
-  /// Puts a state into its row; closed forms start anew from it.
+  /// Puts a state into its row; closed forms start again from it.
   void set_row_state(std::uint32_t slot, const BodyState& at);
   /// As set_row_state(). The way of the last step is carried along, so that what is drawn between two steps moves on by
   /// it behind the jump and not across the jump.
@@ -69,7 +69,7 @@ class Placement {
   void rebase(double new_dt);
 
  private:
-  /// Fills a row anew; the place of its launch stays.
+  /// Fills a row again; the place of its launch stays.
   void refill_row(std::uint32_t slot, const BodyState& at, const RowStart& start);
   void relaunch(std::uint32_t slot);
   Body<double> special_body(std::uint32_t slot, BodyState& at, const RowStart& start);

@@ -1,11 +1,11 @@
-// Pools: limits on how many projectiles of some kinds are there, and who makes room.
+// Pools: limits on how many projectiles of some kinds exist, and which of them make room.
 #pragma once
 
 #include <vector>
 
 #include "base/assert.hpp"
 #include "base/hash.hpp"
-#include "physim/world_def.hpp"
+#include "physim/body.hpp"
 
 namespace physim {
 
@@ -17,7 +17,7 @@ class Pools {
   }
 
   [[nodiscard]] bool is_full(std::uint32_t pool) const { return pools_[pool].count >= pools_[pool].maximum; }
-  /// How many more come in before somebody has to make room.
+  /// How many more fit before a projectile has to make room.
   [[nodiscard]] std::uint32_t left(std::uint32_t pool) const {
     return is_full(pool) ? 0 : pools_[pool].maximum - pools_[pool].count;
   }
@@ -47,7 +47,7 @@ class Pools {
       for (std::uint32_t slot = pool.oldest; slot != 0; slot = links_[slot].newer) f(slot);
   }
   [[nodiscard]] std::size_t bytes() const { return links_.capacity() * sizeof(Link); }
-  /// Who is replaced next where a pool is full.
+  /// The order of replacement in full pools.
   void add_to(Hash& hash) const;
 
  private:

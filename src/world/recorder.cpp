@@ -2,8 +2,8 @@
 
 #include <limits>
 
-#include "physim/recording.hpp"
-#include "physim/version.hpp"
+#include "physim/result.hpp"
+#include "physim/world.hpp"
 #include "world/world_impl.hpp"
 
 namespace physim {
@@ -20,7 +20,7 @@ Gate::~Gate() = default;
 Recorder::Recorder(Gate& gate, RecordSink sink, const RecordOptions& options, std::size_t together)
     : gate_(gate), sink_(std::move(sink)), options_(options), together_(together) {}
 
-/// What a sink refers to may have ended before its world: it is called only if who gave it says that it outlives it.
+/// What a sink refers to may have ended before its world: it is called only if its owner declared that it outlives it.
 Recorder::~Recorder() {
   if (options_.complete_at_end) static_cast<void>(finish());
 }

@@ -1,7 +1,7 @@
 // Recorder: writes the calls of a world to a sink, as frames. Recorded: a call under way.
 //
 // A recording is its magic and format, then frames: what it is (1 byte), the length of its content (4), the content,
-// and a check sum (4) of all frames so far, which tells any damage and where it is. First comes `begin`. A call is
+// and a check sum (4) of all frames up to here, which detects any damage and its place. First comes `begin`. A call is
 // written before it is made, its steps and what it hands out after: a program that dies in a call leaves that call
 // behind.
 #pragma once
@@ -18,7 +18,7 @@ namespace physim {
 inline constexpr std::size_t kFrameHead = 5;  // [bytes]
 inline constexpr std::size_t kCheckSum = 4;   // [bytes]
 
-/// The check sum of all frames so far after one more.
+/// The check sum of all frames up to and including one more.
 [[nodiscard]] inline std::uint64_t chain(std::uint64_t before, std::span<const std::byte> frame) {
   Hash hash(before);
   hash.add(frame);
@@ -36,7 +36,7 @@ struct Gate : std::enable_shared_from_this<Gate> {
   bool is_inside = false;  // a step, or the sink of the recording
   bool asks = false;       // calls between steps, too, may ask a function of the user's
   std::unique_ptr<Recorder> recorder;
-  /// The world whose forces or engine this thread asks between steps, as accelerations() and predict() do.
+  /// The world with forces or an engine that this thread calls between steps, as accelerations() and predict() do.
   static thread_local const Gate* in_question;
 
   Gate();
@@ -66,7 +66,7 @@ class Inside {
 
 class Recorder {
  public:
-  /// `together`: frames are handed to the sink when there are so many bytes of them [bytes].
+  /// `together`: frames are handed to the sink once they have this number of bytes [bytes].
   Recorder(Gate& gate, RecordSink sink, const RecordOptions& options, std::size_t together);
   Recorder(const Recorder&) = delete;
   Recorder& operator=(const Recorder&) = delete;
@@ -74,7 +74,7 @@ class Recorder {
 
   /// The parts of a world that is to be recorded.
   [[nodiscard]] static WorldImpl& parts_of(World& world) { return world.impl(); }
-  /// Makes a world's recorder. A replay goes on with the check sum of the recording's `begin`.
+  /// Makes a world's recorder. A replay continues with the check sum of the recording's `begin`.
   static void attach(World& world, std::unique_ptr<Recorder> recorder);
 
   /// `save`: of the world where it is not new.
@@ -174,7 +174,7 @@ class Recorded {
   }
 
   /// It comes from inside the world's own step or recording, or the recording cannot hold what it was given: nothing
-  /// may be changed. Even a call that the world refuses may leave something, such as a kind whose launch was bad.
+  /// may be changed. Even a call that the world refuses may leave something, such as the kind of a bad launch.
   [[nodiscard]] bool is_refused() const { return is_refused_; }
   [[nodiscard]] Error refusal() const {
     if (!is_unwritable_) return from_inside();

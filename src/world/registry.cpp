@@ -72,7 +72,7 @@ StepPlan<S> frame_plan(const WorldDef& def, const Fidelity& granted) {
 Result<std::uint32_t> Registry::find_or_add_kind(const ProjectileDef& projectile, const BodyDef& body,
                                                  std::uint64_t moment) {
   const std::uint32_t last = kinds.find(KindId{last_given_});
-  if (last != 0 && kinds.is(last, projectile, body)) return last;  // as a gun goes on firing
+  if (last != 0 && kinds.is(last, projectile, body)) return last;  // as a gun keeps firing
   Kind added;
   added.hash = hash_of(projectile, body);
   std::uint32_t index = kinds.find(added.hash, projectile, body);

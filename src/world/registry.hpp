@@ -67,7 +67,7 @@ struct WorldCohort {
   }
 };
 
-/// A projectile with so many times the drag, on every rung.
+/// A projectile with `scale` times the drag, on every rung.
 [[nodiscard]] Result<ProjectileDef> with_drag_scaled(ProjectileDef projectile, double scale);
 
 class Registry {
@@ -78,7 +78,7 @@ class Registry {
   /// alone: they are used again where kinds were let go.
   [[nodiscard]] Result<std::uint32_t> find_or_add_kind(const ProjectileDef& projectile, const BodyDef& body,
                                                        std::uint64_t moment);
-  /// A kind that a save tells of, with all that is prepared of it but for what flies in an environment that is gone.
+  /// Adds a kind from a save, with all that is prepared for it except for flights in a removed environment.
   void add_saved_kind(Kind kind);
   [[nodiscard]] const Kind& kind(std::uint32_t index) const { return kinds[index]; }
   [[nodiscard]] Kind& kind(std::uint32_t index) { return kinds[index]; }

@@ -7,7 +7,7 @@
 #include <utility>
 
 #include "base/written_by.hpp"
-#include "physim/recording.hpp"
+#include "physim/world.hpp"
 #include "world/recorder.hpp"
 #include "world/save.hpp"
 #include "world/world_impl.hpp"
@@ -150,7 +150,7 @@ struct Replay::Impl {
   std::size_t at = 0;         // the next frame
   Call call = Call::end;      // at hand
   Moments moments;
-  FunctionCounts functions;  // that came so far
+  FunctionCounts functions;  // that were read
   World world;
   Recorder* recorder = nullptr;  // of the world
   std::vector<std::uint64_t> hashes;

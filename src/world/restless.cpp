@@ -71,7 +71,7 @@ void Restless::be_everywhere() {
 
 void Restless::put(const BoxGroups& moving, const BoxGroups& came) {
   static_assert(RestlessBoxes<float>::kMost == 2 * BoxGroups::kMost + 1);
-  constexpr double kBeside = 1e-4;  // contacts are told where something is this near, and nearer [m]
+  constexpr double kBeside = 1e-4;  // contacts are reported if something is this near, and nearer [m]
   Bounds all;
   unsigned count = 1;  // behind the first one, which holds all
   for (const BoxGroups* some : {&moving, &came})

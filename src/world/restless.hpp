@@ -1,8 +1,8 @@
-// Where a step may come to something that rows know nothing of.
+// Where a step may come to something that rows have not noticed.
 //
 // Rows keep what they found to be clear of the things at rest (world/look_around.hpp), for as long as these stay where
 // they were then. All else is restless: what moves, and what came to where it rests since rows found out. Before each
-// step a few boxes are put about it, and a row whose step keeps away from all of them meets nothing of it.
+// step a few boxes are put about it, and a row that keeps away from all of them in its step meets nothing of it.
 #pragma once
 
 #include "world/newcomers.hpp"

@@ -10,11 +10,11 @@ namespace physim {
 namespace {
 
 #if PHYSIM_ASSERTS
-/// Bytes of a number that nobody has written: a NaN that no computation gives.
+/// Bytes of an unwritten number: a NaN that no computation gives.
 constexpr unsigned char kUnset = 0xff;
 #endif
 
-/// One float or double. (clang would call for a copy of so many bytes.)
+/// One float or double. (clang would emit a call for a copy of this size.)
 void copy_number(std::byte* to, const std::byte* from, std::size_t bytes) {
   PHYSIM_ASSERT(bytes == sizeof(float) || bytes == sizeof(double));
   if (bytes == sizeof(float))

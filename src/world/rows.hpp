@@ -45,7 +45,7 @@ struct RowColumns {
   S* launch[3];
   S* offset;                     // of the clock: time since launch = offset + (now - born) h
   S* born;                       // step at which the clock started
-  S* clear;                      // so far it may fly; at or below 0: nobody looked [m]
+  S* clear;                      // distance it may fly; at or below 0: not looked at [m]
   S* tube[kNumbers<ClearTube>];  // in which nothing stands
   S* started[3];                 // velocity at the start of the step at hand, of rows that came near
   S* field[kNumbers<Body>];
@@ -110,7 +110,7 @@ class Rows : RowMemory {
   void clear() { size_ = 0; }
 
   // ------------------------------------------------------------------------------------------- changes of hands
-  /// From now on rows are noted that are another projectile's than before, or whose projectile is another's.
+  /// From now on notes rows with another projectile than before, or with one that has lost its emitter.
   void begin_changes() {
     notes_changes_ = true;
     changed_.clear();
@@ -189,7 +189,7 @@ class Rows : RowMemory {
   /// Fills in the numbers of a row that the models read.
   void write_fields(std::uint32_t row, const Body<double>& body);
   [[nodiscard]] const RowMasks& field_masks() const { return field_masks_; }
-  /// Nobody knows any more what is clear about it.
+  /// Drops what is known of the clear space about a row.
   void forget_clear(std::uint32_t row) const {
     PHYSIM_ASSERT(row < size_);
     if (!layout_.meeting) return;
@@ -261,7 +261,7 @@ class Rows : RowMemory {
   }
   [[nodiscard]] std::size_t number_size() const { return layout_.float32 ? sizeof(float) : sizeof(double); }
   void grow();
-  /// So that builds with asserts find numbers that nobody wrote.
+  /// So that builds with asserts find unwritten numbers.
   void mark_unset(std::uint32_t row);
   /// Copies the numbers of a row over those of another one.
   template <class S>

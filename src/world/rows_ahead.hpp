@@ -14,7 +14,7 @@ namespace physim {
 /// What a tube ahead of something is found by.
 struct TubeAhead {
   collide::ClearQuery query;
-  double room = 0;  // of the tube; 0: there is none [m]
+  double room = 0;  // of the tube; 0: none [m]
 };
 
 class RowsAhead {

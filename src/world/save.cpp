@@ -66,7 +66,7 @@ Result<FunctionCounts> read(std::span<const std::byte> save, const LoadOptions& 
   return functions;
 }
 
-/// A world made of what a save tells. Each part is looked at before it is taken: nothing that a save holds may be an
+/// A world made from a save. Each part is checked before it is taken: nothing that a save holds may be an
 /// index without what it names, or a number that no call would let in.
 class Loading {
  public:
@@ -207,7 +207,7 @@ class Loading {
     return {};
   }
 
-  /// Who is in a pool follows from the kinds; the order counts where the oldest make room.
+  /// The members of a pool follow from the kinds; the order counts if the oldest make room.
   Status pools() {
     std::vector<bool> in_pool(state().slots.size());
     const auto join = [&](std::uint32_t slot) {

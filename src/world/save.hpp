@@ -16,9 +16,9 @@ struct WorldImpl;
 
 [[nodiscard]] Result<std::vector<std::byte>> save_of(const WorldImpl& world);
 [[nodiscard]] Result<std::shared_ptr<WorldImpl>> loaded(std::span<const std::byte> save, const LoadOptions& options);
-/// How many functions a save has; an error where it is none, or damaged.
+/// How many functions a save has; an error if it is no save, or damaged.
 [[nodiscard]] Result<FunctionCounts> functions_of(std::span<const std::byte> save);
-/// Whether so many were given; `what`, "the save", has them.
+/// Whether `given` has the needed number; `what`, "the save", has them.
 [[nodiscard]] Status check_given(const FunctionCounts& needed, const LoadOptions& given, const std::string& what);
 
 }  // namespace physim

@@ -21,7 +21,7 @@ void each_number(const RowLayout& layout, const RowColumns<S>& c, std::uint32_t 
   if (layout.turning) each(c.turn, kNumbers<Turn>);
 }
 
-/// Gives a body the piece of its motor's table that comes so many after its first.
+/// Gives a body the piece of its motor's table that comes `after` pieces after its first.
 bool put_burn(const Conditions<double>& c, double after, Body<double>& body) {
   const auto first = static_cast<int>(body.burn_piece);
   if (after == 0) return true;
@@ -51,7 +51,7 @@ std::vector<double> Placement::saved_numbers(std::uint32_t index) const {
     each_number(layout, c, slot.row, [&](auto& number, bool) { numbers.push_back(static_cast<double>(number)); });
     for (const std::uint8_t field : layout.own) numbers.push_back(static_cast<double>(c.field[field][slot.row]));
   });
-  // The motor is told by the piece of its table, counted from the first.
+  // The motor is stored as the piece of its table, counted from the first.
   const Body<double> body = body_of(slot);
   const double first = registry_.kind(slot.kind).rungs[slot.rung].body.burn_piece;
   if (layout.burning) numbers.push_back(body.burn_piece - first);

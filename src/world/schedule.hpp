@@ -24,7 +24,7 @@ struct Due {
 };
 
 /// What is due soon is a sorted run, and a heap of those that came since it was sorted, which join it when they are
-/// many. What is due later lies in parts of time, unordered: who adds a million does not search all of them for each
+/// many. What is due later lies in parts of time, unordered: adding a million does not search all of them for each
 /// that is taken. The order in which they are taken follows from times and ids alone.
 class Schedule {
  public:
@@ -47,7 +47,7 @@ class Schedule {
     }
     return std::nullopt;
   }
-  /// Likewise; null where there is none.
+  /// As take(); null if nothing is due.
   ProjectileId take_due(double now, const SlotTable& slots) {
     const std::optional<Due> due = take(now, slots);
     return due ? due->id : ProjectileId{};
@@ -59,7 +59,7 @@ class Schedule {
     for (const auto& [part, due] : later_) list.insert(list.end(), due.begin(), due.end());
     return list;
   }
-  /// As they are saved: the same whatever became of them so far.
+  /// As they are saved: the same regardless of their history.
   [[nodiscard]] std::vector<Due> in_order() const {
     std::vector<Due> list = all();
     std::ranges::sort(list, {}, [](const Due& due) { return std::tuple(due.time, due.id.index, due.id.generation); });
@@ -79,8 +79,8 @@ class Schedule {
       return a.time != b.time ? a.time > b.time : a.id.index > b.id.index;
     }
   };
-  /// The part that somebody was added to last: the next one mostly belongs there, too. A copy of a schedule has parts
-  /// of its own.
+  /// The part of the last insertion: the next one mostly belongs there, too. A copy of a schedule has its own
+  /// parts.
   struct Recent {
     std::int64_t number = 0;
     std::vector<Due>* due = nullptr;
@@ -126,7 +126,7 @@ class Schedule {
     fresh_.clear();
     if (middle > 0) std::inplace_merge(run_.begin(), run_.begin() + middle, run_.end(), is_before);
   }
-  /// The first of them; null: there is none.
+  /// The first of them; null: none.
   [[nodiscard]] const Due* next_soon() const {
     const Due* const sorted = left() > 0 ? &run_[taken_] : nullptr;
     if (fresh_.empty()) return sorted;

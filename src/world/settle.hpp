@@ -1,5 +1,5 @@
 // Settling: the closer look at rows to which something may have happened inside a step. The kernels leave such rows
-// where they were; here each is stepped by itself, with the same numbers, its events are located and acted on.
+// where they were; here each is stepped on its own, with the same numbers, its events are located and acted on.
 #pragma once
 
 #include <optional>
@@ -33,7 +33,7 @@ struct Trace {
   Turn<double> turn{};  // of rungs that turn
 };
 
-/// How a row goes on from a meeting with another one.
+/// How a row continues from a meeting with another one.
 struct Parting {
   enum class Then : std::uint8_t { flies_on, stops, sticks };
   double passed = 0;            // into the step [s]
@@ -60,7 +60,7 @@ struct Chunk {
 /// Memory that steps use again and again.
 struct StepScratch {
   std::vector<std::uint32_t> attention;   // a bit for each row
-  std::vector<std::uint32_t> near;        // likewise
+  std::vector<std::uint32_t> near;        // a bit for each row
   std::vector<std::size_t> words_before;  // of each cohort's rows in it
   std::vector<Chunk> chunks;
   std::size_t chunk_count = 0;
@@ -79,13 +79,13 @@ struct SettleContext {
   double time;                         // at the start of the step [s]
   const Scene* scene;                  // null: none
   const void* taken = nullptr;         // forced rows: the TakenStep of their number type
-  bool pairs = false;                  // somebody meets others
-  HitAsking* asking = nullptr;         // who knows what hits do that ask
+  bool pairs = false;                  // some projectiles meet others
+  HitAsking* asking = nullptr;         // knows what hits do that ask
   const Restless* restless = nullptr;  // null: nothing is
 };
 
 /// A step that a forced row took together with others. What only follows from an event in it (the way on after a
-/// bounce) feels the generators as they were there, held; what an emitter does to its particles it feels as it is then.
+/// bounce) feels the generators as they were there, held; the effect of an emitter on its particles is taken then.
 template <class S>
 struct TakenStep {
   Step<S> step;         // start, end, and the slopes but that at the end
@@ -108,18 +108,18 @@ inline constexpr double kLongestBouncingStep = 0.1;  // [s]
 /// Steps one row that was left where it was, and writes where it is after the step, unless a hit of it is left open.
 /// The other calls below ask about hits at once.
 void settle_row(const SettleContext& context, Chunk& chunk, std::uint32_t row);
-/// Likewise, but a look ahead that it wants waits for others.
+/// As above, but a look ahead that it wants waits for others.
 void settle_row(const SettleContext& context, Chunk& chunk, std::uint32_t row, RowsAhead& waiting);
 
 /// Steps a row that is as it was when the step began from a meeting inside of it, and writes where it is after the
 /// step.
 void settle_after(const SettleContext& context, Chunk& chunk, std::uint32_t row, const Parting& parting);
 
-/// Flies a row that was born `born` into the step, or that is as it was when it began, to the end of the step, and
+/// Flies a row that was emitted `born` into the step, or that is as it was when it began, to the end of the step, and
 /// writes where it is then, as the next position. Forced rows feel in it what `taken` gives.
 void settle_alone(const SettleContext& context, Chunk& chunk, std::uint32_t row, std::optional<double> born);
 
-/// Where a row that is as it was when the step began, or as it was born `born` into it, is at a time inside of the
+/// Where a row that is as it was when the step began, or as it was emitted `born` into it, is at a time inside of the
 /// step, and what happens to it before; the row stays as it was. None: it is gone by then. Forced rows feel what
 /// `taken` gives.
 [[nodiscard]] std::optional<State<double>> state_inside(const SettleContext& context, Chunk& chunk, std::uint32_t row,

@@ -8,7 +8,7 @@
 #include "base/assert.hpp"
 #include "base/unset.hpp"
 #include "model/contact.hpp"
-#include "physim/impact.hpp"
+#include "physim/scene.hpp"
 #include "solve/judge.hpp"
 #include "solve/lane_motion.hpp"
 #include "solve/stages.hpp"

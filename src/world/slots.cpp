@@ -7,7 +7,7 @@ namespace physim {
 
 std::uint32_t SlotTable::take_new() {
   const std::uint32_t index = size();
-  free_.reserve(index + std::size_t{1});  // so that whoever leaves asks for no memory
+  free_.reserve(index + std::size_t{1});  // so that leaving projectiles need no memory
   slots_.emplace_back();
   birth_.push_back(0);
   rest_.emplace_back();

@@ -11,7 +11,7 @@
 #include "base/assert.hpp"
 #include "base/prefetch.hpp"
 #include "model/turning.hpp"
-#include "physim/world_def.hpp"
+#include "physim/body.hpp"
 #include "world/live.hpp"
 #include "world/registry.hpp"
 

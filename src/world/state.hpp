@@ -36,7 +36,7 @@ class WorldState {
   EventList events;
   std::size_t events_of_step = 0;  // the first of them
   WorldCounters counters;
-  std::shared_ptr<Scene> scene;  // null: none; whoever changes it makes it his own first
+  std::shared_ptr<Scene> scene;  // null: none; a change first makes a private copy
   Newcomers newcomers;           // of the scene
   Vec3d observer;
   DetailRule detail;

@@ -63,7 +63,7 @@ PHYSIM_INLINE R end_on_clock(const WorldJob<S>& job, std::uint32_t row) {
   return load<R>(job.columns.offset, row) + (steps + S(1)) * job.h;
 }
 
-/// Rows on a rail, and rows whose piece of a motor's table ends in this step.
+/// Rows on a rail, and rows with a piece of a motor's table that ends in this step.
 template <class R, class S>
 PHYSIM_INLINE MaskOf<R> stop_here(const WorldJob<S>& job, std::uint32_t row) {
   const auto field = [&](unsigned number) { return load<R>(job.columns.field[number], row); };
@@ -100,7 +100,7 @@ PHYSIM_INLINE auto comes_near(const WorldJob<S>& job, const M& m, std::uint32_t 
   return !(clear > R(S(0)));
 }
 
-/// Rows whose step may come to where something restless is: the box about its ends, larger by their radius, by as much
+/// Rows that may come to where something restless is: the box about their ends, larger by their radius, by as much
 /// as the path may be beside its chord, and by what places are rounded to. Behind a call: few worlds have such things.
 template <class R, class S>
 PHYSIM_NOINLINE void meets_restless(const WorldJob<S>& job, const State<R>& start, const State<R>& end,
@@ -113,7 +113,7 @@ PHYSIM_NOINLINE void meets_restless(const WorldJob<S>& job, const State<R>& star
   const Vec3<R> low = Vec3<R>{min(start.x.x, end.x.x), min(start.x.y, end.x.y), min(start.x.z, end.x.z)} - about;
   const Vec3<R> high = Vec3<R>{max(start.x.x, end.x.x), max(start.x.y, end.x.y), max(start.x.z, end.x.z)} + about;
   const RestlessBoxes<S>& boxes = *job.restless;
-  // A step with a number that is none is away from nothing.
+  // A step with a NaN is away from nothing.
   const auto is_away = [&](unsigned i) PHYSIM_INLINE_LAMBDA {
     const Vec3<S>&from = boxes.low[i], &to = boxes.high[i];
     const MaskOf<R> x = (low.x > R(to.x)) | (high.x < R(from.x)), y = (low.y > R(to.y)) | (high.y < R(from.y));
@@ -214,7 +214,7 @@ PHYSIM_INLINE void load_turn(const WorldJob<S>& job, std::uint32_t row, Flyer<R>
   load_numbers(job.columns.turn, row, flyer.step.turn->start);
 }
 
-/// Lanes whose Turn, where there is one, is no number at the end of the step; of the state noteworthy() knows.
+/// Lanes with a NaN in their Turn, if there is one, at the end of the step; noteworthy() checks the state.
 template <class R, class S>
 PHYSIM_INLINE MaskOf<R> turned_bad(const Conditions<S>& c, const Flyer<R>& flyer) {
   MaskOf<R> bad = R(S(0)) != R(S(0));
@@ -257,7 +257,7 @@ PHYSIM_INLINE void mark(std::uint32_t* words, std::uint32_t row, unsigned bits) 
   word = shift == 0 ? bits : word | bits << shift;
 }
 
-/// Rows whose step does not stay inside of the tube about them that is known to be clear. Behind a call: most worlds
+/// Rows that leave the tube about them that is known to be clear in their step. Behind a call: most worlds
 /// have few rows near anything.
 template <class R, class S>
 PHYSIM_NOINLINE void leaves_tube(const WorldJob<S>& job, const Moved<R>& m, std::uint32_t row, MaskOf<R>& near) {
@@ -266,8 +266,8 @@ PHYSIM_NOINLINE void leaves_tube(const WorldJob<S>& job, const Moved<R>& m, std:
   near = near & !stays_inside(tube, m.start.x, m.start.v, m.end.x, m.end.v, job.h);
 }
 
-/// Marks rows that came near, or leaves them where they were, where nobody looks at rows that have moved on. Calls get
-/// copies of the step, and the job as given: what they are told the place of lies in memory.
+/// Marks rows that came near, or leaves them where they were, if rows that have moved on are not looked at. Calls get
+/// copies of the step, and the job as given: what is passed by address lies in memory.
 template <class R, class S>
 PHYSIM_INLINE void look_for_near(const WorldJob<S>& given, const WorldJob<S>& job, const Moved<R> m, std::uint32_t row,
                                  MaskOf<R>& left) {
@@ -343,7 +343,7 @@ struct AnyRung {
   PHYSIM_INLINE MaskOf<R> noteworthy(const Moved<R>& m, std::uint32_t row) const {
     return physim::noteworthy(job, *job.course->conditions, m, row);
   }
-  /// Keeps what Moved does not tell of.
+  /// Keeps what Moved does not hold.
   PHYSIM_INLINE void finish(std::uint32_t row, const MaskOf<R>& left) const {
     if (!turning) return;
     Turn<R> start;
@@ -414,7 +414,7 @@ struct KnownRung {
       const R h(job.h);
       Moved<R> m;
       m.start = load_state<R>(job, row);
-      // Made anew wherever it is read and just before, or compilers forget what is known.
+      // Made again wherever it is read and just before, or compilers forget what is known.
       const Conditions<S> c = known(given);
       m.end.v = m.start.v + acceleration(c, b, R(S(0)), m.start) * h;
       m.end.x = m.start.x + m.end.v * h;

@@ -28,7 +28,7 @@ class StepWay {
 
   /// When it was at the last key [s].
   [[nodiscard]] double end() const { return last_.time; }
-  /// All of it; it stands before, and goes on straight after, as one who looks at its very end sees its velocity.
+  /// The whole path; it stands before, and continues straight after, so that a look at its very end sees its velocity.
   [[nodiscard]] collide::Path path() const;
 
  private:

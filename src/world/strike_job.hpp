@@ -26,7 +26,7 @@ struct StrikeJob {
 
   unsigned plain = 0;            // a bit for each that strikes once, and to which nothing else happens in the step
   Column passed;                 // when it does [s]
-  std::array<Column, 3> at, go;  // where, and how it goes on
+  std::array<Column, 3> at, go;  // its place, and its velocity after
 };
 
 }  // namespace physim

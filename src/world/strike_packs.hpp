@@ -1,4 +1,4 @@
-// Rows that strike the ground, pack by pack: what settling (world/settle.cpp) does to each of them by itself, for those
+// Rows that strike the ground, pack by pack: what settling (world/settle.cpp) does to each of them alone, for those
 // that strike it once in their step and to which nothing else happens. The numbers are the same to the bit: steps in
 // the rows' precision, the search for the ground and the contact in double.
 #pragma once

@@ -92,7 +92,7 @@ class StruckRows {
  private:
   static constexpr unsigned kRows = StrikeJob<S>::kRows;
   static constexpr std::size_t kMostFields = 24;
-  static constexpr unsigned kFewest = 3;  // of fewer each is settled by itself
+  static constexpr unsigned kFewest = 3;  // fewer are settled one by one
 
   void find_slots() {
     for (unsigned i = 0; i < job_.count; ++i) {
@@ -129,7 +129,7 @@ class StruckRows {
     }
   }
 
-  /// Tells the strike of a plain one, and puts it where it is after the step.
+  /// Adds the event of a plain strike, and puts the row where it is after the step.
   void put(unsigned i) {
     PHYSIM_ASSERT(i < job_.count && job_.passed[i] >= 0 && job_.passed[i] <= job_.dt);
     const auto vector = [i](const auto& of) { return Vec3d{of[0][i], of[1][i], of[2][i]}; };

@@ -1,7 +1,7 @@
-// Struck rows: those that a step left where they were, settled side by side where most of them do the one thing that
-// games ask for by the thousand: they come down to the ground once and bounce, or end there.
+// Struck rows: those that a step left where they were, settled side by side if most of them do the one thing that
+// games have by the thousand: they come down to the ground once and bounce, or end there.
 //
-// Settling takes any row through anything, by itself, and most of what that costs is waiting: for the search for the
+// Settling takes any row through anything, alone, and most of that cost is waiting: for the search for the
 // ground, a chain of operations each of which needs the last, and for getting ready. A kernel does it for a pack of
 // rows at once (world/strike_packs.hpp), to the bit, and says for which of them that was all; settling takes the
 // others.

@@ -1,5 +1,5 @@
 // The world's own threads: a pool that sleeps between steps.
-#include "physim/task_runner.hpp"
+#include "physim/result.hpp"
 
 #include <algorithm>
 #include <atomic>

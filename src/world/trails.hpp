@@ -1,4 +1,4 @@
-// Trails: the past places of an emitter's particles, each in a ring of its own. An emitter that asks for none has no
+// Trails: the past places of an emitter's particles, each in its own ring. An emitter without a trail has no
 // memory here.
 #pragma once
 

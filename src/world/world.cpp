@@ -106,7 +106,7 @@ Error no_environment() {
   return {"its environment is no longer there", "kind", "restore() took it back: add it again"};
 }
 
-/// An id in one register. Where its halves are written one by one, whoever takes it on waits until both are in the
+/// An id in one register. If its halves are written one by one, a reader waits until both are in the
 /// cache.
 [[gnu::noinline]] ProjectileId whole_id(const SlotTable& slots, std::uint32_t index) { return slots.id_of(index); }
 
@@ -136,7 +136,7 @@ Environment WorldImpl::surroundings_of(const Kind& kind, double time) const {
   return as_launched_at(time, registry.environments()[kind.body.environment]);
 }
 
-/// The cheapest rung for a launch, of a kind that asks for it.
+/// The cheapest rung for a launch, of a kind that requests it.
 Result<std::uint16_t> WorldImpl::rung_for(std::uint32_t kind_index, const Launch& launch, double time,
                                           const Coming& coming) {
   const Kind& kind = registry.kind(kind_index);
@@ -157,7 +157,7 @@ Result<std::uint16_t> WorldImpl::rung_for(std::uint32_t kind_index, const Launch
   const auto answer = answers.cheapest_within(dragless ? kind.projectile : kind.flown, launch, environment, purpose);
   if (!answer) return answer.error();
   FidelityNote why = (*answer)->note();
-  // Each launch has an answer of its own there, and every other note would make a rung of its own.
+  // Each launch has its own answer there, and every other note would make its own rung.
   if (has_functions(environment)) why.reason = "the cheapest found for its launch, by the environment's functions then";
   const auto rung = registry.rung(kind_index, (*answer)->fidelity, &why);
   if (!rung) return Error{"there are too many rungs of this kind", "fidelity", "at most 4096"};
@@ -234,7 +234,7 @@ Result<ProjectileId> WorldImpl::spawn(KindId kind, const Launch& launch, const C
   const std::uint32_t index = registry.kinds.find(kind);
   const bool has_place = index != 0 && registry.has_environment_of(registry.kind(index));
   if (has_place)
-    registry.kinds.join(index);  // first: who makes room may be the last of another kind, which lets idle ones go
+    registry.kinds.join(index);  // first: removing one to make room may empty another kind, which lets idle ones go
   Result<ProjectileId> id = has_place ? spawn_in_memory(index, launch, coming)
                                       : Result<ProjectileId>(index == 0 ? no_kind() : no_environment());
   if (id) return id;

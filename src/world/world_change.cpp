@@ -333,7 +333,7 @@ Status WorldImpl::change_projectile(ProjectileId id, const std::function<void(Pr
   reached.mass = to.mass;
   reached.diameter = to.diameter;
   reached.drag = to.drag;
-  if (Status status = check(to); !status) return status;  // first: what is no number differs from itself
+  if (Status status = check(to); !status) return status;  // first: a NaN differs from itself
   if (reached != to)
     return Error{"has another member that is not live", "projectile", "ProjectileDef says which can change"};
   const Result<std::uint32_t> kind = find_or_add_kind(to, from.body);

@@ -15,7 +15,7 @@ namespace physim {
 namespace {
 
 constexpr double kLatestLeg = 1e9;                // of World::lead_emitter() [s]
-constexpr double kFastestLeg = 1e9;               // likewise [m/s]
+constexpr double kFastestLeg = 1e9;               // of World::lead_emitter() [m/s]
 constexpr std::uint32_t kMostAtOnce = 1'000'000;  // of World::emit()
 
 /// Whether a kind's own rung is moved by forces; auto fidelity finds one that is.
@@ -57,7 +57,7 @@ Status WorldImpl::refuses(const EmitterDef& asked) const {
 
 void WorldImpl::equip(Emitter& emitter, const EmitterDef& asked, std::uint64_t seed) const {
   emitter.emission = std::make_shared<const Emission>(asked, seed);
-  EmitterDef named = asked;  // kinds are told by what they are: a number tells how many came before
+  EmitterDef named = asked;  // kinds are identified by their content: a number counts those that came before
   named.kind = named.gun.tracer = {};
   emitter.hash = hash_of(named, seed, registry.kinds.hash_of(asked.kind), registry.kinds.hash_of(asked.gun.tracer));
   emitter.drives = emitter.emission->flight().acts();

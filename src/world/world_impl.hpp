@@ -4,7 +4,7 @@
 #include <functional>
 #include <mutex>
 
-#include "physim/auto_fidelity.hpp"
+#include "physim/solve.hpp"
 #include "physim/world.hpp"
 #include "world/emitter_step.hpp"
 #include "world/forced_step.hpp"
@@ -21,10 +21,10 @@ namespace physim {
 /// How a projectile comes.
 struct Coming {
   double delay = 0;                // pending until then [s]
-  double age = 0;                  // launched so long ago [s]
+  double age = 0;                  // time since its launch [s]
   std::optional<double> moment{};  // launched at that time, inside the step just taken [s]
   double gravity = 1;              // times that of its kind
-  std::uint32_t emitter = 0;       // index of who fired it; 0: no emitter
+  std::uint32_t emitter = 0;       // index of its emitter; 0: none
 };
 
 struct WorldImpl : Gate {
@@ -51,7 +51,7 @@ struct WorldImpl : Gate {
   JointScratch jointed;
   HitAsking hit_asking{*this};
   Restless restless;        // things of the scene, in the step at hand
-  bool is_stirred = false;  // nobody who meets things sleeps
+  bool is_stirred = false;  // no projectile that meets things sleeps
 
   // ------------------------------------------------------------------------------------------- slots
   /// The slot of a projectile that is alive; null otherwise.
@@ -63,7 +63,7 @@ struct WorldImpl : Gate {
   }
   template <class SlotOf>
   void prefetch(std::size_t count, std::size_t at, const SlotOf& slot_of) const {
-    constexpr std::size_t kSlots = 16, kRows = 4;  // so far ahead
+    constexpr std::size_t kSlots = 16, kRows = 4;  // how far ahead
     if (at + kSlots < count) state.slots.prefetch(slot_of(at + kSlots));
     if (at + kRows >= count) return;
     const std::uint32_t index = slot_of(at + kRows);
@@ -87,13 +87,13 @@ struct WorldImpl : Gate {
   Result<ProjectileId> spawn_in_memory(std::uint32_t kind, const Launch& launch, const Coming& coming);
   /// The elevation of a launch's bore above the horizon, for a launch that makes sense [rad].
   [[nodiscard]] Result<double> bore_of(const Kind& kind, const Launch& launch, double time) const;
-  /// Refuses a state whose numbers the rung's precision cannot hold.
+  /// Refuses a state with numbers that the rung's precision cannot hold.
   [[nodiscard]] Status fits(const Slot& slot, const BodyState& at) const;
   [[nodiscard]] Result<std::uint16_t> rung_for(std::uint32_t kind, const Launch& launch, double time,
                                                const Coming& coming);
   /// Where a kind flies, by the clock of a launch at a time [s].
   [[nodiscard]] Environment surroundings_of(const Kind& kind, double time) const;
-  /// Takes a projectile out of the world; the event is told before.
+  /// Takes a projectile out of the world; the caller adds the event before.
   void remove(std::uint32_t slot, LifeStatus status);
   void retire(std::uint32_t slot, Reason reason);
   [[nodiscard]] Status make_room(std::uint32_t pool);
@@ -110,12 +110,12 @@ struct WorldImpl : Gate {
     if (may_keep_event()) state.events.add(event, at.position, at.velocity);
   }
   void keep_events(std::span<const Told<double>> told);
-  /// Whether there is room for one more; counts it where there is none.
+  /// Whether there is room for one more; counts it if not.
   bool may_keep_event();
   /// How many more are kept now.
   [[nodiscard]] std::size_t room_for_events() const;
   void forget_events();
-  /// A projectile comes, launched so long ago [s]; where its motor has no delay, it is ignited by its launch.
+  /// A projectile comes, launched `age` ago [s]; if its motor has no delay, it is ignited by its launch.
   void tell_launch(std::uint32_t slot, const Coming& coming);
   bool put_to_sleep(std::uint32_t slot);
   bool wake(std::uint32_t slot);
@@ -153,14 +153,14 @@ struct WorldImpl : Gate {
   /// Whether forces move it on its rung.
   [[nodiscard]] bool is_moved_by_forces(std::uint32_t slot) const;
   void update_forced(std::uint32_t slot);
-  /// Lets generators begin that start within the next dt; ends those that are over or act on nobody any more.
+  /// Starts generators that begin within the next dt; ends those that are over or have no target left.
   void begin_generators(double dt);
   void end_generators();
   void begin_generator(std::uint32_t index);
   void end_generator(std::uint32_t index);
   /// One of a save, that acts already.
   void resume_generator(std::uint32_t index);
-  /// What acts on its targets has changed: their cohorts follow, and who sleeps wakes.
+  /// What acts on its targets has changed: their cohorts follow, and sleeping ones wake.
   void stir_targets(const Generator& generator);
   void stir(std::uint32_t slot);
   void count_targets(const Generator& generator, bool on);
@@ -178,7 +178,7 @@ struct WorldImpl : Gate {
   /// What follows from a definition that makes sense.
   void equip(Emitter& emitter, const EmitterDef& asked, std::uint64_t seed) const;
   void play(std::uint32_t emitter);
-  /// The play at hand anew, begun so long ago [s].
+  /// Restarts the play at hand, begun `time` ago [s].
   void seek(std::uint32_t emitter, double time);
   void begin_counting(Emitter& emitter) const;
   /// Births by distance are counted from where it began to play.

@@ -21,13 +21,13 @@ struct Watchdog {
   S farthest;   // distance from the launch [m]
   Vec3<S> low;  // corners of the box [m]
   Vec3<S> high;
-  bool apex;     // the highest point is told
-  bool watched;  // further events of the course's watch list are told, see is_seen_by_watchdog()
+  bool apex;     // the highest point is an event
+  bool watched;  // further events of the course's watch list are needed, see is_seen_by_watchdog()
   bool box;
   bool simple;  // nothing but floor and slowest is watched
 };
 
-/// Where something may be in a step that rows do not know of (world/restless.hpp).
+/// Where something may be in a step that rows have not noticed (world/restless.hpp).
 template <class S>
 struct RestlessBoxes {
   static constexpr unsigned kMost = 33;
@@ -53,12 +53,12 @@ struct WorldJob {
   S now;                             // number of this step
   S h;                               // [s]
   S radius;                          // of none of the rows is it larger [m]
-  const RestlessBoxes<S>* restless;  // null: all rests, or nobody meets it
+  const RestlessBoxes<S>* restless;  // null: all rests, or no row meets it
   Watchdog<S> watchdog;
   std::uint32_t first;  // row, a multiple of 32
   std::uint32_t last;
   std::uint32_t* attention;  // bit i of word w: row 32 w + i was left where it was, and needs a closer look
-  std::uint32_t* near;       // likewise: it has moved on, and may have come near a thing; null: nobody looks
+  std::uint32_t* near;       // bits as in attention: rows that moved on and may have come near a thing; null: unwanted
 };
 
 }  // namespace physim

@@ -35,7 +35,7 @@ Status World::restore(const Snapshot& snapshot) {
   if (then.owner != w.state.owner) return Error{"the snapshot is of another world", "snapshot", ""};
   const Recorded<Call::restore> call(w, w.recorded_moment(then.moment));
   if (call.is_refused()) return call.refusal();
-  w.state.events.leave(w.given_events);  // somebody may be reading them
+  w.state.events.leave(w.given_events);  // a caller may be reading them
   w.state = then;
   w.forced_scratch.driven.forget();
   w.is_stirred = false;
@@ -83,7 +83,7 @@ void add_row(Hash& h, const RowLayout& layout, const RowColumns<S>& c, std::uint
   for (unsigned i = 0; i < kNumbers<Turn>; ++i) h.add(c.turn[i][row], S(0));
 }
 
-/// The projectiles. Each is hashed by itself and the sum taken, so that the order of rows and cohorts does not matter,
+/// The projectiles. Each is hashed alone and the sum taken, so that the order of rows and cohorts does not matter,
 /// and the processor works on several at a time.
 std::uint64_t sum_of_rows(const WorldState& s, const Kinds& kinds) {
   std::uint64_t sum = 0;

@@ -12,7 +12,7 @@
 namespace physim {
 namespace {
 
-/// What somebody asks for of the particles of one emitter, read pack by pack and column by column. While one pack is
+/// Reads the wanted values of the particles of one emitter, pack by pack and column by column. While one pack is
 /// worked on, slots and columns of the next ones are fetched; rows, which lie in another order, the processor fetches.
 class ParticleReader {
  public:
@@ -49,7 +49,7 @@ class ParticleReader {
     std::array<std::uint16_t, kPack> cohort;
   };
 
-  /// Somebody as an eye has it.
+  /// A particle as an eye has it.
   struct Seen {
     double away;  // the square of the distance [m^2]
     std::uint32_t slot;
@@ -60,7 +60,7 @@ class ParticleReader {
       const Vec3d way = state_.state_of(state_.slots[slot]).position - eye;
       seen.push_back({dot(way, way), slot});
     });
-    // What is no number is farther than all: comparing it with others would be no order.
+    // A NaN is farther than all: comparing it with others would be no order.
     for (Seen& each : seen)
       if (std::isnan(each.away)) each.away = kInfinity;
     std::ranges::stable_sort(seen, std::ranges::greater{}, &Seen::away);
@@ -136,7 +136,7 @@ class ParticleReader {
     if (looks_) put_looks();
     count_ += now_->count;
   }
-  /// Puts the states of particles whose rows are of one cohort.
+  /// Puts the states of particles with rows in one cohort.
   void put_rows(const Rows& rows, std::size_t first, std::size_t last) {
     PHYSIM_ASSERT(first < last && last <= now_->count);
     rows.visit([&](const auto& c) {
@@ -177,10 +177,10 @@ class ParticleReader {
   LookParts wanted_;
   bool looks_;   // some are wanted
   bool speeds_;  // looks go by speeds
-  bool births_;  // ages are wanted, or looks ask for them
+  bool births_;  // ages are wanted, or needed by looks
   Looks show_;
   bool phases_;            // looks go by phases of the cycle
-  std::size_t count_ = 0;  // read so far
+  std::size_t count_ = 0;  // number of particles read
   std::array<Noted, 2> packs_;
   Noted *now_ = &packs_[0], *next_ = &packs_[1];
   LookPack<kPack> look_{};

@@ -159,7 +159,7 @@ Accelerations ProjectileView::accelerations() const {
   const bool turning = rows.layout().turning;
   Accelerations a = accelerations_of(c, b, turning ? rows.rotor(slot->row) : Rotor<double>{}, t,
                                      {now.position, now.velocity}, turning ? rows.turn(slot->row) : Turn<double>{});
-  if (rows.layout().carried)  // the original's register, as Flight tells it
+  if (rows.layout().carried)  // the original's register, as in Flight
     a.total = rows.visit([&](const auto& columns) { return Rows::at(columns.carried, slot->row); });
   return a;
 }

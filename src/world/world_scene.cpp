@@ -30,7 +30,7 @@ void WorldImpl::wake_all(std::vector<std::uint32_t>& slots) {
   for (const std::uint32_t slot : slots) wake(slot);
 }
 
-/// Who sleeps looks whether it still lies on something; of many changes between two steps the first one alone asks all.
+/// Sleeping projectiles check if they still lie on something; of many changes between two steps only the first asks.
 void WorldImpl::stir_scene() {
   if (std::exchange(is_stirred, true)) return;
   std::vector<std::uint32_t> asleep;
@@ -38,7 +38,7 @@ void WorldImpl::stir_scene() {
   wake_all(asleep);
 }
 
-/// All rows look anew what is clear about them.
+/// All rows look again for what is clear about them.
 void WorldImpl::forget_clear() {
   state.newcomers.clear();
   for (const Rows& rows : state.rows) {
@@ -55,7 +55,7 @@ void WorldImpl::notice(InstanceId changed) {
   if (!has_box || !state.newcomers.add(changed.index, state.clock.steps)) forget_clear();
 }
 
-/// Before a step: where things may be that rows do not know of.
+/// Before a step: where things may be that rows have not noticed.
 void WorldImpl::find_restless(bool is_covered) {
   restless.clear();
   if (state.newcomers.are_settled(state.clock.steps)) forget_clear();
@@ -66,7 +66,7 @@ void WorldImpl::find_restless(bool is_covered) {
     restless.be_everywhere();
 }
 
-/// Before a step: what moves is found where it will be, and wakes who sleeps where it comes.
+/// Before a step: finds where moving things will be, and wakes projectiles that sleep there.
 void WorldImpl::move_scene(double dt) {
   const bool moves = state.scene && state.scene->has_motion();
   const double now = state.clock.time();
@@ -93,7 +93,7 @@ void WorldImpl::put_scene(std::shared_ptr<Scene> scene) {
   stir_scene();
 }
 
-/// The scene, as nobody's but this state's.
+/// The scene, owned by this state alone.
 Scene& WorldImpl::own_scene() {
   PHYSIM_ASSERT(state.scene != nullptr);
   if (state.scene.use_count() > 1) state.scene = std::make_shared<Scene>(*state.scene);
@@ -130,7 +130,7 @@ Status World::remove_scene() {
 
 const Scene* World::scene() const { return impl().state.scene.get(); }
 
-// What nothing stands for yet moves nobody.
+// A shape that no thing uses yet moves nothing.
 Result<ShapeId> World::add_shape(const ShapeDef& shape) {
   WorldImpl& w = impl();
   const Recorded<Call::add_shape> call(w, shape);

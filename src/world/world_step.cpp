@@ -316,6 +316,7 @@ void WorldImpl::step(double dt) {
   const Inside inside(*this);
   [[maybe_unused]] const std::uint64_t steps_before = state.clock.steps;
   [[maybe_unused]] const double before = state.clock.time();
+  // Begin: what is due now, and what acts on all projectiles where they are.
   hit_asking.forget();
   placement.rebase(dt);
   launch_pending();
@@ -326,7 +327,8 @@ void WorldImpl::step(double dt) {
   begin_emitters(*this, dt);
   begin_pairs(*this);
   is_stirred = false;
-  step_forced(dt);  // before the others move: its springs may end at them
+  // Advance, and resolve what rows meet by themselves. Forced rows go first: their springs may end at free ones.
+  step_forced(dt);
   step_free(dt);
   const SettleContext context = settle_context(dt);
   meet_pairs(*this, context);
@@ -334,12 +336,14 @@ void WorldImpl::step(double dt) {
   state.clock.tick();
   PHYSIM_ASSERT(state.clock.time() >= before && state.clock.steps == steps_before + 1);
   ++state.counters.steps;
+  // Commit, in order of slots; then births in order of time.
   watch_for_emitters(*this, context);
   finish_step();
   hold_joints(*this, dt);
   expire_old();
   fire_emitters(*this, context);
   end_generators();
+  // Show.
   scratch.merge.clear();
   state.events.put_in_order(scratch.merge, given_events);
   state.events_of_step = state.events.size();

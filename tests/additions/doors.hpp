@@ -3,9 +3,9 @@
 
 #include <gtest/gtest.h>
 
-#include "physim/recording.hpp"
-#include "physim/recording_file.hpp"
-#include "physim/world_run.hpp"
+#include "physim/files.hpp"
+#include "physim/world.hpp"
+#include "scenario/world_run.hpp"
 
 namespace physim::test {
 

@@ -4,7 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "base/archive.hpp"
-#include "physim/recording.hpp"
+#include "physim/world.hpp"
 
 namespace physim {
 namespace base_members_test {

@@ -304,6 +304,62 @@ TEST(CliCompare, ShowsWhatCheapestWithinChooses) {
   EXPECT_TRUE(has(ran.out, "cheapest within 0.05 m")) << ran.out;
 }
 
+TEST(CliDangerSpace, GoesOnBeyondTheEndOfTheFlight) {
+  const Folder folder;
+  const std::string file = folder.write("bullet.toml", kBullet);
+  const std::vector<std::string> words = {"danger-space", file,  "--range", "1000 m",
+                                          "--height",     "1 m", "--set",   "shot.sight.zero_range=100 m",
+                                          "--json",       "-"};
+  const auto json = json_of(physim(words));
+  // Right: own RK4 at 1 ms, US76, G7 by PCHIP.
+  EXPECT_NEAR(json["from [m]"], 989.807, 0.01);
+  EXPECT_NEAR(json["to [m]"], 1009.970, 0.01);
+  EXPECT_EQ(json["ends_with_flight"], false);
+  // A flight that lands inside of the space ends it, and says so.
+  const Ran landed = physim({"danger-space", file, "--range", "600 m", "--height", "8 m", "--set", "until.ground=0 m",
+                             "--set", "shot.position=[0, 5, 0]"});
+  EXPECT_EQ(landed.code, 0) << landed.err;
+  EXPECT_TRUE(has(landed.out, "because the flight does: landed")) << landed.out;
+}
+
+TEST(CliTable, IsInItsOwnUnitsToTheLastRow) {
+  const Folder folder;
+  std::string text = kBullet;
+  text.replace(text.find("\"1000 m\""), 8, "\"1500 yd\"");
+  const std::string file = folder.write("bullet.toml", text + "[output]\nranges = \"10 yd .. 1600 yd step 10 yd\"\n");
+  const auto rows = lines_of(physim({"table", file, "--units", "customary"}).out);
+  const auto row = [&](const std::string& range) {
+    const auto found =
+        std::ranges::find_if(rows, [&](const std::string& each) { return has(each, " " + range + " "); });
+    return found == rows.end() ? "no row " + range : *found;
+  };
+  EXPECT_FALSE(has(row("1500"), "not reached")) << row("1500");
+  EXPECT_TRUE(has(row("1510"), "not reached: reached_range at 1500 yd")) << row("1510");
+}
+
+TEST(CliFit, TakesDropsAsAnglesAndAnswersInTheUnitsOfTheFile) {
+  const Folder folder;
+  const std::string file = folder.write("bullet.toml", kBullet);
+  for (const auto& [unit, size] : {std::pair{"mil", 1e-3}, {"moa", kDegree / 60}}) {
+    std::string data = "range [yd], drop [" + std::string(unit) + "]\n", metres = "range [yd], drop [m]\n";
+    for (const int yards : {300, 500, 700}) {
+      const double drop = -1e-5 * yards * yards;
+      data += std::to_string(yards) + ", " + std::to_string(std::atan2(drop, yards * 0.9144) / size) + "\n";
+      metres += std::to_string(yards) + ", " + std::to_string(drop) + "\n";
+    }
+    const auto fit = [&](const std::string& csv) {
+      return physim({"fit", file, "--data", folder.write("d.csv", csv)});
+    };
+    const auto scale = [&](const std::string& csv) {
+      return json_of(physim({"fit", file, "--data", folder.write("d.csv", csv), "--json", "-"}))["scale"].get<double>();
+    };
+    EXPECT_NEAR(scale(data), scale(metres), 1e-4) << unit;
+    const Ran text = fit(data);
+    EXPECT_EQ(text.code, 0) << text.err;
+    EXPECT_TRUE(has(text.out, "range [yd]") && has(text.out, unit) && has(text.out, "   500  drop")) << text.out;
+  }
+}
+
 }  // namespace cli_aim_cli_test
 }  // namespace physim::testing_cli
 

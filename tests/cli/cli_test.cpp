@@ -7,7 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include "cli/program.hpp"
-#include "physim/version.hpp"
+#include "physim/result.hpp"
 #include "scenario/libraries.hpp"
 
 #ifdef PHYSIM_CLI

@@ -6,7 +6,7 @@
 
 #include "cli/program.hpp"
 #include "cli/throw_study.hpp"
-#include "physim/version.hpp"
+#include "physim/result.hpp"
 
 #ifdef PHYSIM_CLI
 

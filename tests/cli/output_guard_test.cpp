@@ -10,7 +10,7 @@
 
 #include "cli/program.hpp"
 #include "named_files.hpp"
-#include "physim/mesh_file.hpp"
+#include "physim/files.hpp"
 
 namespace physim {
 namespace cli_output_guard_test {

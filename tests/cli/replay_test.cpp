@@ -5,7 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include "cli/program.hpp"
-#include "physim/recording_file.hpp"
+#include "physim/files.hpp"
 #include "world/recording_bytes.hpp"
 
 #ifdef PHYSIM_CLI

@@ -161,6 +161,52 @@ TEST(StudyCli, over_range_and_until_a_width) {
   const Ran width = physim({"study", file, "--until-width", "5 %", "--shots", "10000000"});
   ASSERT_EQ(width.code, 0) << width.err;
   EXPECT_TRUE(has(width.out, "65536 shots in 16 shards")) << width.out;
+  const Ran narrow = physim({"study", file, "--until-width", "0.01 %"});
+  EXPECT_EQ(narrow.code, 1) << "not known so well by so few shots";
+  EXPECT_TRUE(has(narrow.err, "--until-width is not reached")) << narrow.err;
+}
+
+TEST(StudyCli, a_zeroed_shot_is_held_off_for_what_is_known) {
+  const Folder folder;
+  // 89.4, 60.2 and 38.3 % with mean wind and drift dialled, and 36.0 % at 600 m without.
+  const std::string file = folder.write("rifle.toml", R"(physim = 1
+[[shot]]
+mass = "140 gr"
+diameter = "0.264 in"
+length = "1.35 in"
+twist = "8 in"
+drag = { table = "g7", ballistic_coefficient = "0.315 lb/in^2" }
+speed = "2710 ft/s"
+sight = { height = "1.5 in", zero_range = "100 yd" }
+fidelity = "small_arms"
+[until]
+ground = "off"
+[study]
+inputs = ["environment.wind.velocity.z = -5 mph +- 2 mph"]
+targets = ["plate: rectangle 45 cm x 75 cm"]
+shots = 20000
+)");
+  const Ran ran = physim({"study", file, "--ranges", "600 m .. 1000 m step 200 m", "--csv", "-"});
+  ASSERT_EQ(ran.code, 0) << ran.err;
+  const auto rows = lines_of(ran.out);
+  ASSERT_EQ(rows.size(), 4U) << ran.out;
+  const double right[] = {0.894, 0.602, 0.383};
+  for (std::size_t i = 0; i < 3; ++i) {
+    std::istringstream cells(rows[i + 1]);
+    std::string cell;
+    for (int column = 0; column < 8; ++column) std::getline(cells, cell, ',');
+    EXPECT_NEAR(std::stod(cell), right[i], 0.012) << rows[0] << '\n' << rows[i + 1];
+  }
+}
+
+TEST(StudyCli, says_what_targets_are_and_flies_any_rounds) {
+  const Folder folder;
+  const std::string file = folder.write("throw.toml", throw_study(6000));
+  const Ran ran = physim({"study", file, "--target", "round: circle 10 cm at 0 m, 90 m", "--set", "study.rounds=6"});
+  ASSERT_EQ(ran.code, 0) << ran.err;
+  EXPECT_TRUE(has(ran.out, "near    1 m x 3.6 m")) << ran.out;
+  EXPECT_TRUE(has(ran.out, "round   radius 0.1 m")) << ran.out;
+  EXPECT_TRUE(has(ran.out, "65472 shots in 16 shards")) << "of 682 occasions: " << ran.out;
 }
 
 /// The worst shot of a study, by its number alone.

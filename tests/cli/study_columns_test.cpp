@@ -5,8 +5,8 @@
 
 #include "cli/program.hpp"
 #include "cli/throw_study.hpp"
-#include "physim/scenario.hpp"
 #include "scenario/libraries.hpp"
+#include "scenario/scenario.hpp"
 
 #if PHYSIM_HAS_HDF5
 #include <hdf5.h>

@@ -7,9 +7,8 @@
 #include <filesystem>
 
 #include "cli/program.hpp"
-#include "physim/flight_hits.hpp"
-#include "physim/world_run.hpp"
 #include "scenario/revise.hpp"
+#include "scenario/world_run.hpp"
 #include "simclient/core/actions.hpp"
 #include "simclient/core/script.hpp"
 

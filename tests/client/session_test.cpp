@@ -6,8 +6,8 @@
 #include <cmath>
 
 #include "cli/program.hpp"
-#include "physim/presets.hpp"
-#include "physim/recording_file.hpp"
+#include "physim/body.hpp"
+#include "physim/files.hpp"
 #include "simclient/core/client.hpp"
 #include "simclient/core/original_tests.hpp"
 #include "simclient/core/prediction.hpp"

@@ -7,8 +7,8 @@
 #include "cli/program.hpp"
 #include "client/support.hpp"
 #include "math/angles.hpp"
-#include "physim/world_run.hpp"
 #include "scenario/revise.hpp"
+#include "scenario/world_run.hpp"
 #include "simclient/core/scene.hpp"
 #include "simclient/core/state_log.hpp"
 

@@ -4,7 +4,7 @@
 #include <limits>
 
 #include "collide/crowd_support.hpp"
-#include "physim/task_runner.hpp"
+#include "physim/result.hpp"
 
 namespace physim {
 namespace collide_cast_batch_test {

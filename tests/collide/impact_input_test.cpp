@@ -3,7 +3,7 @@
 
 #include <functional>
 
-#include "physim/impact.hpp"
+#include "physim/scene.hpp"
 #include "support.hpp"
 
 namespace physim {

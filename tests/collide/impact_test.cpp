@@ -1,6 +1,6 @@
 // What becomes of projectiles that meet materials: the order of decisions, each law by what it must give, and what
 // holds for all of them.
-#include "physim/impact.hpp"
+#include "physim/scene.hpp"
 
 #include <gtest/gtest.h>
 

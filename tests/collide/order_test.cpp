@@ -7,7 +7,7 @@
 #include <cmath>
 #include <limits>
 
-#include "physim/task_runner.hpp"
+#include "physim/result.hpp"
 #include "random_shots.hpp"
 
 namespace physim {

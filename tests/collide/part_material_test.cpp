@@ -6,7 +6,6 @@
 #include "base/archive.hpp"
 #include "collide/scene_support.hpp"
 #include "physim/scene.hpp"
-#include "physim/scene_draw.hpp"
 #include "support.hpp"
 
 namespace physim {

@@ -1,5 +1,5 @@
 // What is drawn of a scene is its surface: closed, outwards, and where segments meet it.
-#include "physim/scene_draw.hpp"
+#include "physim/scene.hpp"
 
 #include <gtest/gtest.h>
 

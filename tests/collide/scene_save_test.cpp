@@ -5,8 +5,8 @@
 
 #include "base/archive.hpp"
 #include "collide/scene_support.hpp"
+#include "physim/result.hpp"
 #include "physim/scene.hpp"
-#include "physim/version.hpp"
 #include "support.hpp"
 
 namespace physim {

@@ -1,5 +1,5 @@
 // Terrain on the ellipsoid, beside the figure of the Earth.
-#include "physim/terrain.hpp"
+#include "physim/scene.hpp"
 
 #include <gtest/gtest.h>
 

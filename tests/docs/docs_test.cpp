@@ -10,10 +10,9 @@
 #include <regex>
 #include <sstream>
 
-#include "physim/flight_hits.hpp"
-#include "physim/scenario.hpp"
-#include "physim/world_run.hpp"
 #include "report/gnuplot.hpp"
+#include "scenario/scenario.hpp"
+#include "scenario/world_run.hpp"
 
 namespace physim {
 namespace docs_docs_test {

@@ -1,4 +1,4 @@
-// One version everywhere: pages and files that name it agree with physim/version.hpp.
+// One version everywhere: pages and files that name it agree with physim/result.hpp.
 #include <gtest/gtest.h>
 
 #include <filesystem>
@@ -6,8 +6,8 @@
 #include <regex>
 #include <sstream>
 
-#include "physim/recording.hpp"
-#include "physim/version.hpp"
+#include "physim/result.hpp"
+#include "physim/world.hpp"
 
 namespace physim {
 namespace docs_release_test {

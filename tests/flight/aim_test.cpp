@@ -465,5 +465,35 @@ TEST(Aim, what_is_aimed_at_is_in_nobodys_way) {
   EXPECT_EQ(bad.error().place, "options.contact.collision.radius");
 }
 
+TEST(MaxRange, between_a_steep_slope_and_the_vertical) {
+  for (const double degrees : {80.0, 85.0, 89.0, 89.9}) {
+    const double slope = degrees * test::kDegree;
+    const auto far = max_range({}, {.speed = 100}, constant_gravity(), vacuum(), 0, slope);
+    ASSERT_TRUE(far) << far.error().text();
+    // R = v^2 / (g (1 + sin a)) at e = 45 deg + a / 2.
+    EXPECT_NEAR(far->range, 1e4 / (kG * (1 + std::sin(slope))), 1e-6) << degrees;
+    EXPECT_GT(far->elevation, slope);
+  }
+}
+
+TEST(Aim, a_target_that_only_goes_away_is_out_of_reach) {
+  const Target target{.position = {100, 0, 0}, .velocity = {100, 0, 0}};
+  const Aim answer = aimed({}, {.speed = 50}, constant_gravity(), vacuum(), target);
+  EXPECT_FALSE(answer.in_reach());
+  EXPECT_NEAR(answer.nearest.miss, 100, 1e-9) << "at the muzzle";
+  EXPECT_EQ(answer.nearest.time, 0);
+  EXPECT_EQ(answer.explanation(), "out of reach: no path comes nearer than the muzzle, 100 m from the target");
+}
+
+TEST(Aim, two_solutions_may_have_one_elevation) {
+  // Straight up: 50 t - g t^2 / 2 = 50 on the way up and on the way down.
+  const Aim answer = aimed({}, {.speed = 50}, constant_gravity(), vacuum(), {{0, 50, 0}});
+  ASSERT_TRUE(answer.low && answer.high);
+  const double root = std::sqrt(2500 - 2 * kG * 50);
+  EXPECT_NEAR(answer.low->time, (50 - root) / kG, 1e-6);
+  EXPECT_NEAR(answer.high->time, (50 + root) / kG, 1e-6);
+  EXPECT_NE(answer.explanation().find("; high: "), std::string::npos) << answer.explanation();
+}
+
 }  // namespace flight_aim_test
 }  // namespace physim

@@ -5,7 +5,7 @@
 #include <utility>
 
 #include "flight/batch_support.hpp"
-#include "physim/presets.hpp"
+#include "physim/body.hpp"
 
 namespace physim {
 namespace flight_batch_test {

@@ -2,8 +2,8 @@
 #include <thread>
 
 #include "flight/batch_support.hpp"
-#include "physim/field.hpp"
-#include "physim/task_runner.hpp"
+#include "physim/environment.hpp"
+#include "physim/result.hpp"
 #include "processor_mode.hpp"
 
 namespace physim {

@@ -1,7 +1,7 @@
 // Columns of ballistic coefficients and form factors: each shot is that of fly() with a projectile of its own.
 #include "flight/batch_support.hpp"
-#include "physim/flight_columns.hpp"
-#include "physim/task_runner.hpp"
+#include "physim/flight.hpp"
+#include "physim/result.hpp"
 
 namespace physim {
 namespace flight_column_drag_test {

@@ -1,7 +1,7 @@
 // fly_columns() gives the numbers of fly_batch(), column by column.
 #include "flight/batch_support.hpp"
-#include "physim/flight_columns.hpp"
-#include "physim/task_runner.hpp"
+#include "physim/flight.hpp"
+#include "physim/result.hpp"
 
 namespace physim {
 namespace flight_columns_test {

@@ -1,5 +1,5 @@
 // compare(): flights of one shot beside a reference.
-#include "physim/compare.hpp"
+#include "physim/solve.hpp"
 
 #include <gtest/gtest.h>
 

@@ -4,8 +4,8 @@
 
 #include <cmath>
 
-#include "physim/aim.hpp"
 #include "physim/scene.hpp"
+#include "physim/solve.hpp"
 
 namespace physim {
 namespace flight_danger_space_test {

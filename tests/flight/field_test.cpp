@@ -4,7 +4,7 @@
 #include <array>
 #include <stdexcept>
 
-#include "physim/presets.hpp"
+#include "physim/body.hpp"
 #include "random_shots.hpp"
 #include "support.hpp"
 

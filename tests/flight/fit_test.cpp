@@ -1,7 +1,7 @@
 // Fitting drag to measurements: what made the data must come back.
 #include <gtest/gtest.h>
 
-#include "physim/fit.hpp"
+#include "physim/solve.hpp"
 #include "support.hpp"
 
 namespace physim {

@@ -246,5 +246,14 @@ TEST(Flight, copies_share_their_record) {
   EXPECT_EQ(a.events().data(), b.events().data());
 }
 
+TEST(Flight, at_range_takes_the_end_for_a_range_that_is_rounding_longer) {
+  const double end = 1500 * 0.9144;
+  const Flight flight = fly(bullet_308(), {.speed = 800, .elevation = 0.03}, {}, {}, {}, {.ground = {}, .range = end});
+  const auto there = flight.at_range(end * (1 + 4e-16));
+  ASSERT_TRUE(there) << there.error().text();
+  EXPECT_EQ(there->time, flight.duration());
+  EXPECT_FALSE(flight.at_range(end * (1 + 1e-9)));
+}
+
 }  // namespace flight_flight_test
 }  // namespace physim

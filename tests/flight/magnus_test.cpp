@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "model/magnus.hpp"
-#include "physim/presets.hpp"
+#include "physim/body.hpp"
 #include "support.hpp"
 
 namespace physim {

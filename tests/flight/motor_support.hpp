@@ -3,7 +3,7 @@
 
 #include <cmath>
 
-#include "physim/motor.hpp"
+#include "physim/projectile.hpp"
 #include "support.hpp"
 
 namespace physim::test {

@@ -6,7 +6,7 @@
 #include <cmath>
 
 #include "flight/motor_support.hpp"
-#include "physim/motor.hpp"
+#include "physim/projectile.hpp"
 
 namespace physim {
 namespace flight_motor_test {

@@ -1,9 +1,9 @@
 // Batches whose shots have weather of their own: each flies as fly() lets it fly in its own environment.
-#include "physim/weather.hpp"
+#include "physim/environment.hpp"
 
 #include "flight/batch_support.hpp"
-#include "physim/flight_columns.hpp"
-#include "physim/task_runner.hpp"
+#include "physim/flight.hpp"
+#include "physim/result.hpp"
 
 namespace physim {
 namespace flight_weather_test {
@@ -92,6 +92,58 @@ TEST(Weather, each_shot_flies_as_alone_in_its_own) {
         }
   }
   use_kernel("");
+}
+
+/// A wind of columns that moves the environment's profile: by height and by range, straight and in steps, for those
+/// that read the profile and for those that know one wind.
+TEST(Weather, winds_move_a_profile) {
+  Days days = random_days(23);
+  days.wind_y.clear();
+  const auto launches = random_launches(23, 300, 0.6);
+  ProjectileDef rocket = bullet_308();
+  rocket.mass = 20, rocket.diameter = 0.15, rocket.drag = {.coefficient = 0.45};
+  rocket.inertia.moments = {0.06, 12, 12};
+  rocket.aero.lift = {{.value = 9}}, rocket.aero.pitching = {{.value = -18}};
+  rocket.aero.pitch_damping = {{.value = -400}};
+  for (const bool is_rigid : {false, true})
+    for (const WindModel wind : {WindModel::profile, WindModel::constant})
+      for (const WindAxis by : {WindAxis::height, WindAxis::range})
+        for (const WindInterpolation interpolation : {WindInterpolation::linear, WindInterpolation::step})
+          for (const Vec3d& common : {Vec3d{}, Vec3d{2, 0, 1}})
+            for (const std::size_t points : {1U, 3U}) {
+              Fidelity f = Fidelity::simulation();
+              f.wind = wind, f.rotation = is_rigid ? RotationModel::rigid_body : RotationModel::none;
+              Environment e{.wind = {.velocity = common, .by = by, .interpolation = interpolation}};
+              e.wind.profile = {{0, {2, 0, 1}}, {90.3, {4.1, 0.3, -1}}, {200, {7, 0, 0}}};
+              e.wind.profile.resize(points);
+              const Weather weather{.wind_x = days.wind_x, .wind_z = days.wind_z, .moves_profile = true};
+              const Tolerance tolerance{.relative = 1e-5, .absolute = 1e-5};
+              const Until until{.time = 4};
+              const ProjectileDef& p = is_rigid ? rocket : bullet_308();
+              expect_as_flights(fly_batch(p, launches, e, f, tolerance, until, nullptr, weather), p, launches, e,
+                                weather, f, tolerance, until, is_rigid ? "rigid" : "point");
+              LaunchColumns columns{.common = launches[0]};
+              columns.common.speed = 0;
+              std::vector<double> speed, x(23), z(23);
+              for (const Launch& l : launches) speed.push_back(l.speed);
+              columns.speed = speed;
+              const auto ends = fly_columns(p, columns, e, f, tolerance, until, {.x = x, .z = z}, nullptr, weather);
+              ASSERT_FALSE(ends.error) << ends.error->text();
+              for (std::size_t i = 0; i < 23; ++i) {
+                Launch launch = launches[0];
+                launch.speed = speed[i];
+                const Vec3d end = fly(p, launch, weather.at(i, e), f, tolerance, until).end().position;
+                EXPECT_TRUE(same_bits(x[i], end.x) && same_bits(z[i], end.z)) << i << ": " << x[i] - end.x;
+              }
+            }
+  // What it should come to: a profile that is moved is another profile.
+  Environment e;
+  e.wind = {.velocity = {1, 0, 2}, .profile = {{0, {2, 0, 1}}, {100, {4, 0, 0}}}};
+  const std::vector<double> gust = {4};
+  const Environment moved = Weather{.wind_x = gust, .moves_profile = true}.at(0, e);
+  EXPECT_EQ(moved.wind.profile[0].velocity, (Vec3d{5, 0, 1}));
+  EXPECT_EQ(moved.wind.profile[1].velocity, (Vec3d{7, 0, 0}));
+  EXPECT_EQ(moved.wind.velocity, (Vec3d{4, 0, 2}));
 }
 
 /// Above the lowest layer of the atmosphere lanes have layers of their own.

@@ -139,5 +139,34 @@ TEST(PilotStep, is_not_flown_where_a_step_is_given_or_none_is_needed) {
   EXPECT_EQ(fly(bullet_308(), {.position = {0, 1, 0}, .speed = 800}, {}, f).step(), 0);
 }
 
+TEST(Zero, near_the_end_of_the_reach_lies_between_the_steps_of_the_search) {
+  // Right: an own DOP853 at 1e-11, US76 and G7 by PCHIP; the shot carries 4300.97 m.
+  ProjectileDef bullet;
+  bullet.mass = 168 * 6.479891e-5;
+  bullet.diameter = 0.308 * 0.0254;
+  bullet.drag.table = DragTable::g7;
+  bullet.drag.ballistic_coefficient = 0.218 * 0.45359237 / (0.0254 * 0.0254);
+  const Launch launch{.speed = 2600 * 0.3048, .sight = {.height = 1.5 * 0.0254}};
+  for (const auto& [range, degrees] : {std::pair{4250.0, 30.2035}, {4290.0, 33.2455}, {4300.0, 35.1172}}) {
+    const auto e = zero_elevation(bullet, launch, {}, Fidelity::small_arms(), range);
+    ASSERT_TRUE(e) << range << ' ' << e.error().text();
+    EXPECT_NEAR(*e / kDegree, degrees, 5e-4) << range;
+  }
+  const auto beyond = zero_elevation(bullet, launch, {}, Fidelity::small_arms(), 4310);
+  ASSERT_FALSE(beyond);
+  EXPECT_NE(beyond.error().message.find("it is hit up to 4301 m"), std::string::npos) << beyond.error().text();
+}
+
+TEST(Zero, down_a_slope_may_take_more_than_45_degrees_above_the_line_of_sight) {
+  // Along a line of sight at an angle a a parabola comes down at R = 2 v^2 cos(e) sin(e - a) / (g cos(a)^2).
+  const double look = -0.5, range = 17500, v = 300;
+  const auto e = zero_elevation({}, {.speed = v, .sight = {.look_angle = look}}, constant_gravity(), vacuum(), range);
+  ASSERT_TRUE(e) << e.error().text();
+  const double cosine = std::cos(look);
+  const double low = 0.5 * (std::asin(range * 9.80665 * cosine * cosine / (v * v) + std::sin(look)) + look);
+  EXPECT_GT(low - look, 45 * kDegree);
+  EXPECT_NEAR(*e, low, 1e-9);
+}
+
 }  // namespace flight_zero_test
 }  // namespace physim

@@ -15,7 +15,7 @@
 #include "fuzz/extremes.hpp"
 #include "fuzz/odd_input.hpp"
 #include "fuzz/verdict.hpp"
-#include "physim/impact.hpp"
+#include "physim/scene.hpp"
 #include "random_emitters.hpp"
 
 namespace physim::test {

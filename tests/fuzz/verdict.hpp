@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <cstdio>
 
-#include "physim/vec3.hpp"
+#include "physim/math.hpp"
 
 namespace physim::test {
 

@@ -8,10 +8,9 @@
 
 #include "alike.hpp"
 #include "base/hash.hpp"
-#include "physim/presets.hpp"
+#include "physim/body.hpp"
+#include "physim/result.hpp"
 #include "physim/study.hpp"
-#include "physim/task_runner.hpp"
-#include "physim/version.hpp"
 #include "scenes.hpp"
 
 namespace physim::test {

@@ -7,7 +7,7 @@
 #include "collide/scene_support.hpp"
 #include "hits/hits.hpp"
 #include "math/quat.hpp"
-#include "physim/presets.hpp"
+#include "physim/body.hpp"
 #include "physim/world.hpp"
 
 namespace physim::test {

@@ -3,7 +3,7 @@
 #include <cstdio>
 
 #include "hits/hits.hpp"
-#include "physim/presets.hpp"
+#include "physim/body.hpp"
 #include "physim/world.hpp"
 
 namespace physim::test {

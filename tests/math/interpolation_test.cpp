@@ -7,7 +7,7 @@
 #include <cmath>
 #include <vector>
 
-#include "physim/drag_curve.hpp"
+#include "physim/projectile.hpp"
 
 namespace physim {
 namespace math_interpolation_test {

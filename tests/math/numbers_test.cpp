@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-#include "physim/vec3.hpp"
+#include "physim/math.hpp"
 
 namespace physim {
 namespace math_numbers_test {

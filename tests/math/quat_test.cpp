@@ -1,5 +1,5 @@
 // Every operation of Quat, in float and double.
-#include "physim/quat.hpp"
+#include "physim/math.hpp"
 
 #include <gtest/gtest.h>
 

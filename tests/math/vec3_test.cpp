@@ -1,5 +1,5 @@
 // Every operation of Vec3, in float and double.
-#include "physim/vec3.hpp"
+#include "physim/math.hpp"
 
 #include <gtest/gtest.h>
 

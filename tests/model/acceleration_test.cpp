@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "flight/flight_record.hpp"
-#include "physim/presets.hpp"
+#include "physim/body.hpp"
 #include "random_shots.hpp"
 #include "support.hpp"
 

@@ -6,7 +6,7 @@
 #include <gtest/gtest.h>
 
 #include "model/drag.hpp"
-#include "physim/drag_curve.hpp"
+#include "physim/projectile.hpp"
 #include "support.hpp"
 
 namespace physim {
@@ -181,6 +181,21 @@ TEST(DragCurves, a_standard_curve_alone_reads_as_among_others) {
     EXPECT_EQ(among.size(), among.rows().size());
     EXPECT_TRUE(std::equal(alone.rows().begin(), alone.rows().end(), among.rows().begin()));
   }
+}
+
+// Rows of cells are counted by floats, so that a world of hundreds of fine curves once ended at an assert.
+TEST(DragCurves, curves_beyond_the_room_for_cells_are_searched) {
+  TablePool pool;
+  DragDef drag{.table = DragTable::custom};
+  int searched = 0;
+  for (int i = 0; i < 300; ++i) {
+    drag.curve = {{0, 0.2}, {0.001, 0.2 + 1e-4 * i}, {16, 0.3}};  // 16 000 cells
+    const auto place = pool.add(drag, Interpolation::linear);
+    searched += place.curve_row < 0;
+    EXPECT_EQ(pool.add(drag, Interpolation::linear), place) << i;
+  }
+  EXPECT_EQ(searched, 300 - (1 << 21) / 16000);
+  EXPECT_LE(pool.rows().size() / 4, 1U << 21);
 }
 
 TEST(DragCurves, curves_are_the_same_where_all_bits_of_their_points_are) {

@@ -3,8 +3,8 @@
 
 #include <gtest/gtest.h>
 
-#include "physim/air.hpp"
-#include "physim/drag_curve.hpp"
+#include "physim/environment.hpp"
+#include "physim/projectile.hpp"
 #include "support.hpp"
 
 namespace physim {

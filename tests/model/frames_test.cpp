@@ -1,6 +1,6 @@
 // Distances along the ground: exact arcs of equator and sphere, the quadrant of a meridian, a geodesic that was
 // published to the millimetre.
-#include "physim/frames.hpp"
+#include "physim/environment.hpp"
 
 #include "support.hpp"
 

@@ -1,5 +1,5 @@
 // Coordinates of places: round trips everywhere, published points, heights in W.
-#include "physim/geodesy.hpp"
+#include "physim/environment.hpp"
 
 #include <gtest/gtest.h>
 

@@ -3,7 +3,7 @@
 
 #include <cmath>
 
-#include "physim/presets.hpp"
+#include "physim/body.hpp"
 #include "rigid.hpp"
 #include "support.hpp"
 

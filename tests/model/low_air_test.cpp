@@ -6,7 +6,7 @@
 #include <cmath>
 
 #include "math/polynomial.hpp"
-#include "physim/air.hpp"
+#include "physim/environment.hpp"
 #include "support.hpp"
 
 namespace physim {

@@ -5,7 +5,7 @@
 
 #include <vector>
 
-#include "physim/air.hpp"
+#include "physim/environment.hpp"
 #include "support.hpp"
 
 namespace physim {

@@ -1,5 +1,5 @@
 // Motion under constant acceleration, asked any way round.
-#include "physim/suvat.hpp"
+#include "physim/solve.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // Presets of projectiles: all can be spawned, and those of the original fly as they did.
-#include "physim/presets.hpp"
+#include "physim/body.hpp"
 
 #include <gtest/gtest.h>
 

@@ -9,7 +9,7 @@
 #include <set>
 #include <sstream>
 
-#include "physim/recording_file.hpp"
+#include "physim/files.hpp"
 #include "report/pictures.hpp"
 
 namespace physim::report {

@@ -1,8 +1,8 @@
 // Paths that a run's picture draws: evenly out of all launches, few enough to be seen, and dots where particles are.
 #include <gtest/gtest.h>
 
-#include "physim/scenario.hpp"
 #include "report/world_log.hpp"
+#include "scenario/scenario.hpp"
 
 namespace physim::report {
 namespace report_world_paths_test {

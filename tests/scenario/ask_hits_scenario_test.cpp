@@ -1,8 +1,8 @@
 // Hits that ask: a file has nobody who answers.
 #include <gtest/gtest.h>
 
-#include "physim/scenario.hpp"
-#include "physim/world_run.hpp"
+#include "scenario/scenario.hpp"
+#include "scenario/world_run.hpp"
 
 namespace physim {
 namespace scenario_ask_hits_scenario_test {

@@ -4,11 +4,11 @@
 
 #include <cmath>
 
-#include "physim/world_run.hpp"
 #include "scenario/compound_support.hpp"
 #include "scenario/revise.hpp"
 #include "scenario/run_hits.hpp"
 #include "scenario/slope_scene.hpp"
+#include "scenario/world_run.hpp"
 #include "support.hpp"
 
 namespace physim {

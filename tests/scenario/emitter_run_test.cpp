@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "physim/world_run.hpp"
 #include "scenario/slope_scene.hpp"
+#include "scenario/world_run.hpp"
 
 namespace physim {
 namespace scenario_emitter_run_test {

@@ -2,8 +2,8 @@
 #include <gtest/gtest.h>
 
 #include "base/archive.hpp"
-#include "physim/world_run.hpp"
 #include "scenario/revise.hpp"
+#include "scenario/world_run.hpp"
 
 namespace physim {
 namespace scenario_emitter_scenario_test {

@@ -5,9 +5,9 @@
 
 #include "base/archive.hpp"
 #include "cli/program.hpp"
-#include "physim/mesh_file.hpp"
-#include "physim/world_run.hpp"
+#include "physim/files.hpp"
 #include "scenario/revise.hpp"
+#include "scenario/world_run.hpp"
 
 namespace physim {
 namespace scenario_emitter_shapes_scenario_test {

@@ -1,7 +1,7 @@
 // Bad scenarios: every one gets a place, a reason and, where there is one, a way out.
 #include <gtest/gtest.h>
 
-#include "physim/scenario.hpp"
+#include "scenario/scenario.hpp"
 
 namespace physim {
 namespace scenario_errors_test {

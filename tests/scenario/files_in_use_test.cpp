@@ -7,13 +7,11 @@
 
 #include "cli/program.hpp"
 #include "named_files.hpp"
-#include "physim/mesh_file.hpp"
-#include "physim/motor_file.hpp"
+#include "physim/files.hpp"
 #include "physim/physim.hpp"
-#include "physim/recording_file.hpp"
-#include "physim/scenario.hpp"
-#include "physim/world_run.hpp"
 #include "scenario/new_file.hpp"
+#include "scenario/scenario.hpp"
+#include "scenario/world_run.hpp"
 
 namespace physim {
 namespace scenario_files_in_use_test {

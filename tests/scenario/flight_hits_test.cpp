@@ -1,12 +1,12 @@
 // Flights of scenarios through things: what they hit is told, counted and judged, read and written, and refused.
-#include "physim/flight_hits.hpp"
+#include "scenario/world_run.hpp"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 
-#include "physim/scenario_study.hpp"
 #include "scenario/run_hits.hpp"
+#include "scenario/scenario.hpp"
 #include "scenario/slope_scene.hpp"
 #include "support.hpp"
 

@@ -1,7 +1,7 @@
 // Shots of scenarios that ask for a fidelity by its error.
 #include <gtest/gtest.h>
 
-#include "physim/scenario.hpp"
+#include "scenario/scenario.hpp"
 
 namespace physim {
 namespace scenario_fly_shot_test {

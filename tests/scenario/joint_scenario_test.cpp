@@ -4,8 +4,8 @@
 #include <cmath>
 
 #include "base/archive.hpp"
-#include "physim/world_run.hpp"
 #include "scenario/revise.hpp"
+#include "scenario/world_run.hpp"
 
 namespace physim {
 namespace scenario_joint_scenario_test {

@@ -3,7 +3,7 @@
 
 #include <cmath>
 
-#include "physim/scenario.hpp"
+#include "scenario/scenario.hpp"
 
 namespace physim {
 namespace scenario_measure_test {

@@ -1,9 +1,9 @@
 // Motor files and [shot.motor]: what is read, and that every mistake names its line.
-#include "physim/motor_file.hpp"
+#include "physim/files.hpp"
 
 #include <gtest/gtest.h>
 
-#include "physim/scenario.hpp"
+#include "scenario/scenario.hpp"
 
 namespace physim {
 namespace scenario_motor_file_test {
@@ -48,6 +48,37 @@ TEST(MotorFile, the_certified_c6_has_its_impulse) {
   EXPECT_EQ(thrust_at(m, 0.192), 14.09);
 }
 
+TEST(MotorFile, a_header_of_six_or_eight_words_leaves_its_neighbours_alone) {
+  const std::string good = "GOOD 18 70 5 .010 .020 T\n 0.2 60\n 1 0\n";
+  for (const char* header : {"BAD 18 70 .010 .020 T\n", "BAD 18 70 5 .010 .020 T too\n"}) {
+    const std::string bad = std::string(header) + " 0.1 10\n 0.2 0\n";
+    for (const std::string& text : {good + bad, bad + good}) {
+      const auto motors = parse_motor_file(text, "f.eng");
+      ASSERT_TRUE(motors) << text << motors.error().text();
+      const auto picked = pick_motor(*motors, "GOOD", "f.eng");
+      ASSERT_TRUE(picked) << text << picked.error().text();
+      EXPECT_NEAR(total_impulse(picked->motor), 30, 1e-12);
+      const auto refused = pick_motor(*motors, "BAD", "f.eng");
+      ASSERT_FALSE(refused);
+      EXPECT_EQ(refused.error().place, text.starts_with("BAD") ? "f.eng:1" : "f.eng:4");
+      EXPECT_NE(refused.error().message.find("words are no header"), std::string::npos);
+    }
+  }
+}
+
+TEST(MotorFile, thrust_that_ends_above_zero_falls_at_its_last_point) {
+  // 38 N s: 2 to 0.1 s and 36 from there, as OpenRocket and RocketPy read it.
+  const std::string text = "B 18 70 P .010 .020 T\n0.1 40\n1 40\n";
+  for (const std::string& file : {text, text + ";\nC6 18 70 0-3 .0108 .0231 E\n0.2 5\n1 0\n"}) {
+    const auto motors = parse_motor_file(file, "f.eng");
+    ASSERT_TRUE(motors) << motors.error().text();
+    const auto b = pick_motor(*motors, "B", "f.eng");
+    ASSERT_TRUE(b) << b.error().text();
+    EXPECT_NEAR(total_impulse(b->motor), 38, 1e-12);
+    EXPECT_EQ(burn_time(b->motor), 1);
+  }
+}
+
 struct Bad {
   const char* text;
   const char* place;
@@ -69,11 +100,10 @@ TEST(MotorFile, mistakes_name_their_line) {
       {"C6 18 70 0-3 .0108 .0231 E\n0.2 5\n0.1 4\n1 0\n", "f.eng:3", "time 0.1 after 0.2"},
       {"C6 18 70 0-3 .0108 .0231 E\n0.2 5\n0.2 4\n0.2 3\n1 0\n", "f.eng:4", "three points at time 0.2"},
       {"C6 18 70 0-3 .0108 .0231 E\n0.2 -5\n", "f.eng:2", "not negative"},
-      {"C6 18 70 0-3 .0108 .0231 E\n0.2 5\n1 3\n", "f.eng:3", "does not end at zero"},
-      {"C6 18 70 0-3 .0108 .0231 E\n", "f.eng:1", "does not end at zero"},
+      {"C6 18 70 0-3 .0108 .0231 E\n", "f.eng:1", "has no points"},
+      {"C6 18 70 0-3 .0108 .0231 E\nB6 18 70 0-3 .0108 .0231 E\n", "f.eng:2", "has no points"},
       {"C6 18 70 0-3 .0108 .0231 E\n1 0\n", "f.eng:2", "no impulse"},
       {"C6 18 70 0-3 .0108 .0231 E\n0.2 5\n1 0\n1.1 2\n", "f.eng:4", "after the end of \"C6\""},
-      {"C6 18 70 0-3 .0108 .0231 E\n0.2 5\nB6 18 70 0-3 .0108 .0231 E\n", "f.eng:3", "does not end at zero"},
   };
   for (const Bad& bad : kBad) {
     SCOPED_TRACE(bad.text);
@@ -145,6 +175,37 @@ TEST(MotorSettings, a_file_from_the_scenarios_folder_and_changes_to_it) {
   const auto again = parse_scenario(rocket(""), "elsewhere.toml", overrides);
   ASSERT_TRUE(again) << again.error().text();
   EXPECT_EQ(again->shots[0].projectile, scenario->shots[0].projectile);
+}
+
+TEST(MotorSettings, thrust_may_step) {
+  // Tsiolkovsky: v = (120 N s / 0.1 kg) ln(2 / 1.9) at burnout.
+  const auto scenario = parse_scenario(R"(physim = 1
+[environment]
+gravity = { model = "off" }
+atmosphere = { model = "vacuum" }
+[[shot]]
+mass = "2 kg"
+elevation = "90 deg"
+rail_length = "1 m"
+motor = { propellant_mass = "0.1 kg", thrust = [["0 s", "60 N"], ["2 s", "60 N"], ["2 s", "0 N"], ["3 s", "0 N"]] }
+fidelity = { preset = "simulation", gravity = "off", air = "vacuum", wind = "off", earth = "flat" }
+[until]
+time = "4 s"
+)",
+                                       "r.toml");
+  ASSERT_TRUE(scenario) << scenario.error().text();
+  EXPECT_NEAR(fly_shot(*scenario, scenario->shots[0]).end().speed, 61.551953, 1e-5);
+  EXPECT_NE(error_of("[shot.motor]\nthrust = [[0, 1], [1, 1], [1, 2], [1, 0]]\n").hint.find("are a step"),
+            std::string::npos)
+      << "three are none";
+}
+
+TEST(MotorSettings, a_loaded_rocket_weighs_as_much_as_its_motor) {
+  const std::string text = rocket("motor = { file = \"motors/estes_c6.eng\" }\n");
+  const auto light =
+      parse_scenario(text, PHYSIM_SOURCE_DIR "/scenarios/r.toml", std::vector<std::string>{"shot.mass=20 g"});
+  ASSERT_FALSE(light);
+  EXPECT_NE(light.error().message.find("the motor alone weighs"), std::string::npos) << light.error().text();
 }
 
 TEST(MotorSettings, mistakes_name_their_place) {

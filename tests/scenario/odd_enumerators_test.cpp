@@ -4,8 +4,8 @@
 #include <cmath>
 
 #include "physim/physim.hpp"
-#include "physim/scenario.hpp"
-#include "physim/world_run.hpp"
+#include "scenario/scenario.hpp"
+#include "scenario/world_run.hpp"
 
 namespace physim {
 namespace scenario_odd_enumerators_test {

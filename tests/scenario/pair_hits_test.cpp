@@ -1,7 +1,7 @@
 // Runs whose projectiles meet each other.
 #include <gtest/gtest.h>
 
-#include "physim/world_run.hpp"
+#include "scenario/world_run.hpp"
 #include "support.hpp"
 
 namespace physim {

@@ -1,9 +1,9 @@
 // Scenarios are read, flown and written in a mode of the library's own: decimal numbers are rounded to nearest too.
 #include "processor_mode.hpp"
 
-#include "physim/motor_file.hpp"
-#include "physim/scenario.hpp"
-#include "physim/world_run.hpp"
+#include "physim/files.hpp"
+#include "scenario/scenario.hpp"
+#include "scenario/world_run.hpp"
 
 namespace physim {
 namespace scenario_processor_mode_test {

@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "physim/world_run.hpp"
+#include "scenario/world_run.hpp"
 
 namespace physim {
 

@@ -1,5 +1,5 @@
 // Scenario files: what they say and where it goes.
-#include "physim/scenario.hpp"
+#include "scenario/scenario.hpp"
 
 #include <gtest/gtest.h>
 
@@ -203,6 +203,9 @@ TEST(Scenario, RangesHaveShortForms) {
   EXPECT_EQ(parsed(head + "\"100 .. 0.5 km step 100 m\"").ranges, five);
   EXPECT_EQ(parsed(head + "{ from = \"100 m\", to = 500, step = 100 }").ranges, five);
   EXPECT_EQ(parsed(head + "\"0.1 m .. 1 m step 0.1 m\"").ranges.size(), 10U) << "rounding must not lose the last";
+  const std::vector<double> yards = parsed(head + "\"10 yd .. 1500 yd step 10 yd\"").ranges;
+  ASSERT_EQ(yards.size(), 150U);
+  EXPECT_EQ(yards.back(), 1500_yd) << "to the bit: a flight may end there";
   EXPECT_EQ(parsed(head + "\"500 m\"").ranges, std::vector<double>{500});
   EXPECT_EQ(parsed("physim = 1\n[[shot]]\n", {"output.ranges=100 m .. 500 m step 100 m"}).ranges, five);
 }

@@ -6,9 +6,9 @@
 #include <fstream>
 
 #include "cli/program.hpp"
-#include "physim/mesh_file.hpp"
-#include "physim/world_run.hpp"
+#include "physim/files.hpp"
 #include "scenario/revise.hpp"
+#include "scenario/world_run.hpp"
 #include "support.hpp"
 
 namespace physim {

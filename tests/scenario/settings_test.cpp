@@ -7,7 +7,7 @@
 #include <set>
 #include <sstream>
 
-#include "physim/scenario.hpp"
+#include "scenario/scenario.hpp"
 #include "scenario/schema.hpp"
 #include "scenario/suggest.hpp"
 

@@ -2,7 +2,7 @@
 #include <cmath>
 #include <set>
 
-#include "physim/scenario.hpp"
+#include "scenario/scenario.hpp"
 #include "support.hpp"
 
 namespace physim {

@@ -4,7 +4,7 @@
 #include <filesystem>
 #include <fstream>
 
-#include "physim/scenario.hpp"
+#include "scenario/scenario.hpp"
 
 namespace physim {
 namespace scenario_study_text_test {

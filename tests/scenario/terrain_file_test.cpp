@@ -1,5 +1,5 @@
 // Terrain out of files: SRTM and GeoTIFF that the test writes, in latitude and longitude and in another projection.
-#include "physim/terrain_file.hpp"
+#include "physim/files.hpp"
 
 #include <gtest/gtest.h>
 
@@ -9,9 +9,8 @@
 #include <functional>
 
 #include "cli/program.hpp"
-#include "physim/frames.hpp"
-#include "physim/mesh_file.hpp"
-#include "physim/scenario.hpp"
+#include "physim/environment.hpp"
+#include "scenario/scenario.hpp"
 
 namespace physim {
 namespace scenario_terrain_file_test {
@@ -42,13 +41,18 @@ constexpr double kTileStep = 1.0 / 1200;  // [degrees]
 /// A TIFF of one strip of float32 with the tags of GeoTIFF (OGC 19-008): tag, type, values.
 class Tiff {
  public:
-  Tiff(std::uint16_t columns, std::uint16_t rows, std::vector<float> heights) : heights_(std::move(heights)) {
-    shorts(256, {columns}).shorts(257, {rows}).shorts(258, {32}).shorts(259, {1}).shorts(262, {1});
+  /// `has_alpha`: behind each height stands how opaque the point is, 0 for a point that is not there.
+  Tiff(std::uint16_t columns, std::uint16_t rows, std::vector<float> heights, bool has_alpha = false)
+      : heights_(std::move(heights)) {
+    const std::uint16_t samples = has_alpha ? 2 : 1;
+    const std::vector<std::uint16_t> bits(samples, 32), floats(samples, 3);
+    shorts(256, {columns}).shorts(257, {rows}).shorts(258, bits).shorts(259, {1}).shorts(262, {1});
     add(273, 4, 1, std::string(4, '\0'));  // where the strip is: filled in at the end
-    shorts(277, {1}).shorts(278, {rows});
+    shorts(277, {samples}).shorts(278, {rows});
     const auto size = static_cast<std::uint32_t>(heights_.size() * sizeof(float));
     add(279, 4, 1, raw(size));
-    shorts(339, {3});
+    if (has_alpha) shorts(338, {2});
+    shorts(339, floats);
   }
   /// The first point is the middle of a cell at (x, y); columns go by `step` in x and rows by -`step` in y.
   Tiff& lies_at(double x, double y, double step, std::uint16_t model, std::uint16_t key, std::uint16_t epsg) {
@@ -61,6 +65,9 @@ class Tiff {
          "<GDALMetadata><Item name=\"UNITTYPE\" sample=\"0\" role=\"unittype\">" + unit + "</Item></GDALMetadata>");
     return text(42113, nothing);
   }
+
+  /// It is the mask of the file beside it: of the first band, and all others.
+  Tiff& is_mask() { return text(42112, "<GDALMetadata><Item name=\"INTERNAL_MASK_FLAGS_1\">2</Item></GDALMetadata>"); }
 
   [[nodiscard]] std::string bytes() const {
     std::size_t end = 8 + 2 + entries_.size() * 12 + 4;
@@ -172,7 +179,8 @@ TEST_F(TerrainFile, IsCutAboutAPlace) {
 
 TEST_F(TerrainFile, WithHolesWantsAHeightForThem) {
   const std::string file = tile([](int row, int column) { return row == 1000 && column == 3 ? -32768 : 7; });
-  EXPECT_EQ(read_terrain_file(file).error().message, "has points without a height");
+  EXPECT_EQ(read_terrain_file(file).error().message,
+            "has points without a height: row 1001, column 4: latitude 46.166667, longitude 7.002500");
   const auto filled = read_terrain_file(file, {.geoid = 40, .missing = -2});
   ASSERT_TRUE(filled) << filled.error().text();
   EXPECT_EQ(filled->heights[200u * 1201 + 3], 38);
@@ -189,6 +197,112 @@ TEST_F(TerrainFile, KnowsFeet) {
   const std::vector<double> expected = {1219.2, 1524, 1828.8, 304.8, 609.6, 0};
   ASSERT_EQ(grid->heights.size(), expected.size());
   for (std::size_t i = 0; i < expected.size(); ++i) EXPECT_NEAR(grid->heights[i], expected[i], 1e-9) << i;
+}
+
+TEST_F(TerrainFile, KnowsUnits) {
+  const auto height = [](const std::string& unit) {
+    Tiff tiff(2, 2, {1000, 1000, 1000, 1000});
+    tiff.lies_at(10, 50, 0.5, 2, 2048, 4326).means(unit, "-9");
+    const auto grid = read_terrain_file(written("unit.tif", tiff.bytes()));
+    return grid ? grid->heights[0] : -1;
+  };
+  const std::pair<const char*, double> units[] = {{"m", 1000},        {"metre", 1000},
+                                                  {"dm", 100},        {"cm", 10},
+                                                  {"mm", 1},          {"FT", 304.8},
+                                                  {"foot", 304.8},    {"us-ft", 1.2e6 / 3937},
+                                                  {"fathom", 1828.8}, {"US survey foot", 1.2e6 / 3937},
+                                                  {"yd", 914.4}};
+  for (const auto& [unit, metres] : units) EXPECT_NEAR(height(unit), metres, 1e-9) << unit;
+  Tiff kilometres(2, 2, {1, 1, 1, 1});
+  kilometres.lies_at(10, 50, 0.5, 2, 2048, 4326).means("km", "-9");
+  EXPECT_EQ(read_terrain_file(written("unit.tif", kilometres.bytes()))->heights[0], 1000);
+  Tiff unknown(2, 2, {1, 1, 1, 1});
+  unknown.lies_at(10, 50, 0.5, 2, 2048, 4326).means("furlong", "-9");
+  EXPECT_EQ(read_terrain_file(written("unit.tif", unknown.bytes())).error().message,
+            "its heights are in \"furlong\", which is no unit of length here");
+}
+
+/// The file's number for nothing is rounded in the file, written with fewer digits, or left out.
+TEST_F(TerrainFile, HasNoHeightWhereThereIsNone) {
+  const std::pair<const char*, float> cases[] = {
+      {"-9999.9", -9999.9F}, {"-3.4028e+38", -3.4028235e38F}, {"-9", 32767}, {"-9", -32768}, {"-9", 65535}, {"-9", -9}};
+  for (const auto& [nothing, there] : cases) {
+    Tiff tiff(2, 2, {100, 200, there, 400});
+    tiff.lies_at(10, 50, 0.5, 2, 2048, 4326).means("m", nothing);
+    const std::string file = written("nothing.tif", tiff.bytes());
+    EXPECT_FALSE(read_terrain_file(file)) << nothing;
+    const auto grid = read_terrain_file(file, {.missing = 3});
+    ASSERT_TRUE(grid) << grid.error().text();
+    EXPECT_EQ(grid->heights, (std::vector<double>{3, 400, 100, 200})) << nothing;
+  }
+}
+
+TEST_F(TerrainFile, HasNoHeightWhereItsAlphaBandOrMaskHasNothing) {
+  Tiff alpha(2, 2, {100, 255, 200, 255, 300, 0, 400, 255}, true);
+  alpha.lies_at(10, 50, 0.5, 2, 2048, 4326);
+  const auto with_alpha = read_terrain_file(written("alpha.tif", alpha.bytes()), {.missing = 3});
+  ASSERT_TRUE(with_alpha) << with_alpha.error().text();
+  EXPECT_EQ(with_alpha->heights, (std::vector<double>{3, 400, 100, 200}));
+  Tiff heights(2, 2, {100, 200, 300, 400}), mask(2, 2, {255, 0, 255, 255});
+  heights.lies_at(10, 50, 0.5, 2, 2048, 4326);
+  const std::string file = written("masked.tif", heights.bytes());
+  written("masked.tif.msk", mask.is_mask().bytes());  // beside it, as GDAL has it
+  const auto masked = read_terrain_file(file, {.missing = 3});
+  ASSERT_TRUE(masked) << masked.error().text();
+  EXPECT_EQ(masked->heights, (std::vector<double>{300, 400, 100, 3}));
+  // Brought from another projection, the hole is still one.
+  std::vector<float> flat;
+  for (int i = 0; i < 41 * 41; ++i) flat.push_back(12), flat.push_back(i == 20 * 41 + 20 ? 0 : 255);
+  Tiff utm(41, 41, flat, true);
+  utm.lies_at(499500, 4984944.378 * 0.9996 + 500, 25, 1, 3072, 32632);
+  const auto warped = read_terrain_file(written("alpha_utm.tif", utm.bytes()), {.missing = 3});
+  ASSERT_TRUE(warped) << warped.error().text();
+  EXPECT_LT(warped->heights[warped->rows / 2 * std::size_t{warped->columns} + warped->columns / 2], 12);
+}
+
+/// A plane in latitude and longitude of the Tokyo datum (EPSG 4301). By the parameters of its definition (EPSG 1230:
+/// dX = -148, dY = 507, dZ = 685 m from Tokyo to WGS 84, accuracy tens of metres) 36 N 138 E lies near 36.00307 N
+/// 137.99696 E in WGS 84.
+TEST_F(TerrainFile, InAnotherGeographicSystemIsBroughtToWgs84) {
+  constexpr int kSide = 41;
+  constexpr double kStep = 0.005;
+  std::vector<float> heights;
+  for (int row = 0; row < kSide; ++row)
+    for (int column = 0; column < kSide; ++column)
+      heights.push_back(static_cast<float>(1000 + 10 * (kSide / 2 - row) + 20 * (column - kSide / 2)));
+  Tiff tiff(kSide, kSide, heights);
+  tiff.lies_at(138 - kSide / 2 * kStep, 36 + kSide / 2 * kStep, kStep, 2, 2048, 4301);
+  const auto grid = read_terrain_file(written("tokyo.tif", tiff.bytes()),
+                                      {.latitude = 36 * kDegree, .longitude = 138 * kDegree, .reach = 3000});
+  ASSERT_TRUE(grid) << grid.error().text();
+  for (std::uint32_t row = 0; row < grid->rows; ++row)
+    for (std::uint32_t column = 0; column < grid->columns; ++column) {
+      const double north = (grid->latitude + row * grid->latitude_step) / kDegree - 36.00307;
+      const double east = (grid->longitude + column * grid->longitude_step) / kDegree - 137.99696;
+      // 30 m are 0.0003 degrees.
+      ASSERT_NEAR(grid->heights[std::size_t{row} * grid->columns + column], 1000 + (10 * north + 20 * east) / kStep, 2);
+    }
+}
+
+TEST_F(TerrainFile, OfTheWholeEarthGoesOnAcrossItsEdge) {
+  std::vector<float> heights;
+  for (int row = 0; row < 3; ++row)
+    for (int column = 0; column < 360; ++column) heights.push_back(static_cast<float>(column));
+  Tiff tiff(360, 3, heights);
+  tiff.lies_at(-179.5, 1, 1, 2, 2048, 4326);
+  const std::string file = written("earth.tif", tiff.bytes());
+  for (const double longitude : {180.0, -180.0, 179.9, -179.9}) {
+    const auto grid = read_terrain_file(file, {.longitude = longitude * kDegree, .reach = 2 * 111e3});
+    ASSERT_TRUE(grid) << grid.error().text();
+    ASSERT_GE(grid->columns, 4U);
+    for (std::uint32_t i = 0; i < grid->columns; ++i) {
+      const double there = (grid->longitude + i * grid->longitude_step) / kDegree + 179.5;
+      EXPECT_EQ(grid->heights[i], std::lround(there + 720) % 360) << longitude << ' ' << i;
+    }
+  }
+  const auto all = read_terrain_file(file);
+  ASSERT_TRUE(all) << all.error().text();
+  EXPECT_EQ(all->columns, 360U);
 }
 
 // On the meridian of 9 degrees, the middle one of UTM's zone 32, northings are 0.9996 times the length of the meridian
@@ -225,7 +339,8 @@ TEST_F(TerrainFile, InATurnedProjectionHasNothingAtTheCorners) {
   const std::string file = written("turned.tif", tiff.bytes());
   const auto refused = read_terrain_file(file);
   ASSERT_FALSE(refused);
-  EXPECT_EQ(refused.error().message, "has points without a height");
+  EXPECT_TRUE(refused.error().message.starts_with("has points without a height: latitude 45."))
+      << refused.error().message;
   const auto grid = read_terrain_file(file, {.missing = -7});
   ASSERT_TRUE(grid) << grid.error().text();
   EXPECT_EQ(grid->heights.front(), -7);
@@ -258,7 +373,8 @@ TEST_F(TerrainFile, ThatMakesNoSenseIsRefused) {
             std::string::npos);
   Tiff full_of_nan(2, 2, {1, 2, std::nanf(""), 4});
   full_of_nan.lies_at(10, 50, 0.1, 2, 2048, 4326);
-  EXPECT_EQ(read_terrain_file(written("nan.tif", full_of_nan.bytes())).error().message, "has points without a height");
+  EXPECT_EQ(read_terrain_file(written("nan.tif", full_of_nan.bytes())).error().message,
+            "has points without a height: row 2, column 1: latitude 49.900000, longitude 10.000000");
 }
 
 // ------------------------------------------------------------------------------------------------- in scenarios

@@ -13,12 +13,9 @@
 #include <thread>
 
 #include "cli/program.hpp"
-#include "physim/mesh_file.hpp"
-#include "physim/motor_file.hpp"
-#include "physim/recording_file.hpp"
-#include "physim/scenario.hpp"
-#include "physim/terrain_file.hpp"
+#include "physim/files.hpp"
 #include "scenario/measured_column.hpp"
+#include "scenario/scenario.hpp"
 
 namespace physim {
 namespace scenario_text_file_test {

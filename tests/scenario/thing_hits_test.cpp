@@ -3,9 +3,9 @@
 
 #include <cmath>
 
-#include "physim/world_run.hpp"
 #include "scenario/run_hits.hpp"
 #include "scenario/slope_scene.hpp"
+#include "scenario/world_run.hpp"
 #include "support.hpp"
 
 namespace physim {

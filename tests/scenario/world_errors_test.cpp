@@ -1,7 +1,7 @@
 // Bad scenarios of worlds: every one gets a place, a reason and, where there is one, a way out.
 #include <gtest/gtest.h>
 
-#include "physim/world_run.hpp"
+#include "scenario/world_run.hpp"
 
 namespace physim {
 namespace scenario_world_errors_test {

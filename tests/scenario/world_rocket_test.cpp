@@ -5,9 +5,9 @@
 #include <fstream>
 #include <iterator>
 
-#include "physim/compare.hpp"
-#include "physim/world_run.hpp"
+#include "physim/solve.hpp"
 #include "scenario/volley.hpp"
+#include "scenario/world_run.hpp"
 
 namespace physim {
 namespace scenario_world_rocket_test {

@@ -1,5 +1,5 @@
 // Scenarios with a [world]: what they make, how volleys fire and scatter, what is counted.
-#include "physim/world_run.hpp"
+#include "scenario/world_run.hpp"
 
 #include <gtest/gtest.h>
 

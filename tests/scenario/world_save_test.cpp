@@ -6,9 +6,9 @@
 #include <filesystem>
 
 #include "base/hash.hpp"
-#include "physim/recording.hpp"
-#include "physim/version.hpp"
-#include "physim/world_run.hpp"
+#include "physim/result.hpp"
+#include "physim/world.hpp"
+#include "scenario/world_run.hpp"
 
 namespace physim {
 namespace scenario_world_save_test {

@@ -3,8 +3,8 @@
 
 #include <filesystem>
 
-#include "physim/scenario.hpp"
 #include "scenario/revise.hpp"
+#include "scenario/scenario.hpp"
 
 namespace physim {
 namespace scenario_writer_test {

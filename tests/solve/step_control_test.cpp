@@ -6,8 +6,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "physim/air.hpp"
-#include "physim/drag_curve.hpp"
+#include "physim/environment.hpp"
+#include "physim/projectile.hpp"
 #include "support.hpp"
 
 namespace physim {

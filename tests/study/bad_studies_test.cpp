@@ -1,6 +1,6 @@
 // What studies refuse, and with which words.
 #include "base/archive.hpp"
-#include "physim/version.hpp"
+#include "physim/result.hpp"
 #include "study_support.hpp"
 
 namespace physim {
@@ -224,6 +224,50 @@ TEST(BadStudies, damaged_bytes_are_refused) {
     EXPECT_FALSE(load_part(damaged)) << i;
     EXPECT_FALSE(load_part(std::span(bytes).first(i))) << i;
   }
+}
+
+TEST(BadStudies, an_elevation_is_drawn_beside_a_zero_range) {
+  Study study = throw_of();
+  study.fidelity.motion = Motion::force;
+  study.launch = {.speed = 300, .sight = {.zero_range = 100}};
+  study.until = {.ground = {}, .range = 100};
+  study.inputs = {input("shot.elevation", NormalDistribution{0, 1e-4})};
+  expect_refusal(study, "the zero range gives another");
+  study.inputs[0].added = true;
+  EXPECT_EQ(refusal(study), "");
+}
+
+TEST(BadStudies, targets_on_a_plane_of_no_lengths) {
+  Study study = throw_of();
+  study.targets = {{"a", CircleTarget{{}, 1}}};
+  study.quantities = {StudyQuantity::speed, StudyQuantity::time};
+  expect_refusal(study, "ask for two lengths first");
+  study.targets.clear();
+  const auto result = run_study(study);
+  ASSERT_TRUE(result);
+  EXPECT_FALSE(result->from_aim || result->ellipse || result->zone) << "a speed and a time have no distance";
+}
+
+TEST(BadStudies, targets_at_the_muzzle_are_told) {
+  Study study = throw_of();
+  study.targets = {{"plate", CircleTarget{{}, 1}}};
+  const auto plan = plan_study(study);
+  ASSERT_TRUE(plan);
+  ASSERT_EQ(plan->notes().size(), 1U);
+  EXPECT_NE(plan->notes()[0].find("\"plate\" stands at the muzzle"), std::string::npos) << plan->notes()[0];
+  study.aim = {0, 75};
+  EXPECT_TRUE(plan_study(study)->notes().empty());
+}
+
+TEST(BadStudies, shots_that_cannot_be_are_no_misses) {
+  Study study = throw_of(NormalDistribution{0, 10});
+  study.shots = study.shard_shots = 4096;
+  study.targets = {{"all there is", CircleTarget{{}, 1e6}}};
+  const auto result = run_study(study);
+  ASSERT_TRUE(result);
+  EXPECT_GT(result->refused, 1800U) << "half of the speeds are negative";
+  EXPECT_EQ(result->hits[0].probability.value, 1);
+  EXPECT_EQ(result->hits[0].high, 1);
 }
 
 }  // namespace study_bad_studies_test

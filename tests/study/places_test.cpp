@@ -2,7 +2,7 @@
 // numbers; the bits of it.
 #include <cmath>
 
-#include "physim/presets.hpp"
+#include "physim/body.hpp"
 #include "physim/scene.hpp"
 #include "study_support.hpp"
 

@@ -5,8 +5,8 @@
 #include <utility>
 #include <vector>
 
+#include "physim/result.hpp"
 #include "physim/study.hpp"
-#include "physim/task_runner.hpp"
 #include "support.hpp"
 
 namespace physim::test {

@@ -120,7 +120,8 @@ TEST_P(FrontEnd, GCyclesTheGravity) {
 
 /// All 18 settings of the original on each of its shots, set by its keys and fired by its click: frame by frame its
 /// loop, whose forces act in every frame (docs/original.md).
-TEST_P(FrontEnd, EachSettingOfEachShotFliesAsTheOriginalsLoopDoes) {
+class FrontEndSettings : public FrontEnd {};
+TEST_P(FrontEndSettings, EachSettingOfEachShotFliesAsTheOriginalsLoopDoes) {
   const struct {
     const char* key;
     double mass, forward, up, gravity, damping;
@@ -272,6 +273,7 @@ TEST_P(FrontEnd, SeveralProjectilesHaveTheirOwnColoursAndNumbers) {
 
 INSTANTIATE_TEST_SUITE_P(Letters, FrontEnd, testing::Values(Letters::lower, Letters::upper),
                          [](const auto& letters) { return letters.param == Letters::lower ? "lower" : "upper"; });
+INSTANTIATE_TEST_SUITE_P(Letters, FrontEndSettings, testing::Values(Letters::lower));  // a minute, in either case
 
 // ------------------------------------------------------------------------------------------------ leaving, three ways
 class Leaving : public testing::Test {

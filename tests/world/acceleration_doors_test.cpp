@@ -2,7 +2,7 @@
 // original's loop on `classic`, the force over the mass elsewhere.
 #include <cmath>
 
-#include "physim/presets.hpp"
+#include "physim/body.hpp"
 #include "world_support.hpp"
 
 namespace physim {

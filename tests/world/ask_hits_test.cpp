@@ -3,7 +3,7 @@
 #include <thread>
 
 #include "engine_support.hpp"
-#include "physim/presets.hpp"
+#include "physim/body.hpp"
 #include "world/ask_support.hpp"
 
 namespace physim {

@@ -3,7 +3,7 @@
 
 #include <array>
 
-#include "physim/presets.hpp"
+#include "physim/body.hpp"
 #include "random_shots.hpp"
 #include "rigid.hpp"
 #include "scene_support.hpp"

@@ -3,7 +3,7 @@
 #include <limits>
 
 #include "physim/names.hpp"
-#include "physim/recording.hpp"
+#include "physim/world.hpp"
 #include "world/world_support.hpp"
 
 namespace physim {

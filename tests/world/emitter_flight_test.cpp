@@ -6,7 +6,7 @@
 #include "emit/flight_law.hpp"
 #include "math/quat.hpp"
 #include "math/vec3.hpp"
-#include "physim/recording.hpp"
+#include "physim/world.hpp"
 #include "world/emitter_support.hpp"
 
 namespace physim {

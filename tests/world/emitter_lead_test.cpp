@@ -3,7 +3,7 @@
 
 #include <cmath>
 
-#include "physim/recording.hpp"
+#include "physim/world.hpp"
 #include "world/emitter_support.hpp"
 
 namespace physim {

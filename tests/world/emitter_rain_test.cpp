@@ -2,7 +2,7 @@
 #include <gtest/gtest.h>
 
 #include "emit/statistics.hpp"
-#include "physim/recording.hpp"
+#include "physim/world.hpp"
 #include "random_shots.hpp"
 #include "scene_support.hpp"
 #include "world/emitter_support.hpp"

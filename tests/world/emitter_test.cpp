@@ -4,7 +4,7 @@
 #include <cmath>
 #include <set>
 
-#include "physim/recording.hpp"
+#include "physim/world.hpp"
 #include "world/emitter_support.hpp"
 
 namespace physim {

@@ -6,8 +6,8 @@
 #include <thread>
 
 #include "engine_support.hpp"
-#include "physim/presets.hpp"
-#include "physim/recording.hpp"
+#include "physim/body.hpp"
+#include "physim/world.hpp"
 #include "random_shots.hpp"
 #include "scene_support.hpp"
 #include "support.hpp"

@@ -3,7 +3,7 @@
 
 #include <stdexcept>
 
-#include "physim/recording.hpp"
+#include "physim/world.hpp"
 #include "support.hpp"
 #include "world/world_support.hpp"
 

@@ -3,7 +3,7 @@
 
 #include <cmath>
 
-#include "physim/forces.hpp"
+#include "physim/world.hpp"
 #include "world/force_support.hpp"
 
 namespace physim {

@@ -1,5 +1,5 @@
 // Force generators in a world: order of every integrator, Newton's third law, times, targets, sleep, landings.
-#include "physim/forces.hpp"
+#include "physim/world.hpp"
 
 #include <gtest/gtest.h>
 

@@ -3,7 +3,7 @@
 #include <string>
 
 #include "math/quat.hpp"
-#include "physim/presets.hpp"
+#include "physim/body.hpp"
 #include "scene_support.hpp"
 #include "support.hpp"
 #include "world/world_support.hpp"
@@ -17,7 +17,7 @@ constexpr double kRates[] = {24, 60, 1000};
 
 ProjectileDef puck() {
   ProjectileDef p{.mass = 1, .diameter = 0.2};
-  p.fidelity = rung(Integrator::rk4);
+  p.fidelity = test_scene::rung(Integrator::rk4);
   return p;
 }
 BodyDef sliding(double friction, double radius = 0) {
@@ -143,7 +143,7 @@ TEST(Friction, flights_slide_as_worlds_do) {
     until.contact.friction = 0.5;
     until.contact.rolling_resistance = 0;
     const Flight flight = fly(puck(), {.position = {0, 1e-3 + radius, 0}, .velocity = Vec3d{5, 0, 0}}, vacuum_of(kG),
-                              rung(Integrator::rk4), {.step = 1.0 / 60}, until);
+                              test_scene::rung(Integrator::rk4), {.step = 1.0 / 60}, until);
     // It loses 0.5 times the impulse of a fall of 1 mm at its first touch.
     const double fall = std::sqrt(2 * 1e-3 / kG), v = 5 - 0.5 * kG * fall;
     EXPECT_NEAR(flight.end().position.x, 5 * fall + v * v / kG, 1e-3);

@@ -1,7 +1,7 @@
 // Kinds: those that nobody uses are let go, whatever snapshots, forces and recordings need of them stays.
 #include "world/kinds.hpp"
 
-#include "physim/recording.hpp"
+#include "physim/world.hpp"
 #include "world/world_support.hpp"
 
 namespace physim {

@@ -3,7 +3,7 @@
 
 #include <map>
 
-#include "physim/scenario.hpp"
+#include "scenario/scenario.hpp"
 #include "world_support.hpp"
 
 namespace physim {

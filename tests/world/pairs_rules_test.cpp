@@ -2,7 +2,7 @@
 #include <cmath>
 #include <random>
 
-#include "physim/recording.hpp"
+#include "physim/world.hpp"
 #include "world/pairs_support.hpp"
 
 namespace physim {

@@ -4,7 +4,7 @@
 
 #include <map>
 
-#include "physim/recording.hpp"
+#include "physim/world.hpp"
 #include "support.hpp"
 #include "world/random_session.hpp"
 #include "world/world_support.hpp"

@@ -3,11 +3,10 @@
 #include <cmath>
 #include <string>
 
-#include "physim/compare.hpp"
-#include "physim/presets.hpp"
-#include "physim/scenario.hpp"
+#include "physim/body.hpp"
+#include "physim/solve.hpp"
 #include "physim/study.hpp"
-#include "physim/study_result.hpp"
+#include "scenario/scenario.hpp"
 #include "world_support.hpp"
 
 namespace physim {

@@ -1,13 +1,13 @@
 // Recordings: what was done is done again, bit for bit; what is broken is refused or told.
-#include "physim/recording.hpp"
+#include "physim/world.hpp"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <set>
 
-#include "physim/recording_file.hpp"
-#include "physim/version.hpp"
+#include "physim/files.hpp"
+#include "physim/result.hpp"
 #include "world/random_session.hpp"
 #include "world/recording_bytes.hpp"
 

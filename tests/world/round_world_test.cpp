@@ -1,8 +1,8 @@
 // Worlds over the round Earth: the numbers of single flights, and a ground whose normal is the vertical.
 #include <gtest/gtest.h>
 
+#include "physim/environment.hpp"
 #include "physim/flight.hpp"
-#include "physim/frames.hpp"
 #include "physim/world.hpp"
 
 namespace physim {

@@ -5,8 +5,8 @@
 #include <random>
 
 #include "base/hash.hpp"
-#include "physim/recording.hpp"
-#include "physim/version.hpp"
+#include "physim/result.hpp"
+#include "physim/world.hpp"
 #include "world/random_session.hpp"
 #include "world/world_support.hpp"
 

@@ -1,7 +1,7 @@
 // What rows know to be clear of things at rest, while others move, come, start and stop: no answer changes.
 #include <cmath>
 
-#include "physim/presets.hpp"
+#include "physim/body.hpp"
 #include "world/clear_support.hpp"
 #include "world/newcomers.hpp"
 

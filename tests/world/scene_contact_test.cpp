@@ -4,8 +4,8 @@
 #include <string>
 #include <vector>
 
-#include "physim/impact.hpp"
-#include "physim/presets.hpp"
+#include "physim/body.hpp"
+#include "physim/scene.hpp"
 #include "support.hpp"
 #include "world/world_support.hpp"
 

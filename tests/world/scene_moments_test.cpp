@@ -1,7 +1,7 @@
 // Worlds with scenes through every door of time: snapshots, saves, recordings, and changes in between.
 #include <cmath>
 
-#include "physim/recording.hpp"
+#include "physim/world.hpp"
 #include "support.hpp"
 #include "world/world_support.hpp"
 

@@ -3,8 +3,8 @@
 #include <map>
 
 #include "collide/scene_support.hpp"
-#include "physim/hit_question.hpp"
-#include "physim/recording.hpp"
+#include "physim/event.hpp"
+#include "physim/world.hpp"
 #include "world/thing_support.hpp"
 
 namespace physim {

@@ -2,7 +2,7 @@
 #include <array>
 #include <cmath>
 
-#include "physim/impact.hpp"
+#include "physim/scene.hpp"
 #include "random_shots.hpp"
 #include "support.hpp"
 #include "world/thing_support.hpp"

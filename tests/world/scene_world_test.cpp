@@ -4,7 +4,7 @@
 #include <limits>
 #include <string>
 
-#include "physim/presets.hpp"
+#include "physim/body.hpp"
 #include "random_shots.hpp"
 #include "scene_support.hpp"
 #include "support.hpp"

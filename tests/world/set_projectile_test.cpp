@@ -3,9 +3,9 @@
 #include <map>
 #include <string>
 
-#include "physim/presets.hpp"
-#include "physim/recording.hpp"
-#include "physim/scenario.hpp"
+#include "physim/body.hpp"
+#include "physim/world.hpp"
+#include "scenario/scenario.hpp"
 #include "world_support.hpp"
 
 namespace physim {

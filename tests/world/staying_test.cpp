@@ -2,7 +2,7 @@
 #include <cmath>
 #include <string>
 
-#include "physim/presets.hpp"
+#include "physim/body.hpp"
 #include "scene_support.hpp"
 #include "support.hpp"
 #include "world/world_support.hpp"

@@ -4,7 +4,7 @@
 #include <array>
 #include <optional>
 
-#include "physim/vec3.hpp"
+#include "physim/math.hpp"
 
 namespace physim::client {
 

@@ -6,7 +6,7 @@
 #include <iterator>
 
 #include "math/angles.hpp"
-#include "physim/recording_file.hpp"
+#include "physim/files.hpp"
 #include "report/file.hpp"
 #include "report/format.hpp"
 #include "scenario/checks.hpp"

@@ -4,8 +4,8 @@
 #include <chrono>
 #include <cmath>
 
-#include "physim/compare.hpp"
 #include "physim/names.hpp"
+#include "physim/solve.hpp"
 #include "report/ladder.hpp"
 #include "report/number.hpp"
 

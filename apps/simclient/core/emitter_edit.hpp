@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "physim/scenario_world.hpp"
+#include "scenario/scenario.hpp"
 
 namespace physim::client {
 

@@ -5,7 +5,7 @@
 
 #include "base/text.hpp"
 #include "math/angles.hpp"
-#include "physim/presets.hpp"
+#include "physim/body.hpp"
 #include "simclient/core/session.hpp"
 
 namespace physim::client {

@@ -11,7 +11,7 @@
 #include <vector>
 
 #include "physim/names.hpp"
-#include "physim/scenario.hpp"
+#include "scenario/scenario.hpp"
 
 namespace physim::client {
 

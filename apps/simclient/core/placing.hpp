@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "physim/scenario.hpp"
+#include "scenario/scenario.hpp"
 
 namespace physim::client {
 

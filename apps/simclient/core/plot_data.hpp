@@ -8,8 +8,8 @@
 #include <vector>
 
 #include "physim/result.hpp"
-#include "physim/scenario.hpp"
 #include "report/records.hpp"
+#include "scenario/scenario.hpp"
 #include "simclient/core/track.hpp"
 
 namespace physim::client {

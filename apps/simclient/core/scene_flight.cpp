@@ -4,7 +4,7 @@
 
 #include "base/members.hpp"
 #include "model/ladder.hpp"
-#include "physim/frames.hpp"
+#include "physim/environment.hpp"
 #include "simclient/core/scene.hpp"
 
 namespace physim::client {

@@ -6,7 +6,7 @@
 #include <map>
 #include <unordered_map>
 
-#include "physim/scene_draw.hpp"
+#include "physim/scene.hpp"
 
 namespace physim::client {
 namespace {

@@ -11,9 +11,9 @@
 #include <string>
 #include <vector>
 
-#include "physim/recording.hpp"
-#include "physim/scenario.hpp"
-#include "physim/world_run.hpp"
+#include "physim/world.hpp"
+#include "scenario/scenario.hpp"
+#include "scenario/world_run.hpp"
 #include "simclient/core/hits.hpp"
 #include "simclient/core/track.hpp"
 

@@ -7,7 +7,7 @@
 #include <string_view>
 #include <vector>
 
-#include "physim/scenario.hpp"
+#include "scenario/scenario.hpp"
 
 namespace physim {
 struct Entry;

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "physim/quantity.hpp"
+#include "physim/units.hpp"
 #include "scenario/study_text.hpp"
 #include "scenario/suggest.hpp"
 #include "simclient/core/client.hpp"

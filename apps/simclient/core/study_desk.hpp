@@ -7,7 +7,7 @@
 #include <utility>
 #include <vector>
 
-#include "physim/scenario_study.hpp"
+#include "scenario/scenario.hpp"
 #include "simclient/core/study_run.hpp"
 
 namespace physim::client {

@@ -8,7 +8,7 @@
 #include <utility>
 
 #include "base/assert.hpp"
-#include "physim/task_runner.hpp"
+#include "physim/result.hpp"
 
 namespace physim::client {
 namespace {

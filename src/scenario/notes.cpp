@@ -1,0 +1,139 @@
+#include "scenario/notes.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "math/angles.hpp"
+#include "math/elementary.hpp"
+#include "model/sight.hpp"
+#include "physim/names.hpp"
+#include "scenario/suggest.hpp"
+#include "scenario/units.hpp"
+
+namespace physim {
+namespace {
+
+using Path = std::initializer_list<std::string_view>;
+
+class Notes {
+ public:
+  Notes(Scenario& scenario, const Value& document) : scenario_(scenario), document_(document) {}
+
+  void add_all() {
+    of_environment();
+    for (std::size_t i = 0; i < scenario_.shots.size(); ++i) of_shot(scenario_.shots[i], element(document_, "shot", i));
+    for (std::size_t i = 0; i < scenario_.joints.size(); ++i)
+      of_joint(scenario_.joints[i].def.kind, element(document_, "joint", i));
+  }
+
+ private:
+  // ----------------------------------------------------------------------------------------------- one by the other
+  static bool is_given(const Value& table, Path path) {
+    const Value* value = &table;
+    for (const std::string_view key : path)
+      if (value = value->find(key); value == nullptr) return false;
+    return true;
+  }
+  static std::string joined(std::string_view head, Path path) {
+    std::string text(head);
+    for (const std::string_view key : path) text += (text.empty() ? "" : ".") + std::string(key);
+    return text;
+  }
+  void note(const Value& table, std::string_view head, Path path, const std::string& what) {
+    scenario_.notes.push_back(place_of(table, path) + ": " + joined(head, path) + ": " + what);
+  }
+  /// A setting that is given and that nothing reads.
+  void overruled(bool is_unread, const Value& table, std::string_view head, Path path, const std::string& by) {
+    if (is_unread && is_given(table, path)) note(table, head, path, "has no effect beside " + by);
+  }
+
+  // ----------------------------------------------------------------------------------------------------- unlikely
+  /// A number that is given and lies outside of what is usual.
+  void unusual(bool is_unlikely, const Value& table, std::string_view head, Path path, const std::string& value,
+               const std::string& usual) {
+    if (is_unlikely && is_given(table, path)) note(table, head, path, value + " is unusual; " + usual);
+  }
+
+  void of_environment() {
+    const Environment& e = scenario_.environment;
+    overruled(!e.wind.profile.empty(), document_, "", {"environment", "wind", "velocity"}, "environment.wind.profile");
+    constexpr double kMostGravity = 9.9, kLeastGravity = 9.7;  // of the Earth [m/s^2]
+    const bool on_earth = e.gravity.model != GravityModel::off && e.gravity.acceleration > kLeastGravity &&
+                          e.gravity.acceleration < kMostGravity;
+    const double pressure = e.atmosphere.pressure.value_or(101325), altitude = e.altitude;
+    unusual(on_earth && (pressure < 1e4 || pressure > 1.2e5), document_, "", {"environment", "atmosphere", "pressure"},
+            quantity_text(pressure, Quantity::pressure), "air on the ground has 50 to 108 kPa, as \"1013 hPa\"");
+    unusual(altitude < -5e3 || altitude > 1e6, document_, "", {"environment", "altitude"},
+            quantity_text(altitude, Quantity::length), "it is a height above the sea, from -400 m to 1000 km");
+    const double relative = scenario_.tolerance.relative.value_or(0);
+    unusual(relative > 1e-2, document_, "", {"tolerance", "relative"}, number_text(relative),
+            "errors of a step are from 1e-12 to 1e-4");
+  }
+
+  void of_shot(const ScenarioShot& shot, const Value& table) {
+    const DragDef& drag = shot.projectile.drag;
+    overruled(drag.ballistic_coefficient > 0 || !drag.bands.empty(), table, "shot", {"drag", "form_factor"},
+              drag.bands.empty() ? "shot.drag.ballistic_coefficient" : "shot.drag.bands");
+    const std::string source = "shot.drag.table = " + in_quotes(name(drag.table));
+    overruled(drag.table != DragTable::constant, table, "shot", {"drag", "coefficient"}, source);
+    overruled(drag.table != DragTable::custom, table, "shot", {"drag", "curve"}, source);
+    const auto fires_it = [&](const ScenarioEmitter& emitter) { return emitter.shot == shot.projectile.name; };
+    if (const auto emitter = std::ranges::find_if(scenario_.emitters, fires_it); emitter != scenario_.emitters.end())
+      for (const std::string_view key : {"speed", "elevation", "azimuth", "velocity", "position", "sight"})
+        overruled(true, table, "shot", {key}, "the emitter " + in_quotes(emitter->def.name) + ", which fires it");
+    of_numbers(shot, table);
+    of_motor(shot, table);
+  }
+
+  /// A motor that lifts its rocket at no time: not even at the mass that is left in the end.
+  void of_motor(const ScenarioShot& shot, const Value& table) {
+    const MotorDef& motor = shot.projectile.motor;
+    const Gravity& gravity = scenario_.environment.gravity;
+    if (motor.thrust.empty() || launch_speed(shot.launch) > 0 || gravity.model == GravityModel::off) return;
+    if (shot.projectile.fidelity.gravity == GravityModel::off || shot.launch.position.y > 0) return;
+    const double most = std::ranges::max_element(motor.thrust, {}, &ThrustPoint::force)->force;
+    const double weight = (shot.projectile.mass - motor.propellant_mass) * gravity.acceleration;
+    const double held = weight * sincos(shot.launch.elevation).sin;
+    if (most < held)
+      note(table, "shot", {"motor"},
+           "its thrust never exceeds the weight along the rail: " + quantity_text(most, Quantity::force) + " of " +
+               quantity_text(held, Quantity::force) + "; the rocket stays where it is");
+  }
+
+  void of_numbers(const ScenarioShot& shot, const Value& table) {
+    const ProjectileDef& p = shot.projectile;
+    constexpr double kFastest = 1e5;  // of what Newton's mechanics and drag tables are for [m/s]
+    for (const std::string_view key : {"speed", "velocity"}) {
+      const double speed = shot.launch.velocity ? length(*shot.launch.velocity) : shot.launch.speed;
+      unusual(speed > kFastest, table, "shot", {key}, quantity_text(speed, Quantity::speed),
+              "guns reach 3 km/s and meteors 72 km/s, and there is no relativity here");
+    }
+    // A cylinder of lead of this mass and diameter would be so many calibres long.
+    constexpr double kLead = 11340, kLongest = 60;
+    const double calibres = p.mass / (kLead * 0.25 * kPi * p.diameter * p.diameter * p.diameter);
+    unusual(p.diameter > 0 && calibres > kLongest && is_given(table, {"diameter"}), table, "shot", {"mass"},
+            quantity_text(p.mass, Quantity::mass),
+            "with this diameter it is a rod of lead " + number_text(std::round(calibres)) + " calibres long");
+    const auto stability = stability_factor(p, shot.launch, scenario_.environment);
+    unusual(stability && (*stability < 1 || *stability > 20), table, "shot", {"twist"},
+            quantity_text(p.twist, Quantity::length),
+            "it gives a stability factor of " + number_text(std::round(100 * stability.value_or(0)) / 100) +
+                ", and bullets that fly straight have 1.3 to 5");
+  }
+
+  void of_joint(JointKind kind, const Value& table) {
+    const std::string by = "joint.kind = " + in_quotes(name(kind));
+    overruled(kind != JointKind::spring, table, "joint", {"stiffness"}, by);
+    overruled(kind != JointKind::spring, table, "joint", {"damping"}, by);
+    overruled(kind != JointKind::cable, table, "joint", {"restitution"}, by);
+  }
+
+  Scenario& scenario_;
+  const Value& document_;
+};
+
+}  // namespace
+
+void add_notes(Scenario& scenario, const Value& document) { Notes(scenario, document).add_all(); }
+
+}  // namespace physim

@@ -1,0 +1,12 @@
+// What a reader should know of a scenario that is sound: settings that mean nothing, and numbers that are unlikely.
+#pragma once
+
+#include "scenario/document.hpp"
+#include "scenario/scenario.hpp"
+
+namespace physim {
+
+/// Adds a note for each setting that another one overrules, and for each number far from what is usual, with its place.
+void add_notes(Scenario& scenario, const Value& document);
+
+}  // namespace physim

@@ -1,0 +1,80 @@
+// Settings that another one overrules, and numbers that are unlikely, are told with their place.
+#include <gtest/gtest.h>
+
+#include "scenario/scenario.hpp"
+
+namespace physim {
+namespace scenario_notes_test {
+
+std::vector<std::string> notes_of(const std::string& text, const std::vector<std::string>& overrides = {}) {
+  const auto scenario = parse_scenario("physim = 1\n" + text, "f.toml", overrides);
+  EXPECT_TRUE(scenario) << text << ": " << (scenario ? "" : scenario.error().text());
+  return scenario ? scenario->notes : std::vector<std::string>{};
+}
+
+void expect_note(const std::string& text, const std::string& place, const std::string& words) {
+  const std::vector<std::string> notes = notes_of(text);
+  ASSERT_EQ(notes.size(), 1U) << text;
+  EXPECT_EQ(notes[0].substr(0, place.size() + 2), place + ": ") << notes[0];
+  EXPECT_NE(notes[0].find(words), std::string::npos) << notes[0];
+}
+
+TEST(Notes, settings_that_another_one_overrules) {
+  expect_note("[[shot]]\ndrag = { table = \"g7\", ballistic_coefficient = 150, form_factor = 3 }", "f.toml:3:67",
+              "shot.drag.form_factor: has no effect beside shot.drag.ballistic_coefficient");
+  expect_note("[[shot]]\ndrag = { table = \"g7\", ballistic_coefficient = 150, coefficient = 5 }", "f.toml:3:67",
+              "shot.drag.coefficient: has no effect beside shot.drag.table = \"g7\"");
+  expect_note("[[shot]]\ndrag = { table = \"g7\", curve = [[0, 9], [5, 9]] }", "f.toml:3:32",
+              "shot.drag.curve: has no effect beside shot.drag.table = \"g7\"");
+  expect_note("[environment.wind]\nvelocity = [0, 0, 10]\nprofile = [{ at = 0, velocity = [0, 0, -10] }]\n[[shot]]",
+              "f.toml:3:12", "has no effect beside environment.wind.profile");
+  EXPECT_TRUE(notes_of("[[shot]]\ndrag = { table = \"g7\", form_factor = 3 }").empty());
+  EXPECT_TRUE(notes_of("[[shot]]\ndrag = { table = \"custom\", curve = [[0, 9], [5, 9]] }").empty());
+  EXPECT_EQ(
+      notes_of("[[shot]]\ndrag = { table = \"g7\", form_factor = 3 }", {"shot.drag.ballistic_coefficient=150 kg/m^2"})
+          .size(),
+      1U)
+      << "what --set gives counts, too";
+}
+
+TEST(Notes, numbers_of_joints_of_another_kind_and_places_of_fired_shots) {
+  const std::string world = "[world]\n[[shot]]\nname = \"a\"\n";
+  expect_note(world + "[[joint]]\na = \"a\"\nkind = \"rod\"\nlength = 1\nstiffness = 5\n", "f.toml:9:13",
+              "joint.stiffness: has no effect beside joint.kind = \"rod\"");
+  EXPECT_TRUE(notes_of(world + "[[joint]]\na = \"a\"\nkind = \"spring\"\nlength = 1\nstiffness = 5\n").empty());
+  expect_note(world + "speed = \"500 m/s\"\n[[emitter]]\nname = \"gun\"\nshot = \"a\"\nper_second = 10\n", "f.toml:5:9",
+              "shot.speed: has no effect beside the emitter \"gun\", which fires it");
+}
+
+TEST(Notes, numbers_far_from_what_is_usual) {
+  expect_note("[environment.atmosphere]\npressure = 1013\n[[shot]]", "f.toml:3:12", "as \"1013 hPa\"");
+  expect_note("[tolerance]\nrelative = 1e300\n[[shot]]", "f.toml:3:12", "1e-12 to 1e-4");
+  expect_note("[environment]\naltitude = 1e9\n[[shot]]", "f.toml:3:12", "height above the sea");
+  expect_note("[[shot]]\nspeed = 9e8", "f.toml:3:9", "no relativity");
+  expect_note("[[shot]]\ndiameter = \"7.62 mm\"\nmass = \"1 kg\"", "f.toml:4:8", "254 calibres long");
+  const std::string bullet = "[[shot]]\nmass = \"168 gr\"\ndiameter = \"0.308 in\"\nlength = \"1.22 in\"\n";
+  expect_note(bullet + "speed = \"2600 ft/s\"\ntwist = \"50 cm\"\n", "f.toml:7:9", "stability factor of 0.");
+  EXPECT_TRUE(notes_of(bullet + "speed = \"2600 ft/s\"\ntwist = \"12 in\"\n").empty());
+  EXPECT_TRUE(notes_of("[environment]\ngravity = { model = \"constant\", acceleration = 3.7 }\n"
+                       "atmosphere = { pressure = 636 }\n[[shot]]")
+                  .empty())
+      << "Mars";
+}
+
+TEST(Notes, a_motor_that_is_too_weak) {
+  const std::string rocket = "[[shot]]\nmass = \"350 g\"\nrail_length = 1\nelevation = \"90 deg\"\n";
+  expect_note(rocket + "motor = { propellant_mass = \"30 g\", thrust = [[0, 3], [1, 0]] }\n", "f.toml:6:9",
+              "never exceeds the weight along the rail");  // 3.138 N are left of it
+  EXPECT_TRUE(notes_of(rocket + "motor = { propellant_mass = \"30 g\", thrust = [[0, 4], [1, 0]] }\n").empty());
+}
+
+TEST(Notes, shipped_scenarios_need_none) {
+  for (const char* name : {"308_168gr_g7", "shot_put", "study_308", "aim_moving_target"}) {
+    const auto scenario = load_scenario(std::string(PHYSIM_SOURCE_DIR "/scenarios/") + name + ".toml");
+    ASSERT_TRUE(scenario) << name;
+    EXPECT_TRUE(scenario->notes.empty()) << name << ": " << scenario->notes.front();
+  }
+}
+
+}  // namespace scenario_notes_test
+}  // namespace physim
