@@ -1,20 +1,6 @@
 // Contact of what flies with things of a scene: what it is and their materials let follow.
 //
-// Worlds and flights meet things alike: whoever flies is a Host, and says where it is in its own way. A Host has
-//   Scalar                              the type of its numbers
-//   scene()                             what it meets; null: nothing
-//   collision(), surface()              how; its own part in restitution, friction and rolling resistance
-//   scene_time(), step_length()         the time of the scene when its step begins, and how long that is [s]
-//   spin(passed), put_spin(spin, passed)       how it turns, in W, so long after the step began [rad/s]
-//   turns()                             about which axes it may, see Ball
-//   acceleration_at(state, passed)      by everything but the contact [m/s^2]
-//   kept(vector)                        what the constraints of its motion leave of a vector
-//   impact(hits)                        mass, measures and draws of an Impact, the so-manyth of its step
-//   tell(kind, reason, passed, state, hit, depth, energy)      something happened: event_of() has all but who and when
-//   slid(from, begin, to, end)          it went along a surface, from a state at one time of the step to another
-//   kAsks                               whether it may be of OnHit::ask; then it has
-//   answer_to(question, passed)         what is known of such a hit; null: nothing
-//   leave_open(question)                nothing is, and what follows is flown another time
+// Worlds and flights meet things alike: what flies is a ContactHost, which says where it is in its own way.
 #pragma once
 
 #include <algorithm>
@@ -35,14 +21,48 @@
 
 namespace physim {
 
-/// The contacts of one step.
-template <class Host>
-class SceneContacts {
-  using S = typename Host::Scalar;
-
+/// What flies, as contacts see it. Times `passed` are those since its step began [s].
+class ContactHost {
  public:
-  explicit SceneContacts(Host& host)
+  /// What it meets; null: nothing.
+  [[nodiscard]] virtual const Scene* scene() const = 0;
+  [[nodiscard]] virtual const CollisionDef& collision() const = 0;
+  /// Its own part in restitution, friction and rolling resistance.
+  [[nodiscard]] virtual Surface surface() const = 0;
+  /// About which axes it may turn, see Ball.
+  [[nodiscard]] virtual Vec3d turns() const = 0;
+  /// The time of the scene when its step begins, and how long that is [s].
+  [[nodiscard]] virtual double scene_time() const = 0;
+  [[nodiscard]] virtual double step_length() const = 0;
+  /// How it turns, in W [rad/s].
+  [[nodiscard]] virtual Vec3d spin(double passed) const = 0;
+  virtual void put_spin(const Vec3d& spin, double passed) = 0;
+  /// By everything but the contact [m/s^2].
+  [[nodiscard]] virtual Vec3d acceleration_at(const State<double>& s, double passed) const = 0;
+  /// What the constraints of its motion leave of a vector.
+  [[nodiscard]] virtual Vec3d kept(const Vec3d& v) const = 0;
+  /// Mass, measures and draws of an Impact, by the number of the hit in its step.
+  [[nodiscard]] virtual Impact impact(int hits) const = 0;
+  /// Something happened: event_of() has all but who and when.
+  virtual void tell(EventKind kind, Reason reason, double passed, const State<double>& s, const SceneHit& hit = {},
+                    double depth = 0, double energy = 0) = 0;
+  /// It went along a surface, from a state at one time of the step to another one, for what keeps a path.
+  virtual void slid(const State<double>&, double, const State<double>&, double) {}
+  /// What is known of a hit that another one answers; null: nothing.
+  [[nodiscard]] virtual const HitAnswer* answer_to(HitQuestion&, double) const { return nullptr; }
+  /// Nothing is known of it, and what follows is flown another time.
+  virtual void leave_open(const HitQuestion&) {}
+
+ protected:
+  ~ContactHost() = default;
+};
+
+/// The contacts of one step.
+class SceneContacts {
+ public:
+  SceneContacts(ContactHost& host, Precision numbers)
       : r_(host),
+        numbers_(numbers),
         scene_(host.scene()),
         solids_{.layers = scene_ ? collision().layers : 0, .sensors = false},
         casts_(scene_, solids_) {}
@@ -58,7 +78,7 @@ class SceneContacts {
 
   /// Where a step of a march first meets something, before what is watched ends it. `clock`: from the march's time to
   /// that of the step that contacts know [s]; `seen(state, time)`: where a state is for the scene.
-  template <class Seen>
+  template <class S, class Seen>
   [[nodiscard]] std::optional<collide::PathHit> meeting(const Course<S>& course, const Judgement<S>& judged,
                                                         double clock, const Seen& seen) {
     const DenseLanes<S>& at = judged.at;
@@ -90,6 +110,7 @@ class SceneContacts {
 
   /// How far places within a step may be off: its ends are rounded to the flight's own numbers, the way between them is
   /// not; but closed forms give all of them in their own numbers, from the launch on [m].
+  template <class S>
   [[nodiscard]] static double rounding_of(const Course<S>& course, const DenseLanes<S>& at) {
     const double places = 2 * std::max(spacing_at<S>(at.n0.y.x), spacing_at<S>(at.n1.y.x));
     if (course.conditions->fidelity.motion != Motion::closed_form) return places;
@@ -119,7 +140,8 @@ class SceneContacts {
                  .entering = true};
     constrain(hit);
     const double pressure = pressure_on(s, hit, passed, 0), rate = dot(s.v - hit.velocity, hit.normal);
-    const double epsilon = static_cast<double>(std::numeric_limits<S>::epsilon());
+    const double epsilon =
+        is_float32() ? double{std::numeric_limits<float>::epsilon()} : std::numeric_limits<double>::epsilon();
     const double rounding = 8 * epsilon * (length(s.v) + length(hit.velocity));
     if (!(pressure > 0) || rate > rounding || rate < -rounding - std::sqrt(2 * pressure * within)) return std::nullopt;
     above_ = near.distance - radius;
@@ -173,7 +195,12 @@ class SceneContacts {
   [[nodiscard]] Vec3d spin(double passed) const { return component_product(r_.turns(), r_.spin(passed)); }
   [[nodiscard]] bool is_ball() const { return collision().radius > 0; }
 
-  [[nodiscard]] static Vec3d held(const Vec3d& x) { return vec_cast<double>(vec_cast<S>(x)); }
+  [[nodiscard]] bool is_float32() const { return numbers_ == Precision::float32; }
+  /// As the numbers of what flies hold it.
+  [[nodiscard]] Vec3d held(const Vec3d& x) const { return is_float32() ? vec_cast<double>(vec_cast<float>(x)) : x; }
+  [[nodiscard]] double spacing(const Vec3d& x) const {
+    return is_float32() ? spacing_at<float>(x) : spacing_at<double>(x);
+  }
 
   [[nodiscard]] SceneHit cast(const Vec3d& from, const Vec3d& to, double passed, double duration) const {
     return facing(casts_.first_hit({from, to, collision().radius, r_.scene_time() + passed, duration}));
@@ -185,7 +212,7 @@ class SceneContacts {
   }
 
   /// So far outside of a surface something is put that goes on [m].
-  [[nodiscard]] static double gap_at(const Vec3d& x) { return 1e-10 + 2 * spacing_at<S>(x); }
+  [[nodiscard]] double gap_at(const Vec3d& x) const { return 1e-10 + 2 * spacing(x); }
 
   /// A place that its numbers can hold, from which what touches something at `x` can go on: outside of it, and of what
   /// stands beside it. It lies about a tenth of a nanometre off, or as far as those are apart.
@@ -235,7 +262,7 @@ class SceneContacts {
   [[nodiscard]] bool grazes(State<double>& s, const SceneHit& hit, double passed) const {
     const auto beyond = beyond_edge(*scene_, solids_, s, hit, r_.scene_time() + passed);
     if (!beyond) return false;
-    s.x = held(*beyond + normalized(s.v - hit.velocity) * (2 * spacing_at<S>(s.x)));
+    s.x = held(*beyond + normalized(s.v - hit.velocity) * (2 * spacing(s.x)));
     return true;
   }
   /// As seen from what it touches [J].
@@ -245,17 +272,13 @@ class SceneContacts {
   }
   /// Whether it is known what a hit does, which may be for others to say.
   [[nodiscard]] bool is_known(HitAnswer& does, const State<double>& s, const SceneHit& hit, double passed) const {
-    PHYSIM_ASSERT(Host::kAsks || does.then != OnHit::ask);
-    if constexpr (Host::kAsks) {
-      if (does.then != OnHit::ask) return true;
-      HitQuestion question = question_of(s, hit, r_.impact(hits_).mass);
-      const HitAnswer* answer = r_.answer_to(question, passed);
-      if (answer) return does = *answer, true;
-      if (const auto through = way_from(s, hit, passed)) question.thickness = through->thickness;
-      r_.leave_open(question);
-      return false;
-    }
-    return true;
+    if (does.then != OnHit::ask) return true;
+    HitQuestion question = question_of(s, hit, r_.impact(hits_).mass);
+    const HitAnswer* answer = r_.answer_to(question, passed);
+    if (answer) return does = *answer, true;
+    if (const auto through = way_from(s, hit, passed)) question.thickness = through->thickness;
+    r_.leave_open(question);
+    return false;
   }
 
   /// Constraints take up what would push it to where it is not free to go: it meets the line in which the surface cuts
@@ -618,7 +641,8 @@ class SceneContacts {
     return through.thickness > 0 ? outside(x, off, passed) : held(x + off * (8 * gap_at(x)));
   }
 
-  Host& r_;
+  ContactHost& r_;
+  Precision numbers_;
   const Scene* scene_;
   SceneFilter solids_;
   collide::TubeCasts casts_;  // about the way that was looked at last

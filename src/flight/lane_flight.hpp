@@ -347,7 +347,7 @@ class LaneFlight {
     if (!is_framed()) step.draw = record_.legs.size();
     host_.begin(step);
     if (host_.scene() != nullptr)
-      contacts_.emplace(host_);
+      contacts_.emplace(host_, sizeof(S) == 4 ? Precision::float32 : Precision::float64);
     else
       contacts_.reset();
   }
@@ -389,10 +389,10 @@ class LaneFlight {
     leave_thing(contacts_->goes_along(s, *on, passed));
     return true;
   }
-  void leave_thing(const typename SceneContacts<MeetingLane<S>>::After& after) {
+  void leave_thing(const SceneContacts::After& after) {
     keep_slides();
     if (ended_) return;
-    using Then = typename SceneContacts<MeetingLane<S>>::Then;
+    using Then = SceneContacts::Then;
     const double time = host_.time_of(after.passed);
     if (after.then == Then::stops || after.then == Then::sticks) {
       const bool sticks = after.then == Then::sticks;
@@ -514,10 +514,10 @@ class LaneFlight {
   Obstacles obstacles_;
   MeetingLane<S> host_;
   PathKeeper<S> path_;
-  std::optional<SceneContacts<MeetingLane<S>>> contacts_;  // none: it meets nothing
-  FrameStart frames_;                                      // dt 0: none, from a launch
-  Unset<Judgement<S>> j_;                                  // of the last step that was looked at
-  bool is_plain_ = false;                                  // known steps go on from a launch and meet nothing
+  std::optional<SceneContacts> contacts_;  // none: it meets nothing
+  FrameStart frames_;                      // dt 0: none, from a launch
+  Unset<Judgement<S>> j_;                  // of the last step that was looked at
+  bool is_plain_ = false;                  // known steps go on from a launch and meet nothing
   KnownStep known_ = known_step(*course_.conditions_double);
   bool ended_ = false;
   bool met_ = false;            // something, in the step at hand

@@ -24,7 +24,7 @@ class Settling {
         course_(row.march.course()),
         parts_(row.step_length(), flies_in_parts(*context.def, context.dt)),
         ground_(row, context.def->ground, parts_),
-        scene_(row) {}
+        scene_(row, sizeof(S) == 4 ? Precision::float32 : Precision::float64) {}
 
   void run() {
     r_.trace(0, r_.at_start());
@@ -236,8 +236,8 @@ class Settling {
     parts_.come_near(passed);
     leave_thing(scene_.struck(s, hit, passed));
   }
-  void leave_thing(const typename SceneContacts<SettledRow<S>>::After& after) {
-    using Then = typename SceneContacts<SettledRow<S>>::Then;
+  void leave_thing(const SceneContacts::After& after) {
+    using Then = SceneContacts::Then;
     switch (after.then) {
       case Then::stops:
       case Then::sticks: return stay(after.state, after.then == Then::sticks);
@@ -277,7 +277,7 @@ class Settling {
   const Course<S>& course_;
   StepParts parts_;
   GroundContacts<SettledRow<S>> ground_;
-  SceneContacts<SettledRow<S>> scene_;
+  SceneContacts scene_;
   Unset<Judgement<S>> judgement_;  // of the last step that was looked at
 };
 
