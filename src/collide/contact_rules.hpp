@@ -82,6 +82,7 @@ struct Carried {
 [[nodiscard]] inline Carried carried_by(const Scene& scene, InstanceId thing, const Vec3d& x, const Vec3d& along,
                                         double now, double time) {
   const auto from = scene.state(thing, now), to = scene.state(thing, now + time);
+  PHYSIM_ASSERT(from && to);
   if (from->rotation == to->rotation && from->angular_velocity == Vec3d{})
     return {x + along + (to->position - from->position), to->velocity, along};
   const Quatd turn = to->rotation * conjugate(from->rotation);

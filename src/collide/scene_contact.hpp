@@ -149,6 +149,7 @@ class SceneContacts {
   }
   /// What follows along what it lies on, as lies_on() found it.
   [[nodiscard]] After goes_along(State<double> s, SceneHit hit, double passed) {
+    PHYSIM_ASSERT(above_.has_value());
     const Vec3d n = hit.normal, relative = s.v - hit.velocity;
     const BallMotion motion{relative - n * dot(relative, n), spin(passed)};
     const Vec3d a = acceleration_on(s, hit, passed, pressed_for(s, hit, passed));
@@ -406,6 +407,7 @@ class SceneContacts {
     // What stops or turns at once presses again behind that, but let the body go before.
     const Vec3d a = r_.acceleration_at(s, passed);
     const double own = -dot(a, hit.normal), rounding = 1e-9 * length(a);
+    PHYSIM_ASSERT(!is_engines(hit));
     const auto presses = [&](double later) {
       const double ahead = dot(carried(hit, s.x, {}, passed, later).v - hit.velocity, hit.normal) + own * later;
       return pressure_on(s, hit, passed, later) >= -rounding && ahead >= -rounding * later;
@@ -540,6 +542,7 @@ class SceneContacts {
     if (length(line) < 1e-6 || length(middle) < 1e-6) return rests(s.x, one.velocity, passed);
     // The velocity across the line with which it leaves neither: u . n1 = u1 . n1, u . n2 = u2 . n2.
     const double c = dot(one.normal, other.normal), per = 1 / (1 - c * c);
+    PHYSIM_ASSERT(per > 0);
     const double first = dot(one.velocity, one.normal), second = dot(other.velocity, other.normal);
     const Vec3d u = one.normal * ((first - c * second) * per) + other.normal * ((second - c * first) * per);
     const double left = longest_way(passed);

@@ -108,6 +108,7 @@ inline double settle(const PairTouch& t, TouchImpulse& given) {
   const double asked = given.along - (dot(a.velocity - b.velocity, n) + surface.restitution * given.before) / give;
   const double more = max(0.0, asked) - given.along;
   given.along += more;
+  PHYSIM_ASSERT(!(given.along < 0));
   push(n * more);
   double change = abs(more) * give;
   if (!(surface.friction > 0)) return change;

@@ -219,12 +219,13 @@ class PairStep {
     look(m.a, m.b, m.time);
   }
 
-  /// Both still fly the paths on which it was found.
+  /// Whether two projectiles still fly the paths on which their meeting was found.
   [[nodiscard]] bool is_of_now(const Meeting& m) const {
     return m.version_a == all_[m.a].version && m.version_b == all_[m.b].version;
   }
   /// Meetings of the next moment. Hits that share a body, or are joined by others that do, are one group.
   [[nodiscard]] std::vector<std::vector<Meeting>> next_groups() {
+    PHYSIM_ASSERT(!queue_.empty());
     std::vector<std::vector<Meeting>> groups;
     std::map<std::uint32_t, std::size_t> group_of;  // of a body
     const double at_once = queue_.top().time + kAtOnce * context_.dt;
@@ -250,6 +251,7 @@ class PairStep {
 
   /// Hits at one moment: their impulses are found together, so that their order changes nothing.
   void touch(const std::vector<Meeting>& meetings) {
+    PHYSIM_ASSERT(!meetings.empty());
     const double time = meetings.front().time;
     PHYSIM_ASSERT(time >= 0 && time <= context_.dt);
     now_.clear(), touches_.clear();

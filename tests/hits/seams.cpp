@@ -103,8 +103,8 @@ void cast(Tried& tried, const Floor& floor, const Frame& frame, Body left, Body 
   const SceneHit hit = floor.scene.first_hit(s);
   if (!hit) return tell(tried, "nothing is hit", left, right, far, down, radius);
   if (hit.starts_inside) {
-    const double above = high * -down.y;
-    if (radius < above * (1 - 1e-9)) tell(tried, "it begins inside", left, right, far, down, radius);
+    const double above = rotate(conjugate(frame.turn), s.from - frame.origin).y;  // floats have moved it
+    if (radius < above * (1 - 1e-9) - 8 * ulp) tell(tried, "it begins inside", left, right, far, down, radius);
     return;
   }
   const Vec3d at = rotate(conjugate(frame.turn), hit.position - frame.origin);
