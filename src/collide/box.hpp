@@ -66,7 +66,7 @@ class BoxTest {
   PHYSIM_INLINE explicit BoxTest(const Segment& s)
       : from_(s.from),
         per_along_{finite_inverse(s.along.x), finite_inverse(s.along.y), finite_inverse(s.along.z)},
-        radius_(s.radius + 8 * std::numeric_limits<double>::epsilon() * s.extent()) {}
+        radius_(s.radius + std::max(seam_at(s.extent()), s.seam)) {}
 
   /// One over its way along each axis, finite along axes without any.
   [[nodiscard]] const Vec3d& per_along() const { return per_along_; }

@@ -34,6 +34,9 @@ inline constexpr double kLongestPart = 1.0 / 30;
   return {restitution * own.restitution, friction * own.friction, own.rolling_resistance};
 }
 
+/// Whether a flight is over where it hits.
+[[nodiscard]] inline bool ends_flights(OnHit on_hit) { return on_hit == OnHit::stop || on_hit == OnHit::stick; }
+
 /// Whether hits are of one thing, and there of one body: parts of a compound that are of one material are.
 [[nodiscard]] inline bool is_one_body(const Scene& scene, const SceneHit& a, const SceneHit& b) {
   if (a.instance != b.instance) return false;
@@ -51,6 +54,40 @@ inline constexpr double kLongestPart = 1.0 / 30;
   hit.primitive = there.primitive;
   hit.material = there.material;
   return hit;
+}
+
+/// Where a point comes to that only touches an edge of what it meets, and is outside of it again at once; none: it goes
+/// into it.
+[[nodiscard]] inline std::optional<Vec3d> beyond_edge(const Scene& scene, const SceneFilter& solids,
+                                                      const State<double>& s, const SceneHit& hit, double time) {
+  if (!hit.entering) return std::nullopt;
+  const Vec3d off = normalized(s.v - hit.velocity) * (1e-9 + 8 * spacing_at<double>(s.x));
+  const SceneHit back = scene.first_hit({s.x + off, s.x - off, 0, time, 0}, solids);
+  if (back.instance != hit.instance || back.starts_inside) return std::nullopt;
+  if (!back.entering) {  // triangles: it is one where it is left where it is entered
+    const bool has_parts = scene.parts(hit.instance) > 0;
+    int inside = 0;
+    for (const SceneHit& each : scene.all_hits({s.x - off, s.x + off, 0, time, 0}, solids))
+      if (each.instance == hit.instance && (!has_parts || each.primitive == hit.primitive))
+        inside += each.entering ? 1 : -1;
+    if (inside != 0) return std::nullopt;
+  }
+  return s.x + off;
+}
+
+/// Where a place on a thing is after a time, and how fast; `along`: what is added to it as seen from the thing.
+struct Carried {
+  Vec3d x, v, along;
+};
+[[nodiscard]] inline Carried carried_by(const Scene& scene, InstanceId thing, const Vec3d& x, const Vec3d& along,
+                                        double now, double time) {
+  const auto from = scene.state(thing, now), to = scene.state(thing, now + time);
+  PHYSIM_ASSERT(from && to);
+  if (from->rotation == to->rotation && from->angular_velocity == Vec3d{})
+    return {x + along + (to->position - from->position), to->velocity, along};
+  const Quatd turn = to->rotation * conjugate(from->rotation);
+  const Vec3d turned = rotate(turn, along), place = to->position + rotate(turn, x - from->position) + turned;
+  return {place, velocity_at(*to, place), turned};
 }
 
 /// The surface of the body that a hit is of and that a place lies in by no more than `rounding`, in whichever direction

@@ -139,59 +139,77 @@ template <class Convex>
 }
 
 // ------------------------------------------------------------------------------------------- by clipping
-/// What is left of a segment inside of surfaces that clip it, one after the other.
+/// What is left of a segment inside of surfaces that clip it, one after the other. The body is closed: what goes along
+/// a surface is inside, and so is what is beside it by no more than the segment's seam. So of bodies that touch each
+/// other one at least is met. What begins at a surface and does not go inwards meets nothing.
 class Clipped {
  public:
-  explicit Clipped(const Segment& s) : from_(s.from), along_(s.along) {}
+  explicit Clipped(const Segment& s) : from_(s.from), along_(s.along), seam_(s.seam) {}
 
-  /// Inside are points p with dot(normal, p) < offset; what goes along the plane is outside.
+  /// Inside are points p with dot(normal, p) <= offset.
   void by_plane(const Vec3d& normal, double offset) {
     const double above = dot(normal, from_) - offset, rate = dot(normal, along_);
-    if (rate == 0) return by_interval(above < 0 ? -kInfinity : kInfinity, normal, kInfinity, normal);
-    const double t = -above / rate;
-    if (rate < 0)
-      by_interval(t, normal, kInfinity, normal);
-    else
-      by_interval(-kInfinity, normal, t, normal);
+    if (rate < 0) return enter(-above / rate, (seam_ - above) / rate, normal);
+    begins_outside_ = begins_outside_ || above >= 0;
+    if (rate > 0) return leave(-above / rate, (seam_ - above) / rate, normal);
+    if (above > seam_) leave(-kInfinity, -kInfinity, normal);
   }
   /// Inside of the cylinder of a radius about the y axis.
   void by_cylinder(double radius) {
     const double a = along_.x * along_.x + along_.z * along_.z;
     const double b = from_.x * along_.x + from_.z * along_.z;
-    const double c = from_.x * from_.x + from_.z * from_.z - radius * radius;
-    if (a == 0) return by_interval(c < 0 ? -kInfinity : kInfinity, {}, kInfinity, {});
+    const double off = std::sqrt(from_.x * from_.x + from_.z * from_.z), wide = radius + seam_;
+    if (a == 0) {
+      begins_outside_ = begins_outside_ || off >= radius;
+      if (off > wide) leave(-kInfinity, -kInfinity, {1, 0, 0});
+      return;
+    }
     // By the distance of the line from the axis: the discriminant cancels less than b^2 - a c, and normals have
     // length 1.
     const double size = std::sqrt(a), dx = along_.x / size, dz = along_.z / size;
     const double beside = from_.x * dz - from_.z * dx;
-    const double square = (radius - beside) * (radius + beside);
-    if (square < 0) return by_interval(kInfinity, {}, -kInfinity, {});
-    const double half = std::sqrt(square), middle = -b / a;
+    if (std::abs(beside) > wide) return leave(-kInfinity, -kInfinity, {1, 0, 0});
+    const double half = std::sqrt(std::max((radius - beside) * (radius + beside), 0.0)), middle = -b / a;
+    const double half_wide = std::sqrt((wide - beside) * (wide + beside));
+    const double outwards = std::max(radius, std::abs(beside));
     const auto normal_at = [&](double way) {
-      return Vec3d{(dz * beside + dx * way) / radius, 0, (dz * way - dx * beside) / radius};
+      return Vec3d{(dz * beside + dx * way) / outwards, 0, (dz * way - dx * beside) / outwards};
     };
-    by_interval(middle - half / size, normal_at(-half), middle + half / size, normal_at(half));
+    enter(middle - half / size, middle - half_wide / size, normal_at(-half));
+    leave(middle + half / size, middle + half_wide / size, normal_at(half));
   }
 
   [[nodiscard]] Passage passage(double reach) const {
-    if (!(in_ <= out_) || in_ > reach || out_ <= 0) return {};  // what leaves from the surface meets nothing
-    PHYSIM_ASSERT(in_ == -kInfinity || std::abs(length(in_normal_) - 1) < 1e-6);
-    PHYSIM_ASSERT(out_ == kInfinity || std::abs(length(out_normal_) - 1) < 1e-6);
-    Passage passage{{in_, in_normal_}, {out_, out_normal_, 0, false}, true};
-    if (in_ < 0) passage.in = {0, normalized(-along_), 0, true, true};
-    if (out_ > reach) passage.out.t = kInfinity;  // it ends inside
+    if (out_.at <= 0 || out_.with_seam < 0) return {};  // what leaves from the surface meets nothing
+    if (in_.at < 0 && begins_outside_) return {};       // nor does what goes along it
+    if (in_.with_seam > out_.with_seam || in_.at > out_.with_seam || in_.at > reach) return {};
+    PHYSIM_ASSERT(in_.at == -kInfinity || std::abs(length(in_.normal) - 1) < 1e-6);
+    PHYSIM_ASSERT(out_.at == kInfinity || std::abs(length(out_.normal) - 1) < 1e-6);
+    Passage passage{{in_.at, in_.normal}, {std::max(in_.at, out_.at), out_.normal, 0, false}, true};
+    if (in_.at < 0) passage.in = {0, normalized(-along_), 0, true, true};
+    if (out_.at > reach) passage.out.t = kInfinity;  // it ends inside
     return passage;
   }
 
  private:
-  void by_interval(double in, const Vec3d& in_normal, double out, const Vec3d& out_normal) {
-    if (in > in_) in_ = in, in_normal_ = in_normal;
-    if (out < out_) out_ = out, out_normal_ = out_normal;
+  /// Where a surface is passed, and where one that is a seam farther out.
+  struct Side {
+    double at, with_seam;
+    Vec3d normal;
+  };
+  /// The surface that the segment comes to last is kept, with its seam: the edge of a gap is none.
+  void enter(double at, double with_seam, const Vec3d& normal) {
+    const bool ahead = at >= 0, other_ahead = in_.at >= 0;
+    if (ahead != other_ahead ? ahead : with_seam > in_.with_seam) in_ = {at, with_seam, normal};
+  }
+  void leave(double at, double with_seam, const Vec3d& normal) {
+    if (with_seam < out_.with_seam) out_ = {at, with_seam, normal};
   }
 
   Vec3d from_, along_;
-  double in_ = -kInfinity, out_ = kInfinity;
-  Vec3d in_normal_, out_normal_;
+  double seam_;
+  Side in_{-kInfinity, -kInfinity, {}}, out_{kInfinity, kInfinity, {}};
+  bool begins_outside_ = false;
 };
 
 [[nodiscard]] inline Passage passage_by_clipping(const Segment& s, const Box& box) {

@@ -32,9 +32,6 @@ struct Grid {
     }
     return point;
   }
-  [[nodiscard]] Vec3d place(const GridPoint& p) const {
-    return middle + Vec3d{static_cast<double>(p[0]), static_cast<double>(p[1]), static_cast<double>(p[2])} * step;
-  }
 };
 
 /// The triangles of each plane: those that are joined by edges that are none.
@@ -90,7 +87,7 @@ Result<ConvexHull> ConvexHull::make(const ConvexHullShape& shape) {
       auto& corners = hull.triangles_.emplace_back((*triangles)[triangle].corner);
       for (std::uint32_t& corner : corners) {
         if (corner_of[corner] == 0) {
-          hull.corners_.push_back(grid.place(points[corner]));
+          hull.corners_.push_back(shape.points[corner]);
           hull.bounds_.take(hull.corners_.back());
           corner_of[corner] = static_cast<std::uint32_t>(hull.corners_.size());
         }

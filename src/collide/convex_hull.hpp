@@ -4,8 +4,8 @@
 // Equation: points are moved to a grid of up to 2^40 steps from their middle, so that on which side of a plane through
 // three of
 //   them a fourth one lies is told by whole numbers of 126 bits, exactly: points in one plane, on one line and in one
-//   place need no tolerance, and each triangle has an area. Whatever is met lies within 1e-12 of the hull's size of
-//   where the points were.
+//   place need no tolerance, and each triangle has an area. Corners stay where the points are, so that hulls that touch
+//   have no gap; planes of slanting faces are within 1e-12 of the hull's size of where the points put them.
 // Source: C. B. Barber, D. P. Dobkin, H. Huhdanpaa, "The Quickhull algorithm for convex hulls", ACM Transactions on
 //   Mathematical Software 22 (1996) 469-483.
 #pragma once

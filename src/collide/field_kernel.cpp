@@ -48,9 +48,15 @@ struct Looks {
 PHYSIM_INLINE void put_looks(const collide::FieldJob& job, const Columns& columns, std::size_t i, Looks& looks) {
   const collide::FieldGrid& grid = job.grid;
   const Vec3<Numbers> position{Numbers(job.position.x), Numbers(job.position.y), Numbers(job.position.z)};
-  const Vec3<Numbers> from = turned_back(job, Columns::load(columns.from, i) - position);
-  const Vec3<Numbers> along = turned_back(job, Columns::load(columns.along, i));
-  const Numbers radius = Numbers::load(columns.radius + i) * Numbers(job.per_scale);
+  const Vec3<Numbers> start = Columns::load(columns.from, i), way_in_world = Columns::load(columns.along, i);
+  const Vec3<Numbers> from = turned_back(job, start - position);
+  const Vec3<Numbers> along = turned_back(job, way_in_world);
+  const auto extent_of = [](const Vec3<Numbers>& v)
+                             PHYSIM_INLINE_LAMBDA { return max(abs(v.x), max(abs(v.y), abs(v.z))); };
+  const Numbers own = Numbers::load(columns.radius + i), extent = extent_of(start) + extent_of(way_in_world) + own;
+  // With the seam that a Placement gives a segment.
+  const Numbers seam = max(extent, extent_of(position)) * Numbers(8 * std::numeric_limits<double>::epsilon());
+  const Numbers radius = (own + seam) * Numbers(job.per_scale);
   const FieldWay<Numbers> way = way_over(grid, from, along, slack_over(grid, from, along, radius));
   const CellRange<Numbers> over_x = cells_between(way.from.x, way.from.x + way.along.x, way.wide_x, grid.columns);
   const CellRange<Numbers> over_z = cells_between(way.from.z, way.from.z + way.along.z, way.wide_z, grid.rows);

@@ -124,7 +124,7 @@ double HeightField::clear_part(Segment s) const {
 
 bool HeightField::begin_walk(const Segment& s, double& in, double& out, FieldWalk& walk) const {
   const FieldGrid over = grid();
-  const double wide = slack_over(over, s.from, s.along * s.reach, s.radius);
+  const double wide = slack_over(over, s.from, s.along * s.reach, s.radius + s.seam);
   const Vec3d to = s.at(s.reach);
   const auto cut = [&](double from, double end, double along, double high) {
     if (std::min(from, end) >= 0 && std::max(from, end) <= high) return;

@@ -72,7 +72,7 @@ class HeightField {
     if (s.reach < 0) return {0, 0, 0};
     const FieldGrid over = grid();
     const Vec3d along = s.along * s.reach;
-    const auto way = way_over(over, s.from, along, slack_over(over, s.from, along, s.radius));
+    const auto way = way_over(over, s.from, along, slack_over(over, s.from, along, s.radius + s.seam));
     if (passes(over, way)) return {0, 0, 0};
     const CellRange<double> columns = columns_of(way), rows = rows_of(way);
     const bool is_far = columns.last - columns.first >= kBlockSide || rows.last - rows.first >= kBlockSide ||

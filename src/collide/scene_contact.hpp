@@ -1,19 +1,6 @@
 // Contact of what flies with things of a scene: what it is and their materials let follow.
 //
-// Worlds and flights meet things alike: whoever flies is a Host, and says where it is in its own way. A Host has
-//   Scalar                              the type of its numbers
-//   scene()                             what it meets; null: nothing
-//   collision(), surface()              how; its own part in restitution, friction and rolling resistance
-//   scene_time(), step_length()         the time of the scene when its step begins, and how long that is [s]
-//   spin(passed), put_spin(spin, passed)       how it turns, in W, so long after the step began [rad/s]
-//   acceleration_at(state, passed)      by everything but the contact [m/s^2]
-//   kept(vector)                        what the constraints of its motion leave of a vector
-//   impact(hits)                        mass, measures and draws of an Impact, the so-manyth of its step
-//   tell(kind, reason, passed, state, hit, depth, energy)      something happened: event_of() has all but who and when
-//   slid(from, begin, to, end)          it went along a surface, from a state at one time of the step to another
-//   kAsks                               whether it may be of OnHit::ask; then it has
-//   answer_to(question, passed)         what is known of such a hit; null: nothing
-//   leave_open(question)                nothing is, and what follows is flown another time
+// Worlds and flights meet things alike: what flies is a ContactHost, which says where it is in its own way.
 #pragma once
 
 #include <algorithm>
@@ -24,6 +11,7 @@
 
 #include "collide/contact_rules.hpp"
 #include "collide/path_cast.hpp"
+#include "collide/scene_by_motion.hpp"
 #include "collide/way_through.hpp"
 #include "model/ball_rolling.hpp"
 #include "model/body.hpp"
@@ -33,14 +21,48 @@
 
 namespace physim {
 
-/// The contacts of one step.
-template <class Host>
-class SceneContacts {
-  using S = typename Host::Scalar;
-
+/// What flies, as contacts see it. Times `passed` are those since its step began [s].
+class ContactHost {
  public:
-  explicit SceneContacts(Host& host)
+  /// What it meets; null: nothing.
+  [[nodiscard]] virtual const Scene* scene() const = 0;
+  [[nodiscard]] virtual const CollisionDef& collision() const = 0;
+  /// Its own part in restitution, friction and rolling resistance.
+  [[nodiscard]] virtual Surface surface() const = 0;
+  /// About which axes it may turn, see Ball.
+  [[nodiscard]] virtual Vec3d turns() const = 0;
+  /// The time of the scene when its step begins, and how long that is [s].
+  [[nodiscard]] virtual double scene_time() const = 0;
+  [[nodiscard]] virtual double step_length() const = 0;
+  /// How it turns, in W [rad/s].
+  [[nodiscard]] virtual Vec3d spin(double passed) const = 0;
+  virtual void put_spin(const Vec3d& spin, double passed) = 0;
+  /// By everything but the contact [m/s^2].
+  [[nodiscard]] virtual Vec3d acceleration_at(const State<double>& s, double passed) const = 0;
+  /// What the constraints of its motion leave of a vector.
+  [[nodiscard]] virtual Vec3d kept(const Vec3d& v) const = 0;
+  /// Mass, measures and draws of an Impact, by the number of the hit in its step.
+  [[nodiscard]] virtual Impact impact(int hits) const = 0;
+  /// Something happened: event_of() has all but who and when.
+  virtual void tell(EventKind kind, Reason reason, double passed, const State<double>& s, const SceneHit& hit = {},
+                    double depth = 0, double energy = 0) = 0;
+  /// It went along a surface, from a state at one time of the step to another one, for what keeps a path.
+  virtual void slid(const State<double>&, double, const State<double>&, double) {}
+  /// What is known of a hit that another one answers; null: nothing.
+  [[nodiscard]] virtual const HitAnswer* answer_to(HitQuestion&, double) const { return nullptr; }
+  /// Nothing is known of it, and what follows is flown another time.
+  virtual void leave_open(const HitQuestion&) {}
+
+ protected:
+  ~ContactHost() = default;
+};
+
+/// The contacts of one step.
+class SceneContacts {
+ public:
+  SceneContacts(ContactHost& host, Precision numbers)
       : r_(host),
+        numbers_(numbers),
         scene_(host.scene()),
         solids_{.layers = scene_ ? collision().layers : 0, .sensors = false},
         casts_(scene_, solids_) {}
@@ -56,7 +78,7 @@ class SceneContacts {
 
   /// Where a step of a march first meets something, before what is watched ends it. `clock`: from the march's time to
   /// that of the step that contacts know [s]; `seen(state, time)`: where a state is for the scene.
-  template <class Seen>
+  template <class S, class Seen>
   [[nodiscard]] std::optional<collide::PathHit> meeting(const Course<S>& course, const Judgement<S>& judged,
                                                         double clock, const Seen& seen) {
     const DenseLanes<S>& at = judged.at;
@@ -88,6 +110,7 @@ class SceneContacts {
 
   /// How far places within a step may be off: its ends are rounded to the flight's own numbers, the way between them is
   /// not; but closed forms give all of them in their own numbers, from the launch on [m].
+  template <class S>
   [[nodiscard]] static double rounding_of(const Course<S>& course, const DenseLanes<S>& at) {
     const double places = 2 * std::max(spacing_at<S>(at.n0.y.x), spacing_at<S>(at.n1.y.x));
     if (course.conditions->fidelity.motion != Motion::closed_form) return places;
@@ -96,18 +119,55 @@ class SceneContacts {
   }
 
   /// What follows from meeting something, `passed` into the step.
-  [[nodiscard]] After struck(State<double> s, SceneHit hit, double passed) {
-    std::optional<After> after;
-    hit = facing(hit);
-    while (!after) after = contact(s, hit, passed);
-    after->state.v = r_.kept(after->state.v);
-    return *after;
+  [[nodiscard]] After struck(const State<double>& s, const SceneHit& hit, double passed) {
+    return followed(std::nullopt, s, facing(hit), passed);
+  }
+
+  /// What it lies on, rolls or slides along at a moment: it touches that, is pressed on, and neither leaves nor strikes
+  /// it. A contact that goes on is no new one in each step, and falls through no gap; none: it flies.
+  [[nodiscard]] PHYSIM_NOINLINE std::optional<SceneHit> lies_on(const State<double>& s, double passed) {
+    if (const OnHit does = collision().on_hit; does == OnHit::pass || ends_flights(does)) return std::nullopt;
+    const double time = r_.scene_time() + passed, within = 4 * gap_at(s.x), radius = collision().radius;
+    const SceneNearest near = scene_->nearest(s.x, radius + within, solids_, time);
+    if (!near || near.away == Vec3d{} || near.distance < radius - within) return std::nullopt;
+    SceneHit hit{.position = s.x,
+                 .normal = near.away,
+                 .time = time,
+                 .velocity = velocity_at(*scene_->state(near.instance, time), near.position),
+                 .instance = near.instance,
+                 .primitive = near.primitive,
+                 .material = near.material,
+                 .entering = true};
+    constrain(hit);
+    const double pressure = pressure_on(s, hit, passed, 0), rate = dot(s.v - hit.velocity, hit.normal);
+    const double epsilon =
+        is_float32() ? double{std::numeric_limits<float>::epsilon()} : std::numeric_limits<double>::epsilon();
+    const double rounding = 8 * epsilon * (length(s.v) + length(hit.velocity));
+    if (!(pressure > 0) || rate > rounding || rate < -rounding - std::sqrt(2 * pressure * within)) return std::nullopt;
+    above_ = near.distance - radius;
+    return hit;
+  }
+  /// What follows along what it lies on, as lies_on() found it.
+  [[nodiscard]] After goes_along(State<double> s, SceneHit hit, double passed) {
+    PHYSIM_ASSERT(above_.has_value());
+    const Vec3d n = hit.normal, relative = s.v - hit.velocity;
+    const BallMotion motion{relative - n * dot(relative, n), spin(passed)};
+    const Vec3d a = acceleration_on(s, hit, passed, pressed_for(s, hit, passed));
+    const std::optional<After> after = moves_along(s, hit, passed, motion, a);
+    return followed(after, s, hit, passed);
   }
 
   /// It lies on what moves: it has no rest.
   [[nodiscard]] bool is_carried() const { return carried_; }
 
  private:
+  /// One contact after the other, as long as each is followed by another one at once.
+  [[nodiscard]] PHYSIM_NOINLINE After followed(std::optional<After> after, State<double> s, SceneHit hit,
+                                               double passed) {
+    while (!after) after = contact(s, hit, passed);
+    after->state.v = r_.kept(after->state.v);
+    return *after;
+  }
   /// Tells what a path goes through up to `end`: sensors, and where it passes everything, all of it.
   template <class Path>
   void tell_passages(const Path& path, double end, double start, double span) {
@@ -132,10 +192,16 @@ class SceneContacts {
   [[nodiscard]] double frame() const { return frame_of_contact(r_.step_length()); }
   /// How long it may go on along what it touched [s].
   [[nodiscard]] double longest_way(double passed) const { return std::min(r_.step_length() - passed, kLongestPart); }
-  [[nodiscard]] Ball ball() const { return {collision().radius, collision().inertia}; }
+  [[nodiscard]] Ball ball() const { return {collision().radius, collision().inertia, r_.turns()}; }
+  [[nodiscard]] Vec3d spin(double passed) const { return component_product(r_.turns(), r_.spin(passed)); }
   [[nodiscard]] bool is_ball() const { return collision().radius > 0; }
 
-  [[nodiscard]] static Vec3d held(const Vec3d& x) { return vec_cast<double>(vec_cast<S>(x)); }
+  [[nodiscard]] bool is_float32() const { return numbers_ == Precision::float32; }
+  /// As the numbers of what flies hold it.
+  [[nodiscard]] Vec3d held(const Vec3d& x) const { return is_float32() ? vec_cast<double>(vec_cast<float>(x)) : x; }
+  [[nodiscard]] double spacing(const Vec3d& x) const {
+    return is_float32() ? spacing_at<float>(x) : spacing_at<double>(x);
+  }
 
   [[nodiscard]] SceneHit cast(const Vec3d& from, const Vec3d& to, double passed, double duration) const {
     return facing(casts_.first_hit({from, to, collision().radius, r_.scene_time() + passed, duration}));
@@ -147,11 +213,11 @@ class SceneContacts {
   }
 
   /// So far outside of a surface something is put that goes on [m].
-  [[nodiscard]] static double gap_at(const Vec3d& x) { return 1e-10 + 2 * spacing_at<S>(x); }
+  [[nodiscard]] double gap_at(const Vec3d& x) const { return 1e-10 + 2 * spacing(x); }
 
   /// A place that its numbers can hold, from which what touches something at `x` can go on: outside of it, and of what
   /// stands beside it. It lies about a tenth of a nanometre off, or as far as those are apart.
-  [[nodiscard]] Vec3d outside(const Vec3d& x, const Vec3d& normal, double passed) const {
+  [[nodiscard]] PHYSIM_NOINLINE Vec3d outside(const Vec3d& x, const Vec3d& normal, double passed) const {
     const double gap = gap_at(x);
     Vec3d off = normal * gap;
     constexpr int kMostSides = 6;  // more than three things seldom meet
@@ -165,17 +231,21 @@ class SceneContacts {
   }
 
   /// One contact; nothing where another one follows in `s`, `hit` and `passed`.
-  [[nodiscard]] std::optional<After> contact(State<double>& s, SceneHit& hit, double& passed) {
+  [[nodiscard]] PHYSIM_NOINLINE std::optional<After> contact(State<double>& s, SceneHit& hit, double& passed) {
     if (hit.starts_inside && is_ball()) push_out(s, hit, passed);
     if (hit.starts_inside) look_for_surface(s, hit, passed);
     if (hit.starts_inside && came_through_) enter_here(s, hit);
     hit = of_first_part(*scene_, solids_, hit, s.x - hit.normal * collision().radius, r_.scene_time() + passed);
     const bool inside = hit.starts_inside;
     const bool leaves = !inside && dot(s.v - hit.velocity, hit.normal) >= 0;
-    HitAnswer does{.then = collision().on_hit};
+    if (!inside && !leaves && !is_ball() && ++hits_ <= kMostHits && grazes(s, hit, passed))
+      return After{Then::flies_on, s, passed};
+    const bool lay = !inside && !leaves && lay_there(s, hit, passed);
+    HitAnswer does{.then = lay ? OnHit::bounce : collision().on_hit};
     if (!leaves && !is_known(does, s, hit, passed)) return After{Then::asks, s, passed};
-    if (!leaves) r_.tell(EventKind::hit, inside ? Reason::inside : Reason::none, passed, s, hit);
     const OnHit action = does.then;
+    const double taken = ends_flights(action) ? energy_of({s.v - hit.velocity, spin(passed)}) : 0;
+    if (!leaves && !lay) r_.tell(EventKind::hit, inside ? Reason::inside : Reason::none, passed, s, hit, 0, taken);
     if (action == OnHit::stop && !leaves) return After{Then::stops, s, passed};
     const Vec3d met = s.x, normal = hit.normal;
     constrain(hit);
@@ -189,19 +259,27 @@ class SceneContacts {
         return into_next(*after, s, hit, passed);
     return rebound(s, hit, passed, action == OnHit::bounce ? does.velocity : std::nullopt);
   }
+  /// Whether all that a point touches is an edge, behind which it is outside at once: it is put there.
+  [[nodiscard]] bool grazes(State<double>& s, const SceneHit& hit, double passed) const {
+    const auto beyond = beyond_edge(*scene_, solids_, s, hit, r_.scene_time() + passed);
+    if (!beyond) return false;
+    s.x = held(*beyond + normalized(s.v - hit.velocity) * (2 * spacing(s.x)));
+    return true;
+  }
+  /// As seen from what it touches [J].
+  [[nodiscard]] double energy_of(const BallMotion& motion) const {
+    const double turns = collision().inertia * collision().radius * collision().radius;
+    return 0.5 * r_.impact(hits_).mass * (length_squared(motion.velocity) + turns * length_squared(motion.spin));
+  }
   /// Whether it is known what a hit does, which may be for others to say.
   [[nodiscard]] bool is_known(HitAnswer& does, const State<double>& s, const SceneHit& hit, double passed) const {
-    PHYSIM_ASSERT(Host::kAsks || does.then != OnHit::ask);
-    if constexpr (Host::kAsks) {
-      if (does.then != OnHit::ask) return true;
-      HitQuestion question = question_of(s, hit, r_.impact(hits_).mass);
-      const HitAnswer* answer = r_.answer_to(question, passed);
-      if (answer) return does = *answer, true;
-      if (const auto through = way_from(s, hit, passed)) question.thickness = through->thickness;
-      r_.leave_open(question);
-      return false;
-    }
-    return true;
+    if (does.then != OnHit::ask) return true;
+    HitQuestion question = question_of(s, hit, r_.impact(hits_).mass);
+    const HitAnswer* answer = r_.answer_to(question, passed);
+    if (answer) return does = *answer, true;
+    if (const auto through = way_from(s, hit, passed)) question.thickness = through->thickness;
+    r_.leave_open(question);
+    return false;
   }
 
   /// Constraints take up what would push it to where it is not free to go: it meets the line in which the surface cuts
@@ -292,17 +370,69 @@ class SceneContacts {
     hit.entering = true;
   }
 
+  [[nodiscard]] Carried carried(const SceneHit& hit, const Vec3d& x, const Vec3d& along, double passed,
+                                double time) const {
+    return carried_by(*scene_, hit.instance, x, along, r_.scene_time() + passed, time);
+  }
+  /// What an engine's things do later is not known.
+  [[nodiscard]] bool moves(const SceneHit& hit) const {
+    return !is_engines(hit) && !SceneByMotion(*scene_).rests(hit.instance.index);
+  }
+  [[nodiscard]] static bool is_engines(const SceneHit& hit) { return hit.instance.generation == kEngineGeneration; }
+  /// An engine's surface is known to within its skin: what fell no farther than a part of that lay there before.
+  [[nodiscard]] bool lay_there(const State<double>& s, const SceneHit& hit, double passed) const {
+    if (!is_engines(hit) || collision().on_hit == OnHit::pass || ends_flights(collision().on_hit)) return false;
+    const double pressure = -dot(r_.acceleration_at(s, passed), hit.normal), fell = 0.2 * scene_->skin();
+    return pressure > 0 && dot(s.v - hit.velocity, hit.normal) >= -std::sqrt(2 * pressure * fell);
+  }
+  /// By everything but the contact, as seen from a thing that moves: in the mean of a time that follows.
+  [[nodiscard]] Vec3d acceleration_on(const State<double>& s, const SceneHit& hit, double passed, double time) const {
+    const Vec3d a = r_.acceleration_at(s, passed);
+    if (!moves(hit) || !(time > 0)) return a;
+    return a - (carried(hit, s.x, {}, passed, time).v - hit.velocity) * (1 / time);
+  }
+  /// What presses it onto a thing some time later, where that carries it on [m/s^2].
+  [[nodiscard]] PHYSIM_NOINLINE double pressure_on(const State<double>& s, const SceneHit& hit, double passed,
+                                                   double later) const {
+    constexpr double kShort = 1e-5;  // [s]
+    const double own = -dot(r_.acceleration_at(s, passed), hit.normal);
+    if (!moves(hit)) return own;
+    const Vec3d now = carried(hit, s.x, {}, passed, later).v, then = carried(hit, s.x, {}, passed, later + kShort).v;
+    return own + dot(then - now, hit.normal) / kShort;
+  }
+  /// How long a thing that moves presses it on, of the part that follows [s].
+  [[nodiscard]] PHYSIM_NOINLINE double pressed_for(const State<double>& s, const SceneHit& hit, double passed) const {
+    const double longest = longest_way(passed);
+    if (!moves(hit)) return longest;
+    // What stops or turns at once presses again behind that, but let the body go before.
+    const Vec3d a = r_.acceleration_at(s, passed);
+    const double own = -dot(a, hit.normal), rounding = 1e-9 * length(a);
+    PHYSIM_ASSERT(!is_engines(hit));
+    const auto presses = [&](double later) {
+      const double ahead = dot(carried(hit, s.x, {}, passed, later).v - hit.velocity, hit.normal) + own * later;
+      return pressure_on(s, hit, passed, later) >= -rounding && ahead >= -rounding * later;
+    };
+    if (presses(longest)) return longest;
+    double pressed = 0, free = longest;
+    constexpr int kHalvings = 40;
+    for (int i = 0; i < kHalvings; ++i) {
+      const double middle = 0.5 * (pressed + free);
+      (presses(middle) ? pressed : free) = middle;
+    }
+    return free;
+  }
+
   [[nodiscard]] Surface surface(const SceneHit& hit) const {
     const Material& material = scene_->material(hit.material);
     return surface_between(material.restitution, material.friction, r_.surface());
   }
 
   /// Bounces, or lies on what it met. All in the frame of the surface. `own`: with that velocity, by whoever said so.
-  [[nodiscard]] std::optional<After> rebound(State<double>& s, SceneHit& hit, double& passed,
-                                             const std::optional<Vec3d>& own) {
+  [[nodiscard]] PHYSIM_NOINLINE std::optional<After> rebound(State<double>& s, SceneHit& hit, double& passed,
+                                                             const std::optional<Vec3d>& own) {
     const Vec3d n = hit.normal, u = hit.velocity;
     const Surface on = surface(hit);
-    BallMotion motion{s.v - u, r_.spin(passed)};
+    BallMotion motion{s.v - u, spin(passed)};
     const double before = dot(motion.velocity, n);
     if (before >= 0) return After{Then::flies_on, s, passed};
     const BallMotion came = motion;
@@ -318,25 +448,26 @@ class SceneContacts {
     };
     const double grip = scene_->material(hit.material).grip_restitution;
     bounce(grip);
-    const Vec3d a = r_.acceleration_at(s, passed);
+    const Vec3d a = acceleration_on(s, hit, passed, pressed_for(s, hit, passed));
     if (lifts_off(dot(motion.velocity, n), dot(a, n), frame()) || dot(a, n) > 0) {
       s.v = motion.velocity + u;
-      r_.tell(EventKind::bounced, Reason::none, passed, s, hit);
+      r_.tell(EventKind::bounced, Reason::none, passed, s, hit, 0, energy_of(came) - energy_of(motion));
       return After{Then::flies_on, s, passed};
     }
     if (grip > 0) bounce(0);  // and what stays on the surface does not turn its slip around
     motion.velocity -= n * dot(motion.velocity, n);
     s.v = motion.velocity + u;
-    if (is_strike(before, dot(a, n), frame())) r_.tell(EventKind::bounced, Reason::none, passed, s, hit);
+    if (is_strike(before, dot(a, n), frame()))
+      r_.tell(EventKind::bounced, Reason::none, passed, s, hit, 0, energy_of(came) - energy_of(motion));
     return moves_along(s, hit, passed, motion, a);
   }
 
   /// Slides or rolls along what it lies on, up to what stands in its way.
-  [[nodiscard]] std::optional<After> moves_along(State<double>& s, SceneHit& hit, double& passed,
-                                                 const BallMotion& motion, const Vec3d& a) {
+  [[nodiscard]] PHYSIM_NOINLINE std::optional<After> moves_along(State<double>& s, SceneHit& hit, double& passed,
+                                                                 const BallMotion& motion, const Vec3d& a) {
     const Vec3d u = hit.velocity;
     const Surface on = surface(hit);
-    const double left = longest_way(passed);
+    const double left = pressed_for(s, hit, passed);
     BallWay way{};
     if (is_ball()) {
       way = slid_or_rolled(motion, a, hit.normal, ball(), {on.friction, on.rolling_resistance}, left);
@@ -346,9 +477,22 @@ class SceneContacts {
       const Rolled on_it = rolled(motion.velocity, a, hit.normal, on, left);
       way = {left, on_it.way, {on_it.velocity, motion.spin}};
     }
-    carried_ = length_squared(u) > 0;
-    const Vec3d to = held(s.x + way.way + u * way.time);
-    const SceneHit next = cast(s.x, to, passed, way.time);
+    Vec3d there = s.x + way.way + u * way.time, then_at = u, over;
+    if (moves(hit)) {
+      const Carried by = carried(hit, s.x, way.way, passed, way.time);
+      // What carries it bends its way: the chord is looked along above that.
+      over = hit.normal * (0.25 * way.time * length(by.v - u));
+      there = by.x, then_at = by.v;
+    }
+    carried_ = u != Vec3d{} || then_at != Vec3d{};
+    Vec3d to = held(there);
+    if (above_) {  // what its places are rounded to adds up
+      const double gap = gap_at(to), then_above = *above_ + dot(to - there, hit.normal);
+      if (then_above < 0.5 * gap || then_above > 2 * gap)
+        to = outside(there - hit.normal * *above_, hit.normal, passed + way.time);
+      above_.reset();
+    }
+    const SceneHit next = cast(s.x + over, to + over, passed, way.time);
     const double part = next && !next.starts_inside ? next.part : 1.0;
     const State<double> began = s;
     const double begin = passed;
@@ -356,7 +500,7 @@ class SceneContacts {
     const auto then = [part](const Vec3d& from, const Vec3d& end) {
       return part < 1 ? from + (end - from) * part : end;
     };
-    s = {part < 1 ? next.position : to, then(motion.velocity, way.motion.velocity) + u};
+    s = {part < 1 ? next.position - over : to, then(motion.velocity, way.motion.velocity) + then(u, then_at)};
     if (is_ball()) r_.put_spin(then(motion.spin, way.motion.spin), passed);
     went(began, begin, s, passed);
     // It slid until it rolls.
@@ -370,42 +514,54 @@ class SceneContacts {
     return rests(s.x, hit.velocity, passed);
   }
 
-  /// Stays where it is, with what it touches.
-  [[nodiscard]] After rests(const Vec3d& x, const Vec3d& velocity, double passed) {
+  /// Goes on with what it touches, to what stands in its way; where that is at once, it stays.
+  [[nodiscard]] PHYSIM_NOINLINE After rests(const Vec3d& x, const Vec3d& velocity, double passed) {
+    const double left = longest_way(passed);
     const State<double> s{x, velocity};
-    const double end = passed + longest_way(passed);
-    const bool is_over = r_.step_length() - passed <= kLongestPart;
-    went(s, passed, s, is_over ? r_.step_length() : end);
-    return is_over ? After{Then::lies, s, r_.step_length()} : After{Then::flies_on, s, end};
+    const SceneHit next = velocity == Vec3d{} ? SceneHit{} : cast(x, x + velocity * left, passed, left);
+    const bool is_held = next.starts_inside || (next && next.part * left <= 1e-6 * frame());
+    return along(s, is_held ? Vec3d{} : velocity * left, velocity, is_held ? SceneHit{} : next, passed);
+  }
+  /// Straight on by a way, with another velocity at its end, to what it meets there.
+  [[nodiscard]] PHYSIM_NOINLINE After along(const State<double>& s, const Vec3d& way, const Vec3d& velocity,
+                                            const SceneHit& next, double passed) {
+    const double left = longest_way(passed), part = next ? next.part : 1.0;
+    const double then = part < 1 || left < r_.step_length() - passed ? passed + part * left : r_.step_length();
+    const State<double> end{next ? outside(next.position, next.normal, then) : held(s.x + way),
+                            s.v + (velocity - s.v) * part};
+    went(s, passed, end, then);
+    return {then < r_.step_length() ? Then::flies_on : Then::lies, end, then};
   }
 
-  /// It lies on one thing, and another one stands in its way at once: it goes along both, as on one between them, or
-  /// rests.
-  [[nodiscard]] After lies_between(State<double> s, const SceneHit& one, SceneHit other, double passed,
-                                   const Vec3d& a) {
+  /// It lies on one thing, and another one stands in its way at once: it goes along both, as on one between them, as
+  /// fast as both let it.
+  [[nodiscard]] PHYSIM_NOINLINE After lies_between(State<double> s, const SceneHit& one, SceneHit other, double passed,
+                                                   const Vec3d& a) {
     constrain(other);
-    const Vec3d u = one.velocity;
     const Vec3d line = r_.kept(cross(one.normal, other.normal)), middle = one.normal + other.normal;
+    if (length(line) < 1e-6 || length(middle) < 1e-6) return rests(s.x, one.velocity, passed);
+    // The velocity across the line with which it leaves neither: u . n1 = u1 . n1, u . n2 = u2 . n2.
+    const double c = dot(one.normal, other.normal), per = 1 / (1 - c * c);
+    PHYSIM_ASSERT(per > 0);
+    const double first = dot(one.velocity, one.normal), second = dot(other.velocity, other.normal);
+    const Vec3d u = one.normal * ((first - c * second) * per) + other.normal * ((second - c * first) * per);
     const double left = longest_way(passed);
-    if (length(line) < 1e-6 || length(middle) < 1e-6) return rests(s.x, u, passed);
-    const Vec3d along = normalized(line), n = normalized(middle);
-    const Rolled on = rolled(along * dot(s.v - u, along), along * dot(a, along) + n * dot(a, n), n, surface(one), left);
-    const SceneHit next = cast(s.x, s.x + on.way + u * left, passed, left);
+    const Vec3d along_it = normalized(line), n = normalized(middle);
+    Surface rough = surface(one);
+    if (is_ball()) rough.friction = 0;  // it rolls
+    const Vec3d before = along_it * dot(s.v - u, along_it);
+    const Rolled on = rolled(before, along_it * dot(a, along_it) + n * dot(a, n), n, rough, left);
+    const Vec3d way = on.way + u * left;
+    carried_ = carried_ || u != Vec3d{};
+    const SceneHit next = cast(s.x, s.x + way, passed, left);
     if (next && next.part * left <= 1e-6 * frame()) return rests(s.x, u, passed);
-    const double part = next ? next.part : 1.0;
-    const double then = part < 1 || left < r_.step_length() - passed ? passed + part * left : r_.step_length();
-    const Vec3d before = along * dot(s.v - u, along);
-    const State<double> began{s.x, before + u};
-    s = {next ? outside(next.position, next.normal, then) : held(s.x + on.way + u * left),
-         before + (on.velocity - before) * part + u};
-    went(began, passed, s, then);
-    return {then < r_.step_length() ? Then::flies_on : Then::lies, s, then};
+    return along({s.x, before + u}, way, on.velocity + u, next, passed);
   }
 
   // ------------------------------------------------------------------------------------------- into and through
   /// As the material lets it, see impact(); nothing where it bounces. `normal`: of the surface, whatever it is held by.
-  [[nodiscard]] std::optional<After> impacted(State<double>& s, const Vec3d& met, const Vec3d& normal,
-                                              const SceneHit& hit, double passed) {
+  [[nodiscard]] PHYSIM_NOINLINE std::optional<After> impacted(State<double>& s, const Vec3d& met, const Vec3d& normal,
+                                                              const SceneHit& hit, double passed) {
     const Vec3d relative = s.v - hit.velocity;
     const double speed = length(relative);
     if (!(speed > 0)) return std::nullopt;
@@ -415,7 +571,7 @@ class SceneContacts {
     Impact asked = r_.impact(hits_);
     asked.inertia = collision().inertia;
     asked.velocity = s.v;
-    asked.spin = r_.spin(passed);
+    asked.spin = spin(passed);
     asked.normal = normal;
     asked.surface_velocity = hit.velocity;
     asked.thickness = through->thickness;
@@ -446,9 +602,9 @@ class SceneContacts {
   }
 
   /// Out behind what it met, at once; nothing where a ball only grazes an edge.
-  [[nodiscard]] std::optional<After> let_through(State<double>& s, const Vec3d& met, const Vec3d& normal,
-                                                 const SceneHit& hit, double passed,
-                                                 const std::optional<Vec3d>& velocity) {
+  [[nodiscard]] PHYSIM_NOINLINE std::optional<After> let_through(State<double>& s, const Vec3d& met,
+                                                                 const Vec3d& normal, const SceneHit& hit,
+                                                                 double passed, const std::optional<Vec3d>& velocity) {
     const Vec3d before = s.v - hit.velocity;
     if (!(length(before) > 0)) return std::nullopt;
     const Vec3d way = normalized(before);
@@ -488,13 +644,15 @@ class SceneContacts {
     return through.thickness > 0 ? outside(x, off, passed) : held(x + off * (8 * gap_at(x)));
   }
 
-  Host& r_;
+  ContactHost& r_;
+  Precision numbers_;
   const Scene* scene_;
   SceneFilter solids_;
   collide::TubeCasts casts_;  // about the way that was looked at last
   int hits_ = 0;
   bool carried_ = false;
-  bool came_through_ = false;  // something, in this step
+  std::optional<double> above_;  // what it goes along, to begin with [m]
+  bool came_through_ = false;    // something, in this step
 };
 
 }  // namespace physim

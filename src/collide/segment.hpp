@@ -15,6 +15,10 @@ namespace physim::collide {
 /// Farther away nothing stands: squares of lengths are numbers, and floats hold lengths [m].
 inline constexpr double kFarthest = 1e15;
 
+/// A gap between two bodies that is no wider than this is none: so far the roundings of their places and of a point's
+/// way may take them apart. `extent`: the largest of the coordinates [m].
+[[nodiscard]] inline double seam_at(double extent) { return 8 * std::numeric_limits<double>::epsilon() * extent; }
+
 /// The points from + t along, 0 <= t <= reach <= 1; with a radius, the spheres about them. Whoever finds a nearer hit
 /// shortens the reach; below 0, nothing is wanted any more.
 struct Segment {
@@ -22,6 +26,7 @@ struct Segment {
   Vec3d along;
   double radius = 0;
   double reach = 1;
+  double seam = 0;  // that of the places in W that it was made of, see seam_at()
 
   [[nodiscard]] Vec3d at(double t) const { return from + along * t; }
   /// The largest of its coordinates, which what is below it is rounded to.

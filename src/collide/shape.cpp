@@ -4,6 +4,8 @@ namespace physim::collide {
 
 Placement::Placement(const Transform& t) : position_(t.position), scale_(t.scale), per_scale_(1 / t.scale) {
   PHYSIM_ASSERT(t.scale > 0 && norm_squared(t.rotation) > 0);
+  const Vec3d& p = position_;
+  extent_ = std::max({std::abs(p.x), std::abs(p.y), std::abs(p.z)});
   const Quatd q = normalized(t.rotation);
   x_ = rotate(q, Vec3d{1, 0, 0});
   y_ = rotate(q, Vec3d{0, 1, 0});

@@ -23,7 +23,8 @@ class Placement {
   [[nodiscard]] Vec3d outside(const Vec3d& p) const { return turned(p * scale_) + position_; }
   /// As seen from the shape.
   [[nodiscard]] PHYSIM_INLINE Segment inside(const Segment& s) const {
-    return {inside(s.from), turned_back(s.along) * per_scale_, s.radius * per_scale_, s.reach};
+    const double seam = std::max(s.seam, seam_at(std::max(s.extent(), extent_)));
+    return {inside(s.from), turned_back(s.along) * per_scale_, s.radius * per_scale_, s.reach, seam * per_scale_};
   }
   /// A box about what a box becomes, with what is rounded on the way.
   [[nodiscard]] Bounds outside(const Bounds& box) const;
@@ -39,6 +40,7 @@ class Placement {
   Vec3d x_{1, 0, 0}, y_{0, 1, 0}, z_{0, 0, 1};  // its axes outside
   Vec3d position_;
   double scale_ = 1, per_scale_ = 1;
+  double extent_ = 0;  // of its position
 };
 
 struct Compound;

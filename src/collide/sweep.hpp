@@ -94,7 +94,8 @@ class Sweep {
     const bool whole = chord.from == 0 && chord.to == 1;
     const double stretch = whole ? 1 : kOverlap, parts = (chord.to - chord.from) * stretch;
     const auto reach = [&] { return parts > 0 ? std::min(1.0, (s_.reach - chord.from) / parts) : s_.reach; };
-    Segment inside{chord.begin, (chord.end - chord.begin) * stretch, s_.radius / path_.scale(), reach()};
+    Segment inside{chord.begin, (chord.end - chord.begin) * stretch, s_.radius / path_.scale(), reach(),
+                   seam_at(s_.extent()) / path_.scale()};
     cross<kExits>(shape_, inside, [&](Crossing crossing, Segment& within) {
       if (crossing.starts_inside && chord.from > 0) {
         if (kExits) return;  // the chord before has told

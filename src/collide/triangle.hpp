@@ -52,6 +52,7 @@ class Shear {
     x_ = kNext[z_ + (backwards ? 1 : 0)];
     y_ = kNext[z_ + (backwards ? 0 : 1)];
     from_ = {from[x_], from[y_], from[z_]};
+    seam_ = s.seam;
     if (along[z_] == 0) return;  // no way at all: it passes nothing
     along_x_ = along[x_] / along[z_];
     along_y_ = along[y_] / along[z_];
@@ -75,10 +76,14 @@ class Shear {
     const R u = c.x * b.y - c.y * b.x;
     const R v = a.x * c.y - a.y * c.x;
     const R w = b.x * a.y - b.y * a.x;
-    const R least = select(u < v, u, v), most = select(u > v, u, v), sum = u + v + w, zero(0.0);
+    const R sum = u + v + w, zero(0.0);
     t = (u * a.z + v * b.z + w * c.z) / sum;
-    // Where the sum is 0 it is seen from its edge.
-    return (((least >= zero) & (w >= zero)) | ((most <= zero) & (w <= zero))) & (sum != zero);
+    // No edge is longer. Where the sum is 0 it is seen from its edge.
+    const R most = (abs(a.x) + abs(a.y)) + (abs(b.x) + abs(b.y)) + (abs(c.x) + abs(c.y));
+    const R wide = R(seam_) * most, beside = select(abs(sum) > R(16.0) * wide, wide, zero);
+    const MaskOf<R> front = (u >= -beside) & (v >= -beside) & (w >= -beside);
+    const MaskOf<R> back = (u <= beside) & (v <= beside) & (w <= beside);
+    return (front | back) & (sum != zero);
   }
   /// Where the line through the segment passes a triangle.
   [[nodiscard]] PHYSIM_INLINE std::optional<double> passes(const Triangle& triangle) const {
@@ -103,6 +108,7 @@ class Shear {
   Vec3d from_;  // its axes permuted
   std::size_t x_, y_, z_;
   double along_x_ = 0, along_y_ = 0, per_z_ = 0;
+  double seam_ = 0;
 };
 
 /// The point of a triangle nearest to p, and whether it lies within its edges.

@@ -62,9 +62,11 @@ class LaneFlight {
     path_.reserve();
     path_.keep_start(0);
     if (is_plain_) fly_known();
+    met_ = contacts_ && stays(0);
+    if (met_) go_on();
     while (!ended_) {
       step();
-      if (const auto from = met_ ? next() : std::nullopt) relaunch(*from);  // it continues only from a contact
+      if (met_) go_on();
     }
     count_work();
     put_events_in_order();
@@ -133,6 +135,12 @@ class LaneFlight {
     if (sound && has_stops(*course_.conditions)) path_.keep_jump();
   }
 
+  /// From a contact.
+  void go_on() {
+    auto from = next();
+    while (from && stays(*from)) from = next();
+    if (from) relaunch(*from);
+  }
   [[nodiscard]] bool try_step() {
     if constexpr (kMayBeKnown) {
       if (known_) return march_.try_step_by(true, known_.take);
@@ -243,7 +251,8 @@ class LaneFlight {
   }
   /// To the end of the frame.
   void fly_on(std::int64_t frame) {
-    while (const auto from = next()) go(*from, frame);
+    while (const auto from = next())
+      if (!stays(*from)) go(*from, frame);
   }
   [[nodiscard]] std::optional<double> next() { return ended_ ? std::nullopt : parts_.next(); }
   void go(double passed, std::int64_t frame) {
@@ -298,16 +307,27 @@ class LaneFlight {
     }
     if (is_classic(fidelity())) push_at_end_ = push_at_start_;
     path_.own_body = own;
-    path_.starts_frame();
     met_ = false;
-    judge_pushed();
-    if (!ended_ && !met_) march_.accept(true);
+    if (!stays_pushed()) {
+      path_.starts_frame();
+      judge_pushed();
+      if (!ended_ && !met_) march_.accept(true);
+    }
     ++record_.cost.steps;
     record_.cost.evaluations += last_slope(fidelity());
     fly_on(frame);
     path_.own_body.reset();
     lane().body.applied = own.applied;
     lane().body.applied_until = own.applied_until;
+  }
+  /// Lies on a thing at the start of the frame, and goes on along that.
+  [[nodiscard]] bool stays_pushed() {
+    if (!contacts_) return false;
+    const Body<S> felt = lane().body;
+    feel_push(0);
+    if (stays(0)) return true;
+    lane().body = felt;
+    return false;
   }
   void judge_pushed() {
     const bool sound = ends_finite(fidelity(), lane().step);
@@ -327,7 +347,7 @@ class LaneFlight {
     if (!is_framed()) step.draw = record_.legs.size();
     host_.begin(step);
     if (host_.scene() != nullptr)
-      contacts_.emplace(host_);
+      contacts_.emplace(host_, sizeof(S) == 4 ? Precision::float32 : Precision::float64);
     else
       contacts_.reset();
   }
@@ -348,16 +368,31 @@ class LaneFlight {
     State<double> s = drifted(j_->at.at_time(clock), clock);
     s.x = met.hit.position;
     if (turns(fidelity())) cast_numbers(j_->at.turn_at_time(clock), lane().step.turn->start);
-    if (record_.legs.empty()) record_.legs.push_back({.clock = record_.clock}), record_.bodies.push_back(record_.body);
+    begin_contact(passed);
     put(s, passed);
     feel_push(passed);
+    leave_thing(contacts_->struck(s, met.hit, passed));
+  }
+  void begin_contact(double passed) {
+    if (record_.legs.empty()) record_.legs.push_back({.clock = record_.clock}), record_.bodies.push_back(record_.body);
     if (is_framed()) parts_.come_near(passed);
     host_.slides.clear();
     if (!is_framed() && passed - counts_from_ > kLongestPart) counts_from_ = passed, begin_contacts(host_.step());
-    const auto after = contacts_->struck(s, met.hit, passed);
+  }
+  /// Goes on along the thing that it lies on; false where that is none.
+  bool stays(double passed) {
+    if (!contacts_) return false;
+    const State<double> s{vec_cast<double>(lane().step.start.x), vec_cast<double>(lane().step.start.v)};
+    const auto on = contacts_->lies_on(s, passed);
+    if (!on) return false;
+    begin_contact(passed);
+    leave_thing(contacts_->goes_along(s, *on, passed));
+    return true;
+  }
+  void leave_thing(const SceneContacts::After& after) {
     keep_slides();
     if (ended_) return;
-    using Then = typename SceneContacts<MeetingLane<S>>::Then;
+    using Then = SceneContacts::Then;
     const double time = host_.time_of(after.passed);
     if (after.then == Then::stops || after.then == Then::sticks) {
       const bool sticks = after.then == Then::sticks;
@@ -479,10 +514,10 @@ class LaneFlight {
   Obstacles obstacles_;
   MeetingLane<S> host_;
   PathKeeper<S> path_;
-  std::optional<SceneContacts<MeetingLane<S>>> contacts_;  // none: it meets nothing
-  FrameStart frames_;                                      // dt 0: none, from a launch
-  Unset<Judgement<S>> j_;                                  // of the last step that was looked at
-  bool is_plain_ = false;                                  // known steps go on from a launch and meet nothing
+  std::optional<SceneContacts> contacts_;  // none: it meets nothing
+  FrameStart frames_;                      // dt 0: none, from a launch
+  Unset<Judgement<S>> j_;                  // of the last step that was looked at
+  bool is_plain_ = false;                  // known steps go on from a launch and meet nothing
   KnownStep known_ = known_step(*course_.conditions_double);
   bool ended_ = false;
   bool met_ = false;            // something, in the step at hand

@@ -30,11 +30,8 @@ struct MeetingStep {
 };
 
 template <class S>
-class MeetingLane {
+class MeetingLane final : public ContactHost {
  public:
-  using Scalar = S;
-  static constexpr bool kAsks = false;
-
   MeetingLane(const FlightRecord& record, March<S>& march, const Obstacles& obstacles)
       : record_(record), march_(march), from_(obstacles), shown_(obstacles.shown_spin) {}
 
@@ -47,26 +44,29 @@ class MeetingLane {
   void put_clock(S clock) { clock_ = clock; }
 
   // ------------------------------------------------------------------------------------------- as SceneContacts asks
-  [[nodiscard]] const Scene* scene() const { return from_.contact.collision.layers == 0 ? nullptr : from_.scene; }
-  [[nodiscard]] const CollisionDef& collision() const { return from_.contact.collision; }
-  [[nodiscard]] Surface surface() const {
+  [[nodiscard]] const Scene* scene() const override {
+    return from_.contact.collision.layers == 0 ? nullptr : from_.scene;
+  }
+  [[nodiscard]] const CollisionDef& collision() const override { return from_.contact.collision; }
+  [[nodiscard]] Surface surface() const override {
     return {from_.contact.restitution, from_.contact.friction, from_.contact.rolling_resistance};
   }
-  [[nodiscard]] double scene_time() const { return step_.scene_time; }
-  [[nodiscard]] double step_length() const { return step_.length; }
-  [[nodiscard]] Vec3d spin(double passed) const {
+  [[nodiscard]] Vec3d turns() const override { return from_.turns; }
+  [[nodiscard]] double scene_time() const override { return step_.scene_time; }
+  [[nodiscard]] double step_length() const override { return step_.length; }
+  [[nodiscard]] Vec3d spin(double passed) const override {
     return spin_of_lane(conditions(), march_.lanes, clock_, passed).value_or(shown_);
   }
-  void put_spin(const Vec3d& spin, double passed) {
+  void put_spin(const Vec3d& spin, double passed) override {
     if (spin == this->spin(passed)) return;
     if (!put_spin_of_lane(conditions(), march_.lanes, clock_, passed, spin)) shown_ = spin;
   }
-  [[nodiscard]] Vec3d acceleration_at(const State<double>& s, double passed) const {
+  [[nodiscard]] Vec3d acceleration_at(const State<double>& s, double passed) const override {
     return acceleration_of_lane(conditions(), march_.lanes, march_.course().body, static_cast<double>(clock_) + passed,
                                 s);
   }
-  [[nodiscard]] Vec3d kept(const Vec3d& v) const { return kept_of_lane(conditions(), march_.lanes, v); }
-  [[nodiscard]] Impact impact(int hits) const {
+  [[nodiscard]] Vec3d kept(const Vec3d& v) const override { return kept_of_lane(conditions(), march_.lanes, v); }
+  [[nodiscard]] Impact impact(int hits) const override {
     Impact impact;
     impact.mass = record_.projectile.mass;
     impact.diameter = record_.projectile.diameter;
@@ -78,7 +78,7 @@ class MeetingLane {
   }
   /// A contact that continues, of what lies on a surface, is no further hit.
   void tell(EventKind kind, Reason reason, double passed, const State<double>& s, const SceneHit& hit = {},
-            double depth = 0, double energy = 0) {
+            double depth = 0, double energy = 0) override {
     constexpr double kAtOnce = 0.05;  // of the longest part
     const double time = time_of(passed);
     const bool goes_on = kind == EventKind::hit && hit.instance == slid_on_ &&
@@ -88,7 +88,7 @@ class MeetingLane {
     told.push_back(event_of(kind, reason, s, hit, depth, energy));
     told.back().time = time;
   }
-  void slid(const State<double>& from, double begin, const State<double>& to, double end) {
+  void slid(const State<double>& from, double begin, const State<double>& to, double end) override {
     PHYSIM_ASSERT(end >= begin);
     slides.push_back({held(from), time_of(begin), held(to), time_of(end)});
     slid_on_ = touched_;

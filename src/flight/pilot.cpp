@@ -6,6 +6,7 @@
 
 #include "base/ieee_mode.hpp"
 #include "base/text.hpp"
+#include "collide/contact_rules.hpp"
 #include "flight/flight_record.hpp"
 #include "math/elementary.hpp"
 #include "model/acceleration.hpp"
@@ -95,8 +96,18 @@ Result<PilotStep> step_within(const ProjectileDef& projectile, const Launch& lau
                               const Fidelity& fidelity, const Tolerance& tolerance, const Until& asked,
                               double error_allowed, double longest) {
   PHYSIM_ASSERT(error_allowed > 0 && longest > 0);
-  const Until until = up_to_contact(asked);
-  const auto reference = fly_reference(projectile, launch, environment, fidelity, tolerance, until, error_allowed);
+  Until until = up_to_contact(asked);
+  const auto fly_exact = [&] {
+    return fly_reference(projectile, launch, environment, fidelity, tolerance, until, error_allowed);
+  };
+  auto reference = fly_exact();
+  // What goes on from a contact at its start is no measure of steps: they are those of a flight through the air.
+  const bool goes_on = until.scene && !ends_flights(asked.contact.collision.on_hit);
+  if (reference && goes_on && reference->duration() < kLongestPart) {
+    until.scene = nullptr;
+    until.time = std::min(until.time, 1.0);
+    reference = fly_exact();
+  }
   if (!reference) return reference.error();
   // What ends where it begins takes any step.
   if (reference->duration() == 0) return PilotStep{std::isfinite(longest) ? longest : kFrame, 0};

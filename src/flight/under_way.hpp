@@ -25,6 +25,7 @@ struct Obstacles {
   const Scene* scene = nullptr;  // null: none
   ContactDef contact{};
   Vec3d shown_spin{};        // of rungs that fly none [rad/s]
+  Vec3d turns{1, 1, 1};      // about which axes it may, see Ball [-]
   std::uint32_t number = 0;  // of the projectile, for what is left to chance
 };
 

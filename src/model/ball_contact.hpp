@@ -8,9 +8,10 @@
 //   middle; restitution and the grip of real balls change with speed. The spin about the normal is unchanged.
 //   A ball that nothing spins, with inertia without end and grip 0, is the point of model/contact.hpp, the ground's.
 // Symbols: n unit normal towards the ball; v velocity and w angular velocity before, v' and w' after [m/s, rad/s]; r
-//   radius [m]; k moment of inertia over m r^2 [-]; e restitution, mu friction, g restitution of grip [-]; v_n = v . n
+//   radius [m]; k moment of inertia over m r^2 [-]; T part of the turn about n x u that constraints leave, 1 without
+//   any [-]; e restitution, mu friction, g restitution of grip [-]; v_n = v . n
 //   < 0; u slip: velocity of the ball's surface along the wall [m/s]; J impulse over mass along the surface [m/s].
-// Equations: u = v - v_n n - r w x n;  J = min(mu (1 + e) |v_n|, (1 + g) |u| k / (1 + k)): sliding, or gripping;
+// Equations: u = v - v_n n - r w x n;  J = min(mu (1 + e) |v_n|, (1 + g) |u| k / (T + k)): sliding, or gripping;
 //   v' = v - (1 + e) v_n n - J u/|u|;  w' = w + J / (k r) n x u/|u|.  Gripping leaves the slip -g u.
 // Source: R. L. Garwin, "Kinematics of an ultraelastic rough ball", Am. J. Phys. 37 (1969) 88-92 (g = 1); R. Cross,
 //   "Grip-slip behavior of a bouncing ball", Am. J. Phys. 70 (2002) 1093-1102 (sliding, and gripping with any g).
@@ -29,8 +30,15 @@ struct BallSurface {
 };
 
 struct Ball {
-  double radius;   // r [m]
-  double inertia;  // k [-]
+  double radius;                  // r [m]
+  double inertia;                 // k [-]
+  Vec3d turns = {1.0, 1.0, 1.0};  // along the axes of W: 1 where it turns about one, 0 where it does not [-]
+
+  [[nodiscard]] bool is_free() const { return turns == Vec3d{1.0, 1.0, 1.0}; }
+  /// The part of a turn about an axis that is left to it, T [-].
+  [[nodiscard]] double free_part(const Vec3d& axis) const {
+    return is_free() ? 1.0 : dot(component_product(turns, axis), axis);
+  }
 };
 
 struct BallMotion {
@@ -46,11 +54,12 @@ inline BallMotion bounced(const BallMotion& before, const Vec3d& normal, const B
   const Vec3d u = before.velocity - normal * v_n - cross(before.spin, normal) * ball.radius;
   const double slip = length(u);
   const double sliding = surface.friction * (1 + surface.restitution) * abs(v_n);
-  const double gripping = (1 + surface.grip_restitution) * slip * (ball.inertia / (1 + ball.inertia));
+  const Vec3d along = slip > 0 ? u * (1 / slip) : Vec3d{}, about = cross(normal, along);
+  const double gripping =
+      (1 + surface.grip_restitution) * slip * (ball.inertia / (ball.free_part(about) + ball.inertia));
   const double impulse = min(sliding, gripping);
-  const Vec3d along = slip > 0 ? u * (1 / slip) : Vec3d{};
   return {before.velocity - normal * ((1 + surface.restitution) * v_n) - along * impulse,
-          before.spin + cross(normal, along) * (impulse / (ball.inertia * ball.radius))};
+          before.spin + component_product(ball.turns, about) * (impulse / (ball.inertia * ball.radius))};
 }
 
 }  // namespace physim

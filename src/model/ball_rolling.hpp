@@ -12,7 +12,8 @@
 //   along it, p = -a . n what presses the ball on, over its mass [m/s^2]; mu friction, c rolling resistance [-].
 // Equations: u = v - r w x n.  Sliding: dv/dt = a_t - mu p u/|u|, dw/dt = mu p / (k r) n x u/|u|, so that
 //   du/dt = a_t - mu p (1 + 1/k) u/|u|.  Rolling (u = 0, w = n x v / r): dv/dt = (a_t - c p v/|v|) / (1 + k), as long
-//   as the friction that this needs, k |a_t| / (1 + k), is below mu p.
+//   as the friction that this needs, k |a_t| / (1 + k), is below mu p. What constraints do not let turn does not roll:
+//   it slides to rest, and friction holds it; 1/k above is T/k, as in model/ball_contact.hpp.
 // Source: D. Kleppner, R. Kolenkow, An Introduction to Mechanics (2nd ed. 2014), ch. 7 (rolling and slipping bodies);
 //   W. J. Stronge, Impact Mechanics (2000), sec. 3.2 (the friction of a slip).
 #pragma once
@@ -45,19 +46,23 @@ inline BallWay slid_or_rolled(const BallMotion& from, const Vec3d& a, const Vec3
   const Vec3d u = from.velocity - cross(from.spin, normal) * ball.radius;
   const double slip = length(u);
   const double k = ball.inertia;
-  const bool holds = k / (1 + k) * length(a_t) <= grip.friction * pressure;
-  if (slip <= kNoSlip && holds) {
-    const Rolled on = rolled(from.velocity, a * (1 / (1 + k)), normal, {0, 0, grip.rolling_resistance}, time);
-    const Vec3d about_normal = normal * dot(from.spin, normal);
-    return {time, on.way, {on.velocity, cross(normal, on.velocity) * (1 / ball.radius) + about_normal}};
+  // What makes it roll; friction holds the rest.
+  const Vec3d a_roll = ball.is_free() ? a_t : cross(component_product(ball.turns, cross(normal, a_t)), normal);
+  const double needed = ball.is_free() ? k / (1 + k) * length(a_t) : length(a_t - a_roll * (1 / (1 + k)));
+  if (slip <= kNoSlip && needed <= grip.friction * pressure) {
+    const Vec3d pulls = ball.is_free() ? a : a - a_t + a_roll;
+    const Rolled on = rolled(from.velocity, pulls * (1 / (1 + k)), normal, {0, 0, grip.rolling_resistance}, time);
+    const Vec3d about = cross(normal, on.velocity) * (1 / ball.radius) + normal * dot(from.spin, normal);
+    return {time, on.way, {on.velocity, component_product(ball.turns, about)}};
   }
   const double pull = length(a_t);
   const Vec3d along = slip > kNoSlip ? u * (1 / slip) : pull > 0 ? a_t * (1 / pull) : Vec3d{};
   const double friction = grip.friction * pressure;
-  const double ending = friction * (1 + 1 / k) - dot(a_t, along);  // so fast the slip ends
+  const Vec3d about = cross(normal, along);
+  const double ending = friction * (1 + ball.free_part(about) / k) - dot(a_t, along);  // so fast the slip ends
   const double taken = slip > kNoSlip && ending > 0 ? min(time, slip / ending) : time;
   const Vec3d dv = a_t - along * friction;
-  const Vec3d dw = cross(normal, along) * (friction / (k * ball.radius));
+  const Vec3d dw = component_product(ball.turns, about) * (friction / (k * ball.radius));
   return {
       taken, from.velocity * taken + dv * (0.5 * taken * taken), {from.velocity + dv * taken, from.spin + dw * taken}};
 }

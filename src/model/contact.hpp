@@ -1,14 +1,17 @@
 // Contact with the ground: bounces, and rolling to rest.
 //
-// What it models: a point mass against a hard level surface: restitution along the normal, Coulomb friction along the
-//   surface during the bounce, and rolling resistance while it lies on the ground.
+// What it models: a point mass against a hard surface: restitution along the normal, Coulomb friction along the
+//   surface during the bounce, and what resists while it lies there. A point that has a rolling resistance rolls; one
+//   that has none slides against friction, as bodies that cannot turn do.
 // When to use it: shells, balls, sparks and debris of games.
 // When it is wrong: spin is left out, so a ball does not turn sliding into rolling (5/7 of its speed would stay); the
 //   surface neither gives way nor varies; restitution of real balls falls with speed.
 // Symbols: n unit normal, upwards; v velocity before and v' after [m/s]; v_n = v . n, v_t = v - v_n n; e restitution
-//   [-]; mu friction [-]; c rolling resistance [-]; a acceleration by everything but the ground [m/s^2]; g_n = -a . n.
+//   [-]; mu friction [-]; c rolling resistance, or mu where that is 0 [-]; a acceleration by everything but the ground
+//   [m/s^2]; g_n = -a . n.
 // Equations: v_n' = -e v_n;  v_t' = v_t max(0, 1 - mu (1 + e) |v_n| / |v_t|).
-//   On the ground: dv_t/dt = a_t - c g_n v_t / |v_t|, and nothing moves while it is at rest and |a_t| <= c g_n.
+//   On the ground: dv_t/dt = a_t - c g_n v_t / |v_t|, and nothing moves while it is at rest and |a_t| <= c g_n. Where
+//   a_t turns it around it stops, and goes on from rest.
 // Source: W. J. Stronge, Impact Mechanics (2000), sec. 1.2 and 3.2 (restitution; impulse of dry friction while sliding
 //   continues); I. Millington, Game Physics Engine Development (2010), ch. 7 (resting contact).
 #pragma once
@@ -52,18 +55,23 @@ struct Rolled {
   Vec3d velocity;
 };
 inline Rolled rolled(const Vec3d& v, const Vec3d& a, const Vec3d& normal, const Surface& surface, double time) {
-  PHYSIM_ASSERT(time >= 0 && surface.rolling_resistance >= 0);
+  PHYSIM_ASSERT(time >= 0 && surface.rolling_resistance >= 0 && surface.friction >= 0);
   const Vec3d v_t = v - normal * dot(v, normal);
   const double a_n = dot(a, normal);
   const Vec3d a_t = a - normal * a_n;
-  const double resistance = surface.rolling_resistance * max(-a_n, 0.0);
+  const bool rolls = surface.rolling_resistance > 0;
+  const double resistance = (rolls ? surface.rolling_resistance : surface.friction) * max(-a_n, 0.0);
   const Vec3d pushed = v_t + a_t * time;
   const double speed = length(pushed);
   const double lost = resistance * time;
-  if (speed <= lost) {  // comes to rest on the way
-    const double v_0 = length(v_t);
-    const double stop = v_0 > 0 && resistance > 0 ? min(v_0 / resistance, time) : 0.0;
-    return {v_t * (0.5 * stop), {}};
+  const double v_0 = length(v_t), pull = length(a_t);
+  const double against = v_0 > 0 ? -dot(a_t, v_t) / v_0 : 0;
+  const bool turns_around = dot(pushed, v_t) < 0 && against >= pull * (1 - 1e-12);
+  if (speed <= lost || turns_around) {  // comes to rest on the way
+    const double ends = resistance + against;
+    const double stop = v_0 > 0 && ends > 0 ? min(v_0 / ends, time) : 0.0;
+    const double left = time - stop, rate = pull > resistance ? (pull - resistance) / pull : 0;
+    return {v_t * (0.5 * stop) + a_t * (0.5 * rate * left * left), a_t * (rate * left)};
   }
   const Vec3d after = pushed * (1 - lost / speed);
   return {(v_t + after) * (0.5 * time), after};

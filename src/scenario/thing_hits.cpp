@@ -79,6 +79,7 @@ const ThingHit* take_event(std::vector<ThingHit>& hits, Track& track, const Coll
         collision.on_hit == OnHit::stop || collision.on_hit == OnHit::stick || event.reason == Reason::inside;
     if (!stays) return nullptr;
     hit.outcome = EventKind::stopped;
+    hit.energy = event.energy;
     hit.velocity_after = {};
     return &hit;
   }

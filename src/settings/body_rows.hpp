@@ -24,7 +24,8 @@ inline constexpr auto kBodyRows = std::tuple{
 inline constexpr auto kContactRows = std::tuple{
     PHYSIM_SETTING(restitution, "speed kept by a bounce", kFraction, kContact),
     PHYSIM_SETTING(friction, "Coulomb's, of bounces and sliding", at_least(0), kContact),
-    PHYSIM_SETTING(rolling_resistance, "part of the weight that resists rolling on the ground", at_least(0), kContact),
+    PHYSIM_SETTING(rolling_resistance, "part of the weight that resists rolling; 0: a point slides, against friction",
+                   at_least(0), kContact),
     PHYSIM_SETTING(collision.on_hit, "what it does where it meets a thing of the scene", kContact),
     PHYSIM_SETTING(collision.radius, "it meets them as a ball of so much, 1e-12 m at least; 0: as a point",
                    Quantity::length, between(0, 1e6), kContact),

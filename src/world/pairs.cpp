@@ -22,6 +22,8 @@ using collide::Touch;
 
 /// Meetings of one projectile in a step; who has more lies on what it meets.
 constexpr int kMostMeetings = 1000;
+/// Part of a step within which meetings fall on one moment.
+constexpr double kAtOnce = 1e-9;
 
 [[nodiscard]] bool meets_others(const Slot& slot, const Kind& kind) {
   return kind.body.collision.others != 0 && slot.is(kAlive) && !slot.is(kPending);
@@ -34,7 +36,6 @@ constexpr int kMostMeetings = 1000;
 [[nodiscard]] bool may_move(const Collider& c) { return c.flies || c.sleeps; }
 [[nodiscard]] double reach(const Collider& c) { return c.kind->body.collision.radius; }
 [[nodiscard]] bool passes(const Collider& c) { return c.kind->body.collision.on_hit == OnHit::pass; }
-[[nodiscard]] bool ends_flights(OnHit on_hit) { return on_hit == OnHit::stop || on_hit == OnHit::stick; }
 
 /// Two that touch, or pass through each other.
 struct Meeting {
@@ -59,13 +60,13 @@ class PairStep {
     if (queue_.empty()) return;
     swap_rows();
     while (!queue_.empty()) {
-      const Meeting m = queue_.top();
-      queue_.pop();
-      if (m.version_a != all_[m.a].version || m.version_b != all_[m.b].version) continue;
-      if (m.kind == EventKind::hit)
-        touch(m);
-      else
-        pass(m);
+      for (const std::vector<Meeting>& group : next_groups())
+        if (!is_of_now(group.front()))
+          continue;
+        else if (group.front().kind == EventKind::hit)
+          touch(group);
+        else
+          pass(group.front());
     }
     take_apart();
     swap_rows();
@@ -218,14 +219,76 @@ class PairStep {
     look(m.a, m.b, m.time);
   }
 
-  void touch(const Meeting& m) {
+  /// Whether two projectiles still fly the paths on which their meeting was found.
+  [[nodiscard]] bool is_of_now(const Meeting& m) const {
+    return m.version_a == all_[m.a].version && m.version_b == all_[m.b].version;
+  }
+  /// Meetings of the next moment. Hits that share a body, or are joined by others that do, are one group.
+  [[nodiscard]] std::vector<std::vector<Meeting>> next_groups() {
+    PHYSIM_ASSERT(!queue_.empty());
+    std::vector<std::vector<Meeting>> groups;
+    std::map<std::uint32_t, std::size_t> group_of;  // of a body
+    const double at_once = queue_.top().time + kAtOnce * context_.dt;
+    for (; !queue_.empty() && queue_.top().time <= at_once; queue_.pop()) {
+      const Meeting m = queue_.top();
+      if (!is_of_now(m)) continue;
+      groups.push_back({m});
+      if (m.kind != EventKind::hit) continue;
+      const std::size_t last = groups.size() - 1;
+      for (const std::uint32_t body : {m.a, m.b}) {
+        const std::size_t known = group_of.try_emplace(body, last).first->second;
+        if (known == last) continue;
+        for (const Meeting& other : std::exchange(groups[known], {})) {
+          groups[last].push_back(other);
+          group_of[other.a] = group_of[other.b] = last;
+        }
+      }
+    }
+    std::erase_if(groups, [](const std::vector<Meeting>& group) { return group.empty(); });
+    for (auto& group : groups) std::sort(group.rbegin(), group.rend());  // the first in front
+    return groups;
+  }
+
+  /// Hits at one moment: their impulses are found together, so that their order changes nothing.
+  void touch(const std::vector<Meeting>& meetings) {
+    PHYSIM_ASSERT(!meetings.empty());
+    const double time = meetings.front().time;
+    PHYSIM_ASSERT(time >= 0 && time <= context_.dt);
+    now_.clear(), touches_.clear();
+    for (const Meeting& m : meetings)
+      for (const std::uint32_t i : {m.a, m.b}) now_[i] = {at(all_[i], time)};
+    for (const Meeting& m : meetings) touches_.push_back(touch_of(m, time));
+    for (const auto& [i, body] : now_) forget_after(all_[i], time);
+    for (const TouchNow& t : touches_) {
+      if (!t.strikes) continue;
+      const Reason reason = t.inside ? Reason::inside : Reason::none;
+      tell(EventKind::hit, all_[t.a], all_[t.b], now_[t.a].knot, t.n, reason);
+      tell(EventKind::hit, all_[t.b], all_[t.a], now_[t.b].knot, -t.n, reason);
+    }
+    part();
+    for (const auto& [i, body] : now_) go_on(i, body);
+    for (const auto& [i, body] : now_) look_around(i, time);
+  }
+  /// How one moves at the moment at hand.
+  struct BodyNow {
+    Knot knot;
+    PairBody moves{};
+    Vec3d came{};                 // its spin before
+    std::optional<Vec3d> spin{};  // afterwards, if it is another one
+  };
+  struct TouchNow {
+    std::uint32_t a, b;  // a < b
+    Vec3d n;             // from b to a
+    PairSurface surface;
+    bool nears, strikes, inside;
+  };
+  [[nodiscard]] TouchNow touch_of(const Meeting& m, double time) {
     PHYSIM_ASSERT(m.a < m.b && m.b < all_.size());
-    PHYSIM_ASSERT(m.time >= 0 && m.time <= context_.dt);
     Collider &a = all_[m.a], &b = all_[m.b];
-    Knot on_a = at(a, m.time), on_b = at(b, m.time);
+    const Knot &on_a = now_[m.a].knot, &on_b = now_[m.b].knot;
     const Vec3d n = normal_between(on_a, on_b);
     const double before = dot(on_a.v - on_b.v, n);
-    const double pull = dot(acceleration(a, m.time) - acceleration(b, m.time), n);
+    const double pull = dot(acceleration(a, time) - acceleration(b, time), n);
     const double frame = frame_of_contact(context_.dt);
     const BodyDef &body_a = a.kind->body, &body_b = b.kind->body;
     PairSurface surface{body_a.restitution * body_b.restitution, body_a.friction * body_b.friction};
@@ -234,39 +297,34 @@ class PairStep {
                       std::max(++a.hits, ++b.hits) > kMostMeetings;
     const bool strikes = !lies || is_strike(before, pull, frame);
     if (lies) surface.restitution = 0, lies_on_.insert({m.a, m.b});
-    const double apart = length(on_a.x - on_b.x);
-    const bool inside = m.time == 0 && apart < reach(a) + reach(b) - slack(a, b);
-    forget_after(a, m.time);
-    forget_after(b, m.time);
-    if (strikes) {
-      tell(EventKind::hit, a, b, on_a, n, inside ? Reason::inside : Reason::none);
-      tell(EventKind::hit, b, a, on_b, -n, inside ? Reason::inside : Reason::none);
-    }
-    if (before < 0) part(m, n, surface, on_a, on_b);
-    go_on(m.a, m.b, on_a, n, strikes);
-    go_on(m.b, m.a, on_b, -n, strikes);
-    look_around(m.a, m.time);
-    look_around(m.b, m.time);
+    const bool inside = time == 0 && length(on_a.x - on_b.x) < reach(a) + reach(b) - slack(a, b);
+    return {m.a, m.b, n, surface, before < 0, strikes, inside};
   }
 
-  /// The impulse that they give each other.
-  void part(const Meeting& m, const Vec3d& n, const PairSurface& surface, Knot& on_a, Knot& on_b) {
-    Collider &a = all_[m.a], &b = all_[m.b];
-    PHYSIM_ASSERT(may_move(a) || may_move(b));
-    const bool rubs = surface.friction > 0;
-    PairBody one = body_of(a, on_a, rubs), other = body_of(b, on_b, rubs);
-    const PairBody first = one, second = other;
-    meet(one, other, n, surface);
-    on_a.v = one.velocity, on_b.v = other.velocity;
-    spin_[0] = spin_[1] = std::nullopt;
-    if (rubs && one.spin != first.spin) spin_[0] = one.spin;
-    if (rubs && other.spin != second.spin) spin_[1] = other.spin;
+  /// The impulses that they give each other.
+  void part() {
+    for (auto& [i, body] : now_) {
+      const auto rubs = [i = i](const TouchNow& t) { return (t.a == i || t.b == i) && t.surface.friction > 0; };
+      body.moves = body_of(all_[i], body.knot, std::ranges::any_of(touches_, rubs));
+      body.came = body.moves.spin;
+    }
+    std::vector<PairTouch> touches;
+    for (const TouchNow& t : touches_) {
+      PHYSIM_ASSERT(may_move(all_[t.a]) || may_move(all_[t.b]));
+      if (t.nears) touches.push_back({now_[t.a].moves, now_[t.b].moves, t.n, t.surface});
+    }
+    meet(touches);
+    for (auto& [i, body] : now_) {
+      body.knot.v = body.moves.velocity;
+      if (body.moves.spin != body.came) body.spin = body.moves.spin;
+    }
   }
   [[nodiscard]] PairBody body_of(const Collider& c, const Knot& now, bool rubs) {
     const CollisionDef& ball = c.kind->body.collision;
     PairBody body{now.v, {}, c.mobility, ball.radius, 0};
     if (!rubs || !(ball.radius > 0)) return body;
-    body.spin = spin_of(c, now.time);
+    body.turns = context_.state->extras.turns(c.slot, c.kind->body.frozen_rotation);
+    body.spin = component_product(body.turns, spin_of(c, now.time));
     if (may_move(c)) body.turnability = 1 / (ball.inertia * c.kind->flown.mass * ball.radius * ball.radius);
     return body;
   }
@@ -312,21 +370,25 @@ class PairStep {
     std::erase_if(s_.chunk.changes, [&](const Change& change) { return change.slot == c.slot; });
   }
 
-  /// From a meeting on, with another velocity.
-  void go_on(std::uint32_t i, std::uint32_t other, const Knot& now, const Vec3d& n, bool strikes) {
+  /// From a moment on, with another velocity.
+  void go_on(std::uint32_t i, const BodyNow& body) {
     Collider& c = all_[i];
-    const std::optional<Vec3d> spin = std::exchange(spin_[i < other ? 0 : 1], std::nullopt);
     if (!may_move(c)) return;
-    const OnHit on_hit = strikes ? c.kind->body.collision.on_hit : OnHit::bounce;
-    if (strikes && !ends_flights(on_hit)) tell(EventKind::bounced, c, all_[other], now, n);
+    const Knot& now = body.knot;
+    OnHit on_hit = OnHit::bounce;
+    for (const TouchNow& t : touches_) {
+      if ((t.a != i && t.b != i) || !t.strikes) continue;
+      on_hit = c.kind->body.collision.on_hit;
+      if (!ends_flights(on_hit)) tell(EventKind::bounced, c, all_[t.a == i ? t.b : t.a], now, t.a == i ? t.n : -t.n);
+    }
     if (!std::exchange(c.is_new, true)) sweep_->note_new(i);
     ++c.version;
     PHYSIM_ASSERT(now.time >= c.since);  // meetings come in order of time
     c.since = now.time;
     if (c.sleeps)
-      slide(c, now, spin, on_hit);
+      slide(c, now, body.spin, on_hit);
     else
-      fly_on(c, {now.time, last_trace(c, now.time), {now.x, now.v}, spin, then(on_hit)});
+      fly_on(c, {now.time, last_trace(c, now.time), {now.x, now.v}, body.spin, then(on_hit)});
     look_how_far(c);
   }
   [[nodiscard]] static Parting::Then then(OnHit on_hit) {
@@ -426,7 +488,8 @@ class PairStep {
   std::set<std::pair<std::uint32_t, std::uint32_t>> lies_on_;
   std::map<std::pair<std::uint32_t, std::uint32_t>, bool> inside_;  // of those that pass: what was told last
   std::vector<std::pair<std::uint32_t, double>> cuts_;              // slots, and until when what they told holds
-  std::optional<Vec3d> spin_[2];                                    // of the meeting at hand
+  std::vector<TouchNow> touches_;                                   // of the moment at hand
+  std::map<std::uint32_t, BodyNow> now_;
 };
 
 /// One more; its vectors keep their memory from step to step.

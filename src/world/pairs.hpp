@@ -3,8 +3,8 @@
 // All fly their step as if alone. Then the paths that were flown are searched for the first touch of two of them; both
 // part as their restitution and friction say, and fly the rest of the step again, with their own models, from there
 // on; their earlier events of the rest are dropped. This repeats until no two touch any more. Meetings are taken
-// in order of time, and of slots where two fall on one moment; nothing depends on threads, packs or the order of rows,
-// and nothing is kept from step to step.
+// in order of time; those that fall on one moment and share a projectile are solved together, so that no order counts.
+// Nothing depends on threads, packs or the order of rows, and nothing is kept from step to step.
 #pragma once
 
 #include <optional>

@@ -84,6 +84,7 @@ Obstacles obstacles_of(const WorldImpl& w, const Slot& slot) {
                        .seed = slot.generation};
   if (body.collision.on_hit == OnHit::ask) obstacles.contact.collision.on_hit = OnHit::stop;  // nobody is asked yet
   obstacles.number = w.state.slots.index_of(slot);
+  obstacles.turns = w.state.extras.turns(obstacles.number, body.frozen_rotation);
   if (const Turning* turning = w.state.extras.find_turning(obstacles.number))
     obstacles.shown_spin = turning->angular_velocity;
   return obstacles;

@@ -24,14 +24,14 @@ class Settling {
         course_(row.march.course()),
         parts_(row.step_length(), flies_in_parts(*context.def, context.dt)),
         ground_(row, context.def->ground, parts_),
-        scene_(row) {}
+        scene_(row, sizeof(S) == 4 ? Precision::float32 : Precision::float64) {}
 
   void run() {
     r_.trace(0, r_.at_start());
     if (!r_.is_sound()) return r_.retire(Reason::non_finite);
     if (ground_.is_met_at_start(r_.at_start()))
       touch_ground(r_.at_start(), 0);
-    else if (r_.taken())
+    else if (!stays(0) && r_.taken())
       look_at_taken();
     finish();
   }
@@ -78,7 +78,8 @@ class Settling {
     fly();
   }
   void fly() {
-    while (const auto from = r_.gone() ? std::nullopt : parts_.next()) go(*from);
+    while (const auto from = r_.gone() ? std::nullopt : parts_.next())
+      if (!stays(*from)) go(*from);
     if (!r_.gone() && !is_finite(r_.now())) r_.retire(Reason::non_finite);  // a roll's end may overflow
   }
   void follow_rules() {
@@ -221,11 +222,22 @@ class Settling {
     touch_thing(s, met->hit, at);
   }
 
+  /// Goes on along the thing that it lies on; false where that is none.
+  bool stays(double passed) {
+    const auto on = scene_ ? scene_.lies_on(r_.here(), passed) : std::nullopt;
+    if (!on) return false;
+    touched_ = true;
+    parts_.come_near(passed);
+    leave_thing(scene_.goes_along(r_.here(), *on, passed));
+    return true;
+  }
   void touch_thing(const State<double>& s, const SceneHit& hit, double passed) {
     touched_ = true;
     parts_.come_near(passed);
-    const auto after = scene_.struck(s, hit, passed);
-    using Then = typename SceneContacts<SettledRow<S>>::Then;
+    leave_thing(scene_.struck(s, hit, passed));
+  }
+  void leave_thing(const SceneContacts::After& after) {
+    using Then = SceneContacts::Then;
     switch (after.then) {
       case Then::stops:
       case Then::sticks: return stay(after.state, after.then == Then::sticks);
@@ -265,7 +277,7 @@ class Settling {
   const Course<S>& course_;
   StepParts parts_;
   GroundContacts<SettledRow<S>> ground_;
-  SceneContacts<SettledRow<S>> scene_;
+  SceneContacts scene_;
   Unset<Judgement<S>> judgement_;  // of the last step that was looked at
 };
 

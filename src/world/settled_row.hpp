@@ -7,6 +7,7 @@
 
 #include "base/assert.hpp"
 #include "base/unset.hpp"
+#include "collide/scene_contact.hpp"
 #include "model/contact.hpp"
 #include "physim/scene.hpp"
 #include "solve/judge.hpp"
@@ -18,10 +19,8 @@
 namespace physim {
 
 template <class S>
-class SettledRow {
+class SettledRow final : public ContactHost {
  public:
-  using Scalar = S;
-
   SettledRow(const SettleContext& context, Chunk& chunk, std::uint32_t row)
       : context_(context),
         chunk_(chunk),
@@ -64,14 +63,17 @@ class SettledRow {
   [[nodiscard]] bool meets() const { return rows_.layout().meeting; }
 
   // ------------------------------------------------------------------------------------------- as SceneContacts asks
-  [[nodiscard]] const Scene* scene() const { return meets() ? context_.scene : nullptr; }
-  [[nodiscard]] const CollisionDef& collision() const { return kind().body.collision; }
-  [[nodiscard]] Surface surface() const {
+  [[nodiscard]] const Scene* scene() const override { return meets() ? context_.scene : nullptr; }
+  [[nodiscard]] const CollisionDef& collision() const override { return kind().body.collision; }
+  [[nodiscard]] Surface surface() const override {
     return {kind().body.restitution, kind().body.friction, kind().body.rolling_resistance};
   }
-  [[nodiscard]] double scene_time() const { return context_.time; }
-  [[nodiscard]] double step_length() const { return length_; }
-  [[nodiscard]] Impact impact(int hits) const {
+  [[nodiscard]] Vec3d turns() const override {
+    return context_.state->extras.turns(slot_index_, kind().body.frozen_rotation);
+  }
+  [[nodiscard]] double scene_time() const override { return context_.time; }
+  [[nodiscard]] double step_length() const override { return length_; }
+  [[nodiscard]] Impact impact(int hits) const override {
     Impact impact;
     impact.mass = kind().flown.mass;
     impact.diameter = kind().flown.diameter;
@@ -81,10 +83,8 @@ class SettledRow {
     impact.hit = hit_number(std::bit_cast<std::uint64_t>(context_.time), hits);  // a time is part of the hash
     return impact;
   }
-  void slid(const State<double>&, double, const State<double>&, double) const {}  // rows keep no path
-  static constexpr bool kAsks = true;
   /// What is known of a hit, which is told whose it is and when; null: nothing.
-  [[nodiscard]] const HitAnswer* answer_to(HitQuestion& question, double passed) const {
+  [[nodiscard]] const HitAnswer* answer_to(HitQuestion& question, double passed) const override {
     PHYSIM_ASSERT(context_.asking && context_.asking->has_function());
     question.projectile = {slot_index_, slot().generation};
     question.kind = {kind().number};
@@ -92,7 +92,7 @@ class SettledRow {
     return context_.asking->find(question);
   }
   /// It is left as it was, and nothing of what it told happened, until somebody answers.
-  void leave_open(const HitQuestion& question) {
+  void leave_open(const HitQuestion& question) override {
     PHYSIM_ASSERT(!gone_);
     gone_ = true;
     chunk_.events.resize(told_.events);
@@ -109,13 +109,13 @@ class SettledRow {
   [[nodiscard]] Vec3d launch_place() const { return Rows::at(columns_.launch, row_); }
 
   /// How it spins, `passed` into the step, in W: as its rung flies it, or as it is shown [rad/s].
-  [[nodiscard]] Vec3d spin(double passed) const {
+  [[nodiscard]] Vec3d spin(double passed) const override {
     if (const auto flown = spin_of_lane(conditions(), march.lanes, t_start_, passed)) return *flown;
     if (shown_) return *shown_;
     const Turning* turning = context_.state->extras.find_turning(slot_index_);
     return turning ? turning->angular_velocity : Vec3d{};
   }
-  void put_spin(const Vec3d& spin, double passed) {
+  void put_spin(const Vec3d& spin, double passed) override {
     if (spin == this->spin(passed)) return;
     if (!put_spin_of_lane(conditions(), march.lanes, t_start_, passed, spin)) {
       shown_ = spin;
@@ -127,14 +127,14 @@ class SettledRow {
   }
   /// Where it points and how it turns, where that is flown.
   void put_turn(const Turn<double>& turn) { cast_numbers(turn, march.lanes.step.turn->start); }
-  [[nodiscard]] Vec3d acceleration_at(const State<double>& s, double after) const {
+  [[nodiscard]] Vec3d acceleration_at(const State<double>& s, double after) const override {
     const Vec3d a =
         acceleration_of_lane(conditions(), march.lanes, march.course().body, static_cast<double>(t_start_) + after, s);
     return driven_ ? a + kept(driven_->by.at(context_.time + after, s) - driven_->felt) : a;
   }
 
   /// What constraints leave of a velocity or a way.
-  [[nodiscard]] Vec3d kept(const Vec3d& v) const { return kept_of_lane(conditions(), march.lanes, v); }
+  [[nodiscard]] Vec3d kept(const Vec3d& v) const override { return kept_of_lane(conditions(), march.lanes, v); }
 
   /// From now on the models feel what generators gave it then.
   void feel_as_at(double passed) {
@@ -230,7 +230,7 @@ class SettledRow {
 
   // ------------------------------------------------------------------------------------------- what happens to it
   void tell(EventKind kind, Reason reason, double passed, const State<double>& s, const SceneHit& hit = {},
-            double depth = 0, double energy = 0) {
+            double depth = 0, double energy = 0) override {
     Event& event = chunk_.events.emplace_back(event_of(kind, reason, s, hit, depth, energy));
     event.id = {slot_index_, slot().generation};
     event.time = context_.time + passed;

@@ -239,6 +239,11 @@ struct Extras {
     return own.size() * (sizeof(Own) + kNode) + tags.size() * (sizeof(Tags) + kNode) +
            turning.size() * (sizeof(Turning) + kNode);
   }
+  /// 1 along axes about which one turns, 0 along others; `usual`: what its kind says.
+  [[nodiscard]] Vec3d turns(std::uint32_t slot, Axes usual) const {
+    const Own* found = find_own(slot);
+    return free_axes(found ? found->frozen_rotation : usual);
+  }
   void forget(std::uint32_t slot) {
     if (!own.empty()) own.erase(slot);
     if (!tags.empty()) tags.erase(slot);

@@ -9,9 +9,8 @@ void WorldImpl::turn(double dt) {
     const Slot& slot = state.slots[index];
     if (slot.is(kStill)) continue;
     const BodyDef& body = registry.kind(slot.kind).body;
-    const Own* own = state.extras.find_own(index);
-    const Axes frozen = own ? own->frozen_rotation : body.frozen_rotation;
-    turning.angular_velocity = component_product(turning.angular_velocity, free_axes(frozen));
+    turning.angular_velocity =
+        component_product(turning.angular_velocity, state.extras.turns(index, body.frozen_rotation));
     turning = turned(turning, body.angular_drag, dt);
   }
 }

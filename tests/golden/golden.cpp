@@ -22,7 +22,7 @@ namespace {
 /// What this version of the library must print. A change of the physics or the numerics changes it: say so in the
 /// commit.
 using Sums = std::array<std::uint64_t, 5>;
-constexpr Sums kExpectedSums = {0x6f175e23e7a5c379, 0xd0867af1c5e2cc7f, 0x4e00955f69f0347b, 0x99a6a795c8cfd320,
+constexpr Sums kExpectedSums = {0x6f175e23e7a5c379, 0x9ccdea6e239cb47a, 0x4e00955f69f0347b, 0x8675db0b063bd585,
                                 0x54e16c2ac867429f};
 
 void print(std::FILE* file, const Sums& sums) {

@@ -16,6 +16,7 @@ int main(int argc, char** argv) {
   long wrong = wrong_casts(asked->count, asked->seed);
   wrong += wrong_impacts(asked->count, asked->seed);
   wrong += wrong_sparks(asked->count);
+  wrong += wrong_seams(asked->count, asked->seed);
   std::printf("%ld wrong\n", wrong);
   return wrong == 0 ? 0 : 1;
 }

@@ -10,6 +10,8 @@ long wrong_casts(long count, long seed);
 /// So many flights at thin things, and as many past them.
 long wrong_impacts(long count, long seed);
 /// So many hits of a wall, each of which sets off a spark, at five frame rates.
+/// So many points and balls onto seams of floors, for each pair of bodies.
+long wrong_seams(long count, long seed);
 long wrong_sparks(long count);
 
 }  // namespace physim::test

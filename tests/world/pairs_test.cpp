@@ -1,5 +1,6 @@
 // Projectiles that meet each other: where and when, what follows, and that nothing else matters.
 #include <cmath>
+#include <map>
 #include <random>
 
 #include "world/pairs_support.hpp"
@@ -36,6 +37,59 @@ TEST(Pairs, two_balls_part_as_the_closed_form_says) {
     EXPECT_NEAR(world[b].velocity().x, after_b, 1e-12 * v);
     EXPECT_NEAR(world[a].position().x, v * t + after_a * (0.25 - t), 1e-10);
     EXPECT_EQ(of_kind(events, EventKind::bounced).size(), 2u);
+  }
+}
+
+/// A ball between two equal ones that touch: J along both normals at once leaves -v / 5, and 2 sqrt(3) v / 5 at 30
+/// degrees to either side, whoever was there first.
+TEST(Pairs, two_that_are_met_at_once_part_alike) {
+  constexpr double kSpeed = 10;
+  for (const int first : {0, 1, 2})
+    for (const double friction : {0.0, 0.2}) {
+      World world = make_world(space());
+      const Vec3d at[] = {{-2, 0, 0}, {0, 0, -0.5}, {0, 0, 0.5}};
+      BodyDef body = ball(0.5);
+      body.friction = friction;
+      std::map<int, ProjectileId> ids;
+      for (int k = 0; k < 3; ++k) {
+        const int i = (first + k) % 3;
+        ids[i] = put(world, mass_of(1), body, at[i], {i == 0 ? kSpeed : 0.0, 0, 0});
+      }
+      const auto events = run_for(world, 0.5);
+      EXPECT_EQ(of_kind(events, EventKind::hit).size(), 4u);
+      const Vec3d cue = world[ids[0]].velocity(), left = world[ids[1]].velocity(), right = world[ids[2]].velocity();
+      EXPECT_NEAR(cue.z, 0, 1e-12);
+      EXPECT_NEAR(left.x, right.x, 1e-12);
+      EXPECT_NEAR(left.z, -right.z, 1e-12);
+      EXPECT_NEAR(cue.x + left.x + right.x, kSpeed, 1e-12);
+      if (friction > 0) continue;
+      EXPECT_NEAR(cue.x, -kSpeed / 5, 1e-12);
+      EXPECT_NEAR(right.x, 0.6 * kSpeed, 1e-12);
+      EXPECT_NEAR(right.z, 0.2 * std::sqrt(3.0) * kSpeed, 1e-12);
+    }
+}
+
+/// A rack of fifteen is mirror-symmetric after the break, in whichever order it was set up.
+TEST(Pairs, a_rack_stays_symmetric) {
+  for (const bool backwards : {false, true}) {
+    World world = make_world(space());
+    std::vector<Vec3d> places;
+    for (int row = 0; row < 5; ++row)
+      for (int k = 0; k <= row; ++k) places.push_back({row * std::sqrt(3.0) / 2 * 1.0001, 0, (k - 0.5 * row) * 1.0001});
+    std::vector<ProjectileId> ids(places.size());
+    for (std::size_t k = 0; k < ids.size(); ++k) {
+      const std::size_t i = backwards ? ids.size() - 1 - k : k;
+      ids[i] = put(world, mass_of(1), ball(0.5, 0.95), places[i], {});
+    }
+    put(world, mass_of(1), ball(0.5, 0.95), {-3, 0, 0}, {9, 0, 0});
+    run_for(world, 1);
+    for (int row = 0, at = 0; row < 5; at += ++row)
+      for (int k = 0; k <= row; ++k) {
+        const Vec3d one = world[ids[static_cast<std::size_t>(at + k)]].position();
+        const Vec3d mirrored = world[ids[static_cast<std::size_t>(at + row - k)]].position();
+        EXPECT_NEAR(one.x, mirrored.x, 1e-9) << row << " " << k;
+        EXPECT_NEAR(one.z, -mirrored.z, 1e-9) << row << " " << k;
+      }
   }
 }
 
