@@ -214,6 +214,7 @@ Content flights_json(const Flights& flights) {
       out.object();
       out.add({{"name", from.name}});
       out.add(flight_json(from.flight, from.shot->projectile.fidelity));
+      out.add({{"assumed", assumed_json(flown, i)}});
       out.add({{"range_card", range_card_json(from.flight, flown.scenario.ranges)}});
       out.object("trajectory");
       add_columns(out, columns_of(from.flight, times[i], with_jerk));
