@@ -431,8 +431,8 @@ TEST(FilesForOthers, KmlFollowsItsSchemaAndNamesPathsAfterTheirShots) {
 import sys, xml.etree.ElementTree as tree
 k = '{http://www.opengis.net/kml/2.2}'
 order = ['name', 'visibility', 'open', 'address', 'Snippet', 'description', 'LookAt', 'TimeStamp', 'TimeSpan',
-         'styleUrl', 'Style', 'StyleMap', 'Region', 'ExtendedData', 'Folder', 'Placemark', 'Point', 'LineString', 'Polygon',
-         'MultiGeometry']
+         'styleUrl', 'Style', 'StyleMap', 'Region', 'ExtendedData', 'Folder', 'Placemark', 'Point', 'LineString',
+         'Polygon', 'MultiGeometry']
 inner = {'LineString': ['extrude', 'tessellate', 'altitudeMode', 'coordinates'],
          'Point': ['extrude', 'altitudeMode', 'coordinates'], 'TimeSpan': ['begin', 'end'], 'TimeStamp': ['when'],
          'Polygon': ['extrude', 'tessellate', 'altitudeMode', 'outerBoundaryIs'], 'LinearRing': ['coordinates']}
