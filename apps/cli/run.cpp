@@ -177,7 +177,21 @@ void warn_of_refusals(const std::vector<WorldGroup>& groups) {
   for (const WorldGroup& group : groups)
     if (group.counts.cut > 0)
       print_warning(std::to_string(group.counts.cut) + " particles of \"" + one_line(group.name) +
-                    "\" were not born: more than a million in a step, or sub-emitters without end");
+                    "\" were not born: more than a million in a step, or sub-emitters without end; an emitter that "
+                    "fires by itself stops there");
+}
+
+/// Rounds that leave the air because nobody said how long they live.
+void warn_of_age(const WorldLog& log) {
+  for (const ScenarioEmitter& emitter : log.scenario.emitters) {
+    const bool is_unsaid = emitter.def.start.lifetime == ParticleStart{}.lifetime;
+    if (!(emitter.def.gun.rounds_per_minute > 0) || !is_unsaid) continue;
+    const auto group = std::ranges::find(log.groups, emitter.def.name, &WorldGroup::name);
+    if (group == log.groups.end() || group->counts.aged == 0) continue;
+    print_warning(std::to_string(group->counts.aged) + " rounds of \"" + one_line(group->name) +
+                  "\" left the air at an age of " + significant(emitter.def.start.lifetime.value, 6) +
+                  " s: that is emitter.start.lifetime where nothing is said");
+  }
 }
 
 /// When a run is to be saved.
@@ -236,6 +250,7 @@ Result<int> run_world(const RunOptions& options, Scenario scenario, std::optiona
                           [&] { return write(options.outputs, make); });
   if (!status) return status.error();
   warn_of_refusals(log->groups);
+  warn_of_age(*log);
   const int code = std::ranges::count(log->checks, false, &Check::met) > 0 ? kExitCheckMissed : kExitOk;
   if (!options.outputs.use_stdout()) return done(print(world_text(*log, style_of(stdout))), code);
   if (code != kExitOk) print_warning("checks were missed");

@@ -9,22 +9,13 @@
 
 #include "base/assert.hpp"
 #include "scenario/libraries.hpp"
+#include "terminal.hpp"
 
 #if PHYSIM_HAS_MPI
 #include <mpi.h>
 #endif
 
 namespace physim::cli {
-namespace {
-
-/// Launchers tell how many there are: Open MPI's mpirun, Slurm's srun with PMIx or PMI-2.
-bool job_is_there() {
-  for (const char* name : {"OMPI_COMM_WORLD_SIZE", "PMIX_RANK", "PMI_SIZE"})
-    if (std::getenv(name) != nullptr) return true;
-  return false;
-}
-
-}  // namespace
 
 #if PHYSIM_HAS_MPI
 

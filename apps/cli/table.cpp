@@ -59,6 +59,7 @@ Result<int> run(const TableCommand& command) {
   if (!asked) return asked.error();
   const Result<Card> card = make_card(*asked, *wishes);
   if (!card) return card.error();
+  for (const std::string& note : curve_notes(card->flight)) print_warning(note);
   if (card->ranges.empty())
     return about(*asked, {.message = "the shot has no range to show", .hint = "give ranges, as --ranges \"100 m\""});
   return done(write_output(command.to, text_of(*card, command.format)));

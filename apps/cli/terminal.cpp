@@ -48,7 +48,13 @@ class Bar {
 
 }  // namespace
 
-bool is_terminal(std::FILE* stream) { return isatty(fileno(stream)) == 1; }
+bool job_is_there() {
+  for (const char* name : {"OMPI_COMM_WORLD_SIZE", "PMIX_RANK", "PMI_SIZE"})
+    if (std::getenv(name) != nullptr) return true;
+  return false;
+}
+
+bool is_terminal(std::FILE* stream) { return isatty(fileno(stream)) == 1 && !job_is_there(); }
 
 report::Style style_of(std::FILE* stream) {
   const char* no_color = std::getenv("NO_COLOR");

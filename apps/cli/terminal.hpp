@@ -11,6 +11,10 @@
 
 namespace physim::cli {
 
+/// Whether this is a rank of a job. Launchers tell how many there are: Open MPI's mpirun, Slurm's srun with PMIx or
+/// PMI-2.
+[[nodiscard]] bool job_is_there();
+/// Whether a person looks at the stream. A launcher gives its ranks a terminal, whose text goes elsewhere.
 [[nodiscard]] bool is_terminal(std::FILE* stream);
 
 /// Colours for one stream; none where it is no terminal, NO_COLOR is set or TERM is "dumb".

@@ -1,11 +1,13 @@
 #include "report/globe.hpp"
 
+#include <algorithm>
 #include <chrono>
 #include <cmath>
 #include <nlohmann/json.hpp>
 
 #include "base/assert.hpp"
 #include "math/angles.hpp"
+#include "math/vec3.hpp"
 #include "model/ladder.hpp"
 #include "physim/names.hpp"
 #include "report/json.hpp"
@@ -31,11 +33,54 @@ GlobePoint point_of(const EarthFrames& frames, double time, const Vec3d& positio
   return {time, g.longitude * kDegrees, g.latitude * kDegrees, g.height};
 }
 
-template <class Take>
-void each_point(const Flight& flight, const std::vector<double>& times, const Take& take) {
-  const EarthFrames frames = flight.earth_frames();
-  for (const double time : times) take(point_of(frames, time, flight.at(time).position));
+/// Parts of a path that do not cross the antimeridian, of two points at least. A path over a pole jumps too: it runs
+/// along the edge of the map there.
+using Parts = std::vector<std::vector<GlobePoint>>;
+
+/// Where the flight leaves the map between two samples on different sides of it.
+GlobePoint at_antimeridian(const Flight& flight, const EarthFrames& frames, const GlobePoint& from,
+                           const GlobePoint& to) {
+  PHYSIM_ASSERT(std::abs(to.longitude - from.longitude) > 180);
+  double before = from.time, behind = to.time;
+  GlobePoint edge = from;
+  constexpr int kHalvings = 60;
+  for (int i = 0; i < kHalvings && before < behind; ++i) {
+    const double middle = before + 0.5 * (behind - before);
+    const GlobePoint p = point_of(frames, middle, flight.at(middle).position);
+    if (std::abs(p.longitude - from.longitude) > 180) {
+      behind = middle;
+    } else {
+      before = middle;
+      edge = p;
+    }
+  }
+  edge.longitude = from.longitude > 0 ? 180 : -180;
+  return edge;
 }
+
+Parts parts_of(const Flight& flight, const Times& times) {
+  const EarthFrames frames = flight.earth_frames();
+  Parts parts(1);
+  for (std::size_t i = 0; i < times.size(); ++i) {
+    const GlobePoint p = point_of(frames, times[i], sample_at(flight, times, i).position);
+    if (!parts.back().empty() && std::abs(p.longitude - parts.back().back().longitude) > 180) {
+      GlobePoint edge = at_antimeridian(flight, frames, parts.back().back(), p);
+      parts.back().push_back(edge);
+      edge.longitude = -edge.longitude;
+      parts.push_back({edge});
+    }
+    parts.back().push_back(p);
+  }
+  for (std::vector<GlobePoint>& part : parts)
+    if (part.size() == 1) part.push_back(part[0]);
+  return parts;
+}
+
+/// What the heights of a file are, in its header.
+constexpr std::string_view kHeights =
+    "Heights are metres above the ellipsoid (WGS 84) or the sphere that was flown over, with environment.altitude as "
+    "the height of the origin above it.";
+constexpr std::string_view kReaders = " Programs that read KML take them as metres above the sea.";
 
 /// What happened where: the launch, the events and the end.
 struct Mark {
@@ -57,51 +102,177 @@ std::vector<Mark> marks_of(const Flight& flight) {
   return marks;
 }
 
+// -------------------------------------------------------------------------------------------------------------- times
+/// A time since the launch, which a file without a date puts at noon of 1 January 2000: "2000-01-01T12:00:01.25Z", with
+/// the digits of the number.
+std::string utc(double seconds) {
+  using namespace std::chrono;
+  PHYSIM_ASSERT(seconds >= 0 && std::isfinite(seconds));
+  const double whole_seconds = std::floor(seconds);
+  const auto whole = sys_days{2000y / January / 1} + hours{12} + std::chrono::seconds{std::llround(whole_seconds)};
+  const auto day = floor<days>(whole);
+  const year_month_day date{day};
+  const hh_mm_ss clock{whole - day};
+  char text[40];
+  std::snprintf(text, sizeof text, "%04d-%02u-%02uT%02d:%02d:%02d", static_cast<int>(date.year()),
+                static_cast<unsigned>(date.month()), static_cast<unsigned>(date.day()),
+                static_cast<int>(clock.hours().count()), static_cast<int>(clock.minutes().count()),
+                static_cast<int>(clock.seconds().count()));
+  const std::string digits = plain(seconds);
+  const std::size_t point = std::min(digits.find('.'), digits.size());
+  return text + digits.substr(point) + "Z";
+}
+
 // ---------------------------------------------------------------------------------------------------------------- KML
 std::string kml_coordinates(const GlobePoint& p) { return report::kml_coordinates(p.longitude, p.latitude, p.height); }
 
-void write_kml_shot(const Sink& sink, const FlownShot& shot, const std::vector<double>& times) {
-  sink(" <Folder>\n  <name>" + xml(shot.name) +
-       "</name>\n  <Placemark>\n   <name>path</name>\n   <styleUrl>#path</styleUrl>\n"
-       "   <LineString>\n    <altitudeMode>absolute</altitudeMode>\n    <coordinates>\n");
-  each_point(shot.flight, times, [&sink](const GlobePoint& p) { sink("     " + kml_coordinates(p) + "\n"); });
-  sink("    </coordinates>\n   </LineString>\n  </Placemark>\n");
+void write_kml_shot(const Sink& sink, const FlownShot& shot, const Times& times) {
+  const Parts parts = parts_of(shot.flight, times);
+  const bool is_whole = parts.size() == 1;
+  sink(" <Folder>\n  <name>" + xml(shot.name) + "</name>\n  <Placemark>\n   <name>" + xml(shot.name) +
+       "</name>\n   <TimeSpan><begin>" + utc(0) + "</begin><end>" + utc(shot.flight.duration()) +
+       "</end></TimeSpan>\n   <styleUrl>#path</styleUrl>\n" + (is_whole ? "" : "   <MultiGeometry>\n"));
+  for (const std::vector<GlobePoint>& part : parts) {
+    sink("   <LineString>\n    <altitudeMode>absolute</altitudeMode>\n    <coordinates>\n");
+    for (const GlobePoint& p : part) sink("     " + kml_coordinates(p) + "\n");
+    sink("    </coordinates>\n   </LineString>\n");
+  }
+  sink(std::string(is_whole ? "" : "   </MultiGeometry>\n") + "  </Placemark>\n");
   for (const Mark& mark : marks_of(shot.flight))
-    sink("  <Placemark>\n   <name>" + xml(mark.name) + "</name>\n   <description>" + significant(mark.point.time, 6) +
-         " s, " + significant(mark.speed, 6) +
-         " m/s</description>\n   <Point>\n    <altitudeMode>absolute</altitudeMode>\n    <coordinates>" +
+    sink("  <Placemark>\n   <name>" + xml(mark.name) + "</name>\n   <description>" + xml(shot.name) + ": " +
+         significant(mark.point.time, 6) + " s, " + significant(mark.speed, 6) +
+         " m/s</description>\n   <TimeStamp><when>" + utc(mark.point.time) +
+         "</when></TimeStamp>\n   <Point>\n    <altitudeMode>absolute</altitudeMode>\n    <coordinates>" +
          kml_coordinates(mark.point) + "</coordinates>\n   </Point>\n  </Placemark>\n");
   sink(" </Folder>\n");
 }
 
 // --------------------------------------------------------------------------------------------------------------- CZML
-/// A time since the launch, which a file without a date puts at noon of 1 January 2000.
-std::string utc(double seconds) {
-  using namespace std::chrono;
-  const auto whole = sys_days{2000y / January / 1} + hours{12} + std::chrono::seconds{std::llround(std::ceil(seconds))};
-  const auto day = floor<days>(whole);
-  const year_month_day date{day};
-  const hh_mm_ss clock{whole - day};
-  char text[40];
-  std::snprintf(text, sizeof text, "%04d-%02u-%02uT%02d:%02d:%02dZ", static_cast<int>(date.year()),
-                static_cast<unsigned>(date.month()), static_cast<unsigned>(date.day()),
-                static_cast<int>(clock.hours().count()), static_cast<int>(clock.minutes().count()),
-                static_cast<int>(clock.seconds().count()));
-  return text;
+constexpr std::size_t kPathDegree = 3;  // of the polynomial that viewers lay through samples
+
+/// A part of a path without a break, as samples between which a viewer finds the places by a polynomial.
+struct Smooth {
+  struct Point {
+    double time;
+    Vec3d position;
+  };
+  std::vector<Point> points;
+
+  /// Where viewers show it between two samples, the second of which is the k-th: through the samples around.
+  [[nodiscard]] Vec3d shown(double time, std::size_t k) const {
+    PHYSIM_ASSERT(k > 0 && k < points.size());
+    const std::size_t count = std::min(kPathDegree + 1, points.size());
+    const std::size_t first = std::min(k - std::min(k, (count - 1) / 2 + 1), points.size() - count);
+    Vec3d place;
+    for (std::size_t i = first; i < first + count; ++i) {
+      double weight = 1;
+      for (std::size_t j = first; j < first + count; ++j)
+        if (j != i) weight *= (time - points[j].time) / (points[i].time - points[j].time);
+      place += (points[i].position - points[first].position) * weight;
+    }
+    return points[first].position + place;
+  }
+
+  /// Leaves out samples that are so close to their neighbours that a polynomial through them is at the mercy of
+  /// rounding.
+  void thin_out() {
+    constexpr double kClose = 1e-4;
+    for (std::size_t i = 1; i + 1 < points.size();) {
+      const double before = points[i].time - points[i - 1].time, behind = points[i + 1].time - points[i].time;
+      const bool is_close = std::min(before, behind) < kClose * std::max(before, behind);
+      if (is_close)
+        points.erase(points.begin() + static_cast<std::ptrdiff_t>(i));
+      else
+        ++i;
+    }
+  }
+
+  /// Adds samples until what viewers show between them is the path.
+  void refine(const Flight& flight) {
+    constexpr double kAllowed = 1e-3;   // [m]
+    constexpr double kShortest = 1e-6;  // [s]
+    constexpr int kRounds = 20;
+    bool is_done = points.size() < 2;
+    for (int round = 0; round < kRounds && !is_done && points.size() < kMaxSamples; ++round) {
+      std::vector<Point> finer = {points[0]};
+      for (std::size_t k = 1; k < points.size(); ++k) {
+        const double length_of_step = points[k].time - points[k - 1].time;
+        const double middle = points[k - 1].time + 0.5 * length_of_step;
+        const Vec3d flown = flight.at(middle).position;
+        if (length_of_step > kShortest && length(shown(middle, k) - flown) > kAllowed) finer.push_back({middle, flown});
+        finer.push_back(points[k]);
+      }
+      is_done = finer.size() == points.size();
+      points = std::move(finer);
+    }
+  }
+};
+
+/// The parts of a path between its breaks.
+std::vector<Smooth> smooth_parts(const Flight& flight, const Times& times) {
+  constexpr double kShortest = 1e-9;  // [s]; viewers do not know times better
+  Times breaks;
+  for (const Event& event : flight.events())
+    if (may_break_path(event.kind)) breaks.push_back(event.time);
+  std::vector<Smooth> parts(1);
+  for (std::size_t i = 0; i < times.size(); ++i) {
+    const double time = times[i];
+    const Smooth::Point point{time, sample_at(flight, times, i).position};
+    std::vector<Smooth::Point>& open = parts.back().points;
+    const bool is_again = !open.empty() && open.back().time == time;
+    if (is_again && open.size() == 1)
+      open.back() = point;
+    else if (!is_again)
+      open.push_back(point);
+    if (open.size() > 1 && time - open.front().time < kShortest) {
+      open.resize(1);
+      continue;
+    }
+    const bool is_last = i + 1 == times.size() || times.back() == time;
+    if (open.size() > 1 && !is_last && std::ranges::binary_search(breaks, time))
+      parts.emplace_back().points.push_back(point);
+  }
+  if (parts.size() > 1 && parts.back().points.size() == 1) parts.pop_back();
+  for (Smooth& part : parts) {
+    PHYSIM_ASSERT(!part.points.empty());
+    part.thin_out();
+    part.refine(flight);
+  }
+  return parts;
 }
 
-void add_czml_shot(JsonStream& out, const FlownShot& shot, const std::vector<double>& times) {
+void add_czml_part(JsonStream& out, const EarthFrames& frames, const Smooth& part, bool is_whole) {
+  if (!is_whole) out.add({{"interval", utc(part.points.front().time) + "/" + utc(part.points.back().time)}});
+  out.add({{"epoch", utc(0)},
+           {"interpolationAlgorithm", "LAGRANGE"},
+           {"interpolationDegree", kPathDegree},
+           {"forwardExtrapolationType", "HOLD"},
+           {"backwardExtrapolationType", "HOLD"}});
+  out.list("cartographicDegrees");
+  for (const Smooth::Point& point : part.points) {
+    const GlobePoint p = point_of(frames, point.time, point.position);
+    for (const double number : {p.time, p.longitude, p.latitude, p.height}) out.push(number);
+  }
+  out.close();
+}
+
+void add_czml_shot(JsonStream& out, const FlownShot& shot, const Times& times) {
   const Json colour = {{"solidColor", {{"color", {{"rgba", {255, 160, 0, 255}}}}}}};
+  const std::vector<Smooth> parts = smooth_parts(shot.flight, times);
+  const EarthFrames frames = shot.flight.earth_frames();
+  const bool is_whole = parts.size() == 1;
   out.object();
   out.add(
       {{"id", "shot/" + shot.name}, {"name", shot.name}, {"availability", utc(0) + "/" + utc(shot.flight.duration())}});
-  out.object("position");
-  out.add({{"epoch", utc(0)}, {"interpolationAlgorithm", "LAGRANGE"}, {"interpolationDegree", 3}});
-  out.list("cartographicDegrees");
-  each_point(shot.flight, times, [&out](const GlobePoint& p) {
-    for (const double number : {p.time, p.longitude, p.latitude, p.height}) out.push(number);
-  });
-  out.close();
+  if (is_whole)
+    out.object("position");
+  else
+    out.list("position");
+  for (const Smooth& part : parts) {
+    if (!is_whole) out.object();
+    add_czml_part(out, frames, part, is_whole);
+    if (!is_whole) out.close();
+  }
   out.close();
   out.add({{"point", {{"pixelSize", 8}, {"color", {{"rgba", {255, 160, 0, 255}}}}}},
            {"path", {{"width", 2}, {"material", colour}}}});
@@ -110,35 +281,6 @@ void add_czml_shot(JsonStream& out, const FlownShot& shot, const std::vector<dou
 
 // ------------------------------------------------------------------------------------------------------------ GeoJSON
 Json position_json(const GlobePoint& p) { return Json::array({p.longitude, p.latitude, p.height}); }
-
-/// The point between two others where the path leaves the map, on the side of the first.
-GlobePoint at_antimeridian(const GlobePoint& from, const GlobePoint& to) {
-  const double side = from.longitude > 0 ? 180 : -180;
-  const double beyond = to.longitude + 2 * side;  // the second without the jump
-  PHYSIM_ASSERT(std::abs(to.longitude - from.longitude) > 180);
-  const double part = (side - from.longitude) / (beyond - from.longitude);
-  return {from.time + part * (to.time - from.time), side, from.latitude + part * (to.latitude - from.latitude),
-          from.height + part * (to.height - from.height)};
-}
-
-/// Parts that do not cross the antimeridian, of two points at least. A path over a pole jumps too: it runs along the
-/// edge of the map there.
-using Parts = std::vector<std::vector<GlobePoint>>;
-Parts parts_of(const Flight& flight, const std::vector<double>& times) {
-  Parts parts(1);
-  each_point(flight, times, [&parts](const GlobePoint& p) {
-    if (!parts.back().empty() && std::abs(p.longitude - parts.back().back().longitude) > 180) {
-      GlobePoint edge = at_antimeridian(parts.back().back(), p);
-      parts.back().push_back(edge);
-      edge.longitude = -edge.longitude;
-      parts.push_back({edge});
-    }
-    parts.back().push_back(p);
-  });
-  for (std::vector<GlobePoint>& part : parts)
-    if (part.size() == 1) part.push_back(part[0]);
-  return parts;
-}
 
 /// What is said of each point: a list of it, or where there are several parts a list for each.
 template <class Say>
@@ -153,7 +295,7 @@ void add_parts(JsonStream& out, std::string_view key, const Parts& parts, const 
   if (!whole) out.close();
 }
 
-void add_path_feature(JsonStream& out, const FlownShot& shot, const std::vector<double>& times) {
+void add_path_feature(JsonStream& out, const FlownShot& shot, const Times& times) {
   const Parts parts = parts_of(shot.flight, times);
   out.object();
   out.add({{"type", "Feature"}});
@@ -191,7 +333,9 @@ Content globe_kml(const Flights& flights) {
     const FlownScenario& flown = flights.flown;
     const SampleTimes& times = flights.times;
     PHYSIM_ASSERT(times.size() == flown.shots.size());
-    sink(kml_begin(title_of(flown.scenario), flown.scenario.source) +
+    const std::string& source = flown.scenario.source;
+    const std::string said = source + (source.empty() ? "" : "\n") + std::string(kHeights) + std::string(kReaders);
+    sink(kml_begin(title_of(flown.scenario), said) +
          " <Style id=\"path\"><LineStyle><color>ff00a0ff</color><width>2</width></LineStyle></Style>\n");
     for (std::size_t i = 0; i < flown.shots.size(); ++i) write_kml_shot(sink, flown.shots[i], times[i]);
     sink(kml_end());
@@ -210,6 +354,7 @@ Content globe_czml(const Flights& flights) {
     out.push({{"id", "document"},
               {"name", title_of(flown.scenario)},
               {"version", "1.0"},
+              {"description", kHeights},
               {"clock", {{"interval", utc(0) + "/" + utc(last)}, {"currentTime", utc(0)}, {"multiplier", 1}}}});
     for (std::size_t i = 0; i < flown.shots.size(); ++i) add_czml_shot(out, flown.shots[i], times[i]);
     out.close();
@@ -223,7 +368,7 @@ Content globe_geojson(const Flights& flights) {
     PHYSIM_ASSERT(times.size() == flown.shots.size());
     JsonStream out(sink);
     out.object();
-    out.add({{"type", "FeatureCollection"}});
+    out.add({{"type", "FeatureCollection"}, {"name", title_of(flown.scenario)}, {"description", kHeights}});
     out.list("features");
     for (std::size_t i = 0; i < flown.shots.size(); ++i) {
       const FlownShot& shot = flown.shots[i];

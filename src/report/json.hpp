@@ -14,6 +14,9 @@ namespace physim::report {
 void add_provenance(JsonStream& out, const Scenario& scenario);
 /// Outcome, fidelity, events and cost of a flight.
 [[nodiscard]] nlohmann::ordered_json flight_json(const Flight& flight, const Fidelity& asked);
+/// A list of the defaults that mattered to a flight and that neither the file nor an override gave: with any of them a
+/// little different it ends elsewhere. Null for flights of very many steps, and behind the first 20 shots.
+[[nodiscard]] nlohmann::ordered_json assumed_json(const FlownScenario& flown, std::size_t shot);
 /// The verdicts of the scenario's expectations.
 void add_checks(JsonStream& out, const std::vector<Check>& checks);
 /// A list of the three components.

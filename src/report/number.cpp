@@ -26,6 +26,8 @@ std::string to_text(double value, Format... format) {
 
 std::string shortest(double value) { return to_text(value); }
 
+std::string plain(double value) { return to_text(value, std::chars_format::fixed); }
+
 std::string fixed(double value, int decimals) {
   PHYSIM_ASSERT(decimals >= 0);
   std::string text = to_text(value, std::chars_format::fixed, decimals);

@@ -8,6 +8,8 @@ namespace physim::report {
 
 /// The shortest text that reads back to the same double: for files.
 [[nodiscard]] std::string shortest(double value);
+/// The shortest text of a double without an exponent: "0.00000125".
+[[nodiscard]] std::string plain(double value);
 /// Fixed decimals, "-3.100"; never "-0.000".
 [[nodiscard]] std::string fixed(double value, int decimals);
 /// `digits` significant digits, with an exponent if the number is very large or small.

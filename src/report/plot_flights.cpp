@@ -13,7 +13,7 @@ namespace physim::report {
 namespace {
 
 constexpr int kWidth = 1600, kHeight = 1300;  // [px]
-constexpr int kPoints = 400;                  // of each curve
+constexpr int kPoints = 400;                  // of each curve, beside its corners
 constexpr std::size_t kMaxDrawnShots = 14;
 
 // Columns of a datablock, counted from 1 as gnuplot does: those of a sample row, and then these.
@@ -40,8 +40,11 @@ std::string hits_of(const Flight& flight) {
 Curve curve_of(const FlownShot& shot, std::size_t index, bool with_jerk) {
   Curve curve{shot.name, "$shot" + std::to_string(index), {}, hits_of(shot.flight)};
   const double duration = shot.flight.duration();
-  for (int k = 0; k <= kPoints; ++k) {
-    const Sample sample = shot.flight.at(duration * k / kPoints);
+  Times times;
+  for (int k = 0; k <= kPoints; ++k) times.push_back(duration * k / kPoints);
+  times = with_breaks(shot.flight, times);
+  for (std::size_t k = 0; k < times.size(); ++k) {
+    const Sample sample = sample_at(shot.flight, times, k);
     std::array<double, kColumns> row{};
     std::ranges::copy(row_of(sample), row.begin());
     row[kRange - 1] = std::hypot(sample.position.x, sample.position.z);

@@ -26,13 +26,13 @@ std::string csv_cell(const Cell& cell) {
 Text csv_text(Records records) {
   return [records = std::move(records)](const Sink& sink) {
     std::string line;
-    for (const std::string& column : records.columns) line += (line.empty() ? "" : ", ") + csv_field(column);
+    for (const std::string& column : records.columns) line += (line.empty() ? "" : ",") + csv_field(column);
     sink(line + "\n");
     records.rows([&](Row row) {
       PHYSIM_ASSERT(row.size() == records.columns.size());
       line.clear();
       for (std::size_t i = 0; i < row.size(); ++i) {
-        if (i > 0) line += ", ";
+        if (i > 0) line += ',';
         line += csv_cell(row[i]);
       }
       sink(line += "\n");

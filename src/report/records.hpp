@@ -22,7 +22,7 @@ struct Records {
   std::function<void(const std::function<void(Row)>& take)> rows;
 };
 
-/// A header line and a line for each row, RFC 4180 but for the space behind each comma.
+/// A header line and a line for each row: RFC 4180, with a line feed alone at the end of each line.
 [[nodiscard]] Text csv_text(Records records);
 /// An object with a list for each column.
 [[nodiscard]] Text columns_json(Records records);

@@ -1,5 +1,6 @@
 #include "report/replay_log.hpp"
 
+#include <map>
 #include <nlohmann/json.hpp>
 
 #include "base/assert.hpp"
@@ -36,7 +37,13 @@ Result<ReplayLog> play_recording(const std::string& file, const ReplayOptions& o
   }
   Replay& player = *opened;
   ReplayLog log{.file = file};
-  while (player.next_frame()) log.frames.push_back(frame_of(player));
+  std::map<EmitterId, std::uint64_t> born;  // those of emitters that are gone, too
+  while (player.next_frame()) {
+    log.frames.push_back(frame_of(player));
+    for (const EmitterId emitter : player.world().emitters())
+      born[emitter] = player.world().emitter_counts(emitter).born;
+  }
+  for (const auto& [emitter, count] : born) log.born += count;
   log.report = player.report();
   PHYSIM_ASSERT(log.frames.empty() || log.frames.back().step <= log.report.steps);
   log.time = player.world().time();
@@ -54,8 +61,9 @@ std::string replay_text(const ReplayLog& log, const Style& style) {
                     "\n  calls        " + std::to_string(r.calls) + "\n  steps        " + std::to_string(r.steps) +
                     ", to " + readable(log.time, 5) + " s" +
                     (r.restores > 0 ? ", with " + counted(r.restores, "restore") : "") + "\n  projectiles  " +
-                    std::to_string(r.spawned) + " spawned, " + std::to_string(log.projectiles) +
-                    " at the end\n  hashes       " + hashes + "\n";
+                    std::to_string(r.spawned + log.born) + " spawned, " +
+                    (log.born > 0 ? std::to_string(log.born) + " of them by emitters, " : "") +
+                    std::to_string(log.projectiles) + " at the end\n  hashes       " + hashes + "\n";
   if (!r.difference) return out;
   return out + "  " + style.bad("differs") + "      in step " + std::to_string(r.difference->step) + " at " +
          readable(r.difference->time, 5) + " s, in " + r.difference->call + "(): " + r.difference->what + "\n";
@@ -74,11 +82,22 @@ Records records_of(const ReplayLog& log) {
 
 Content replay_json(const ReplayLog& log) {
   const ReplayReport& r = log.report;
-  nlohmann::ordered_json out = {{"version", kVersion},    {"recording", log.file},  {"made_by", r.made_by},
-                                {"complete", r.complete}, {"bytes", r.bytes},       {"calls", r.calls},
-                                {"steps", r.steps},       {"hashes", r.hashes},     {"restores", r.restores},
-                                {"time [s]", log.time},   {"spawned", r.spawned},   {"projectiles", log.projectiles},
-                                {"hash", hex(log.hash)},  {"equal", !r.difference}, {"difference", nullptr}};
+  nlohmann::ordered_json out = {{"version", kVersion},
+                                {"recording", log.file},
+                                {"made_by", r.made_by},
+                                {"complete", r.complete},
+                                {"bytes", r.bytes},
+                                {"calls", r.calls},
+                                {"steps", r.steps},
+                                {"hashes", r.hashes},
+                                {"restores", r.restores},
+                                {"time [s]", log.time},
+                                {"spawned", r.spawned + log.born},
+                                {"born", log.born},
+                                {"projectiles", log.projectiles},
+                                {"hash", hex(log.hash)},
+                                {"equal", !r.difference},
+                                {"difference", nullptr}};
   if (r.difference)
     out["difference"] = {{"step", r.difference->step},
                          {"time [s]", r.difference->time},

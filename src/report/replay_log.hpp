@@ -24,6 +24,7 @@ struct ReplayLog {
   std::string file;
   ReplayReport report;
   std::vector<ReplayFrame> frames;
+  std::uint64_t born = 0;         // fired by emitters
   double time = 0;                // at the end [s]
   std::uint64_t projectiles = 0;  // at the end
   std::uint64_t hash = 0;         // at the end

@@ -26,15 +26,15 @@ class Ground {
         sight_(sight_frame(study.launch)),
         height_(frames_.geodetic(flight.end().position).height) {}
 
-  [[nodiscard]] std::string coordinates(const PlanePoint& at) const {
+  [[nodiscard]] MapPoint place_of(const PlanePoint& at) const {
     const Vec3d above = sight_.start - sight_.muzzle;
     Vec3d place = sight_.muzzle + sight_.forward * at.up + sight_.right * (at.right + dot(above, sight_.right));
     for (int i = 0; i < 3; ++i) place.y -= frames_.geodetic(place).height - height_;  // the ground curves down
-    return coordinates(place);
+    return place_of(place);
   }
-  [[nodiscard]] std::string coordinates(const Vec3d& place) const {
+  [[nodiscard]] MapPoint place_of(const Vec3d& place) const {
     const Geodetic g = frames_.geodetic(place);
-    return kml_coordinates(g.longitude / kDegree, g.latitude / kDegree, 0);
+    return {g.longitude / kDegree, g.latitude / kDegree};
   }
 
  private:
@@ -48,16 +48,26 @@ std::string kml_place(const std::string& name, const std::string& geometry, cons
          (style.empty() ? "" : "  <styleUrl>#" + style + "</styleUrl>\n") + geometry + " </Placemark>\n";
 }
 
-std::string kml_point(const std::string& coordinates) {
-  return "  <Point><altitudeMode>clampToGround</altitudeMode><coordinates>" + coordinates + "</coordinates></Point>\n";
+std::string coordinates_of(const MapPoint& p) { return kml_coordinates(p.longitude, p.latitude, 0); }
+
+std::string kml_point(const MapPoint& p) {
+  return "  <Point><altitudeMode>clampToGround</altitudeMode><coordinates>" + coordinates_of(p) +
+         "</coordinates></Point>\n";
 }
 
 std::string kml_ring(const Ground& ground, const std::vector<PlanePoint>& rim) {
-  std::string out =
-      "  <Polygon><tessellate>1</tessellate><altitudeMode>clampToGround</altitudeMode><outerBoundaryIs><LinearRing>"
-      "<coordinates>\n";
-  for (const PlanePoint& p : rim) out += "   " + ground.coordinates(p) + "\n";
-  return out + "  </coordinates></LinearRing></outerBoundaryIs></Polygon>\n";
+  Ring whole;
+  for (const PlanePoint& p : rim) whole.push_back(ground.place_of(p));
+  const std::vector<Ring> parts = cut_at_antimeridian(std::move(whole));
+  std::string out;
+  for (const Ring& ring : parts) {
+    out +=
+        "  <Polygon><tessellate>1</tessellate><altitudeMode>clampToGround</altitudeMode><outerBoundaryIs><LinearRing>"
+        "<coordinates>\n";
+    for (const MapPoint& p : ring) out += "   " + coordinates_of(p) + "\n";
+    out += "  </coordinates></LinearRing></outerBoundaryIs></Polygon>\n";
+  }
+  return parts.size() == 1 ? out : "  <MultiGeometry>\n" + out + "  </MultiGeometry>\n";
 }
 
 std::string kml_style(const char* id, const char* line, const char* fill) {
@@ -71,7 +81,7 @@ std::string kml_shots(const Ground& ground, const StudyPlan& plan) {
   std::string points = "  <MultiGeometry>\n";
   for (std::size_t i = 0; i < std::min(kMapShots, shots.quantities[0].size()); ++i) {
     const PlanePoint at{shots.quantities[0][i], shots.quantities[1][i]};
-    if (std::isfinite(at.right) && std::isfinite(at.up)) points += kml_point(ground.coordinates(at));
+    if (std::isfinite(at.right) && std::isfinite(at.up)) points += kml_point(ground.place_of(at));
   }
   return kml_place("shots", points + "  </MultiGeometry>\n", "shots");
 }
@@ -105,8 +115,8 @@ Result<Text> study_kml(const AskedShot& asked, const FlownStudy& flown) {
   out += kml_style("ellipse", "ff0000ff", "260000ff") + kml_style("zone", "ff303030", "1a303030") +
          kml_style("target", "ffb27200", "40b27200") +
          " <Style id=\"shots\"><IconStyle><scale>0.3</scale></IconStyle></Style>\n";
-  out += kml_place("launch", kml_point(ground.coordinates(study.launch.position))) +
-         kml_place("mean impact", kml_point(ground.coordinates(PlanePoint{ellipse.right, ellipse.up})));
+  out += kml_place("launch", kml_point(ground.place_of(study.launch.position))) +
+         kml_place("mean impact", kml_point(ground.place_of(PlanePoint{ellipse.right, ellipse.up})));
   for (const StudyTarget& target : study.targets)
     if (!std::holds_alternative<ThingTarget>(target.shape))
       out += kml_place(target.name, kml_ring(ground, rim_of(target)), "target");

@@ -103,6 +103,29 @@ std::string stop_text(const Flight& flight, const Event& stop) {
          readable(length(stop.velocity), 5) + " m/s, " + readable(flight.at(stop.time).mass, 4) + " kg";
 }
 
+/// The part of a flight on one side of its own drag curve.
+struct Beyond {
+  double mach = 0;             // the farthest
+  double curve_end = 0;        // Mach number
+  std::optional<Sample> from;  // of the farthest
+  double first = 0, last = 0;  // [s]
+
+  void add(const Sample& sample, double end, bool is_above) {
+    if (is_above ? !(sample.mach > end) : !(sample.mach < end)) return;
+    if (!from) first = sample.time;
+    last = sample.time;
+    if (from && (is_above ? !(sample.mach > mach) : !(sample.mach < mach))) return;
+    mach = sample.mach, curve_end = end, from = sample;
+  }
+  [[nodiscard]] std::string text(bool is_above) const {
+    if (!from) return "";
+    return std::string("the drag curve ") + (is_above ? "ends" : "begins") + " at Mach " + as_typed(curve_end) +
+           ", and the flight is " + (is_above ? "above" : "below") + " it between " + readable(first, 4) + " and " +
+           readable(last, 4) + " s, by Mach " + fixed(mach, 3) + " at " + readable(from->range, 5) +
+           " m at the most; the coefficient at the end is held there";
+  }
+};
+
 std::string cost_text(const Flight& flight) {
   const FlightCost& cost = flight.cost();
   std::string text = std::to_string(cost.steps) + " steps";
@@ -121,6 +144,7 @@ std::string shot_text(const FlownShot& flown, const Scenario& scenario, const St
   out += line("fidelity", within ? "cheapest within " + significant(*within, 4) + " m of " + preset : preset);
   out += line("granted", in_words(in_use.fidelity));
   for (const FidelityNote& note : in_use.notes) out += line(style.warn("note"), note_text(note));
+  for (const std::string& note : curve_notes(flight)) out += line(style.warn("note"), note);
   out += range_card(flown, scenario.ranges.empty() ? default_ranges(flight.end().range) : scenario.ranges);
   out += line(std::string(name(flight.outcome())), "at " + end_text(flight));
   const MotorDef& motor = flown.shot->projectile.motor;
@@ -139,6 +163,29 @@ std::string shot_text(const FlownShot& flown, const Scenario& scenario, const St
 }
 
 }  // namespace
+
+std::vector<std::string> curve_notes(const Flight& flight) {
+  const ProjectileDef& p = flight.projectile();
+  const bool has_curve = p.drag.table == DragTable::custom && !p.drag.curve.empty();
+  if (p.fidelity.drag != DragModel::equation || (!has_curve && p.motor.drag_curve.empty())) return {};
+  constexpr int kParts = 400;
+  std::vector<double> times = flight.step_times();
+  for (int i = 0; i <= kParts; ++i) times.push_back(flight.duration() * i / kParts);
+  std::ranges::sort(times);
+  Beyond below, above;
+  for (const double time : times) {
+    const Sample sample = flight.at(time);
+    const bool burns = sample.thrust > 0 && !p.motor.drag_curve.empty();
+    if (!(sample.mach > 0) || (!burns && !has_curve)) continue;
+    const std::vector<DragPoint>& curve = burns ? p.motor.drag_curve : p.drag.curve;
+    below.add(sample, curve.front().mach, false);
+    above.add(sample, curve.back().mach, true);
+  }
+  std::vector<std::string> notes;
+  for (const std::string& text : {above.text(true), below.text(false)})
+    if (!text.empty()) notes.push_back(text);
+  return notes;
+}
 
 std::string stability_text(const ScenarioShot& shot, const Flight& flight, const Environment& environment) {
   if (turns(flight.fidelity_in_use().fidelity)) return stability_in_flight(flight);

@@ -24,6 +24,9 @@ namespace physim::report {
 [[nodiscard]] std::string stability_text(const ScenarioShot& shot, const Flight& flight,
                                          const Environment& environment);
 
+/// How far a flight leaves the points of its own drag curve, and where; empty where it stays on the curve.
+[[nodiscard]] std::vector<std::string> curve_notes(const Flight& flight);
+
 /// Round ranges [m] for a range card of a flight that ends at this range [m].
 [[nodiscard]] std::vector<double> default_ranges(double end_range);
 

@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include "base/assert.hpp"
+#include "base/event_table.hpp"
 #include "report/json.hpp"
 #include "report/number.hpp"
 #include "report/world_hits.hpp"
@@ -31,10 +32,10 @@ double multiple(double interval, std::size_t k) {
   return is_whole_rate ? static_cast<double>(k) / rate : static_cast<double>(k) * interval;
 }
 
-std::vector<double> times_of(double duration, double interval) {
+Times times_of(double duration, double interval) {
   PHYSIM_ASSERT(interval > 0);
   PHYSIM_ASSERT(duration >= 0);
-  std::vector<double> times;
+  Times times;
   const auto count = static_cast<std::size_t>(duration / interval);
   for (std::size_t k = 0; k <= count; ++k)
     if (const double time = multiple(interval, k); time < duration) times.push_back(time);
@@ -49,21 +50,57 @@ std::vector<std::string> columns_of(bool with_jerk) {
   return columns;
 }
 
-/// The numbers of a flight at a time, as many as there are columns.
-std::vector<double> numbers_at(const Flight& flight, double time, bool with_jerk) {
-  const SampleRow row = row_of(flight.at(time));
+/// The last time before one that a flight can be asked for.
+double just_before(double time) { return std::nextafter(time, -kInfinity); }
+
+/// The events of a flight at a time.
+std::span<const Event> events_at(const Flight& flight, double time) {
+  const std::span<const Event> all = flight.events();
+  PHYSIM_ASSERT(std::ranges::is_sorted(all, {}, &Event::time));
+  const auto first = std::ranges::lower_bound(all, time, {}, &Event::time);
+  const auto last = std::ranges::upper_bound(all, time, {}, &Event::time);
+  return all.subspan(static_cast<std::size_t>(first - all.begin()), static_cast<std::size_t>(last - first));
+}
+
+/// The state with which a flight came to a time: that of the first thing that happened there.
+Sample sample_before(const Flight& flight, double time) {
+  Sample sample = flight.at(just_before(time));
+  sample.time = time;
+  if (const auto events = events_at(flight, time); !events.empty()) {
+    sample.position = events.front().position;
+    sample.velocity = events.front().velocity;
+    sample.speed = length(sample.velocity);
+  }
+  return sample;
+}
+
+/// Whether the state jumps at a time: place or velocity, by more than rounding.
+bool jumps_at(const Flight& flight, double time) {
+  constexpr double kRounding = 1e-9;
+  const Sample before = sample_before(flight, time), after = flight.at(time);
+  const double jump = length(after.position - before.position) + length(after.velocity - before.velocity);
+  return jump > kRounding * (1 + before.speed);
+}
+
+bool is_first_of_two(std::span<const double> times, std::size_t i) {
+  return i + 1 < times.size() && times[i] == times[i + 1];
+}
+
+/// The numbers of the i-th sample of a flight, as many as there are columns.
+std::vector<double> numbers_at(const Flight& flight, const Times& times, std::size_t i, bool with_jerk) {
+  const SampleRow row = row_of(sample_at(flight, times, i));
   std::vector<double> numbers(row.begin(), row.end());
   if (!with_jerk) return numbers;
-  const Vec3d jerk = flight.jerk(time);
+  const Vec3d jerk = flight.jerk(is_first_of_two(times, i) ? just_before(times[i]) : times[i]);
   numbers.insert(numbers.end(), {jerk.x, jerk.y, jerk.z});
   return numbers;
 }
 
 /// Numbers of one shot, which JSON has column by column: each is asked for once.
-Records columns_of(const Flight& flight, const std::vector<double>& times, bool with_jerk) {
+Records columns_of(const Flight& flight, const Times& times, bool with_jerk) {
   std::vector<std::vector<double>> rows;
   rows.reserve(times.size());
-  for (const double time : times) rows.push_back(numbers_at(flight, time, with_jerk));
+  for (std::size_t i = 0; i < times.size(); ++i) rows.push_back(numbers_at(flight, times, i, with_jerk));
   return {columns_of(with_jerk), [rows = std::move(rows)](const auto& take) {
             std::vector<Cell> cells;
             for (const std::vector<double>& row : rows) {
@@ -93,20 +130,56 @@ SampleRow row_of(const Sample& s) {
           s.acceleration.x, s.acceleration.y, s.acceleration.z, s.speed,      s.mach,       s.mass,       s.thrust};
 }
 
+Sample sample_at(const Flight& flight, std::span<const double> times, std::size_t i) {
+  PHYSIM_ASSERT(i < times.size());
+  return is_first_of_two(times, i) ? sample_before(flight, times[i]) : flight.at(times[i]);
+}
+
+bool may_break_path(EventKind kind) {
+  const Watch watch = physim::row_of(kind).watch;
+  return watch == Watch::none || is_of_motor_or_rail(kind);
+}
+
+Times with_breaks(const Flight& flight, const Times& times) {
+  PHYSIM_ASSERT(std::ranges::is_sorted(times));
+  Times breaks;
+  for (const Event& event : flight.events())
+    if (may_break_path(event.kind) && event.time <= flight.duration()) breaks.push_back(event.time);
+  breaks.erase(std::unique(breaks.begin(), breaks.end()), breaks.end());
+  // Closer than this, two samples say the same, and a curve through both of them is at the mercy of rounding.
+  constexpr double kClose = 1e-6;
+  const double close =
+      times.size() > 1 ? kClose * (times.back() - times.front()) / static_cast<double>(times.size()) : 0;
+  Times all;
+  auto next = breaks.begin();
+  for (const double time : times) {
+    const double reach = time == times.front() ? 0 : close;
+    for (; next != breaks.end() && *next <= time + reach; ++next)
+      all.insert(all.end(), jumps_at(flight, *next) ? 2 : 1, *next);
+    const double least = time == times.back() ? 0 : close;
+    if (all.empty() || time - all.back() > least) all.push_back(time);
+  }
+  PHYSIM_ASSERT(std::ranges::is_sorted(all));
+  return all;
+}
+
 Result<SampleTimes> sample_times(const std::vector<FlownShot>& shots, std::optional<double> interval) {
   const auto interval_of = [&](const FlownShot& shot) {
     const double duration = shot.flight.duration();
     return interval.value_or(duration > 0 ? round_down(duration / kDefaultSamples) : 1.0);
   };
   double total = 0;
-  for (const FlownShot& shot : shots) total += std::floor(shot.flight.duration() / interval_of(shot)) + 2;
+  for (const FlownShot& shot : shots)
+    total += std::floor(shot.flight.duration() / interval_of(shot)) + 2 +
+             2 * static_cast<double>(shot.flight.events().size());
   if (!(total <= static_cast<double>(kMaxSamples)))
     return Error{.message = "there would be " + significant(total, 3) + " samples, and " + std::to_string(kMaxSamples) +
                             " are allowed",
                  .place = "interval",
                  .hint = "take a longer interval"};
   SampleTimes times;
-  for (const FlownShot& shot : shots) times.push_back(times_of(shot.flight.duration(), interval_of(shot)));
+  for (const FlownShot& shot : shots)
+    times.push_back(with_breaks(shot.flight, times_of(shot.flight.duration(), interval_of(shot))));
   return times;
 }
 
@@ -118,9 +191,10 @@ Records records_of(const Flights& flights) {
             PHYSIM_ASSERT(times.size() == flown.shots.size());
             std::vector<Cell> row;
             for (std::size_t i = 0; i < flown.shots.size(); ++i) {
-              for (const double time : times[i]) {
+              for (std::size_t k = 0; k < times[i].size(); ++k) {
                 row.assign(1, std::string_view(flown.shots[i].name));
-                for (const double number : numbers_at(flown.shots[i].flight, time, with_jerk)) row.emplace_back(number);
+                for (const double number : numbers_at(flown.shots[i].flight, times[i], k, with_jerk))
+                  row.emplace_back(number);
                 take(row);
               }
             }
@@ -140,6 +214,7 @@ Content flights_json(const Flights& flights) {
       out.object();
       out.add({{"name", from.name}});
       out.add(flight_json(from.flight, from.shot->projectile.fidelity));
+      out.add({{"assumed", assumed_json(flown, i)}});
       out.add({{"range_card", range_card_json(from.flight, flown.scenario.ranges)}});
       out.object("trajectory");
       add_columns(out, columns_of(from.flight, times[i], with_jerk));

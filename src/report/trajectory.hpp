@@ -3,6 +3,7 @@
 
 #include <array>
 #include <optional>
+#include <span>
 #include <string_view>
 #include <vector>
 
@@ -24,10 +25,22 @@ using SampleRow = std::array<double, kSampleColumns.size()>;
 /// Behind them, where jerk is asked for.
 inline constexpr std::array<std::string_view, 3> kJerkColumns = {"jx [m/s^3]", "jy [m/s^3]", "jz [m/s^3]"};
 
-using SampleTimes = std::vector<std::vector<double>>;
+/// Times of samples in their order. A time that stands twice is one at which the state jumps, as at a bounce: the first
+/// of the two samples is the state before it, the second the state behind it.
+using Times = std::vector<double>;
+using SampleTimes = std::vector<Times>;
 
-/// Times of the samples of each shot: every multiple of the interval [s], and the end. Without an interval each shot
-/// has a round one that gives 200 to 500 samples. An error with the place "interval" where there would be too many.
+/// Whether the path or a derivative of it may break in an event; it does not where a number passes a value.
+[[nodiscard]] bool may_break_path(EventKind kind);
+/// The times with those of all events in which the path may break, so that no corner is cut. Times that lie close to
+/// such an event give way to it.
+[[nodiscard]] Times with_breaks(const Flight& flight, const Times& times);
+/// The sample at times[i].
+[[nodiscard]] Sample sample_at(const Flight& flight, std::span<const double> times, std::size_t i);
+
+/// Times of the samples of each shot: every multiple of the interval [s], every break of the path, and the end. Without
+/// an interval each shot has a round one that gives 200 to 500 samples. An error with the place "interval" if there
+/// would be too many.
 [[nodiscard]] Result<SampleTimes> sample_times(const std::vector<FlownShot>& shots, std::optional<double> interval);
 
 /// Flights, and when each is sampled.

@@ -36,7 +36,7 @@ bool has_figure(const Expectation& expectation, const WorldGroup& group) {
 
 class Logger {
  public:
-  Logger(WorldRun& run, const LogOptions& options) : run_(run), options_(options) {
+  Logger(WorldRun& run, const LogOptions& options) : run_(&run), options_(options) {
     log_.scenario = run.scenario();
     log_.steps = options.steps.value_or(run.steps());
     const std::size_t groups = run.groups().size();
@@ -54,35 +54,41 @@ class Logger {
     draw_every_ = std::max<std::uint64_t>(log_.steps / kPathPoints, 1);
   }
 
+  /// Takes the steps of a run up to the last one, from the one where it is.
   Status run(const Progress& progress) {
-    const std::uint64_t before = run_.world().counters().steps;
+    const std::uint64_t before = run_->world().counters().steps;
     if (before > 0)
       meet_all();
     else
-      take(run_.events());
+      take(run_->events());
     if (Status status = sample(); !status) return status;
     if (Status status = save(before); !status) return status;
-    for (std::uint64_t step = before + 1; step <= log_.steps; ++step) {
-      const std::size_t launched = step == 1 ? run_.events().size() : 0;  // these are taken already
-      run_.step();
-      take(run_.events().subspan(launched));
-      for (const WallHit& hit : run_.hits())
-        tell({"hit", "wall", hit.launched, hit.time, {hit.position, hit.velocity}}, &log_.hits);
-      take_hits();
-      if (options_.parts.paths && (step % draw_every_ == 0 || step == log_.steps)) draw();
-      if (step % sample_every_ == 0 || step == log_.steps)
-        if (Status status = sample(); !status) return status;
-      if (Status status = save(step); !status) return status;
-      if (progress) progress(step, log_.steps);
-    }
-    return {};
+    return run_on(before, log_.steps, progress);
+  }
+
+  /// Flies a run from its start up to where another one, which was loaded, goes on.
+  Status run_up_to(WorldRun& loaded, const Progress& progress) {
+    PHYSIM_ASSERT(run_->world().counters().steps == 0);
+    const std::uint64_t before = loaded.world().counters().steps;
+    take(run_->events());
+    if (Status status = sample(); !status) return status;
+    is_again_ = true;
+    if (Status status = run_on(0, before, progress); !status) return status;
+    is_again_ = false;
+    if (run_->world().hash() != loaded.world().hash())
+      return Error{.message = "what happened before the save cannot be told: flown again, it is another run",
+                   .place = options_.load,
+                   .hint = "load it without files of events, hits and paths, or fly the whole run"};
+    run_ = &loaded;
+    if (Status status = save(before); !status) return status;
+    return run_on(before, log_.steps, progress);
   }
 
   WorldLog finish() {
-    log_.groups = run_.groups();
-    log_.time = run_.world().time();
-    log_.hash = run_.world().hash();
-    log_.counters = run_.world().counters();
+    log_.groups = run_->groups();
+    log_.time = run_->world().time();
+    log_.hash = run_->world().hash();
+    log_.counters = run_->world().counters();
     PHYSIM_ASSERT(log_.groups.size() == log_.hits.size());
     if (options_.parts.paths) mark_alive();
     std::erase_if(log_.paths, [](const LoggedPath& path) { return path.points.empty(); });
@@ -97,6 +103,21 @@ class Logger {
     std::uint64_t every = 1;             // so manyth of them
     std::vector<std::uint64_t> numbers;  // of those that do
   };
+
+  Status run_on(std::uint64_t from, std::uint64_t to, const Progress& progress) {
+    for (std::uint64_t step = from + 1; step <= to; ++step) {
+      const std::size_t launched = step == 1 ? run_->events().size() : 0;  // these are taken already
+      run_->step();
+      take(run_->events().subspan(launched), run_->hits());
+      take_hits();
+      if (options_.parts.paths && (step % draw_every_ == 0 || step == log_.steps)) draw();
+      if (step % sample_every_ == 0 || step == log_.steps)
+        if (Status status = sample(); !status) return status;
+      if (Status status = is_again_ ? Status() : save(step); !status) return status;
+      if (progress) progress(step, log_.steps);
+    }
+    return {};
+  }
 
   void add_checks() {
     NameIndex names;
@@ -115,9 +136,9 @@ class Logger {
 
   /// Those that a save brought along.
   void meet_all() {
-    for (const ProjectileId id : run_.world().ids())
-      if (const auto launched = run_.launched(id); launched && !met_[launched->group]) {
-        log_.in_use[launched->group] = run_.world()[id].fidelity_in_use();
+    for (const ProjectileId id : run_->world().ids())
+      if (const auto launched = run_->launched(id); launched && !met_[launched->group]) {
+        log_.in_use[launched->group] = run_->world()[id].fidelity_in_use();
         met_[launched->group] = true;
       }
   }
@@ -125,15 +146,15 @@ class Logger {
   /// Saves the run after a step, where that is the one to save it after.
   Status save(std::uint64_t step) {
     if (options_.save.empty() || is_saved_) return {};
-    const double dt = run_.scenario().world.def.step;
-    const double end = static_cast<double>(std::max(log_.steps, run_.world().counters().steps));
+    const double dt = run_->scenario().world.def.step;
+    const double end = static_cast<double>(std::max(log_.steps, run_->world().counters().steps));
     const double at = options_.save_at ? std::ceil(*options_.save_at / dt - 1e-9) : end;
     if (static_cast<double>(step) > at)
       return Error{"the run that was loaded is later already", "save_at",
-                   "it is at " + significant(run_.world().time(), 6) + " s"};
+                   "it is at " + significant(run_->world().time(), 6) + " s"};
     if (static_cast<double>(step) < at) return {};
     is_saved_ = true;
-    const auto bytes = run_.save();
+    const auto bytes = run_->save();
     return bytes ? save_recording(options_.save, *bytes) : Status(bytes.error());
   }
 
@@ -148,8 +169,8 @@ class Logger {
     const auto& [group, number] = spawned.launched;
     PHYSIM_ASSERT(group < met_.size());
     PHYSIM_ASSERT(number >= path_.size());  // launches are reported in their order
-    if (!met_[group] && run_.world()[spawned.event.id].is_alive()) {
-      log_.in_use[group] = run_.world()[spawned.event.id].fidelity_in_use();
+    if (!met_[group] && run_->world()[spawned.event.id].is_alive()) {
+      log_.in_use[group] = run_->world()[spawned.event.id].fidelity_in_use();
       met_[group] = true;
     }
     if (!options_.parts.paths) return;
@@ -182,66 +203,93 @@ class Logger {
 
   /// Where the particles of emitters are at the end.
   void mark_alive() {
-    for (const ProjectileId id : run_.world().ids())
-      if (const auto launched = run_.launched(id); launched && log_.groups[launched->group].emitter)
+    for (const ProjectileId id : run_->world().ids())
+      if (const auto launched = run_->launched(id); launched && log_.groups[launched->group].emitter)
         if (auto& points = log_.alive[launched->group]; points.size() < kMostImpacts)
-          points.push_back(run_.world()[id].position());
+          points.push_back(run_->world()[id].position());
   }
 
-  void take(std::span<const RunEvent> events) {
+  /// Events and hits on the wall of a step, in order of time.
+  void take(std::span<const RunEvent> events, std::span<const WallHit> walls = {}) {
+    const auto take_walls = [&](double until) {
+      for (; !walls.empty() && walls.front().time <= until; walls = walls.subspan(1)) {
+        const WallHit& hit = walls.front();
+        tell({"hit", "wall", hit.launched, hit.time, {hit.position, hit.velocity}}, &log_.hits, true);
+      }
+    };
     for (const RunEvent& each : events) {
       const Event& event = each.event;
+      take_walls(event.time);
       if (event.kind == EventKind::spawned) begin(each);
       if (event.reason == Reason::despawned) continue;  // at the wall: its hit is counted instead
       const bool is_impact = event.kind == EventKind::landed || event.kind == EventKind::bounced;
       tell({name(event.kind), name(event.reason), each.launched, event.time, {event.position, event.velocity}},
-           is_impact ? &log_.impacts : nullptr);
+           is_impact ? &log_.impacts : nullptr, may_break_path(event.kind));
     }
+    take_walls(kInfinity);
   }
 
   void take_hits() {
-    for (const ThingHit& hit : run_.thing_hits()) {
+    for (const ThingHit& hit : run_->thing_hits()) {
       if (options_.parts.hits || log_.thing_hits.size() < kShownHits) log_.thing_hits.push_back(hit);
       ++log_.thing_hit_count;
     }
   }
 
-  /// `marks`: what the picture marks, by group; null for nothing.
-  void tell(const LoggedEvent& event, std::vector<std::vector<Vec3d>>* marks) {
-    PHYSIM_ASSERT(event.time < run_.world().time() + log_.scenario.world.def.step);
+  /// `marks`: what the picture marks, by group; null for nothing. `breaks`: the path may have a corner there.
+  void tell(const LoggedEvent& event, std::vector<std::vector<Vec3d>>* marks, bool breaks) {
+    PHYSIM_ASSERT(event.time < run_->world().time() + log_.scenario.world.def.step);
     if (auto* path = path_of(event.launched)) path->push_back(event.state.position);
     if (options_.parts.paths && marks != nullptr)
       if (auto& points = (*marks)[event.launched.group]; points.size() < kMostImpacts)
         points.push_back(event.state.position);
     if (options_.parts.events) log_.events.push_back(event);
+    if (options_.parts.samples && breaks) add_sample({event.launched, event.time, event.state});
   }
 
   void draw() {
-    for (const ProjectileId id : run_.world().ids())
-      if (const auto launched = run_.launched(id))
-        if (auto* path = path_of(*launched)) path->push_back(run_.world()[id].position());
+    for (const ProjectileId id : run_->world().ids())
+      if (const auto launched = run_->launched(id))
+        if (auto* path = path_of(*launched)) path->push_back(run_->world()[id].position());
   }
 
   Status sample() {
     if (!options_.parts.samples) return {};
-    for (const ProjectileId id : run_.world().ids())
-      if (const auto launched = run_.launched(id))
-        log_.samples.push_back({*launched, run_.world().time(), run_.world()[id].state()});
-    if (log_.samples.size() <= kMaxSamples) return {};
+    for (const ProjectileId id : run_->world().ids())
+      if (const auto launched = run_->launched(id)) {
+        add_sample({*launched, run_->world().time(), run_->world()[id].state()});
+        ++regular_samples_;
+      }
+    if (regular_samples_ <= kMaxSamples) return {};
     return Error{.message = "there are more than " + std::to_string(kMaxSamples) + " samples",
                  .place = "interval",
                  .hint = "take a longer interval"};
   }
 
-  WorldRun& run_;
+  /// Adds a sample, if it says something new of its projectile.
+  void add_sample(const WorldSample& sample) {
+    const std::uint64_t number = sample.launched.number;
+    if (last_sample_.size() <= number) last_sample_.resize(number + 1);
+    if (const std::size_t last = last_sample_[number]; last > 0) {
+      const WorldSample& before = log_.samples[last - 1];
+      if (before.time == sample.time && before.state == sample.state) return;
+    }
+    log_.samples.push_back(sample);
+    last_sample_[number] = log_.samples.size();
+  }
+
+  WorldRun* run_;  // the one that is stepped
   const LogOptions& options_;
   WorldLog log_;
-  std::vector<std::size_t> path_;  // by number of the launch: 0 for none, or one more than its index
-  std::vector<Drawn> drawn_;       // by group
-  std::size_t most_drawn_ = 0;     // paths of each group
-  std::vector<bool> met_;          // groups
+  std::vector<std::size_t> path_;         // by number of the launch: 0 for none, or one more than its index
+  std::vector<Drawn> drawn_;              // by group
+  std::size_t most_drawn_ = 0;            // paths of each group
+  std::vector<bool> met_;                 // groups
+  std::vector<std::size_t> last_sample_;  // by number of the launch: 0 for none, or one more than its index
+  std::size_t regular_samples_ = 0;       // those of events aside
   std::uint64_t sample_every_ = 1, draw_every_ = 1;
   bool is_saved_ = false;
+  bool is_again_ = false;  // it flies what was saved
 };
 
 using Json = nlohmann::ordered_json;
@@ -399,8 +447,8 @@ Json group_json(const WorldLog& log, std::size_t index) {
   out["impact_time [s]"] = series_json(g.time);
   out["impact_speed [m/s]"] = series_json(g.speed);
   out["apex [m]"] = series_json(g.apex);
-  out["hit_y [m]"] = series_json(g.hit_y);
-  out["hit_z [m]"] = series_json(g.hit_z);
+  out["hit_y [m]"] = series_json(hit_heights(g));
+  out["hit_z [m]"] = series_json(hit_sides(g));
   out["fidelity_granted"] = g.spawned > 0 ? Json(in_words(log.in_use[index].fidelity)) : Json();
   return out;
 }
@@ -417,6 +465,13 @@ Json event_json(const WorldLog& log, const LoggedEvent& event) {
 
 }  // namespace
 
+namespace {
+/// Whether a part of the log, or the table of hits, tells of all that happened since the start.
+bool tells_of_past(const LogParts& parts, const Scenario& scenario) {
+  return parts.samples || parts.events || parts.paths || parts.hits || has_scene(scenario);
+}
+}  // namespace
+
 Result<WorldLog> run_world(const Scenario& scenario, const LogOptions& options, const Progress& progress) {
   Result<std::vector<std::byte>> saved = std::vector<std::byte>();
   if (!options.load.empty()) saved = read_byte_file(options.load, kLargestSave, kSavedRun);
@@ -429,8 +484,14 @@ Result<WorldLog> run_world(const Scenario& scenario, const LogOptions& options, 
     return error;
   }
   WorldRun& run = *made;
-  Logger logger(run, options);
-  if (Status status = logger.run(progress); !status) return status.error();
+  std::optional<WorldRun> past;  // what happened before a save is flown again, if something tells of it
+  if (!options.load.empty() && tells_of_past(options.parts, scenario)) {
+    Result<WorldRun> again = WorldRun::create(scenario);
+    if (!again) return again.error();
+    past.emplace(std::move(*again));
+  }
+  Logger logger(past ? *past : run, options);
+  if (Status status = past ? logger.run_up_to(run, progress) : logger.run(progress); !status) return status.error();
   if (!options.record.empty())
     if (Status status = run.world().stop_recording(); !status) return status.error();
   return logger.finish();

@@ -5,6 +5,7 @@
 #include "prepare/check.hpp"
 #include "prepare/grant.hpp"
 #include "scenario/expectation.hpp"
+#include "scenario/mistakes.hpp"
 #include "scenario/suggest.hpp"
 #include "scenario/units.hpp"
 
@@ -80,19 +81,19 @@ Status check_name(const std::string& name, const Value& shot) {
   return {};
 }
 
-Status check_shots(const Scenario& scenario, const ScenarioNames& names, const Value& document) {
-  for (std::size_t i = 0; i < scenario.shots.size(); ++i) {
+void check_shots(const Scenario& scenario, const ScenarioNames& names, const Value& document, Mistakes& mistakes) {
+  for (std::size_t i = 0; i < scenario.shots.size() && !mistakes.is_full(); ++i) {
     const ScenarioShot& shot = scenario.shots[i];
     const Value& table = element(document, "shot", i);
-    if (Status status = check_name(shot.projectile.name, table); !status) return status;
+    mistakes.take(check_name(shot.projectile.name, table));
     if (const std::size_t first = *names.shots.find(shot.projectile.name); first != i)
-      return Error{"shot.name: two shots are named " + in_quotes(shot.projectile.name), place_of(table, {"name"}),
-                   "the first is at " + place_of(element(document, "shot", first), {"name"})};
-    if (Status status = check_direction(shot.launch, table); !status) return status;
-    if (Status status = check_drag(shot.projectile.drag, table); !status) return status;
-    if (Status status = check_motor(shot, table); !status) return status;
+      mistakes.take(Error{"shot.name: two shots are named " + in_quotes(shot.projectile.name),
+                          place_of(table, {"name"}),
+                          "the first is at " + place_of(element(document, "shot", first), {"name"})});
+    mistakes.take(check_direction(shot.launch, table));
+    mistakes.take(check_drag(shot.projectile.drag, table));
+    mistakes.take(check_motor(shot, table));
   }
-  return {};
 }
 
 Status check_wind(const Wind& wind, const Value& document) {
@@ -123,30 +124,31 @@ Status check_hit_expectation(const ScenarioNames& names, const Expectation& expe
   return Error{"expect.at: hits are those of the whole flight", place_of(table, {"at"}), "leave it out"};
 }
 
-Status check_expectations(const Scenario& scenario, const ScenarioNames& names, const Value& document) {
-  for (std::size_t i = 0; i < scenario.expect.size(); ++i) {
+void check_expectations(const Scenario& scenario, const ScenarioNames& names, const Value& document,
+                        Mistakes& mistakes) {
+  for (std::size_t i = 0; i < scenario.expect.size() && !mistakes.is_full(); ++i) {
     const Value& table = element(document, "expect", i);
     const Expectation& expect = scenario.expect[i];
     if (!expect.shot.empty())
-      if (Status status = check_shot_name(names, expect.shot, "expect.shot", place_of(table, {"shot"})); !status)
-        return status;
-    if (Status status = check_hit_expectation(names, expect, table); !status) return status;
+      mistakes.take(check_shot_name(names, expect.shot, "expect.shot", place_of(table, {"shot"})));
+    mistakes.take(check_hit_expectation(names, expect, table));
     const Value* at = table.find("at");
     if (const Table* places = at ? at->get<Table>() : nullptr; places && places->size() != 1)
-      return Error{"expect.at: " + std::to_string(places->size()) + " places", at->place.text(),
-                   "give one of time, range, height or a moment"};
+      mistakes.take(Error{"expect.at: " + std::to_string(places->size()) + " places", at->place.text(),
+                          "give one of time, range, height or a moment"});
   }
-  return {};
 }
 
 }  // namespace
 
 Status check_scenario(const Scenario& scenario, const Value& document) {
   const ScenarioNames names(scenario);
-  if (Status status = check_shots(scenario, names, document); !status) return status;
-  if (Status status = check_wind(scenario.environment.wind, document); !status) return status;
-  if (Status status = check_world(scenario, names, document); !status) return status;
-  return scenario.world.given ? Status() : check_expectations(scenario, names, document);
+  Mistakes mistakes;
+  check_shots(scenario, names, document, mistakes);
+  mistakes.take(check_wind(scenario.environment.wind, document));
+  check_world(scenario, names, document, mistakes);
+  if (!scenario.world.given) check_expectations(scenario, names, document, mistakes);
+  return mistakes.status();
 }
 
 }  // namespace physim

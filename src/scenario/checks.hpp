@@ -7,11 +7,13 @@
 
 namespace physim {
 
-/// The first contradiction within a scenario; the document gives the places of its settings.
+class Mistakes;
+
+/// The contradictions within a scenario, as one error; the document gives the places of its settings.
 [[nodiscard]] Status check_scenario(const Scenario& scenario, const Value& document);
 
 /// Contradictions of a [world], or of what there is without one.
-[[nodiscard]] Status check_world(const Scenario& scenario, const ScenarioNames& names, const Value& document);
+void check_world(const Scenario& scenario, const ScenarioNames& names, const Value& document, Mistakes& mistakes);
 
 /// Contradictions of what there is for projectiles to hit; it makes the scene to see whether it can be made.
 [[nodiscard]] Status check_scene(const Scenario& scenario, const Value& document);
@@ -35,6 +37,12 @@ void complete_world(Scenario& scenario, const Value& document);
 /// Default names of [[joint]], and their contradictions.
 void complete_joints(Scenario& scenario);
 [[nodiscard]] Status check_joints(const Scenario& scenario, const ScenarioNames& names, const Value& document);
+/// What is odd about a joint: its ends are elsewhere at launch, or others contradict it.
+struct JointRemark {
+  std::size_t joint;  // index in Scenario::joints
+  std::string what;
+};
+[[nodiscard]] std::vector<JointRemark> joint_remarks(const Scenario& scenario);
 
 [[nodiscard]] Status check_shot_name(const ScenarioNames& names, const std::string& name, const std::string& path,
                                      const std::string& place);

@@ -3,6 +3,7 @@
 #include "base/assert.hpp"
 #include "model/force_laws.hpp"
 #include "scenario/expectation.hpp"
+#include "scenario/mistakes.hpp"
 #include "scenario/schema.hpp"
 #include "scenario/suggest.hpp"
 #include "world/check.hpp"
@@ -189,8 +190,12 @@ void complete_world(Scenario& scenario, const Value& document) {
   scenario.world.given = document.find("world") != nullptr;
   for (std::size_t i = 0; i < scenario.volleys.size(); ++i)
     if (scenario.volleys[i].name.empty()) scenario.volleys[i].name = "volley-" + std::to_string(i + 1);
-  for (std::size_t i = 0; i < scenario.emitters.size(); ++i)
-    if (std::string& name = scenario.emitters[i].def.name; name.empty()) name = "emitter-" + std::to_string(i + 1);
+  for (std::size_t i = 0; i < scenario.emitters.size(); ++i) {
+    EmitterDef& def = scenario.emitters[i].def;
+    if (def.name.empty()) def.name = "emitter-" + std::to_string(i + 1);
+    const bool is_gun = def.gun.rounds_per_minute > 0;
+    if (is_gun && element(document, "emitter", i).find("per_second") == nullptr) def.per_second = {0};
+  }
   complete_joints(scenario);
   for (std::size_t i = 0; i < scenario.forces.size(); ++i) {
     ScenarioForce& force = scenario.forces[i];
@@ -204,27 +209,25 @@ void complete_world(Scenario& scenario, const Value& document) {
   }
 }
 
-Status check_world(const Scenario& scenario, const ScenarioNames& names, const Value& document) {
+void check_world(const Scenario& scenario, const ScenarioNames& names, const Value& document, Mistakes& mistakes) {
   if (!scenario.world.given) {
-    if (Status status = check_absence(scenario, document); !status) return status;
-    if (Status status = check_bodies(scenario, document); !status) return status;
-    return check_scene(scenario, document);
+    mistakes.take(check_absence(scenario, document));
+    mistakes.take(check_bodies(scenario, document));
+    return mistakes.take(check_scene(scenario, document));
   }
-  if (Status status = check_unused(document); !status) return status;
+  mistakes.take(check_unused(document));
   if (const Status status = check(scenario.world.def); !status)
-    return in_file(status.error(), "world", *document.find("world"));
-  if (Status status = check_pools(scenario, names, document); !status) return status;
-  if (Status status = check_bodies(scenario, document); !status) return status;
-  if (Status status = check_scene(scenario, document); !status) return status;
-  if (Status status = check_volleys(scenario, names, document); !status) return status;
-  for (std::size_t i = 0; i < scenario.forces.size(); ++i)
-    if (Status status = check_force(names, scenario.forces[i], element(document, "force", i)); !status) return status;
-  if (Status status = check_joints(scenario, names, document); !status) return status;
-  if (Status status = check_emitters(scenario, names, document); !status) return status;
-  for (std::size_t i = 0; i < scenario.expect.size(); ++i)
-    if (Status status = check_group_expectation(names, scenario.expect[i], element(document, "expect", i)); !status)
-      return status;
-  return {};
+    mistakes.take(in_file(status.error(), "world", *document.find("world")));
+  mistakes.take(check_pools(scenario, names, document));
+  mistakes.take(check_bodies(scenario, document));
+  mistakes.take(check_scene(scenario, document));
+  mistakes.take(check_volleys(scenario, names, document));
+  for (std::size_t i = 0; i < scenario.forces.size() && !mistakes.is_full(); ++i)
+    mistakes.take(check_force(names, scenario.forces[i], element(document, "force", i)));
+  mistakes.take(check_joints(scenario, names, document));
+  mistakes.take(check_emitters(scenario, names, document));
+  for (std::size_t i = 0; i < scenario.expect.size() && !mistakes.is_full(); ++i)
+    mistakes.take(check_group_expectation(names, scenario.expect[i], element(document, "expect", i)));
 }
 
 }  // namespace physim

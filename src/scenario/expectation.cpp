@@ -1,11 +1,30 @@
 #include "scenario/expectation.hpp"
 
+#include <algorithm>
 #include <array>
+
+#include "base/ieee_mode.hpp"
 
 namespace physim {
 namespace {
 
 using Amount = std::optional<double>;
+
+/// The numbers of two series as one.
+Series together(const Series& a, const Series& b) {
+  if (a.count == 0) return b;
+  if (b.count == 0) return a;
+  const IeeeMode mode;
+  Series all;
+  all.count = a.count + b.count;
+  const double of_a = static_cast<double>(a.count), of_b = static_cast<double>(b.count), n = of_a + of_b;
+  const double apart = b.mean - a.mean;
+  all.mean = a.mean + apart * (of_b / n);
+  all.squares = a.squares + b.squares + apart * apart * (of_a * of_b / n);
+  all.low = std::min(a.low, b.low);
+  all.high = std::max(a.high, b.high);
+  return all;
+}
 
 template <Vec3d WorldGroup::*mean, double Vec3d::*axis>
 Amount mean_of(const WorldGroup& g) {
@@ -36,6 +55,21 @@ template <Series ThingHits::*series, double Series::*part = &Series::mean>
 Amount hits_part(const ThingHits& h) {
   const Series& numbers = h.*series;
   return numbers.count > 0 ? Amount(numbers.*part) : std::nullopt;
+}
+template <Series (*series)(const WorldGroup&)>
+Amount mean_at(const WorldGroup& g) {
+  const Series numbers = series(g);
+  return numbers.count > 0 ? Amount(numbers.mean) : std::nullopt;
+}
+template <Series (*series)(const WorldGroup&)>
+Amount spread_at(const WorldGroup& g) {
+  const Series numbers = series(g);
+  return numbers.count > 0 ? Amount(numbers.spread()) : std::nullopt;
+}
+template <Series ThingHits::*series>
+Amount hits_spread(const ThingHits& h) {
+  const Series& numbers = h.*series;
+  return numbers.count > 0 ? Amount(numbers.spread()) : std::nullopt;
 }
 using OfHits = Amount (*)(const ThingHits&);
 /// A figure of hits alone.
@@ -121,12 +155,10 @@ constexpr Figure kFigures[] = {
     {"impact_speed", Quantity::speed, nullptr, nullptr, part_of<&WorldGroup::speed, &Series::mean>},
     {"apex", Quantity::length, nullptr, nullptr, part_of<&WorldGroup::apex, &Series::mean>},
     {"apex_max", Quantity::length, nullptr, nullptr, part_of<&WorldGroup::apex, &Series::high>},
-    {"hit_y", Quantity::length, nullptr, nullptr, part_of<&WorldGroup::hit_y, &Series::mean>, nullptr,
-     hits_part<&ThingHits::y>},
-    {"hit_z", Quantity::length, nullptr, nullptr, part_of<&WorldGroup::hit_z, &Series::mean>, nullptr,
-     hits_part<&ThingHits::z>},
-    {"hit_y_spread", Quantity::length, nullptr, nullptr, spread_of<&WorldGroup::hit_y>},
-    {"hit_z_spread", Quantity::length, nullptr, nullptr, spread_of<&WorldGroup::hit_z>},
+    {"hit_y", Quantity::length, nullptr, nullptr, mean_at<hit_heights>, nullptr, hits_part<&ThingHits::y>},
+    {"hit_z", Quantity::length, nullptr, nullptr, mean_at<hit_sides>, nullptr, hits_part<&ThingHits::z>},
+    {"hit_y_spread", Quantity::length, nullptr, nullptr, spread_at<hit_heights>, nullptr, hits_spread<&ThingHits::y>},
+    {"hit_z_spread", Quantity::length, nullptr, nullptr, spread_at<hit_sides>, nullptr, hits_spread<&ThingHits::z>},
     // Figures of hits on things of the scene: on one that the expectation names, or on all.
     of_hits("ricochets", Quantity::number, hits_of<&ThingHits::ricochets>),
     of_hits("penetrations", Quantity::number, hits_of<&ThingHits::penetrations>),
@@ -152,6 +184,9 @@ constexpr auto kFigureNames = [] {
 }();
 
 }  // namespace
+
+Series hit_heights(const WorldGroup& group) { return together(group.hit_y, group.on_things.y); }
+Series hit_sides(const WorldGroup& group) { return together(group.hit_z, group.on_things.z); }
 
 std::span<const Figure> figures() { return kFigures; }
 

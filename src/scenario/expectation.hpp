@@ -32,6 +32,9 @@ struct Figure {
 [[nodiscard]] std::span<const std::string_view> figure_names();
 [[nodiscard]] std::vector<std::string_view> group_figure_names();
 [[nodiscard]] std::vector<std::string_view> hit_figure_names();
+/// Heights of all hits of a group, and their places to the right: on the wall of the world and on things of its scene.
+[[nodiscard]] Series hit_heights(const WorldGroup& group);
+[[nodiscard]] Series hit_sides(const WorldGroup& group);
 /// The figure of a name; null if not found.
 [[nodiscard]] const Figure* find_figure(std::string_view name);
 

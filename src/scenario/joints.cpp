@@ -1,10 +1,14 @@
 // [[joint]] of a scenario: what its tables cannot say about themselves, and how a run's world gets them.
 #include <algorithm>
+#include <map>
+#include <queue>
+#include <tuple>
 
 #include "base/assert.hpp"
 #include "scenario/checks.hpp"
 #include "scenario/schema.hpp"
 #include "scenario/suggest.hpp"
+#include "scenario/units.hpp"
 #include "scenario/world_run_impl.hpp"
 #include "world/joints.hpp"
 
@@ -30,7 +34,106 @@ Status check_joint(const ScenarioNames& names, const ScenarioJoint& joint, const
   return {};
 }
 
+/// Joints as a net: its knots are shots and points of the world, and a rod or cable lets two of them be so far apart.
+class JointNet {
+ public:
+  explicit JointNet(const Scenario& scenario) : scenario_(scenario), names_(scenario) {
+    for (const ScenarioJoint& joint : scenario.joints) {
+      Held held{.a = knot_of_shot(joint.a),
+                .b = joint.b.empty() ? knot_of_point(joint.def.point) : knot_of_shot(joint.b)};
+      held.launched = length(places_[held.a] - places_[held.b]);
+      held.length = joint.def.length.value_or(held.launched);
+      if (joint.def.kind != JointKind::spring) {
+        held_by_[held.a].push_back(joints_.size());
+        held_by_[held.b].push_back(joints_.size());
+      }
+      joints_.push_back(held);
+    }
+  }
+
+  [[nodiscard]] std::vector<JointRemark> remarks() const {
+    std::vector<JointRemark> all;
+    for (std::size_t i = 0; i < joints_.size(); ++i) {
+      const Held& held = joints_[i];
+      PHYSIM_ASSERT(held.a < places_.size() && held.b < places_.size());
+      const JointKind kind = scenario_.joints[i].def.kind;
+      const std::string said = text(held.length);
+      const double more = held.launched - held.length, slack = kRounding * std::max(held.launched, held.length);
+      if ((kind == JointKind::rod && std::abs(more) > slack) || (kind == JointKind::cable && more > slack))
+        all.push_back({i, said + ", and its ends are " + text(held.launched) +
+                              " apart at launch: the first step moves them, which throws them"});
+      if (kind != JointKind::rod) continue;
+      if (const double most = farthest(i); most < held.length - kRounding * held.length)
+        all.push_back(
+            {i, said + ", and other joints let its ends be " + text(most) + " apart at most: they contradict it"});
+    }
+    return all;
+  }
+
+ private:
+  static constexpr double kRounding = 1e-6;
+  struct Held {
+    std::size_t a, b;  // knots
+    double length = 0, launched = 0;
+  };
+
+  static std::string text(double metres) { return quantity_text(metres, Quantity::length); }
+
+  std::size_t add(const Vec3d& place, bool is_point) {
+    places_.push_back(place);
+    held_by_.emplace_back();
+    if (is_point) points_.push_back(places_.size() - 1);
+    return places_.size() - 1;
+  }
+  std::size_t knot_of_shot(const std::string& name) {
+    const std::size_t shot = *names_.shots.find(name);
+    const auto [known, is_new] = of_shot_.emplace(shot, places_.size());
+    return is_new ? add(scenario_.shots[shot].launch.position, false) : known->second;
+  }
+  std::size_t knot_of_point(const Vec3d& at) {
+    const auto [known, is_new] = of_point_.emplace(std::tuple{at.x, at.y, at.z}, places_.size());
+    return is_new ? add(at, true) : known->second;
+  }
+
+  /// How far the ends of a joint can be apart by all others: the shortest way through the net. It is looked for as far
+  /// as the joint is long.
+  [[nodiscard]] double farthest(std::size_t of) const {
+    using Reached = std::pair<double, std::size_t>;
+    std::priority_queue<Reached, std::vector<Reached>, std::greater<>> next;
+    std::map<std::size_t, double> way;
+    const auto reach = [&](std::size_t knot, double distance) {
+      if (distance > joints_[of].length) return;
+      const auto [known, is_new] = way.emplace(knot, distance);
+      if (!is_new && known->second <= distance) return;
+      known->second = distance;
+      next.emplace(distance, knot);
+    };
+    for (reach(joints_[of].a, 0); !next.empty();) {
+      const auto [distance, knot] = next.top();
+      next.pop();
+      if (knot == joints_[of].b) return distance;
+      if (way[knot] < distance) continue;
+      for (const std::size_t i : held_by_[knot])
+        if (i != of) reach(joints_[i].a == knot ? joints_[i].b : joints_[i].a, distance + joints_[i].length);
+      if (std::ranges::binary_search(points_, knot))
+        for (const std::size_t point : points_) reach(point, distance + length(places_[point] - places_[knot]));
+    }
+    return kInfinity;
+  }
+
+  const Scenario& scenario_;
+  ScenarioNames names_;
+  std::map<std::size_t, std::size_t> of_shot_;                          // knots, by shot
+  std::map<std::tuple<double, double, double>, std::size_t> of_point_;  // ... by place
+  std::vector<Vec3d> places_;                                           // of knots, at launch
+  std::vector<std::size_t> points_;                                     // knots that stay where they are
+  std::vector<std::vector<std::size_t>> held_by_;                       // rods and cables of each knot
+  std::vector<Held> joints_;
+};
+
 }  // namespace
+
+std::vector<JointRemark> joint_remarks(const Scenario& scenario) { return JointNet(scenario).remarks(); }
 
 void complete_joints(Scenario& scenario) {
   for (std::size_t i = 0; i < scenario.joints.size(); ++i)

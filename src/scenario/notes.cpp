@@ -7,6 +7,7 @@
 #include "math/elementary.hpp"
 #include "model/sight.hpp"
 #include "physim/names.hpp"
+#include "scenario/checks.hpp"
 #include "scenario/suggest.hpp"
 #include "scenario/units.hpp"
 
@@ -24,6 +25,12 @@ class Notes {
     for (std::size_t i = 0; i < scenario_.shots.size(); ++i) of_shot(scenario_.shots[i], element(document_, "shot", i));
     for (std::size_t i = 0; i < scenario_.joints.size(); ++i)
       of_joint(scenario_.joints[i].def.kind, element(document_, "joint", i));
+    for (const JointRemark& remark : joint_remarks(scenario_))
+      note(element(document_, "joint", remark.joint), "joint", {"length"}, remark.what);
+    for (std::size_t i = 0; i < scenario_.emitters.size(); ++i)
+      of_emitter(scenario_.emitters[i], element(document_, "emitter", i));
+    for (std::size_t i = 0; i < scenario_.shapes.size(); ++i)
+      of_shape(scenario_.shapes[i], element(document_, "shape", i));
   }
 
  private:
@@ -126,6 +133,46 @@ class Notes {
     overruled(kind != JointKind::spring, table, "joint", {"stiffness"}, by);
     overruled(kind != JointKind::spring, table, "joint", {"damping"}, by);
     overruled(kind != JointKind::cable, table, "joint", {"restitution"}, by);
+  }
+
+  /// More particles in a step than an emitter lets out: it stops.
+  void of_emitter(const ScenarioEmitter& emitter, const Value& table) {
+    const EmitterDef& def = emitter.def;
+    constexpr double kMostInStep = 1u << 20, kMostOfPast = 1u << 26;
+    const auto most_of = [](const DrawnNumber& number) {
+      const auto top = [](double value, const Curve& curve) {
+        double largest = curve.empty() ? 1 : 0;
+        for (const CurveKey& key : curve) largest = std::max(largest, key.value);
+        return value * largest;
+      };
+      const Curve& to_curve = number.to_curve.empty() ? number.curve : number.to_curve;
+      return std::max(top(number.value, number.curve), number.to ? top(*number.to, to_curve) : 0);
+    };
+    const std::string limit = "an emitter lets out " + number_text(kMostInStep) + " at most in a step";
+    const double rate = most_of(def.per_second), in_step = rate * def.cycle.rate * scenario_.world.def.step;
+    if (in_step > kMostInStep)
+      note(table, "emitter", {"per_second"},
+           number_text(rate) + " a second are " + number_text(std::ceil(in_step)) + " in a step; " + limit +
+               " and stops where there are more");
+    for (std::size_t i = 0; i < def.bursts.size(); ++i)
+      if (const double count = most_of(def.bursts[i].count); count > kMostInStep)
+        note(table, "emitter", {"bursts"}, "a burst of " + number_text(count) + "; " + limit + " and stops");
+    const double past = rate * def.cycle.duration;
+    const bool is_flown =
+        !emitter.subs.empty() || !def.bursts.empty() || def.per_second.to || !def.per_second.curve.empty();
+    if (def.cycle.prewarm && is_flown && past > kMostOfPast)
+      note(table, "emitter", {"cycle", "prewarm"},
+           "one cycle has " + number_text(past) + " particles; more than " + number_text(kMostOfPast) +
+               " of the past are not flown");
+  }
+
+  void of_shape(const ScenarioShape& shape, const Value& table) {
+    const bool is_picture = std::holds_alternative<HeightFieldShape>(shape.shape) && !shape.file.empty();
+    if (is_picture && shape.low >= shape.high)
+      note(table, "shape", {"height_field", "low"},
+           quantity_text(shape.low, Quantity::length) +
+               " is not below shape.height_field.high = " + quantity_text(shape.high, Quantity::length) + ": " +
+               (shape.low == shape.high ? "the field is flat" : "black is high ground and white is low"));
   }
 
   Scenario& scenario_;

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "base/assert.hpp"
+#include "scenario/mistakes.hpp"
 #include "scenario/read_values.hpp"
 #include "scenario/suggest.hpp"
 #include "scenario/units.hpp"
@@ -351,16 +352,19 @@ Status read_triangles(const Entry& entry, const Value& value, std::vector<Triang
   return {};
 }
 
-Status read_records(const SchemaNode& node, const Records& records, const Value& value) {
+void read_table_into(const SchemaNode& node, const Scope& scope, const Value& value, Mistakes& mistakes);
+
+void read_records(const SchemaNode& node, const Records& records, const Value& value, Mistakes& mistakes) {
   const Array* array = value.get<Array>();
-  if (array == nullptr) return wrong_kind(node.path, value, "a list of tables; write [[" + node.path + "]]");
-  if (Status status = check_length(node.path, value, array->size(), node.entry->range); !status) return status;
+  if (array == nullptr)
+    return mistakes.take(wrong_kind(node.path, value, "a list of tables; write [[" + node.path + "]]"));
+  if (Status status = check_length(node.path, value, array->size(), node.entry->range); !status)
+    return mistakes.take(status);
   records.resize(0);  // old elements go, so that new ones start from defaults
   records.resize(array->size());
   PHYSIM_ASSERT(records.size() == array->size());
-  for (std::size_t i = 0; i < array->size(); ++i)
-    if (Status status = read_table(node, records.element(i), (*array)[i]); !status) return status;
-  return {};
+  for (std::size_t i = 0; i < array->size() && !mistakes.is_full(); ++i)
+    read_table_into(node, records.element(i), (*array)[i], mistakes);
 }
 
 // ------------------------------------------------------------------------------------------------------------ settings
@@ -369,11 +373,8 @@ bool is_none(const Entry& entry, const Value& value) {
   return text != nullptr && *text == entry.none;
 }
 
-}  // namespace
-
-Status read_setting(const SchemaNode& node, const Scope& scope, const Value& value) {
-  PHYSIM_ASSERT(node.entry != nullptr);
-  const Entry& entry = *node.entry;
+/// A setting that is no list of tables.
+Status read_value(const Entry& entry, const Scope& scope, const Value& value, const ValueRef& into) {
   const Wanted wanted{entry.path, entry.quantity_in(scope), entry.range};
   return std::visit(Overloaded{
                         [&](double* target) { return read_number(wanted, value, *target); },
@@ -415,9 +416,24 @@ Status read_setting(const SchemaNode& node, const Scope& scope, const Value& val
                         [&](std::vector<std::string>* list) { return read_texts(entry, value, *list); },
                         [&](std::vector<Vec3d>* list) { return read_vectors(wanted, value, *list); },
                         [&](std::vector<Triangle>* list) { return read_triangles(entry, value, *list); },
-                        [&](const Records& records) { return read_records(node, records, value); },
+                        [&](const Records&) -> Status { PHYSIM_UNREACHABLE(); },
                     },
-                    entry.slot(scope));
+                    into);
+}
+
+void read_setting_into(const SchemaNode& node, const Scope& scope, const Value& value, Mistakes& mistakes) {
+  PHYSIM_ASSERT(node.entry != nullptr);
+  const ValueRef into = node.entry->slot(scope);
+  if (const auto* records = std::get_if<Records>(&into)) return read_records(node, *records, value, mistakes);
+  mistakes.take(read_value(*node.entry, scope, value, into));
+}
+
+}  // namespace
+
+Status read_setting(const SchemaNode& node, const Scope& scope, const Value& value) {
+  Mistakes mistakes;
+  read_setting_into(node, scope, value, mistakes);
+  return mistakes.status();
 }
 
 // -------------------------------------------------------------------------------------------------------------- tables
@@ -445,12 +461,28 @@ Error unknown_key(const SchemaNode& node, const Member& member) {
   return {"unknown key " + in_quotes(member.key) + " in " + table_name(node), member.key_place.text(), hint};
 }
 
-Status read_child(const SchemaNode& child, const Scope& scope, const Value& value) {
-  if (child.entry != nullptr) return read_setting(child, scope, value);
-  if (value.get<Table>() != nullptr || child.shorthand.empty()) return read_table(child, scope, value);
+void read_child(const SchemaNode& child, const Scope& scope, const Value& value, Mistakes& mistakes) {
+  if (child.entry != nullptr) return read_setting_into(child, scope, value, mistakes);
+  if (value.get<Table>() != nullptr || child.shorthand.empty()) return read_table_into(child, scope, value, mistakes);
   const SchemaNode* shorthand = child.find(child.shorthand);
   PHYSIM_ASSERT(shorthand != nullptr);
-  return read_setting(*shorthand, scope, value);
+  read_setting_into(*shorthand, scope, value, mistakes);
+}
+
+void read_table_into(const SchemaNode& node, const Scope& scope, const Value& value, Mistakes& mistakes) {
+  const Table* table = value.get<Table>();
+  if (table == nullptr) return mistakes.take(not_a_table(node, value));
+  for (const Member& member : *table)
+    if (node.find(member.key) == nullptr) mistakes.take(unknown_key(node, member));
+  // In the order of the list: presets come before what changes them, kinds before their values.
+  for (const SchemaNode& child : node.children) {
+    const Value* found = value.find(child.name);
+    if (found != nullptr)
+      read_child(child, scope, *found, mistakes);
+    else if (child.entry != nullptr && child.entry->required)
+      mistakes.take(Error{"missing key " + in_quotes(child.name) + " in " + table_name(node), value.place.text(),
+                          std::string(child.entry->doc)});
+  }
 }
 
 }  // namespace
@@ -462,21 +494,9 @@ Error not_a_table(const SchemaNode& node, const Value& value) {
 }
 
 Status read_table(const SchemaNode& node, const Scope& scope, const Value& value) {
-  const Table* table = value.get<Table>();
-  if (table == nullptr) return not_a_table(node, value);
-  for (const Member& member : *table)
-    if (node.find(member.key) == nullptr) return unknown_key(node, member);
-  // In the order of the list: presets come before what changes them, kinds before their values.
-  for (const SchemaNode& child : node.children) {
-    const Value* found = value.find(child.name);
-    if (found == nullptr) {
-      if (child.entry == nullptr || !child.entry->required) continue;
-      return Error{"missing key " + in_quotes(child.name) + " in " + table_name(node), value.place.text(),
-                   std::string(child.entry->doc)};
-    }
-    if (Status status = read_child(child, scope, *found); !status) return status;
-  }
-  return {};
+  Mistakes mistakes;
+  read_table_into(node, scope, value, mistakes);
+  return mistakes.status();
 }
 
 }  // namespace physim

@@ -1,6 +1,7 @@
 // Scenario files: text to document, overrides into it, settings out of it, contradictions.
 #include "scenario/scenario.hpp"
 
+#include <algorithm>
 #include <cstdint>
 
 #include "base/assert.hpp"
@@ -44,6 +45,27 @@ void complete(Scenario& scenario, const Value& document) {
     scenario.expect[i].place = element(document, "expect", i).place.text();
 }
 
+/// The paths of values in a table, but for those in lists of tables.
+void add_paths(const Value& table, const std::string& head, std::vector<std::string>& paths) {
+  for (const Member& member : *table.get<Table>()) {
+    const Array* array = member.value.get<Array>();
+    const bool is_list_of_tables = array != nullptr && !array->empty() && array->front().get<Table>() != nullptr;
+    if (member.value.get<Table>() != nullptr)
+      add_paths(member.value, head + member.key + ".", paths);
+    else if (!head.empty() || !is_list_of_tables)
+      paths.push_back(head + member.key);
+  }
+}
+
+std::vector<std::string> given_paths(const Scenario& scenario, const Value& document) {
+  std::vector<std::string> paths;
+  add_paths(document, "", paths);
+  for (std::size_t i = 0; i < scenario.shots.size(); ++i)
+    add_paths(element(document, "shot", i), "shot." + scenario.shots[i].projectile.name + ".", paths);
+  std::ranges::sort(paths);
+  return paths;
+}
+
 /// Tables of measurements that the study names are files of the scenario, though only a study reads them.
 Status begin_reading_measurements(const Scenario& scenario) {
   for (std::size_t i = 0; i < scenario.study.inputs.size(); ++i) {
@@ -85,6 +107,7 @@ Result<Scenario> parse_scenario(const std::string& text, const std::string& file
   if (Status status = check_scenario(scenario, *document); !status) return status.error();
   if (Status status = begin_reading_measurements(scenario); !status) return status.error();
   add_notes(scenario, *document);
+  scenario.given = given_paths(scenario, *document);
   scenario.files = in_use.inputs();
   return scenario;
 }

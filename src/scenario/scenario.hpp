@@ -309,6 +309,8 @@ struct Scenario {
   std::vector<Expectation> expect{};        ///< [-]
   ScenarioStudy study{};                    ///< [-]
   std::vector<std::string> notes{};         ///< remarks about the file, with their place: former names [-]
+  /// Paths of what the file and overrides say of shots and of all that is no list: "shot.NAME.mass" [-]
+  std::vector<std::string> given{};
 };
 
 /// Reads a scenario file. Each override is "path=value" as on the command line: "environment.gravity.model=off",

@@ -305,7 +305,10 @@ Scope unread(const Scope& outer, Scope element, Defaults& defaults) {
     using Pointer = std::remove_reference_t<decltype(own)>;
     if (own != std::get<Pointer&>(around.pointers())) own = std::get<Pointer&>(usual.pointers());
   };
+  const bool is_own = element.emitter != nullptr && element.emitter != outer.emitter;
+  const bool is_gun = is_own && element.emitter->def.gun.rounds_per_minute > 0;
   std::apply([&](auto&... own) { (forget(own), ...); }, element.pointers());
+  if (is_gun) element.emitter->def.per_second = {0};  // as a reader completes it
   return element;
 }
 

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <bit>
+#include <map>
+#include <string_view>
 
 #include "base/checker.hpp"
 #include "study/correlation.hpp"
@@ -140,6 +142,13 @@ void check_plane(Checker& c, const Study& study) {
   c.is_number(study.aim.right, "aim.right").is_number(study.aim.up, "aim.up");
   c.require(study.targets.empty() || has_plane, "targets", "lie on a plane: ask for two lengths first");
   for (std::size_t i = 0; i < study.targets.size(); ++i) c.also(check(study.targets[i], numbered("targets", i)));
+  std::map<std::string_view, std::size_t> named;
+  for (std::size_t i = 0; i < study.targets.size(); ++i) {
+    const std::string& name = study.targets[i].name;
+    const auto [first, is_new] = named.emplace(name, i);
+    c.require(name.empty() || is_new, numbered("targets", i),
+              "has the name \"" + name + "\" of " + numbered("targets", first->second), "give it a name of its own");
+  }
   for (const std::uint32_t size : study.group_sizes)
     c.require(size >= 2 && size <= 100, "group_sizes", "must be from 2 to 100 shots");
 }

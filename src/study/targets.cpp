@@ -59,6 +59,25 @@ std::string list_of_names(const std::vector<NamedThing>& things) {
   return text + (names.size() > kMost ? " ..." : "");
 }
 
+/// Whether a corner lies to the left of the way from a to b, above 0, or to its right, below 0.
+double side_of(const PlanePoint& a, const PlanePoint& b, const PlanePoint& corner) {
+  return (b.right - a.right) * (corner.up - a.up) - (b.up - a.up) * (corner.right - a.right);
+}
+
+/// Whether two edges of the outline cross.
+bool crosses_itself(const std::vector<PlanePoint>& corners) {
+  const std::size_t count = corners.size();
+  PHYSIM_ASSERT(count > 0);
+  const auto cross = [&](std::size_t i, std::size_t j) {
+    const PlanePoint &a = corners[i], &b = corners[(i + 1) % count], &c = corners[j], &d = corners[(j + 1) % count];
+    return side_of(a, b, c) * side_of(a, b, d) < 0 && side_of(c, d, a) * side_of(c, d, b) < 0;
+  };
+  for (std::size_t i = 0; i < count; ++i)
+    for (std::size_t j = i + 1; j < count; ++j)
+      if (cross(i, j)) return true;
+  return false;
+}
+
 void check_point(Checker& c, const PlanePoint& point, const std::string& place) {
   c.is_number(point.right, place + ".right").is_number(point.up, place + ".up");
 }
@@ -76,6 +95,8 @@ Status check(const StudyTarget& target, const std::string& place) {
   } else if (const auto* polygon = std::get_if<PolygonTarget>(&target.shape)) {
     c.require(polygon->corners.size() >= 3, place + ".corners", "must be three or more");
     for (const PlanePoint& corner : polygon->corners) check_point(c, corner, place + ".corners");
+    c.require(!c.status_so_far() || !crosses_itself(polygon->corners), place + ".corners",
+              "make an outline that crosses itself", "name the corners in the order in which the outline passes them");
   }
   return c.status();
 }

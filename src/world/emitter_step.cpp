@@ -59,6 +59,7 @@ class EmitterBirths {
   void fire_past(std::uint32_t index) {
     is_past_ = true;
     close_ways();
+    skip_gone(index);
     queue_moment(index);
     queue_metre(index);
     work_off();
@@ -110,7 +111,8 @@ class EmitterBirths {
     const BirthPlan* const plan = plan_of(firing);
     BirthColumns& together = s_.together;
     together.begin();
-    for (std::uint32_t i = 0; i < firing.moment.count && e.counts.cut == cut;) {
+    std::uint32_t i = 0;
+    while (i < firing.moment.count && e.counts.cut == cut) {
       if (plan && together.is_over()) look_at_moment(*plan, firing, *pose, i);
       if (!together.is_over()) {
         i += bear_next(*plan, together, firing, *pose, together.count - together.next);
@@ -119,6 +121,7 @@ class EmitterBirths {
         ++i;
       }
     }
+    if (e.counts.cut != cut) e.counts.cut += firing.moment.count - i;  // those behind the first that was cut
   }
 
  private:
@@ -217,6 +220,29 @@ class EmitterBirths {
   }
 
   // ------------------------------------------------------------------------------------------- being born
+  /// Counts the births of a past whose particles are gone by now, where only their number matters: of a steady rate
+  /// alone, which never finds its emitter full.
+  void skip_gone(std::uint32_t index) {
+    Emitter& e = all_[index];
+    const EmitterDef& def = e.def();
+    const DrawnNumber& lifetime = def.start.lifetime;
+    const bool is_rate_alone = def.subs.empty() && def.bursts.empty() && !(def.gun.rounds_per_minute > 0) &&
+                               !(def.per_metre > 0) && !def.follows && !e.emission->rain().falls();
+    if (!is_rate_alone || !lifetime.curve.empty() || !lifetime.to_curve.empty()) return;
+    const Timeline timeline(*e.emission);
+    double first = 0, phase = 0;
+    if (timeline.steady(e.timeline, {&first, 1}, {&phase, 1}) == 0) return;
+    constexpr double kMargin = 2;  // births, which rounding may move
+    const double longest = std::max(lifetime.value, lifetime.to.value_or(0)), rate = def.per_second.value;
+    if (!(rate * def.cycle.rate * longest + kMargin < def.maximum)) return;
+    const double until = (end_ - longest - e.began) * def.cycle.rate - timeline.span(e.timeline.play).first;
+    const double gone = std::floor(rate * until) - kMargin;
+    if (!(gone > 0 && gone < 1e18)) return;
+    const auto count = static_cast<std::uint64_t>(gone);
+    timeline.take_steady(e.timeline, count);
+    e.born += count;
+    e.counts.born += count, e.counts.aged += count;
+  }
   /// The next own moment of an emitter, and those that follow before anything else happens.
   void fire_own(const Firing& firing) {
     const std::uint32_t index = firing.emitter;

@@ -42,7 +42,10 @@ class Frames {
     Reader head(bytes_.subspan(at_));
     head.number(call, 1);
     head.number(length, kFrameHead - 1);
-    if (!head.good() || bytes_.size() - at_ < kFrameHead + length + kCheckSum) return std::optional<Frame>();
+    if (!head.good() || bytes_.size() - at_ < kFrameHead + length + kCheckSum) {
+      if (head.good() && is_damaged_length()) return damaged(at_, "the recording is damaged here");
+      return std::optional<Frame>();
+    }
     const std::size_t size = kFrameHead + static_cast<std::size_t>(length);
     Reader(bytes_.subspan(at_ + size)).number(sum, kCheckSum);
     chain_ = chain(chain_, bytes_.subspan(at_, size));
@@ -55,6 +58,27 @@ class Frames {
   [[nodiscard]] std::size_t place() const { return at_; }
 
  private:
+  /// Whether a frame that leads beyond the end would be a whole one if one byte of its length were another: then the
+  /// recording was not cut there.
+  [[nodiscard]] bool is_damaged_length() const {
+    constexpr std::size_t kLongest = 1u << 20;  // of frames that are tried [bytes]
+    const auto rest = bytes_.subspan(at_, std::min(bytes_.size() - at_, kFrameHead + kLongest + kCheckSum));
+    std::vector<std::byte> frame(rest.begin(), rest.end());
+    for (std::size_t i = 1; i < kFrameHead; ++i) {
+      for (unsigned value = 0; value < 256; ++value) {
+        frame[i] = static_cast<std::byte>(value);
+        std::uint64_t length = 0, sum = 0;
+        Reader(std::span(frame).subspan(1)).number(length, kFrameHead - 1);
+        if (length > kLongest || rest.size() < kFrameHead + length + kCheckSum) continue;
+        const std::size_t size = kFrameHead + static_cast<std::size_t>(length);
+        Reader(rest.subspan(size)).number(sum, kCheckSum);
+        if (check_sum(chain(chain_, std::span(frame).first(size))) == sum) return true;
+      }
+      frame[i] = rest[i];
+    }
+    return false;
+  }
+
   std::span<const std::byte> bytes_;
   std::size_t at_ = 0;
   std::uint64_t chain_ = 0;

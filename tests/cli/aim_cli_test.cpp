@@ -225,7 +225,7 @@ TEST(CliTable, ComesAsTextMarkdownAndFile) {
   const std::string path = folder / "card.csv";
   const Ran written = physim({"table", file, "--format", "csv", "--to", path});
   EXPECT_EQ(written.out, "");
-  EXPECT_TRUE(read(path).starts_with("range [m], drop [cm]"));
+  EXPECT_TRUE(read(path).starts_with("range [m],drop [cm]"));
   const Ran far = physim({"table", file, "--ranges", "900 m .. 1800 m step 900 m"});
   EXPECT_TRUE(has(far.out, "not reached")) << far.out;
 }

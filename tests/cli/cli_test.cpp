@@ -147,9 +147,9 @@ TEST(CliRun, CsvHoldsTheFlightAndNothingElse) {
   ASSERT_GE(lines.size(), 201U);
   ASSERT_LE(lines.size(), 503U);
   EXPECT_EQ(lines[0],
-            "shot, t [s], x [m], y [m], z [m], vx [m/s], vy [m/s], vz [m/s], ax [m/s^2], ay [m/s^2], az [m/s^2], "
-            "speed [m/s], mach [-], mass [kg], thrust [N]");
-  EXPECT_TRUE(lines[1].starts_with("ball, 0, 0, 0, 0, ")) << lines[1];
+            "shot,t [s],x [m],y [m],z [m],vx [m/s],vy [m/s],vz [m/s],ax [m/s^2],ay [m/s^2],az [m/s^2],"
+            "speed [m/s],mach [-],mass [kg],thrust [N]");
+  EXPECT_TRUE(lines[1].starts_with("ball,0,0,0,0,")) << lines[1];
   double last_time = -1;
   for (std::size_t i = 1; i < lines.size(); ++i) {
     const std::vector<double> row = numbers_of(lines[i]);
@@ -174,7 +174,7 @@ TEST(CliRun, JerkIsAddedToSamplesAndPlotsWhereItIsAskedFor) {
   const std::vector<std::string> lines =
       lines_of(physim({"run", file, "--jerk", "--interval", "0.1 s", "--csv", "-"}).out);
   ASSERT_GT(lines.size(), 10U);
-  EXPECT_TRUE(lines[0].ends_with("mass [kg], thrust [N], jx [m/s^3], jy [m/s^3], jz [m/s^3]")) << lines[0];
+  EXPECT_TRUE(lines[0].ends_with("mass [kg],thrust [N],jx [m/s^3],jy [m/s^3],jz [m/s^3]")) << lines[0];
   for (std::size_t i = 1; i < lines.size(); ++i) {
     const std::vector<double> row = numbers_of(lines[i]);
     ASSERT_EQ(row.size(), 17U) << lines[i];
@@ -188,13 +188,50 @@ TEST(CliRun, JerkIsAddedToSamplesAndPlotsWhereItIsAskedFor) {
   EXPECT_TRUE(has(ran.err, "--jerk")) << ran.err;
 }
 
+/// Of a curve from Mach 0.5 to 1.5 a flight from Mach 2 down to rest keeps the ends.
+TEST(CliRun, SaysWhereAFlightLeavesItsOwnDragCurve) {
+  const Folder folder;
+  const auto text = [](const std::string& curve) {
+    return "physim = 1\n[until]\ntime = \"60 s\"\n[[shot]]\nname = \"b\"\nmass = \"10 g\"\ndiameter = \"8 mm\"\n"
+           "drag = { table = \"custom\", curve = " +
+           curve + " }\nspeed = \"680 m/s\"\nelevation = \"20 deg\"\nfidelity = \"small_arms\"\n";
+  };
+  const std::string file = folder.write("c.toml", text("[[0.5, 0.2], [1.5, 0.3]]"));
+  const Ran ran = physim({"run", file});
+  EXPECT_EQ(ran.code, 0) << ran.err;
+  EXPECT_TRUE(has(ran.out, "the drag curve ends at Mach 1.5, and the flight is above it between 0 and ")) << ran.out;
+  EXPECT_TRUE(has(ran.out, "by Mach 1.998 at 0 m at the most")) << ran.out;
+  EXPECT_TRUE(has(ran.out, "the drag curve begins at Mach 0.5, and the flight is below it between ")) << ran.out;
+  const auto json = nlohmann::json::parse(physim({"run", file, "--json", "-"}).out);
+  EXPECT_EQ(json["shots"][0]["notes"].size(), 2U);
+  EXPECT_TRUE(has(physim({"table", file}).err, "the drag curve ends at Mach 1.5"));
+  const Ran within = physim({"run", folder.write("d.toml", text("[[0, 0.2], [5, 0.3]]"))});
+  EXPECT_FALSE(has(within.out, "drag curve")) << within.out;
+}
+
+/// A launcher gives its ranks a terminal, whose text goes into a file.
+TEST(CliRun, RanksOfAJobWriteNoEscapeCodes) {
+  const std::string script = "/usr/bin/script";
+  if (!std::filesystem::exists(script)) GTEST_SKIP() << "script is missing";
+  const Folder folder;
+  const std::string command = std::string(PHYSIM_CLI) + " run " + folder.write("ball.toml", kBall);
+  const auto said = [&](std::vector<std::string> environment) {
+    environment.insert(environment.end(), {"TERM=xterm", "PATH=/usr/bin:/bin"});
+    return run_program(script, {"-qec", command, folder / "typescript"}, "", environment).out;
+  };
+  EXPECT_TRUE(has(said({}), "\033[1m")) << "a terminal has colours";
+  const std::string of_rank = said({"OMPI_COMM_WORLD_SIZE=4"});
+  EXPECT_TRUE(has(of_rank, "ball"));
+  EXPECT_FALSE(has(of_rank, "\033[")) << of_rank;
+}
+
 TEST(CliRun, IntervalIsKept) {
   const Folder folder;
   const std::vector<std::string> lines =
       lines_of(physim({"run", folder.write("ball.toml", kBall), "--csv", "-", "--interval", "100 ms"}).out);
   ASSERT_GT(lines.size(), 5U);
-  EXPECT_TRUE(lines[2].starts_with("ball, 0.1, ")) << lines[2];
-  EXPECT_TRUE(lines[4].starts_with("ball, 0.3, ")) << lines[4];
+  EXPECT_TRUE(lines[2].starts_with("ball,0.1,")) << lines[2];
+  EXPECT_TRUE(lines[4].starts_with("ball,0.3,")) << lines[4];
 }
 
 TEST(CliRun, IntervalsThatCannotBeAreRefused) {
@@ -232,11 +269,36 @@ TEST(CliRun, JsonHoldsResultAndProvenance) {
   EXPECT_EQ(trajectory.at("t [s]").back(), shot.at("duration [s]"));
 }
 
+/// Defaults with which the flight would end elsewhere, and no others.
+TEST(CliRun, JsonListsWhatWasAssumed) {
+  const Folder folder;
+  const std::string file = folder.write("ball.toml", kBall);
+  const auto assumed = [&](const std::vector<std::string>& more) {
+    std::vector<std::string> words = {"run", file, "--json", "-"};
+    words.insert(words.end(), more.begin(), more.end());
+    const auto json = nlohmann::json::parse(physim(words).out);
+    std::map<std::string, std::string> all;
+    for (const auto& each : json.at("shots").at(0).at("assumed")) all[each.at("path")] = each.at("value");
+    return all;
+  };
+  const auto all = assumed({});
+  EXPECT_TRUE(all.contains("environment.gravity.acceleration"));
+  EXPECT_EQ(all.at("environment.gravity.acceleration"), "9.80665 m/s^2");
+  EXPECT_TRUE(all.contains("environment.atmosphere.temperature") || all.contains("environment.atmosphere.pressure"));
+  EXPECT_TRUE(all.contains("until.ground"));
+  EXPECT_FALSE(all.contains("shot.ball.mass")) << "it is given";
+  EXPECT_FALSE(all.contains("shot.ball.drag.coefficient")) << "in a table of its own";
+  EXPECT_FALSE(all.contains("shot.ball.twist")) << "on this rung no spin is flown";
+  EXPECT_FALSE(all.contains("until.time")) << "it lands before";
+  EXPECT_FALSE(
+      assumed({"--set", "environment.gravity.acceleration=9.81 m/s^2"}).contains("environment.gravity.acceleration"));
+}
+
 TEST(CliRun, NamesWithCommasSurvive) {
   const Folder folder;
   const Ran ran = physim({"run", folder.write("ball.toml", kBall), "--csv", "-", "--set", "shot.name=a, b"});
   ASSERT_EQ(ran.code, 0) << ran.err;
-  EXPECT_TRUE(lines_of(ran.out)[1].starts_with("\"a, b\", 0, ")) << lines_of(ran.out)[1];
+  EXPECT_TRUE(lines_of(ran.out)[1].starts_with("\"a, b\",0,")) << lines_of(ran.out)[1];
 }
 
 TEST(CliRun, ExpectationsDecideTheExitCode) {
@@ -433,10 +495,10 @@ TEST(CliCompare, ListsRungsFromPresetsToTheReference) {
   const std::vector<std::string> lines = lines_of(ran.out);
   ASSERT_GT(lines.size(), 20U);
   EXPECT_EQ(lines[0],
-            "shot, family, rung, error [m], at worst [m], time error [s], steps [-], evaluations [-], cost [us], work "
-            "[operations], beaten by, outcome, leaves out");
-  EXPECT_TRUE(lines[1].starts_with("ball, presets, arcade, ")) << lines[1];
-  EXPECT_TRUE(lines.back().starts_with("ball, reference, reference, 0, 0, ")) << lines.back();
+            "shot,family,rung,error [m],at worst [m],time error [s],steps [-],evaluations [-],cost [us],work "
+            "[operations],beaten by,outcome,leaves out");
+  EXPECT_TRUE(lines[1].starts_with("ball,presets,arcade,")) << lines[1];
+  EXPECT_TRUE(lines.back().starts_with("ball,reference,reference,0,0,")) << lines.back();
   for (const char* part : {"rk4 10 ms", "tsit5 1e-9", "dop853 1e-12", "no drag", "float32"})
     EXPECT_TRUE(has(ran.out, part)) << part;
   EXPECT_TRUE(has(read(folder / "ladder.svg"), "semi_implicit_euler"));

@@ -157,7 +157,7 @@ TEST(StudyCli, over_range_and_until_a_width) {
   const Ran ran = physim(
       {"study", file, "--ranges", "20 m .. 40 m step 20 m", "--target", "wall: rectangle 100 m x 100 m", "--csv", "-"});
   ASSERT_EQ(ran.code, 0) << ran.err;
-  EXPECT_TRUE(has(ran.out, "\n20, ") && has(ran.out, "\n40, ") && has(ran.out, "hit.wall.low")) << ran.out;
+  EXPECT_TRUE(has(ran.out, "\n20,") && has(ran.out, "\n40,") && has(ran.out, "hit.wall.low")) << ran.out;
   const Ran width = physim({"study", file, "--until-width", "5 %", "--shots", "10000000"});
   ASSERT_EQ(width.code, 0) << width.err;
   EXPECT_TRUE(has(width.out, "65536 shots in 16 shards")) << width.out;
@@ -263,8 +263,8 @@ TEST(StudyCli, over_inputs) {
   EXPECT_NEAR(parts[3]["hits"][0]["probability"].get<double>(), outer, 0.02);
   const std::string csv = physim({"study", file, "--over-inputs", "4", "--csv", "-"}).out;
   const auto row = [&](const std::string& name) {
-    const std::size_t at = csv.find("\nover.1.shot.speed+=." + name + ", ");
-    return at == std::string::npos ? NAN : std::stod(csv.substr(csv.find(", ", at) + 2));
+    const std::size_t at = csv.find("\nover.1.shot.speed+=." + name + ",");
+    return at == std::string::npos ? NAN : std::stod(csv.substr(csv.find(',', at) + 1));
   };
   EXPECT_EQ(row("1.to [m/s]"), parts[0]["high"].get<double>()) << csv;
   EXPECT_EQ(row("4.hit.near"), parts[3]["hits"][0]["probability"].get<double>());
@@ -337,7 +337,7 @@ TEST(StudyCli, tells_of_places_on_the_way) {
   EXPECT_NEAR(figure(json["at"][1], "up.mean [m]"), 22.5, 0.02) << "45 m away it is at its apex";
   EXPECT_NEAR(figure(json["at"][2], "not_arrived"), 16384, 400) << "half of them land before 90 m";
   const std::string rows = read(csv);
-  for (const char* head : {"\nat.apex.y.mean [m], ", "\nat.45 m.up.quantile_0.5 [m], ", "\nat.10 m rising.shots, "})
+  for (const char* head : {"\nat.apex.y.mean [m],", "\nat.45 m.up.quantile_0.5 [m],", "\nat.10 m rising.shots,"})
     EXPECT_TRUE(has(rows, head)) << head;
   const Ran text = physim(study({"--threads", "1"}));
   for (const char* head :
@@ -380,8 +380,8 @@ TEST(StudyCli, histograms) {
   EXPECT_EQ(json["at"][0]["histograms"].size(), 9U);
   const std::string csv = read(folder / "a.csv");
   const auto row = [&](const std::string& name) {
-    const std::size_t at = csv.find("\n" + name + ", ");
-    return at == std::string::npos ? NAN : std::stod(csv.substr(csv.find(", ", at) + 2));
+    const std::size_t at = csv.find("\n" + name + ",");
+    return at == std::string::npos ? NAN : std::stod(csv.substr(csv.find(',', at) + 1));
   };
   EXPECT_EQ(row("histogram.along.7.from [m]"), along["low"][6].get<double>());
   EXPECT_EQ(row("histogram.along.7.to [m]"), along["high"][6].get<double>());

@@ -5,11 +5,13 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <cmath>
 #include <filesystem>
 #include <set>
 #include <sstream>
 
 #include "physim/files.hpp"
+#include "report/kml.hpp"
 #include "report/pictures.hpp"
 
 namespace physim::report {
@@ -207,9 +209,9 @@ TEST(Records, CsvQuotesWhatNeedsIt) {
   std::istringstream lines(text);
   std::string line;
   std::getline(lines, line);
-  EXPECT_TRUE(line.starts_with("shot, t [s], x [m]"));
+  EXPECT_TRUE(line.starts_with("shot,t [s],x [m]"));
   std::getline(lines, line);
-  EXPECT_TRUE(line.starts_with("\"a, b\", 0, 0, 0, 0, ")) << line;
+  EXPECT_TRUE(line.starts_with("\"a, b\",0,0,0,0,")) << line;
 }
 
 TEST(Records, CsvDoublesQuotes) {
@@ -217,7 +219,45 @@ TEST(Records, CsvDoublesQuotes) {
                           const Cell row[] = {std::string_view("\"b\"\nc"), std::uint64_t{3}};
                           take(row);
                         }};
-  EXPECT_EQ(whole(csv_text(records)), "name, count\n\"\"\"b\"\"\nc\", 3\n");
+  EXPECT_EQ(whole(csv_text(records)), "name,count\n\"\"\"b\"\"\nc\",3\n");
+}
+
+constexpr double kOneDegree = 3.14159265358979323846 / 180;
+
+double area_of(const Ring& ring) {
+  double twice = 0;
+  for (std::size_t i = 0; i + 1 < ring.size(); ++i)
+    twice += ring[i].longitude * ring[i + 1].latitude - ring[i + 1].longitude * ring[i].latitude;
+  return std::abs(twice) / 2;
+}
+
+TEST(FilesForOthers, RingsAreCutAtTheAntimeridian) {
+  Ring ring;
+  for (int i = 0; i <= 36; ++i) {
+    const double angle = i % 36 * 10 * kOneDegree, longitude = 179.5 + 2 * std::cos(angle);
+    ring.push_back({longitude > 180 ? longitude - 360 : longitude, 10 + std::sin(angle)});
+  }
+  const auto parts = cut_at_antimeridian(ring);
+  ASSERT_EQ(parts.size(), 2U);
+  double area = 0;
+  for (const Ring& part : parts) {
+    EXPECT_EQ(part.front().longitude, part.back().longitude);
+    EXPECT_EQ(part.front().latitude, part.back().latitude);
+    for (std::size_t i = 0; i < part.size(); ++i) {
+      EXPECT_LE(std::abs(part[i].longitude), 180);
+      EXPECT_LT(std::abs(part[i].longitude - part[0].longitude), 180);
+    }
+    area += area_of(part);
+  }
+  EXPECT_NEAR(area, 18 * 2 * std::sin(10 * kOneDegree), 1e-9) << "that of the polygon of 36 corners, 2 deg by 1 deg";
+  const Ring here = {{1, 1}, {2, 1}, {2, 2}, {1, 1}};
+  ASSERT_EQ(cut_at_antimeridian(here).size(), 1U);
+  EXPECT_EQ(cut_at_antimeridian(here)[0].size(), 4U);
+  Ring polar;  // about the north pole: the cap from 80 deg on
+  for (int i = 0; i <= 12; ++i) polar.push_back({i % 12 * 30 > 180 ? i % 12 * 30 - 360.0 : i % 12 * 30, 80});
+  double cap = 0;
+  for (const Ring& part : cut_at_antimeridian(polar)) cap += area_of(part);
+  EXPECT_NEAR(cap, 360 * 10, 1e-9);
 }
 
 }  // namespace report_format_test

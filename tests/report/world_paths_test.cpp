@@ -1,6 +1,9 @@
 // Paths that a run's picture draws: evenly out of all launches, few enough to be seen, and dots where particles are.
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <map>
+
 #include "report/world_log.hpp"
 #include "scenario/scenario.hpp"
 
@@ -61,6 +64,67 @@ TEST(WorldPaths, AreAllThereWhereTheyAreFew) {
   text.replace(text.find("per_second = 1000"), 17, "per_second = 100 ");
   const WorldLog log = logged(text);
   EXPECT_EQ(log.paths.size(), 301u);
+}
+
+// ------------------------------------------------------------------------------------------------- samples in files
+const std::string kBalls = R"(physim = 1
+[[shape]]
+name = "slab"
+box = ["0.2 m", "20 m", "20 m"]
+[[thing]]
+name = "wall"
+shape = "slab"
+position = ["7.1 m", "5 m", 0]
+[[shot]]
+name = "ball"
+mass = "0.1 kg"
+diameter = "4 cm"
+speed = "9 m/s"
+elevation = "30 deg"
+position = [0, "1 m", 0]
+body = { collision = { on_hit = "bounce", radius = "2 cm" } }
+fidelity = "game"
+[[volley]]
+name = "balls"
+shot = "ball"
+count = 5
+rate = "3 Hz"
+[world]
+duration = "4 s"
+ground = "bounce"
+apex_events = true
+)";
+
+TEST(FilesForOthers, PathsOfWorldsHaveASampleAtEveryCorner) {
+  const Result<Scenario> scenario = parse_scenario(kBalls, "f.toml");
+  ASSERT_TRUE(scenario) << scenario.error().text();
+  const WorldLog log = run_world(*scenario, {.parts = {.samples = true, .events = true}, .interval = 0.5}).value();
+  std::map<std::uint64_t, std::vector<WorldSample>> paths;
+  for (const WorldSample& sample : log.samples) paths[sample.launched.number].push_back(sample);
+  ASSERT_EQ(paths.size(), 5u);
+  int hits = 0, corners = 0;
+  for (const LoggedEvent& event : log.events) {
+    if (event.kind == "apex") continue;
+    hits += event.kind == "hit", ++corners;
+    const auto is_there = [&](const WorldSample& s) { return s.time == event.time && s.state == event.state; };
+    EXPECT_EQ(std::ranges::count_if(paths[event.launched.number], is_there), 1) << event.kind << " at " << event.time;
+  }
+  EXPECT_EQ(hits, 5);
+  EXPECT_GT(corners, 20);
+  for (const auto& [number, path] : paths) {
+    EXPECT_GE(path.size(), 5u) << "the regular ones are there, too";
+    EXPECT_TRUE(std::ranges::is_sorted(path, {}, &WorldSample::time)) << number;
+  }
+}
+
+TEST(FilesForOthers, EventsOfWorldsAreInOrderOfTimeWithThoseOfTheWall) {
+  std::string text = kBalls;
+  text.replace(text.find("ground = \"bounce\""), 17, "ground = \"bounce\"\nwall = \"5 m\"\nstep = \"50 ms\"");
+  const Result<Scenario> scenario = parse_scenario(text, "f.toml");
+  ASSERT_TRUE(scenario) << scenario.error().text();
+  const WorldLog log = run_world(*scenario, {.parts = {.events = true}}).value();
+  EXPECT_EQ(std::ranges::count(log.events, std::string_view("wall"), &LoggedEvent::reason), 5);
+  EXPECT_TRUE(std::ranges::is_sorted(log.events, {}, &LoggedEvent::time));
 }
 
 }  // namespace report_world_paths_test

@@ -461,6 +461,20 @@ INSTANTIATE_TEST_SUITE_P(
         Bad{"[[expect]]\nquantity = \"born\"\nshot = \"shot-1\"\nequals = 1\nwithin = 0",
             "f.toml:8:8: error: expect.shot: nothing is counted as \"shot-1\"; there are: emitter-1"}));
 
+/// A gun has no rate where the file says none, and whatever rate it has is written so that it is read again.
+TEST(EmitterScenario, AGunAloneHasNoRateAndKeepsTheOneItIsGiven) {
+  const std::string gun =
+      "physim = 1\n[[shot]]\n[world]\n[[emitter]]\nshot = \"shot-1\"\ngun.rounds_per_minute = 600\n";
+  for (const auto& [more, rate] : {std::pair{"", 0.0}, {"per_second = 10\n", 10.0}, {"per_second = 3\n", 3.0}}) {
+    const Result<Scenario> scenario = parse_scenario(gun + more, "f.toml");
+    ASSERT_TRUE(scenario) << scenario.error().text();
+    EXPECT_EQ(scenario->emitters[0].def.per_second.value, rate);
+    const Result<Scenario> again = parse_scenario(scenario_text(*scenario), "g.toml");
+    ASSERT_TRUE(again) << again.error().text();
+    EXPECT_EQ(again->emitters[0].def.per_second.value, rate) << scenario_text(*scenario);
+  }
+}
+
 TEST(BadEmitter, NeedsAWorld) {
   const Result<Scenario> scenario = parse_scenario("physim = 1\n[[shot]]\n[[emitter]]\nshot = \"shot-1\"\n", "f.toml");
   ASSERT_FALSE(scenario);

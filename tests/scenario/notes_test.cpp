@@ -1,6 +1,8 @@
 // Settings that another one overrules, and numbers that are unlikely, are told with their place.
 #include <gtest/gtest.h>
 
+#include <fstream>
+
 #include "scenario/scenario.hpp"
 
 namespace physim {
@@ -39,8 +41,8 @@ TEST(Notes, settings_that_another_one_overrules) {
 
 TEST(Notes, numbers_of_joints_of_another_kind_and_places_of_fired_shots) {
   const std::string world = "[world]\n[[shot]]\nname = \"a\"\n";
-  expect_note(world + "[[joint]]\na = \"a\"\nkind = \"rod\"\nlength = 1\nstiffness = 5\n", "f.toml:9:13",
-              "joint.stiffness: has no effect beside joint.kind = \"rod\"");
+  expect_note(world + "[[joint]]\na = \"a\"\nkind = \"rod\"\nlength = 1\nstiffness = 5\npoint = [1, 0, 0]\n",
+              "f.toml:9:13", "joint.stiffness: has no effect beside joint.kind = \"rod\"");
   EXPECT_TRUE(notes_of(world + "[[joint]]\na = \"a\"\nkind = \"spring\"\nlength = 1\nstiffness = 5\n").empty());
   expect_note(world + "speed = \"500 m/s\"\n[[emitter]]\nname = \"gun\"\nshot = \"a\"\nper_second = 10\n", "f.toml:5:9",
               "shot.speed: has no effect beside the emitter \"gun\", which fires it");
@@ -66,6 +68,58 @@ TEST(Notes, a_motor_that_is_too_weak) {
   expect_note(rocket + "motor = { propellant_mass = \"30 g\", thrust = [[0, 3], [1, 0]] }\n", "f.toml:6:9",
               "never exceeds the weight along the rail");  // 3.138 N are left of it
   EXPECT_TRUE(notes_of(rocket + "motor = { propellant_mass = \"30 g\", thrust = [[0, 4], [1, 0]] }\n").empty());
+}
+
+TEST(Notes, joints_whose_ends_are_elsewhere) {
+  const std::string shots =
+      "[world]\n[[shot]]\nname = \"a\"\nposition = [0, 5, 0]\n[[shot]]\nname = \"b\"\nposition = [1, 5, 0]\n"
+      "[[joint]]\na = \"a\"\nb = \"b\"\n";
+  expect_note(shots + "length = \"3 m\"\n", "f.toml:12:10", "joint.length: 3 m, and its ends are 1 m apart at launch");
+  expect_note(shots + "kind = \"cable\"\nlength = \"0.5 m\"\n", "f.toml:13:10", "0.5 m, and its ends are 1 m apart");
+  for (const char* fine : {"", "length = \"1 m\"\n", "kind = \"cable\"\nlength = \"3 m\"\n",
+                           "kind = \"spring\"\nlength = \"3 m\"\nstiffness = 5\n"})
+    EXPECT_TRUE(notes_of(shots + fine).empty()) << fine;
+}
+
+TEST(Notes, rods_that_contradict_each_other) {
+  const std::string shots =
+      "[world]\n[[shot]]\nname = \"a\"\nposition = [0, 5, 0]\n[[shot]]\nname = \"b\"\nposition = [1, 5, 0]\n"
+      "[[joint]]\na = \"a\"\nb = \"b\"\nlength = 1\n[[joint]]\na = \"a\"\nb = \"b\"\nlength = 2\n";
+  const std::vector<std::string> notes = notes_of(shots);
+  ASSERT_EQ(notes.size(), 2U) << "its ends are elsewhere, too";
+  EXPECT_EQ(notes[1].substr(0, 13), "f.toml:16:10:");
+  EXPECT_NE(notes[1].find("2 m, and other joints let its ends be 1 m apart at most"), std::string::npos) << notes[1];
+  // A chain of three rods, and a fourth that is longer than all of them.
+  const std::string chain =
+      "[world]\n[[shot]]\nname = \"a\"\nposition = [1, 0, 0]\n[[shot]]\nname = \"b\"\nposition = [1, 1, 0]\n"
+      "[[joint]]\na = \"a\"\n[[joint]]\na = \"a\"\nb = \"b\"\n[[joint]]\na = \"b\"\npoint = [0, 1, 0]\n";
+  EXPECT_TRUE(notes_of(chain).empty());
+  const auto far = notes_of(chain + "[[joint]]\na = \"b\"\npoint = [0, 9, 0]\n");
+  EXPECT_TRUE(far.empty()) << "it is as long as its ends are apart";
+  EXPECT_EQ(notes_of(chain + "[[joint]]\na = \"b\"\npoint = [0, 0, 0]\nlength = 9\n").size(), 2U);
+}
+
+TEST(Notes, emitters_that_stop_by_their_number) {
+  const std::string world = "[world]\n[[shot]]\nname = \"a\"\n[[emitter]]\nshot = \"a\"\n";
+  expect_note(world + "per_second = 1e9\n", "f.toml:7:14", "are 16666667 in a step");
+  expect_note(world + "per_second = 0\nbursts = [{ time = 0, count = 5e6 }]\n", "f.toml:8:10", "a burst of 5000000");
+  EXPECT_TRUE(notes_of(world + "per_second = 1e7\n").empty());
+  EXPECT_TRUE(notes_of(world + "cycle = { prewarm = true, duration = \"1e7 s\" }\n").empty()) << "it is skipped";
+  expect_note(world + "bursts = [{ count = 1 }]\ncycle = { prewarm = true, duration = \"1e7 s\" }\n", "f.toml:8:21",
+              "one cycle has 100000000 particles");
+}
+
+TEST(Notes, a_field_whose_black_is_not_below_its_white) {
+  const std::string file = testing::TempDir() + "notes_field.pgm";
+  std::ofstream(file) << "P5\n2 2\n255\n" << std::string("\0\377\0\377", 4);
+  const auto field = [&](const std::string& heights) {
+    return notes_of("[[shot]]\n[[shape]]\nheight_field = { file = \"" + file + "\", spacing_x = 1, spacing_z = 1, " +
+                    heights + " }\n[[thing]]\nshape = \"shape-1\"\n");
+  };
+  EXPECT_TRUE(field("low = 1, high = 5").empty());
+  ASSERT_EQ(field("low = 5, high = 1").size(), 1U);
+  EXPECT_NE(field("low = 5, high = 1")[0].find("black is high ground"), std::string::npos);
+  EXPECT_NE(field("low = 5, high = 5")[0].find("the field is flat"), std::string::npos);
 }
 
 TEST(Notes, shipped_scenarios_need_none) {

@@ -339,5 +339,46 @@ TEST_F(ScenarioFile, FailuresHaveNames) {
             empty + ":1:1: error: the format version is missing; write physim = 1 at the top");
 }
 
+// All mistakes of a file are told at once, in the order in which they stand there.
+TEST(Mistakes, all_are_told_with_their_places) {
+  const auto read = parse_scenario(
+      "physim = 1\n[environment]\naltitude = \"5 kg\"\n[[shot]]\nmas = 3\nspeed = -4\n[[shot]]\nmass = \"0 kg\"\n"
+      "[tolerance]\nrelative = \"x\"\n",
+      "f.toml");
+  ASSERT_FALSE(read);
+  const std::string text = read.error().text();
+  std::size_t before = 0;
+  for (const char* line : {"f.toml:3:12: error: environment.altitude", "\nf.toml:5:1: error: unknown key \"mas\"",
+                           "\nf.toml:6:9: error: shot.speed", "\nf.toml:8:8: error: shot.mass",
+                           "\nf.toml:10:12: error: tolerance.relative"}) {
+    const std::size_t at = text.find(line);
+    ASSERT_NE(at, std::string::npos) << line << "\n" << text;
+    EXPECT_GE(at, before) << text;
+    before = at;
+  }
+}
+
+TEST(Mistakes, contradictions_are_told_at_once) {
+  const auto read = parse_scenario(
+      "physim = 1\n[[shot]]\nname = \"a\"\nvelocity = [1, 0, 0]\nspeed = 4\n[[shot]]\nname = \"a\"\n"
+      "drag = { table = \"custom\" }\n[[expect]]\nshot = \"b\"\nquantity = \"x\"\nequals = 1\nwithin = 1\n",
+      "f.toml");
+  ASSERT_FALSE(read);
+  const std::string text = read.error().text();
+  for (const char* part : {"f.toml:5:9: error: shot.speed: given together with velocity", "two shots are named \"a\"",
+                           "table = \"custom\" without points", "no shot is named \"b\""})
+    EXPECT_NE(text.find(part), std::string::npos) << part << "\n" << text;
+}
+
+TEST(Mistakes, of_very_many_the_first_are_told) {
+  std::string text = "physim = 1\n";
+  for (int i = 0; i < 100; ++i) text += "[[shot]]\nmass = -1\n";
+  const auto read = parse_scenario(text, "f.toml");
+  ASSERT_FALSE(read);
+  const std::string told = read.error().text();
+  EXPECT_EQ(std::count(told.begin(), told.end(), '\n'), 20);
+  EXPECT_TRUE(told.ends_with("there are more mistakes")) << told;
+}
+
 }  // namespace scenario_scenario_test
 }  // namespace physim

@@ -248,6 +248,27 @@ TEST(BadStudies, targets_on_a_plane_of_no_lengths) {
   EXPECT_FALSE(result->from_aim || result->ellipse || result->zone) << "a speed and a time have no distance";
 }
 
+TEST(BadStudies, two_targets_of_one_name) {
+  Study study = throw_of();
+  study.targets = {{"plate", CircleTarget{{}, 1}}, {"", CircleTarget{{}, 2}}, {"", CircleTarget{{}, 3}}};
+  EXPECT_EQ(refusal(study), "");
+  study.targets.push_back({"plate", CircleTarget{{}, 4}});
+  expect_refusal(study, "targets[3]");
+  expect_refusal(study, "has the name \"plate\" of targets[0]");
+}
+
+TEST(BadStudies, outlines_that_cross_themselves) {
+  Study study = throw_of();
+  const auto with = [&](const std::vector<PlanePoint>& corners) -> Study& {
+    study.targets = {{"area", PolygonTarget{corners}}};
+    return study;
+  };
+  expect_refusal(with({{-1, -1}, {1, 1}, {1, -1}, {-1, 1}}), "crosses itself");
+  expect_refusal(with({{0, 0}, {4, 0}, {4, 4}, {2, -1}, {0, 4}}), "crosses itself");
+  EXPECT_EQ(refusal(with({{-1, -1}, {1, -1}, {1, 1}, {-1, 1}})), "");
+  EXPECT_EQ(refusal(with({{0, 0}, {4, 0}, {4, 4}, {2, 1}, {0, 4}})), "") << "a corner that points inwards";
+}
+
 TEST(BadStudies, targets_at_the_muzzle_are_told) {
   Study study = throw_of();
   study.targets = {{"plate", CircleTarget{{}, 1}}};
