@@ -123,9 +123,13 @@ class SceneContacts {
     return followed(std::nullopt, s, facing(hit), passed);
   }
 
+  struct Support {
+    SceneHit hit;
+    double above;  // how far its surface is from that of the thing [m]
+  };
   /// What it lies on, rolls or slides along at a moment: it touches that, is pressed on, and neither leaves nor strikes
   /// it. A contact that goes on is no new one in each step, and falls through no gap; none: it flies.
-  [[nodiscard]] PHYSIM_NOINLINE std::optional<SceneHit> lies_on(const State<double>& s, double passed) {
+  [[nodiscard]] PHYSIM_NOINLINE std::optional<Support> lies_on(const State<double>& s, double passed) const {
     if (const OnHit does = collision().on_hit; does == OnHit::pass || ends_flights(does)) return std::nullopt;
     const double time = r_.scene_time() + passed, within = 4 * gap_at(s.x), radius = collision().radius;
     const SceneNearest near = scene_->nearest(s.x, radius + within, solids_, time);
@@ -144,12 +148,14 @@ class SceneContacts {
         is_float32() ? double{std::numeric_limits<float>::epsilon()} : std::numeric_limits<double>::epsilon();
     const double rounding = 8 * epsilon * (length(s.v) + length(hit.velocity));
     if (!(pressure > 0) || rate > rounding || rate < -rounding - std::sqrt(2 * pressure * within)) return std::nullopt;
-    above_ = near.distance - radius;
-    return hit;
+    return Support{hit, near.distance - radius};
   }
   /// What follows along what it lies on, as lies_on() found it.
-  [[nodiscard]] After goes_along(State<double> s, SceneHit hit, double passed) {
-    PHYSIM_ASSERT(above_.has_value());
+  [[nodiscard]] After goes_along(const State<double>& at, const Support& on, double passed) {
+    PHYSIM_ASSERT(length(on.hit.normal) > 0);
+    above_ = on.above;
+    State<double> s = at;
+    SceneHit hit = on.hit;
     const Vec3d n = hit.normal, relative = s.v - hit.velocity;
     const BallMotion motion{relative - n * dot(relative, n), spin(passed)};
     const Vec3d a = acceleration_on(s, hit, passed, pressed_for(s, hit, passed));

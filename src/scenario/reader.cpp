@@ -461,6 +461,15 @@ Error unknown_key(const SchemaNode& node, const Member& member) {
   return {"unknown key " + in_quotes(member.key) + " in " + table_name(node), member.key_place.text(), hint};
 }
 
+/// Whether a key that no table has is meant to be this one: its own error says so.
+bool is_misspelt(const SchemaNode& node, const Table& table, const SchemaNode& child) {
+  std::vector<std::string_view> names;
+  for (const SchemaNode& each : node.children) names.push_back(each.name);
+  return std::ranges::any_of(table, [&](const Member& member) {
+    return node.find(member.key) == nullptr && nearest(member.key, names) == child.name;
+  });
+}
+
 void read_child(const SchemaNode& child, const Scope& scope, const Value& value, Mistakes& mistakes) {
   if (child.entry != nullptr) return read_setting_into(child, scope, value, mistakes);
   if (value.get<Table>() != nullptr || child.shorthand.empty()) return read_table_into(child, scope, value, mistakes);
@@ -479,7 +488,7 @@ void read_table_into(const SchemaNode& node, const Scope& scope, const Value& va
     const Value* found = value.find(child.name);
     if (found != nullptr)
       read_child(child, scope, *found, mistakes);
-    else if (child.entry != nullptr && child.entry->required)
+    else if (child.entry != nullptr && child.entry->required && !is_misspelt(node, *table, child))
       mistakes.take(Error{"missing key " + in_quotes(child.name) + " in " + table_name(node), value.place.text(),
                           std::string(child.entry->doc)});
   }
