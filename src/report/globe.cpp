@@ -211,9 +211,7 @@ struct Smooth {
 /// The parts of a path between its breaks.
 std::vector<Smooth> smooth_parts(const Flight& flight, const Times& times) {
   constexpr double kShortest = 1e-9;  // [s]; viewers do not know times better
-  Times breaks;
-  for (const Event& event : flight.events())
-    if (may_break_path(event.kind)) breaks.push_back(event.time);
+  const Times breaks = breaks_of(flight);
   std::vector<Smooth> parts(1);
   for (std::size_t i = 0; i < times.size(); ++i) {
     const double time = times[i];

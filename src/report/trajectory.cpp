@@ -140,12 +140,17 @@ bool may_break_path(EventKind kind) {
   return watch == Watch::none || is_of_motor_or_rail(kind);
 }
 
-Times with_breaks(const Flight& flight, const Times& times) {
-  PHYSIM_ASSERT(std::ranges::is_sorted(times));
+Times breaks_of(const Flight& flight) {
   Times breaks;
   for (const Event& event : flight.events())
     if (may_break_path(event.kind) && event.time <= flight.duration()) breaks.push_back(event.time);
   breaks.erase(std::unique(breaks.begin(), breaks.end()), breaks.end());
+  return breaks;
+}
+
+Times with_breaks(const Flight& flight, const Times& times) {
+  PHYSIM_ASSERT(std::ranges::is_sorted(times));
+  const Times breaks = breaks_of(flight);
   // Closer than this, two samples say the same, and a curve through both of them is at the mercy of rounding.
   constexpr double kClose = 1e-6;
   const double close =

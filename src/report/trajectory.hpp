@@ -32,6 +32,8 @@ using SampleTimes = std::vector<Times>;
 
 /// Whether the path or a derivative of it may break in an event; it does not where a number passes a value.
 [[nodiscard]] bool may_break_path(EventKind kind);
+/// When the path of a flight may break, in order [s].
+[[nodiscard]] Times breaks_of(const Flight& flight);
 /// The times with those of all events in which the path may break, so that no corner is cut. Times that lie close to
 /// such an event give way to it.
 [[nodiscard]] Times with_breaks(const Flight& flight, const Times& times);

@@ -214,7 +214,8 @@ class Logger {
     const auto take_walls = [&](double until) {
       for (; !walls.empty() && walls.front().time <= until; walls = walls.subspan(1)) {
         const WallHit& hit = walls.front();
-        tell({"hit", "wall", hit.launched, hit.time, {hit.position, hit.velocity}}, &log_.hits, true);
+        const WorldSample at{hit.launched, hit.time, {hit.position, hit.velocity}};
+        tell({at, EventKind::hit, Reason::none, true}, &log_.hits);
       }
     };
     for (const RunEvent& each : events) {
@@ -223,8 +224,8 @@ class Logger {
       if (event.kind == EventKind::spawned) begin(each);
       if (event.reason == Reason::despawned) continue;  // at the wall: its hit is counted instead
       const bool is_impact = event.kind == EventKind::landed || event.kind == EventKind::bounced;
-      tell({name(event.kind), name(event.reason), each.launched, event.time, {event.position, event.velocity}},
-           is_impact ? &log_.impacts : nullptr, may_break_path(event.kind));
+      const WorldSample at{each.launched, event.time, {event.position, event.velocity}};
+      tell({at, event.kind, event.reason}, is_impact ? &log_.impacts : nullptr);
     }
     take_walls(kInfinity);
   }
@@ -236,15 +237,14 @@ class Logger {
     }
   }
 
-  /// `marks`: what the picture marks, by group; null for nothing. `breaks`: the path may have a corner there.
-  void tell(const LoggedEvent& event, std::vector<std::vector<Vec3d>>* marks, bool breaks) {
+  /// `marks`: what the picture marks, by group; null for nothing.
+  void tell(const LoggedEvent& event, std::vector<std::vector<Vec3d>>* marks) {
     PHYSIM_ASSERT(event.time < run_->world().time() + log_.scenario.world.def.step);
     if (auto* path = path_of(event.launched)) path->push_back(event.state.position);
     if (options_.parts.paths && marks != nullptr)
       if (auto& points = (*marks)[event.launched.group]; points.size() < kMostImpacts)
         points.push_back(event.state.position);
-    if (options_.parts.events) log_.events.push_back(event);
-    if (options_.parts.samples && breaks) add_sample({event.launched, event.time, event.state});
+    if (options_.parts.events || (options_.parts.samples && may_break_path(event.kind))) log_.events.push_back(event);
   }
 
   void draw() {
@@ -256,37 +256,22 @@ class Logger {
   Status sample() {
     if (!options_.parts.samples) return {};
     for (const ProjectileId id : run_->world().ids())
-      if (const auto launched = run_->launched(id)) {
-        add_sample({*launched, run_->world().time(), run_->world()[id].state()});
-        ++regular_samples_;
-      }
-    if (regular_samples_ <= kMaxSamples) return {};
+      if (const auto launched = run_->launched(id))
+        log_.samples.push_back({*launched, run_->world().time(), run_->world()[id].state()});
+    log_.rounds.push_back({log_.events.size(), log_.samples.size()});
+    if (log_.samples.size() <= kMaxSamples) return {};
     return Error{.message = "there are more than " + std::to_string(kMaxSamples) + " samples",
                  .place = "interval",
                  .hint = "take a longer interval"};
   }
 
-  /// Adds a sample, if it says something new of its projectile.
-  void add_sample(const WorldSample& sample) {
-    const std::uint64_t number = sample.launched.number;
-    if (last_sample_.size() <= number) last_sample_.resize(number + 1);
-    if (const std::size_t last = last_sample_[number]; last > 0) {
-      const WorldSample& before = log_.samples[last - 1];
-      if (before.time == sample.time && before.state == sample.state) return;
-    }
-    log_.samples.push_back(sample);
-    last_sample_[number] = log_.samples.size();
-  }
-
   WorldRun* run_;  // the one that is stepped
   const LogOptions& options_;
   WorldLog log_;
-  std::vector<std::size_t> path_;         // by number of the launch: 0 for none, or one more than its index
-  std::vector<Drawn> drawn_;              // by group
-  std::size_t most_drawn_ = 0;            // paths of each group
-  std::vector<bool> met_;                 // groups
-  std::vector<std::size_t> last_sample_;  // by number of the launch: 0 for none, or one more than its index
-  std::size_t regular_samples_ = 0;       // those of events aside
+  std::vector<std::size_t> path_;  // by number of the launch: 0 for none, or one more than its index
+  std::vector<Drawn> drawn_;       // by group
+  std::size_t most_drawn_ = 0;     // paths of each group
+  std::vector<bool> met_;          // groups
   std::uint64_t sample_every_ = 1, draw_every_ = 1;
   bool is_saved_ = false;
   bool is_again_ = false;  // it flies what was saved
@@ -413,18 +398,20 @@ std::string fidelities(const WorldLog& log, const Style& style) {
 // ---------------------------------------------------------------------------------------------------------- the files
 /// Records with a state at the end of each row.
 using Cells = std::vector<Cell>;
-template <class Entry, class Head>
-Records records_with_states(std::vector<std::string> columns, const std::deque<Entry>& entries, const Head& head_of) {
+template <class Each, class Head>
+Records records_with_states(std::vector<std::string> columns, const Each& each_entry, const Head& head_of) {
   columns.insert(columns.end(), {"x [m]", "y [m]", "z [m]", "vx [m/s]", "vy [m/s]", "vz [m/s]"});
-  return {std::move(columns), [&entries, head_of](const auto& take) {
-            for (const Entry& entry : entries) {
+  return {std::move(columns), [each_entry, head_of](const auto& take) {
+            each_entry([&](const auto& entry) {
               const auto& [x, v] = entry.state;
               Cells row = head_of(entry);
               row.insert(row.end(), {x.x, x.y, x.z, v.x, v.y, v.z});
               take(row);
-            }
+            });
           }};
 }
+
+std::string_view reason_of(const LoggedEvent& event) { return event.at_wall ? "wall" : name(event.reason); }
 
 Json series_json(const Series& series) {
   if (series.count == 0) return nullptr;
@@ -455,22 +442,41 @@ Json group_json(const WorldLog& log, std::size_t index) {
 
 Json event_json(const WorldLog& log, const LoggedEvent& event) {
   return {{"time [s]", event.time},
-          {"kind", event.kind},
-          {"reason", event.reason},
+          {"kind", name(event.kind)},
+          {"reason", reason_of(event)},
           {"what", log.groups[event.launched.group].name},
           {"number", event.launched.number},
           {"position [m]", vector_json(event.state.position)},
           {"velocity [m/s]", vector_json(event.state.velocity)}};
 }
 
-}  // namespace
-
-namespace {
-/// Whether a part of the log, or the table of hits, tells of all that happened since the start.
+/// True if a part of the log, or the table of hits, holds what happened since the start.
 bool tells_of_past(const LogParts& parts, const Scenario& scenario) {
   return parts.samples || parts.events || parts.paths || parts.hits || has_scene(scenario);
 }
+
 }  // namespace
+
+void WorldLog::each_sample(const std::function<void(const WorldSample&)>& take) const {
+  std::vector<const WorldSample*> last;  // by number of the launch
+  const auto hand_over = [&](const WorldSample& sample) {
+    const std::uint64_t number = sample.launched.number;
+    if (last.size() <= number) last.resize(number + 1);
+    const WorldSample* const before = std::exchange(last[number], &sample);
+    if (before == nullptr || before->time != sample.time || before->state != sample.state) take(sample);
+  };
+  std::size_t event = 0, sample = 0;
+  const auto hand_over_corners = [&](std::size_t until) {
+    for (; event < until; ++event)
+      if (may_break_path(events[event].kind)) hand_over(events[event]);
+  };
+  for (const Round& round : rounds) {
+    PHYSIM_ASSERT(round.events >= event && round.samples >= sample);
+    hand_over_corners(round.events);
+    for (; sample < round.samples; ++sample) hand_over(samples[sample]);
+  }
+  hand_over_corners(events.size());
+}
 
 Result<WorldLog> run_world(const Scenario& scenario, const LogOptions& options, const Progress& progress) {
   Result<std::vector<std::byte>> saved = std::vector<std::byte>();
@@ -511,7 +517,8 @@ std::string world_text(const WorldLog& log, const Style& style) {
 }
 
 Records records_of(const WorldLog& log) {
-  return records_with_states({"what", "number", "t [s]"}, log.samples, [&log](const WorldSample& sample) -> Cells {
+  const auto each = [&log](const auto& take) { log.each_sample(take); };
+  return records_with_states({"what", "number", "t [s]"}, each, [&log](const WorldSample& sample) -> Cells {
     const auto& [group, number] = sample.launched;
     PHYSIM_ASSERT(group < log.groups.size());
     return {log.groups[group].name, number, sample.time};
@@ -520,10 +527,11 @@ Records records_of(const WorldLog& log) {
 
 Content world_events_csv(const WorldLog& log) {
   const std::vector<std::string> columns = {"t [s]", "event", "reason", "what", "number"};
-  return csv_text(records_with_states(columns, log.events, [&log](const LoggedEvent& event) -> Cells {
+  const auto each = [&log](const auto& take) { std::ranges::for_each(log.events, take); };
+  return csv_text(records_with_states(columns, each, [&log](const LoggedEvent& event) -> Cells {
     const auto& [group, number] = event.launched;
     PHYSIM_ASSERT(group < log.groups.size());
-    return {event.time, event.kind, event.reason, log.groups[group].name, number};
+    return {event.time, name(event.kind), reason_of(event), log.groups[group].name, number};
   }));
 }
 

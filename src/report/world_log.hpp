@@ -2,6 +2,7 @@
 #pragma once
 
 #include <deque>
+#include <functional>
 
 #include "report/flown.hpp"
 #include "report/picture.hpp"
@@ -42,12 +43,10 @@ struct WorldSample {
   BodyState state;
 };
 
-struct LoggedEvent {
-  std::string_view kind;  // name of a EventKind, or "hit"
-  std::string_view reason;
-  Launched launched;
-  double time = 0;
-  BodyState state;
+struct LoggedEvent : WorldSample {
+  EventKind kind;
+  Reason reason = Reason::none;
+  bool at_wall = false;  // a hit on the wall of the world, which is the reason
 };
 
 /// The way of one projectile, corners at bounces included.
@@ -66,14 +65,23 @@ struct WorldLog {
   WorldCounters counters;
   std::vector<Check> checks;
 
-  std::deque<WorldSample> samples;  // of very many, a longer list must not need the room of two
-  std::deque<LoggedEvent> events;
+  /// How many events and samples there were after each round of samples.
+  struct Round {
+    std::size_t events, samples;
+  };
+  std::deque<WorldSample> samples;  // those of rounds; of very many, a longer list must not need the room of two
+  std::deque<LoggedEvent> events;   // all, or corners alone for samples
+  std::vector<Round> rounds;
   std::deque<ThingHit> thing_hits;    // the first, if no part of the log needs all
   std::uint64_t thing_hit_count = 0;  // of all
   std::vector<LoggedPath> paths;
   std::vector<std::vector<Vec3d>> impacts;  // by group
   std::vector<std::vector<Vec3d>> hits;     // by group
   std::vector<std::vector<Vec3d>> alive;    // by group, where it is an emitter: those at the end
+
+  /// Hands over all samples, those of rounds and of corners, as they came; one that repeats the last of its projectile
+  /// is left out.
+  void each_sample(const std::function<void(const WorldSample&)>& take) const;
 };
 
 /// Runs a scenario that has a [world]. An error with the place "interval" where there are too many samples.

@@ -49,8 +49,8 @@ int room_of_program() {
 TEST(CliLarge, OutputNeedsNoMemoryOfItsOwn) {
   const Folder folder;
   const std::string file = folder.write("many.toml", kMany);
-  // Less than the JSON alone would take as a tree: room for the world, its events and samples, also those of events.
-  const std::string limit = "-v " + std::to_string(room_of_program() + 36'000);
+  // Less than the JSON alone would take as a tree.
+  const std::string limit = "-v " + std::to_string(room_of_program() + 23'000);
   const Ran ran =
       limited(limit, {"run", file, "--interval", "4 s", "--json", folder / "a.json", "--events", folder / "e.csv"});
   ASSERT_EQ(ran.code, 0) << ran.err;

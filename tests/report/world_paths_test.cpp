@@ -100,14 +100,15 @@ TEST(FilesForOthers, PathsOfWorldsHaveASampleAtEveryCorner) {
   ASSERT_TRUE(scenario) << scenario.error().text();
   const WorldLog log = run_world(*scenario, {.parts = {.samples = true, .events = true}, .interval = 0.5}).value();
   std::map<std::uint64_t, std::vector<WorldSample>> paths;
-  for (const WorldSample& sample : log.samples) paths[sample.launched.number].push_back(sample);
+  log.each_sample([&](const WorldSample& sample) { paths[sample.launched.number].push_back(sample); });
   ASSERT_EQ(paths.size(), 5u);
   int hits = 0, corners = 0;
   for (const LoggedEvent& event : log.events) {
-    if (event.kind == "apex") continue;
-    hits += event.kind == "hit", ++corners;
+    if (event.kind == EventKind::apex) continue;
+    hits += event.kind == EventKind::hit, ++corners;
     const auto is_there = [&](const WorldSample& s) { return s.time == event.time && s.state == event.state; };
-    EXPECT_EQ(std::ranges::count_if(paths[event.launched.number], is_there), 1) << event.kind << " at " << event.time;
+    EXPECT_EQ(std::ranges::count_if(paths[event.launched.number], is_there), 1)
+        << name(event.kind) << " at " << event.time;
   }
   EXPECT_EQ(hits, 5);
   EXPECT_GT(corners, 20);
@@ -123,7 +124,7 @@ TEST(FilesForOthers, EventsOfWorldsAreInOrderOfTimeWithThoseOfTheWall) {
   const Result<Scenario> scenario = parse_scenario(text, "f.toml");
   ASSERT_TRUE(scenario) << scenario.error().text();
   const WorldLog log = run_world(*scenario, {.parts = {.events = true}}).value();
-  EXPECT_EQ(std::ranges::count(log.events, std::string_view("wall"), &LoggedEvent::reason), 5);
+  EXPECT_EQ(std::ranges::count(log.events, true, &LoggedEvent::at_wall), 5);
   EXPECT_TRUE(std::ranges::is_sorted(log.events, {}, &LoggedEvent::time));
 }
 
