@@ -181,7 +181,7 @@ void warn_of_refusals(const std::vector<WorldGroup>& groups) {
                     "fires by itself stops there");
 }
 
-/// Rounds that leave the air because nobody said how long they live.
+/// Warns of rounds that left the air at the default lifetime, which the file does not give.
 void warn_of_age(const WorldLog& log) {
   for (const ScenarioEmitter& emitter : log.scenario.emitters) {
     const bool is_unsaid = emitter.def.start.lifetime == ParticleStart{}.lifetime;

@@ -11,10 +11,10 @@
 
 namespace physim::cli {
 
-/// Whether this is a rank of a job. Launchers tell how many there are: Open MPI's mpirun, Slurm's srun with PMIx or
-/// PMI-2.
+/// True if this process is a rank of a job: Open MPI's mpirun and Slurm's srun (PMIx, PMI-2) set variables of the
+/// environment.
 [[nodiscard]] bool job_is_there();
-/// Whether a person looks at the stream. A launcher gives its ranks a terminal, whose text goes elsewhere.
+/// True if the stream is a terminal of a person: a launcher gives its ranks a terminal and collects their text.
 [[nodiscard]] bool is_terminal(std::FILE* stream);
 
 /// Colours for one stream; none where it is no terminal, NO_COLOR is set or TERM is "dumb".

@@ -79,7 +79,7 @@ struct BodyDef {
   double sleep_time = 0.5;            ///< rest before it sleeps [s]
   double restitution = 0.5;           ///< speed kept by a bounce, 0..1 [-]
   double friction = 0.5;              ///< Coulomb's, of bounces and sliding [-]
-  double rolling_resistance = 0.05;   ///< weight that resists rolling; 0: a point slides, against friction [-]
+  double rolling_resistance = 0.05;   ///< weight that resists rolling; 0: a point slides against friction [-]
   CollisionDef collision{};           ///< with things of the scene, and with others [-]
   DespawnRules despawn{};             ///< [-]
   Smoothing smoothing = Smoothing::interpolate;  ///< of World::render_position() (live) [-]

@@ -93,7 +93,7 @@ struct ContactDef {
   CollisionDef collision{};          ///< [-]
   double restitution = 0.5;          ///< speed kept by a bounce, times that of the material, 0..1 [-]
   double friction = 0.5;             ///< Coulomb's, of bounces and sliding, times that of the material [-]
-  double rolling_resistance = 0.05;  ///< weight that resists rolling; 0: a point slides, against friction [-]
+  double rolling_resistance = 0.05;  ///< weight that resists rolling; 0: a point slides against friction [-]
   double scene_time = 0;             ///< of the scene at launch: what moves is then where it is at that time [s]
   std::uint64_t seed = 0;            ///< of what materials leave to chance (Material::spread) [-]
 
@@ -175,7 +175,7 @@ struct Event {
   InstanceId instance{};                   ///< that was hit, or that it bounced off; none: the ground [-]
   std::uint32_t primitive = 0;             ///< of it, as SceneHit::primitive [-]
   MaterialId material{};                   ///< of it [-]
-  double energy = 0;                       ///< that it lost to the thing, as seen from that [J]
+  double energy = 0;                       ///< lost to the thing, in the thing's frame [J]
   ProjectileId other{};                    ///< that it met in a world; none: no projectile [-]
 };
 

@@ -34,7 +34,7 @@ inline constexpr double kLongestPart = 1.0 / 30;
   return {restitution * own.restitution, friction * own.friction, own.rolling_resistance};
 }
 
-/// Whether a flight is over where it hits.
+/// True if a hit ends the flight.
 [[nodiscard]] inline bool ends_flights(OnHit on_hit) { return on_hit == OnHit::stop || on_hit == OnHit::stick; }
 
 /// Whether hits are of one thing, and there of one body: parts of a compound that are of one material are.
@@ -56,8 +56,8 @@ inline constexpr double kLongestPart = 1.0 / 30;
   return hit;
 }
 
-/// Where a point comes to that only touches an edge of what it meets, and is outside of it again at once; none: it goes
-/// into it.
+/// The place behind an edge of a thing that a point touches without going into the thing; none if the point goes into
+/// it.
 [[nodiscard]] inline std::optional<Vec3d> beyond_edge(const Scene& scene, const SceneFilter& solids,
                                                       const State<double>& s, const SceneHit& hit, double time) {
   if (!hit.entering) return std::nullopt;
@@ -75,19 +75,16 @@ inline constexpr double kLongestPart = 1.0 / 30;
   return s.x + off;
 }
 
-/// Where a place on a thing is after a time, and how fast; `along`: what is added to it as seen from the thing.
-struct Carried {
-  Vec3d x, v, along;
-};
-[[nodiscard]] inline Carried carried_by(const Scene& scene, InstanceId thing, const Vec3d& x, const Vec3d& along,
-                                        double now, double time) {
+/// The state after a time of a place on a thing, moved by `along` in the thing's frame meanwhile.
+[[nodiscard]] inline State<double> carried_by(const Scene& scene, InstanceId thing, const Vec3d& x, const Vec3d& along,
+                                              double now, double time) {
   const auto from = scene.state(thing, now), to = scene.state(thing, now + time);
   PHYSIM_ASSERT(from && to);
   if (from->rotation == to->rotation && from->angular_velocity == Vec3d{})
-    return {x + along + (to->position - from->position), to->velocity, along};
+    return {x + along + (to->position - from->position), to->velocity};
   const Quatd turn = to->rotation * conjugate(from->rotation);
-  const Vec3d turned = rotate(turn, along), place = to->position + rotate(turn, x - from->position) + turned;
-  return {place, velocity_at(*to, place), turned};
+  const Vec3d place = to->position + rotate(turn, x - from->position) + rotate(turn, along);
+  return {place, velocity_at(*to, place)};
 }
 
 /// The surface of the body that a hit is of and that a place lies in by no more than `rounding`, in whichever direction

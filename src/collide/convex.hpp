@@ -139,9 +139,9 @@ template <class Convex>
 }
 
 // ------------------------------------------------------------------------------------------- by clipping
-/// What is left of a segment inside of surfaces that clip it, one after the other. The body is closed: what goes along
-/// a surface is inside, and so is what is beside it by no more than the segment's seam. So of bodies that touch each
-/// other one at least is met. What begins at a surface and does not go inwards meets nothing.
+/// The part of a segment inside of a convex body, clipped by one surface after the other. The body is closed: a segment
+/// along a surface is inside, and so is one beside it by no more than the segment's seam. So a segment meets at least
+/// one of two bodies that touch. A segment that begins at a surface and does not go inwards meets nothing.
 class Clipped {
  public:
   explicit Clipped(const Segment& s) : from_(s.from), along_(s.along), seam_(s.seam) {}
@@ -192,7 +192,7 @@ class Clipped {
   }
 
  private:
-  /// Where a surface is passed, and where one that is a seam farther out.
+  /// The parameters of the segment at a surface, and at the same surface one seam farther out.
   struct Side {
     double at, with_seam;
     Vec3d normal;

@@ -1,6 +1,6 @@
 // Contact of what flies with things of a scene: what it is and their materials let follow.
 //
-// Worlds and flights meet things alike: what flies is a ContactHost, which says where it is in its own way.
+// Worlds and flights meet things alike: each is a ContactHost.
 #pragma once
 
 #include <algorithm>
@@ -21,36 +21,39 @@
 
 namespace physim {
 
-/// What flies, as contacts see it. Times `passed` are those since its step began [s].
+/// A projectile in its step, as contacts see it. `passed`: time since the step began [s].
 class ContactHost {
  public:
-  /// What it meets; null: nothing.
+  /// The scene; null if the projectile meets nothing.
   [[nodiscard]] virtual const Scene* scene() const = 0;
+  /// The precision of the projectile's state.
+  [[nodiscard]] virtual Precision precision() const = 0;
   [[nodiscard]] virtual const CollisionDef& collision() const = 0;
-  /// Its own part in restitution, friction and rolling resistance.
+  /// The projectile's factors of restitution and friction, and its rolling resistance [-].
   [[nodiscard]] virtual Surface surface() const = 0;
-  /// About which axes it may turn, see Ball.
+  /// 1 along the axes of W about which the projectile turns, 0 along others, as Ball::turns [-].
   [[nodiscard]] virtual Vec3d turns() const = 0;
-  /// The time of the scene when its step begins, and how long that is [s].
+  /// Time of the scene at the start of the step [s].
   [[nodiscard]] virtual double scene_time() const = 0;
+  /// Length of the step [s].
   [[nodiscard]] virtual double step_length() const = 0;
-  /// How it turns, in W [rad/s].
+  /// Angular velocity in W [rad/s].
   [[nodiscard]] virtual Vec3d spin(double passed) const = 0;
   virtual void put_spin(const Vec3d& spin, double passed) = 0;
-  /// By everything but the contact [m/s^2].
+  /// Acceleration by all effects but the contact [m/s^2].
   [[nodiscard]] virtual Vec3d acceleration_at(const State<double>& s, double passed) const = 0;
-  /// What the constraints of its motion leave of a vector.
+  /// The part of a vector that the constraints of motion leave.
   [[nodiscard]] virtual Vec3d kept(const Vec3d& v) const = 0;
-  /// Mass, measures and draws of an Impact, by the number of the hit in its step.
+  /// Mass, measures and random draws of an Impact, by the number of the hit in the step.
   [[nodiscard]] virtual Impact impact(int hits) const = 0;
-  /// Something happened: event_of() has all but who and when.
+  /// Takes an event; the host adds the projectile's id and the time to event_of().
   virtual void tell(EventKind kind, Reason reason, double passed, const State<double>& s, const SceneHit& hit = {},
                     double depth = 0, double energy = 0) = 0;
-  /// It went along a surface, from a state at one time of the step to another one, for what keeps a path.
+  /// Takes a way along a surface between two times of the step; a host without a path ignores it.
   virtual void slid(const State<double>&, double, const State<double>&, double) {}
-  /// What is known of a hit that another one answers; null: nothing.
+  /// The answer to a hit of OnHit::ask; null if there is none yet.
   [[nodiscard]] virtual const HitAnswer* answer_to(HitQuestion&, double) const { return nullptr; }
-  /// Nothing is known of it, and what follows is flown another time.
+  /// Keeps a hit without an answer; the step is flown again when there is one.
   virtual void leave_open(const HitQuestion&) {}
 
  protected:
@@ -60,9 +63,8 @@ class ContactHost {
 /// The contacts of one step.
 class SceneContacts {
  public:
-  SceneContacts(ContactHost& host, Precision numbers)
+  explicit SceneContacts(ContactHost& host)
       : r_(host),
-        numbers_(numbers),
         scene_(host.scene()),
         solids_{.layers = scene_ ? collision().layers : 0, .sensors = false},
         casts_(scene_, solids_) {}
@@ -127,9 +129,9 @@ class SceneContacts {
     SceneHit hit;
     double above;  // how far its surface is from that of the thing [m]
   };
-  /// What it lies on, rolls or slides along at a moment: it touches that, is pressed on, and neither leaves nor strikes
-  /// it. A contact that goes on is no new one in each step, and falls through no gap; none: it flies.
-  [[nodiscard]] PHYSIM_NOINLINE std::optional<Support> lies_on(const State<double>& s, double passed) const {
+  /// The contact that lasts at a moment: the projectile touches a thing, is pressed on it, and neither leaves nor
+  /// strikes it. So a contact lasts from step to step, without gaps and new hits. None if the projectile flies.
+  [[nodiscard]] std::optional<Support> lies_on(const State<double>& s, double passed) const {
     if (const OnHit does = collision().on_hit; does == OnHit::pass || ends_flights(does)) return std::nullopt;
     const double time = r_.scene_time() + passed, within = 4 * gap_at(s.x), radius = collision().radius;
     const SceneNearest near = scene_->nearest(s.x, radius + within, solids_, time);
@@ -150,7 +152,7 @@ class SceneContacts {
     if (!(pressure > 0) || rate > rounding || rate < -rounding - std::sqrt(2 * pressure * within)) return std::nullopt;
     return Support{hit, near.distance - radius};
   }
-  /// What follows along what it lies on, as lies_on() found it.
+  /// The motion that follows along the support that lies_on() found.
   [[nodiscard]] After goes_along(const State<double>& at, const Support& on, double passed) {
     PHYSIM_ASSERT(length(on.hit.normal) > 0);
     above_ = on.above;
@@ -167,9 +169,8 @@ class SceneContacts {
   [[nodiscard]] bool is_carried() const { return carried_; }
 
  private:
-  /// One contact after the other, as long as each is followed by another one at once.
-  [[nodiscard]] PHYSIM_NOINLINE After followed(std::optional<After> after, State<double> s, SceneHit hit,
-                                               double passed) {
+  /// Resolves contacts, one after the other, until none follows at once.
+  [[nodiscard]] After followed(std::optional<After> after, State<double> s, SceneHit hit, double passed) {
     while (!after) after = contact(s, hit, passed);
     after->state.v = r_.kept(after->state.v);
     return *after;
@@ -202,8 +203,8 @@ class SceneContacts {
   [[nodiscard]] Vec3d spin(double passed) const { return component_product(r_.turns(), r_.spin(passed)); }
   [[nodiscard]] bool is_ball() const { return collision().radius > 0; }
 
-  [[nodiscard]] bool is_float32() const { return numbers_ == Precision::float32; }
-  /// As the numbers of what flies hold it.
+  [[nodiscard]] bool is_float32() const { return r_.precision() == Precision::float32; }
+  /// A vector rounded to the precision of the projectile's state.
   [[nodiscard]] Vec3d held(const Vec3d& x) const { return is_float32() ? vec_cast<double>(vec_cast<float>(x)) : x; }
   [[nodiscard]] double spacing(const Vec3d& x) const {
     return is_float32() ? spacing_at<float>(x) : spacing_at<double>(x);
@@ -223,7 +224,7 @@ class SceneContacts {
 
   /// A place that its numbers can hold, from which what touches something at `x` can go on: outside of it, and of what
   /// stands beside it. It lies about a tenth of a nanometre off, or as far as those are apart.
-  [[nodiscard]] PHYSIM_NOINLINE Vec3d outside(const Vec3d& x, const Vec3d& normal, double passed) const {
+  [[nodiscard]] Vec3d outside(const Vec3d& x, const Vec3d& normal, double passed) const {
     const double gap = gap_at(x);
     Vec3d off = normal * gap;
     constexpr int kMostSides = 6;  // more than three things seldom meet
@@ -237,7 +238,7 @@ class SceneContacts {
   }
 
   /// One contact; nothing where another one follows in `s`, `hit` and `passed`.
-  [[nodiscard]] PHYSIM_NOINLINE std::optional<After> contact(State<double>& s, SceneHit& hit, double& passed) {
+  [[nodiscard]] std::optional<After> contact(State<double>& s, SceneHit& hit, double& passed) {
     if (hit.starts_inside && is_ball()) push_out(s, hit, passed);
     if (hit.starts_inside) look_for_surface(s, hit, passed);
     if (hit.starts_inside && came_through_) enter_here(s, hit);
@@ -265,14 +266,14 @@ class SceneContacts {
         return into_next(*after, s, hit, passed);
     return rebound(s, hit, passed, action == OnHit::bounce ? does.velocity : std::nullopt);
   }
-  /// Whether all that a point touches is an edge, behind which it is outside at once: it is put there.
+  /// True if a point only touches an edge of a thing; the point is moved behind the edge.
   [[nodiscard]] bool grazes(State<double>& s, const SceneHit& hit, double passed) const {
     const auto beyond = beyond_edge(*scene_, solids_, s, hit, r_.scene_time() + passed);
     if (!beyond) return false;
     s.x = held(*beyond + normalized(s.v - hit.velocity) * (2 * spacing(s.x)));
     return true;
   }
-  /// As seen from what it touches [J].
+  /// Kinetic energy in the frame of the thing [J].
   [[nodiscard]] double energy_of(const BallMotion& motion) const {
     const double turns = collision().inertia * collision().radius * collision().radius;
     return 0.5 * r_.impact(hits_).mass * (length_squared(motion.velocity) + turns * length_squared(motion.spin));
@@ -376,41 +377,41 @@ class SceneContacts {
     hit.entering = true;
   }
 
-  [[nodiscard]] Carried carried(const SceneHit& hit, const Vec3d& x, const Vec3d& along, double passed,
-                                double time) const {
+  [[nodiscard]] State<double> carried(const SceneHit& hit, const Vec3d& x, const Vec3d& along, double passed,
+                                      double time) const {
     return carried_by(*scene_, hit.instance, x, along, r_.scene_time() + passed, time);
   }
-  /// What an engine's things do later is not known.
+  /// True if the thing moves; the motion of an engine's thing is not known ahead.
   [[nodiscard]] bool moves(const SceneHit& hit) const {
     return !is_engines(hit) && !SceneByMotion(*scene_).rests(hit.instance.index);
   }
   [[nodiscard]] static bool is_engines(const SceneHit& hit) { return hit.instance.generation == kEngineGeneration; }
-  /// An engine's surface is known to within its skin: what fell no farther than a part of that lay there before.
+  /// True if the projectile lay on an engine's surface before: it fell no farther than a part of the skin, to which the
+  /// surface is known.
   [[nodiscard]] bool lay_there(const State<double>& s, const SceneHit& hit, double passed) const {
     if (!is_engines(hit) || collision().on_hit == OnHit::pass || ends_flights(collision().on_hit)) return false;
     const double pressure = -dot(r_.acceleration_at(s, passed), hit.normal), fell = 0.2 * scene_->skin();
     return pressure > 0 && dot(s.v - hit.velocity, hit.normal) >= -std::sqrt(2 * pressure * fell);
   }
-  /// By everything but the contact, as seen from a thing that moves: in the mean of a time that follows.
+  /// Mean acceleration by all effects but the contact, in the frame of the thing, over a time that follows [m/s^2].
   [[nodiscard]] Vec3d acceleration_on(const State<double>& s, const SceneHit& hit, double passed, double time) const {
     const Vec3d a = r_.acceleration_at(s, passed);
     if (!moves(hit) || !(time > 0)) return a;
     return a - (carried(hit, s.x, {}, passed, time).v - hit.velocity) * (1 / time);
   }
-  /// What presses it onto a thing some time later, where that carries it on [m/s^2].
-  [[nodiscard]] PHYSIM_NOINLINE double pressure_on(const State<double>& s, const SceneHit& hit, double passed,
-                                                   double later) const {
+  /// Acceleration that presses the projectile onto a thing that carries it, some time later [m/s^2].
+  [[nodiscard]] double pressure_on(const State<double>& s, const SceneHit& hit, double passed, double later) const {
     constexpr double kShort = 1e-5;  // [s]
     const double own = -dot(r_.acceleration_at(s, passed), hit.normal);
     if (!moves(hit)) return own;
     const Vec3d now = carried(hit, s.x, {}, passed, later).v, then = carried(hit, s.x, {}, passed, later + kShort).v;
     return own + dot(then - now, hit.normal) / kShort;
   }
-  /// How long a thing that moves presses it on, of the part that follows [s].
-  [[nodiscard]] PHYSIM_NOINLINE double pressed_for(const State<double>& s, const SceneHit& hit, double passed) const {
+  /// The part of the time that follows in which a moving thing presses the projectile on [s].
+  [[nodiscard]] double pressed_for(const State<double>& s, const SceneHit& hit, double passed) const {
     const double longest = longest_way(passed);
     if (!moves(hit)) return longest;
-    // What stops or turns at once presses again behind that, but let the body go before.
+    // A thing whose velocity jumps may press again later; the projectile has left it before.
     const Vec3d a = r_.acceleration_at(s, passed);
     const double own = -dot(a, hit.normal), rounding = 1e-9 * length(a);
     PHYSIM_ASSERT(!is_engines(hit));
@@ -434,8 +435,8 @@ class SceneContacts {
   }
 
   /// Bounces, or lies on what it met. All in the frame of the surface. `own`: with that velocity, by whoever said so.
-  [[nodiscard]] PHYSIM_NOINLINE std::optional<After> rebound(State<double>& s, SceneHit& hit, double& passed,
-                                                             const std::optional<Vec3d>& own) {
+  [[nodiscard]] std::optional<After> rebound(State<double>& s, SceneHit& hit, double& passed,
+                                             const std::optional<Vec3d>& own) {
     const Vec3d n = hit.normal, u = hit.velocity;
     const Surface on = surface(hit);
     BallMotion motion{s.v - u, spin(passed)};
@@ -469,8 +470,8 @@ class SceneContacts {
   }
 
   /// Slides or rolls along what it lies on, up to what stands in its way.
-  [[nodiscard]] PHYSIM_NOINLINE std::optional<After> moves_along(State<double>& s, SceneHit& hit, double& passed,
-                                                                 const BallMotion& motion, const Vec3d& a) {
+  [[nodiscard]] std::optional<After> moves_along(State<double>& s, SceneHit& hit, double& passed,
+                                                 const BallMotion& motion, const Vec3d& a) {
     const Vec3d u = hit.velocity;
     const Surface on = surface(hit);
     const double left = pressed_for(s, hit, passed);
@@ -485,8 +486,8 @@ class SceneContacts {
     }
     Vec3d there = s.x + way.way + u * way.time, then_at = u, over;
     if (moves(hit)) {
-      const Carried by = carried(hit, s.x, way.way, passed, way.time);
-      // What carries it bends its way: the chord is looked along above that.
+      const State<double> by = carried(hit, s.x, way.way, passed, way.time);
+      // A thing that turns bends the way: the cast goes along the chord, above the arc.
       over = hit.normal * (0.25 * way.time * length(by.v - u));
       there = by.x, then_at = by.v;
     }
@@ -520,17 +521,17 @@ class SceneContacts {
     return rests(s.x, hit.velocity, passed);
   }
 
-  /// Goes on with what it touches, to what stands in its way; where that is at once, it stays.
-  [[nodiscard]] PHYSIM_NOINLINE After rests(const Vec3d& x, const Vec3d& velocity, double passed) {
+  /// Moves on with the thing up to the next obstacle; stays if an obstacle is met at once.
+  [[nodiscard]] After rests(const Vec3d& x, const Vec3d& velocity, double passed) {
     const double left = longest_way(passed);
     const State<double> s{x, velocity};
     const SceneHit next = velocity == Vec3d{} ? SceneHit{} : cast(x, x + velocity * left, passed, left);
     const bool is_held = next.starts_inside || (next && next.part * left <= 1e-6 * frame());
     return along(s, is_held ? Vec3d{} : velocity * left, velocity, is_held ? SceneHit{} : next, passed);
   }
-  /// Straight on by a way, with another velocity at its end, to what it meets there.
-  [[nodiscard]] PHYSIM_NOINLINE After along(const State<double>& s, const Vec3d& way, const Vec3d& velocity,
-                                            const SceneHit& next, double passed) {
+  /// Moves straight by `way`, to the velocity at its end, up to the next obstacle.
+  [[nodiscard]] After along(const State<double>& s, const Vec3d& way, const Vec3d& velocity, const SceneHit& next,
+                            double passed) {
     const double left = longest_way(passed), part = next ? next.part : 1.0;
     const double then = part < 1 || left < r_.step_length() - passed ? passed + part * left : r_.step_length();
     const State<double> end{next ? outside(next.position, next.normal, then) : held(s.x + way),
@@ -539,14 +540,14 @@ class SceneContacts {
     return {then < r_.step_length() ? Then::flies_on : Then::lies, end, then};
   }
 
-  /// It lies on one thing, and another one stands in its way at once: it goes along both, as on one between them, as
-  /// fast as both let it.
-  [[nodiscard]] PHYSIM_NOINLINE After lies_between(State<double> s, const SceneHit& one, SceneHit other, double passed,
-                                                   const Vec3d& a) {
+  /// The projectile lies on one thing, and another one obstructs it at once: it moves along the line between both, with
+  /// the velocity that both impose.
+  [[nodiscard]] After lies_between(State<double> s, const SceneHit& one, SceneHit other, double passed,
+                                   const Vec3d& a) {
     constrain(other);
     const Vec3d line = r_.kept(cross(one.normal, other.normal)), middle = one.normal + other.normal;
     if (length(line) < 1e-6 || length(middle) < 1e-6) return rests(s.x, one.velocity, passed);
-    // The velocity across the line with which it leaves neither: u . n1 = u1 . n1, u . n2 = u2 . n2.
+    // The velocity across the line that follows both surfaces: u . n1 = u1 . n1, u . n2 = u2 . n2.
     const double c = dot(one.normal, other.normal), per = 1 / (1 - c * c);
     PHYSIM_ASSERT(per > 0);
     const double first = dot(one.velocity, one.normal), second = dot(other.velocity, other.normal);
@@ -566,8 +567,8 @@ class SceneContacts {
 
   // ------------------------------------------------------------------------------------------- into and through
   /// As the material lets it, see impact(); nothing where it bounces. `normal`: of the surface, whatever it is held by.
-  [[nodiscard]] PHYSIM_NOINLINE std::optional<After> impacted(State<double>& s, const Vec3d& met, const Vec3d& normal,
-                                                              const SceneHit& hit, double passed) {
+  [[nodiscard]] std::optional<After> impacted(State<double>& s, const Vec3d& met, const Vec3d& normal,
+                                              const SceneHit& hit, double passed) {
     const Vec3d relative = s.v - hit.velocity;
     const double speed = length(relative);
     if (!(speed > 0)) return std::nullopt;
@@ -608,9 +609,9 @@ class SceneContacts {
   }
 
   /// Out behind what it met, at once; nothing where a ball only grazes an edge.
-  [[nodiscard]] PHYSIM_NOINLINE std::optional<After> let_through(State<double>& s, const Vec3d& met,
-                                                                 const Vec3d& normal, const SceneHit& hit,
-                                                                 double passed, const std::optional<Vec3d>& velocity) {
+  [[nodiscard]] std::optional<After> let_through(State<double>& s, const Vec3d& met, const Vec3d& normal,
+                                                 const SceneHit& hit, double passed,
+                                                 const std::optional<Vec3d>& velocity) {
     const Vec3d before = s.v - hit.velocity;
     if (!(length(before) > 0)) return std::nullopt;
     const Vec3d way = normalized(before);
@@ -651,7 +652,6 @@ class SceneContacts {
   }
 
   ContactHost& r_;
-  Precision numbers_;
   const Scene* scene_;
   SceneFilter solids_;
   collide::TubeCasts casts_;  // about the way that was looked at last

@@ -15,8 +15,8 @@ namespace physim::collide {
 /// Farther away nothing stands: squares of lengths are numbers, and floats hold lengths [m].
 inline constexpr double kFarthest = 1e15;
 
-/// A gap between two bodies that is no wider than this is none: so far the roundings of their places and of a point's
-/// way may take them apart. `extent`: the largest of the coordinates [m].
+/// The widest gap that rounding of positions and of a segment may make between two bodies that touch [m]. `extent`: the
+/// largest of the coordinates [m].
 [[nodiscard]] inline double seam_at(double extent) { return 8 * std::numeric_limits<double>::epsilon() * extent; }
 
 /// The points from + t along, 0 <= t <= reach <= 1; with a radius, the spheres about them. Whoever finds a nearer hit

@@ -78,7 +78,7 @@ class Shear {
     const R w = b.x * a.y - b.y * a.x;
     const R sum = u + v + w, zero(0.0);
     t = (u * a.z + v * b.z + w * c.z) / sum;
-    // No edge is longer. Where the sum is 0 it is seen from its edge.
+    // `most` is at least the longest edge. A sum of 0 is a triangle seen from its edge.
     const R most = (abs(a.x) + abs(a.y)) + (abs(b.x) + abs(b.y)) + (abs(c.x) + abs(c.y));
     const R wide = R(seam_) * most, beside = select(abs(sum) > R(16.0) * wide, wide, zero);
     const MaskOf<R> front = (u >= -beside) & (v >= -beside) & (w >= -beside);

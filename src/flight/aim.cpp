@@ -344,7 +344,7 @@ class Aimer {
     const double miss = length(p.miss);
     if (!std::isfinite(miss) || flight.duration() == 0) return {velocity, p.time, kInfinity};
     note(flight, p);
-    return {velocity, p.time, p.time == 0 ? kInfinity : miss};  // from a target that only goes away nothing descends
+    return {velocity, p.time, p.time == 0 ? kInfinity : miss};  // no descent starts at the muzzle
   }
 
   [[nodiscard]] double distance_at(const Flight& flight, double time) const {

@@ -135,7 +135,7 @@ class LaneFlight {
     if (sound && has_stops(*course_.conditions)) path_.keep_jump();
   }
 
-  /// From a contact.
+  /// Continues the flight behind a contact.
   void go_on() {
     auto from = next();
     while (from && stays(*from)) from = next();
@@ -320,7 +320,7 @@ class LaneFlight {
     lane().body.applied = own.applied;
     lane().body.applied_until = own.applied_until;
   }
-  /// Lies on a thing at the start of the frame, and goes on along that.
+  /// True if the projectile lies on a thing at the start of the frame; it moves along the thing then.
   [[nodiscard]] bool stays_pushed() {
     if (!contacts_) return false;
     const Body<S> felt = lane().body;
@@ -347,7 +347,7 @@ class LaneFlight {
     if (!is_framed()) step.draw = record_.legs.size();
     host_.begin(step);
     if (host_.scene() != nullptr)
-      contacts_.emplace(host_, sizeof(S) == 4 ? Precision::float32 : Precision::float64);
+      contacts_.emplace(host_);
     else
       contacts_.reset();
   }
@@ -379,7 +379,7 @@ class LaneFlight {
     host_.slides.clear();
     if (!is_framed() && passed - counts_from_ > kLongestPart) counts_from_ = passed, begin_contacts(host_.step());
   }
-  /// Goes on along the thing that it lies on; false where that is none.
+  /// True if the projectile lies on a thing; it moves along the thing then.
   bool stays(double passed) {
     if (!contacts_) return false;
     const State<double> s{vec_cast<double>(lane().step.start.x), vec_cast<double>(lane().step.start.v)};

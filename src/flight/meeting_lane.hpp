@@ -47,6 +47,7 @@ class MeetingLane final : public ContactHost {
   [[nodiscard]] const Scene* scene() const override {
     return from_.contact.collision.layers == 0 ? nullptr : from_.scene;
   }
+  [[nodiscard]] Precision precision() const override { return conditions().fidelity.precision; }
   [[nodiscard]] const CollisionDef& collision() const override { return from_.contact.collision; }
   [[nodiscard]] Surface surface() const override {
     return {from_.contact.restitution, from_.contact.friction, from_.contact.rolling_resistance};

@@ -101,7 +101,7 @@ Result<PilotStep> step_within(const ProjectileDef& projectile, const Launch& lau
     return fly_reference(projectile, launch, environment, fidelity, tolerance, until, error_allowed);
   };
   auto reference = fly_exact();
-  // What goes on from a contact at its start is no measure of steps: they are those of a flight through the air.
+  // A flight that begins with a contact does not measure steps: they are measured in a flight through the air.
   const bool goes_on = until.scene && !ends_flights(asked.contact.collision.on_hit);
   if (reference && goes_on && reference->duration() < kLongestPart) {
     until.scene = nullptr;

@@ -98,7 +98,7 @@ class ZeroShots {
   std::optional<double> root_between(double low, double at_low, double high, double at_high) {
     const auto at = [&](double elevation) { return drop(elevation); };
     const double elevation = find_root(at, low, at_low, high, at_high, 1e-13);
-    // Where the height jumps, the end of a jump is no zero.
+    // A jump of the height has no zero.
     return abs(drop(elevation)) < 1e-6 * range_ + 1e-6 ? std::optional(elevation) : std::nullopt;
   }
   /// Away from the line of sight, up where the shot lies low and down where it lies high, in growing steps.

@@ -35,7 +35,7 @@ struct Ball {
   Vec3d turns = {1.0, 1.0, 1.0};  // along the axes of W: 1 where it turns about one, 0 where it does not [-]
 
   [[nodiscard]] bool is_free() const { return turns == Vec3d{1.0, 1.0, 1.0}; }
-  /// The part of a turn about an axis that is left to it, T [-].
+  /// T, the part of a turn about an axis that constraints leave [-].
   [[nodiscard]] double free_part(const Vec3d& axis) const {
     return is_free() ? 1.0 : dot(component_product(turns, axis), axis);
   }

@@ -46,7 +46,7 @@ inline BallWay slid_or_rolled(const BallMotion& from, const Vec3d& a, const Vec3
   const Vec3d u = from.velocity - cross(from.spin, normal) * ball.radius;
   const double slip = length(u);
   const double k = ball.inertia;
-  // What makes it roll; friction holds the rest.
+  // The part of the pull that makes the ball roll; friction holds the rest.
   const Vec3d a_roll = ball.is_free() ? a_t : cross(component_product(ball.turns, cross(normal, a_t)), normal);
   const double needed = ball.is_free() ? k / (1 + k) * length(a_t) : length(a_t - a_roll * (1 / (1 + k)));
   if (slip <= kNoSlip && needed <= grip.friction * pressure) {

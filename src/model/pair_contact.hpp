@@ -87,7 +87,7 @@ struct PairTouch {
 
 namespace detail {
 
-/// What a touch has given so far.
+/// The impulses of a touch so far.
 struct TouchImpulse {
   double before;     // v_n [m/s]
   double along = 0;  // J [N s]

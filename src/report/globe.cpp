@@ -37,7 +37,7 @@ GlobePoint point_of(const EarthFrames& frames, double time, const Vec3d& positio
 /// along the edge of the map there.
 using Parts = std::vector<std::vector<GlobePoint>>;
 
-/// Where the flight leaves the map between two samples on different sides of it.
+/// The point at which the flight crosses the antimeridian between two samples.
 GlobePoint at_antimeridian(const Flight& flight, const EarthFrames& frames, const GlobePoint& from,
                            const GlobePoint& to) {
   PHYSIM_ASSERT(std::abs(to.longitude - from.longitude) > 180);
@@ -76,7 +76,7 @@ Parts parts_of(const Flight& flight, const Times& times) {
   return parts;
 }
 
-/// What the heights of a file are, in its header.
+/// The datum of heights, for the header of a file.
 constexpr std::string_view kHeights =
     "Heights are metres above the ellipsoid (WGS 84) or the sphere that was flown over, with environment.altitude as "
     "the height of the origin above it.";
@@ -158,7 +158,7 @@ struct Smooth {
   };
   std::vector<Point> points;
 
-  /// Where viewers show it between two samples, the second of which is the k-th: through the samples around.
+  /// The position that viewers interpolate between samples k - 1 and k, by the samples around.
   [[nodiscard]] Vec3d shown(double time, std::size_t k) const {
     PHYSIM_ASSERT(k > 0 && k < points.size());
     const std::size_t count = std::min(kPathDegree + 1, points.size());
@@ -173,8 +173,7 @@ struct Smooth {
     return points[first].position + place;
   }
 
-  /// Leaves out samples that are so close to their neighbours that a polynomial through them is at the mercy of
-  /// rounding.
+  /// Removes samples so close to their neighbours that interpolation through them is ill-conditioned.
   void thin_out() {
     constexpr double kClose = 1e-4;
     for (std::size_t i = 1; i + 1 < points.size();) {

@@ -82,7 +82,7 @@ CardFigures figures_of(const Card& card) {
   return out;
 }
 
-/// Whether lengths are whole numbers of a unit, as who wrote them in it writes them.
+/// True if all lengths are whole numbers of a unit.
 bool are_whole(const std::vector<double>& lengths, double unit) {
   constexpr double kRounding = 1e-9;
   return std::ranges::all_of(lengths, [&](double length) {

@@ -34,7 +34,7 @@ struct FlownStudy {
 [[nodiscard]] std::string with_unit(StudyQuantity quantity);
 
 [[nodiscard]] Answer study_answer(const AskedShot& asked, const FlownStudy& flown, const Style& style);
-/// Whether a study ended before its figure was known to the width that was asked for.
+/// True if a study ended before its figure was known to the width of --until-width.
 [[nodiscard]] bool misses_width(const Study& study, const StudyResult& result);
 /// A study with its plane of impact at a range [m].
 struct StudyAtRange {

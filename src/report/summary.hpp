@@ -24,7 +24,7 @@ namespace physim::report {
 [[nodiscard]] std::string stability_text(const ScenarioShot& shot, const Flight& flight,
                                          const Environment& environment);
 
-/// How far a flight leaves the points of its own drag curve, and where; empty where it stays on the curve.
+/// Notes on the distance by which a flight leaves its own drag curve, and the place; empty if it stays on the curve.
 [[nodiscard]] std::vector<std::string> curve_notes(const Flight& flight);
 
 /// Round ranges [m] for a range card of a flight that ends at this range [m].

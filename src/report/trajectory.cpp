@@ -50,7 +50,7 @@ std::vector<std::string> columns_of(bool with_jerk) {
   return columns;
 }
 
-/// The last time before one that a flight can be asked for.
+/// The number before a time.
 double just_before(double time) { return std::nextafter(time, -kInfinity); }
 
 /// The events of a flight at a time.
@@ -62,7 +62,7 @@ std::span<const Event> events_at(const Flight& flight, double time) {
   return all.subspan(static_cast<std::size_t>(first - all.begin()), static_cast<std::size_t>(last - first));
 }
 
-/// The state with which a flight came to a time: that of the first thing that happened there.
+/// The state just before a time: that of the first event at the time.
 Sample sample_before(const Flight& flight, double time) {
   Sample sample = flight.at(just_before(time));
   sample.time = time;
@@ -74,7 +74,7 @@ Sample sample_before(const Flight& flight, double time) {
   return sample;
 }
 
-/// Whether the state jumps at a time: place or velocity, by more than rounding.
+/// True if position or velocity jumps at a time by more than rounding.
 bool jumps_at(const Flight& flight, double time) {
   constexpr double kRounding = 1e-9;
   const Sample before = sample_before(flight, time), after = flight.at(time);
@@ -151,7 +151,7 @@ Times breaks_of(const Flight& flight) {
 Times with_breaks(const Flight& flight, const Times& times) {
   PHYSIM_ASSERT(std::ranges::is_sorted(times));
   const Times breaks = breaks_of(flight);
-  // Closer than this, two samples say the same, and a curve through both of them is at the mercy of rounding.
+  // Two samples that are closer make an interpolation through both ill-conditioned.
   constexpr double kClose = 1e-6;
   const double close =
       times.size() > 1 ? kClose * (times.back() - times.front()) / static_cast<double>(times.size()) : 0;

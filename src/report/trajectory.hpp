@@ -30,9 +30,9 @@ inline constexpr std::array<std::string_view, 3> kJerkColumns = {"jx [m/s^3]", "
 using Times = std::vector<double>;
 using SampleTimes = std::vector<Times>;
 
-/// Whether the path or a derivative of it may break in an event; it does not where a number passes a value.
+/// True if the path or a derivative of it may be discontinuous at an event of a kind; a crossing of a value is smooth.
 [[nodiscard]] bool may_break_path(EventKind kind);
-/// When the path of a flight may break, in order [s].
+/// The times at which the path of a flight may break, in order [s].
 [[nodiscard]] Times breaks_of(const Flight& flight);
 /// The times with those of all events in which the path may break, so that no corner is cut. Times that lie close to
 /// such an event give way to it.

@@ -54,7 +54,7 @@ class Logger {
     draw_every_ = std::max<std::uint64_t>(log_.steps / kPathPoints, 1);
   }
 
-  /// Takes the steps of a run up to the last one, from the one where it is.
+  /// Steps a run from its present step to the last one.
   Status run(const Progress& progress) {
     const std::uint64_t before = run_->world().counters().steps;
     if (before > 0)
@@ -66,7 +66,7 @@ class Logger {
     return run_on(before, log_.steps, progress);
   }
 
-  /// Flies a run from its start up to where another one, which was loaded, goes on.
+  /// Flies a run from its start to the step of another one, which was loaded, and continues with that one.
   Status run_up_to(WorldRun& loaded, const Progress& progress) {
     PHYSIM_ASSERT(run_->world().counters().steps == 0);
     const std::uint64_t before = loaded.world().counters().steps;

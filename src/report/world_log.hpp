@@ -65,7 +65,7 @@ struct WorldLog {
   WorldCounters counters;
   std::vector<Check> checks;
 
-  /// How many events and samples there were after each round of samples.
+  /// The numbers of events and samples after a round of samples.
   struct Round {
     std::size_t events, samples;
   };
@@ -79,8 +79,8 @@ struct WorldLog {
   std::vector<std::vector<Vec3d>> hits;     // by group
   std::vector<std::vector<Vec3d>> alive;    // by group, where it is an emitter: those at the end
 
-  /// Hands over all samples, those of rounds and of corners, as they came; one that repeats the last of its projectile
-  /// is left out.
+  /// Calls take() for all samples, of rounds and of corners, in their order, but for samples that repeat the last one
+  /// of their projectile.
   void each_sample(const std::function<void(const WorldSample&)>& take) const;
 };
 

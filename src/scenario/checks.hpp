@@ -37,7 +37,7 @@ void complete_world(Scenario& scenario, const Value& document);
 /// Default names of [[joint]], and their contradictions.
 void complete_joints(Scenario& scenario);
 [[nodiscard]] Status check_joints(const Scenario& scenario, const ScenarioNames& names, const Value& document);
-/// What is odd about a joint: its ends are elsewhere at launch, or others contradict it.
+/// A remark on a joint: its ends are elsewhere at launch, or other joints contradict it.
 struct JointRemark {
   std::size_t joint;  // index in Scenario::joints
   std::string what;

@@ -95,8 +95,8 @@ class JointNet {
     return is_new ? add(at, true) : known->second;
   }
 
-  /// How far the ends of a joint can be apart by all others: the shortest way through the net. It is looked for as far
-  /// as the joint is long.
+  /// The largest distance that all other joints allow between the ends of a joint: the shortest way through the net.
+  /// The search ends at the length of the joint [m].
   [[nodiscard]] double farthest(std::size_t of) const {
     using Reached = std::pair<double, std::size_t>;
     std::priority_queue<Reached, std::vector<Reached>, std::greater<>> next;

@@ -1,4 +1,4 @@
-// Mistakes: errors of a file, gathered so that all are told at once.
+// Mistakes: the errors of a file, reported together.
 #pragma once
 
 #include <algorithm>
@@ -11,16 +11,16 @@
 
 namespace physim {
 
-/// Errors of a file. They are told in the order of their places, each on a line of its own.
+/// Errors of a file, in the order of their places, each on its own line.
 class Mistakes {
  public:
-  static constexpr std::size_t kMost = 20;  // that are told
+  static constexpr std::size_t kMost = 20;  // errors in the report
 
   void take(const Status& status) {
     if (!status) all_.push_back(status.error());
   }
   [[nodiscard]] bool empty() const { return all_.empty(); }
-  /// Nobody reads more of them.
+  /// True if there are more errors than the report shows.
   [[nodiscard]] bool is_full() const { return all_.size() > kMost; }
 
   /// All as one error: the first, with the others on lines behind it.

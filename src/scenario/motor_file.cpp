@@ -91,8 +91,8 @@ class MotorReader {
     line = line.substr(0, line.find(';'));
     const auto words = words_of(line);
     if (words.empty()) return {};
-    // What begins with words is the header of another motor, sound or not.
-    constexpr std::size_t kHeader = 7, kLikeHeader = 5;
+    // A line that begins with a word is the header of another motor, sound or not.
+    constexpr std::size_t kLikeHeader = 5;
     if (words.size() == kHeader || (words.size() >= kLikeHeader && !number_of(words[0]))) {
       end_open();
       return read_header(words);
@@ -113,7 +113,7 @@ class MotorReader {
     MotorFileEntry& entry = motors_.emplace_back();
     entry.motor.name = words[0];
     open_ = true;
-    if (words.size() != 7) return no_header(words);
+    if (words.size() != kHeader) return no_header(words);
     entry.delays = words[3];
     entry.manufacturer = words[6];
     double numbers[4];  // diameter, length, propellant, mass

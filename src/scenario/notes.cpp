@@ -92,7 +92,7 @@ class Notes {
     of_motor(shot, table);
   }
 
-  /// A motor that lifts its rocket at no time: not even at the mass that is left in the end.
+  /// Adds a note if the thrust never exceeds the weight along the rail, even at the mass after burnout.
   void of_motor(const ScenarioShot& shot, const Value& table) {
     const MotorDef& motor = shot.projectile.motor;
     const Gravity& gravity = scenario_.environment.gravity;
@@ -135,7 +135,7 @@ class Notes {
     overruled(kind != JointKind::cable, table, "joint", {"restitution"}, by);
   }
 
-  /// More particles in a step than an emitter lets out: it stops.
+  /// Adds a note if an emitter has more particles in a step than the limit, at which it stops.
   void of_emitter(const ScenarioEmitter& emitter, const Value& table) {
     const EmitterDef& def = emitter.def;
     constexpr double kMostInStep = 1u << 20, kMostOfPast = 1u << 26;

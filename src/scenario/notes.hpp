@@ -1,4 +1,4 @@
-// What a reader should know of a scenario that is sound: settings that mean nothing, and numbers that are unlikely.
+// Notes on a sound scenario: settings without effect, and unlikely numbers.
 #pragma once
 
 #include "scenario/document.hpp"

@@ -164,7 +164,7 @@ namespace {
 /// Thrust may jump: two points at one time are a step.
 bool may_step(const Points& points) { return points.quantities[1] == Quantity::force; }
 
-/// Whether a point may stand behind those before it.
+/// True if a point may follow those before it.
 bool may_follow(const Points& points, const Points::Pairs& before, double at) {
   if (before.empty() || at > before.back().first) return true;
   const bool is_third = before.size() > 1 && before[before.size() - 2].first == at;
@@ -461,7 +461,7 @@ Error unknown_key(const SchemaNode& node, const Member& member) {
   return {"unknown key " + in_quotes(member.key) + " in " + table_name(node), member.key_place.text(), hint};
 }
 
-/// Whether a key that no table has is meant to be this one: its own error says so.
+/// True if an unknown key of the table is a misspelling of this one, which has an error of its own.
 bool is_misspelt(const SchemaNode& node, const Table& table, const SchemaNode& child) {
   std::vector<std::string_view> names;
   for (const SchemaNode& each : node.children) names.push_back(each.name);

@@ -6,8 +6,8 @@
 
 namespace physim {
 
-/// Reads all settings of a table into the objects of a scope. Unknown keys are errors. All mistakes are told as one
-/// error, in the order of their places.
+/// Reads all settings of a table into the objects of a scope. Unknown keys are errors. One error reports all mistakes,
+/// in the order of their places.
 [[nodiscard]] Status read_table(const SchemaNode& node, const Scope& scope, const Value& value);
 
 /// Reads one setting, or one list of tables, into the objects of a scope.

@@ -168,7 +168,7 @@ HitResult hit_result(const StudyPlanRecord& plan, std::size_t target, const HitC
 HitResult hits_on(const StudyPlanRecord& plan, const ShardSums& sums, std::size_t target) {
   PHYSIM_ASSERT(target < plan.study.targets.size() && sums.shots > 0);
   const std::uint64_t hits = sums.hits.empty() ? 0 : sums.hits[target];
-  // Shots that cannot be are no misses.
+  // A refused shot is not a miss.
   const std::uint64_t flown = std::max<std::uint64_t>(sums.shots - sums.refused, 1);
   const double per_flown = static_cast<double>(sums.shots) / static_cast<double>(flown);
   std::vector<double> parts;

@@ -139,7 +139,7 @@ Status fly_pilot(StudyPlanRecord& plan) {
   return {};
 }
 
-/// Targets that stand where nobody aims: on the ground the plane begins at the muzzle.
+/// Adds a note for a target at the muzzle, where a plane on the ground begins.
 void note_targets_at_muzzle(StudyPlanRecord& plan) {
   const Study& study = plan.study;
   if (!plan.has_plane() || study.quantities[1] != StudyQuantity::along || study.aim.up != 0) return;

@@ -59,12 +59,12 @@ std::string list_of_names(const std::vector<NamedThing>& things) {
   return text + (names.size() > kMost ? " ..." : "");
 }
 
-/// Whether a corner lies to the left of the way from a to b, above 0, or to its right, below 0.
+/// The side of the line from a to b on which a corner lies: above 0 left, below 0 right.
 double side_of(const PlanePoint& a, const PlanePoint& b, const PlanePoint& corner) {
   return (b.right - a.right) * (corner.up - a.up) - (b.up - a.up) * (corner.right - a.right);
 }
 
-/// Whether two edges of the outline cross.
+/// True if two edges of the outline cross.
 bool crosses_itself(const std::vector<PlanePoint>& corners) {
   const std::size_t count = corners.size();
   PHYSIM_ASSERT(count > 0);

@@ -219,7 +219,7 @@ class PairStep {
     look(m.a, m.b, m.time);
   }
 
-  /// Whether two projectiles still fly the paths on which their meeting was found.
+  /// True if two projectiles still fly the paths on which their meeting was found.
   [[nodiscard]] bool is_of_now(const Meeting& m) const {
     return m.version_a == all_[m.a].version && m.version_b == all_[m.b].version;
   }
@@ -269,7 +269,7 @@ class PairStep {
     for (const auto& [i, body] : now_) go_on(i, body);
     for (const auto& [i, body] : now_) look_around(i, time);
   }
-  /// How one moves at the moment at hand.
+  /// The motion of a projectile at the moment at hand.
   struct BodyNow {
     Knot knot;
     PairBody moves{};
@@ -370,7 +370,7 @@ class PairStep {
     std::erase_if(s_.chunk.changes, [&](const Change& change) { return change.slot == c.slot; });
   }
 
-  /// From a moment on, with another velocity.
+  /// Continues the step of a projectile with the velocity behind a meeting.
   void go_on(std::uint32_t i, const BodyNow& body) {
     Collider& c = all_[i];
     if (!may_move(c)) return;

@@ -58,8 +58,8 @@ class Frames {
   [[nodiscard]] std::size_t place() const { return at_; }
 
  private:
-  /// Whether a frame that leads beyond the end would be a whole one if one byte of its length were another: then the
-  /// recording was not cut there.
+  /// True if a frame that extends beyond the recording is whole with one byte of its length changed: then the recording
+  /// is damaged, not cut.
   [[nodiscard]] bool is_damaged_length() const {
     constexpr std::size_t kLongest = 1u << 20;  // of frames that are tried [bytes]
     const auto rest = bytes_.subspan(at_, std::min(bytes_.size() - at_, kFrameHead + kLongest + kCheckSum));

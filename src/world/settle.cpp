@@ -24,7 +24,7 @@ class Settling {
         course_(row.march.course()),
         parts_(row.step_length(), flies_in_parts(*context.def, context.dt)),
         ground_(row, context.def->ground, parts_),
-        scene_(row, sizeof(S) == 4 ? Precision::float32 : Precision::float64) {}
+        scene_(row) {}
 
   void run() {
     r_.trace(0, r_.at_start());
@@ -222,7 +222,7 @@ class Settling {
     touch_thing(s, met->hit, at);
   }
 
-  /// Goes on along the thing that it lies on; false where that is none.
+  /// True if the projectile lies on a thing; it moves along the thing then.
   bool stays(double passed) {
     const auto on = scene_ ? scene_.lies_on(r_.here(), passed) : std::nullopt;
     if (!on) return false;

@@ -64,6 +64,7 @@ class SettledRow final : public ContactHost {
 
   // ------------------------------------------------------------------------------------------- as SceneContacts asks
   [[nodiscard]] const Scene* scene() const override { return meets() ? context_.scene : nullptr; }
+  [[nodiscard]] Precision precision() const override { return cohort_.key.fidelity.precision; }
   [[nodiscard]] const CollisionDef& collision() const override { return kind().body.collision; }
   [[nodiscard]] Surface surface() const override {
     return {kind().body.restitution, kind().body.friction, kind().body.rolling_resistance};

@@ -239,7 +239,7 @@ struct Extras {
     return own.size() * (sizeof(Own) + kNode) + tags.size() * (sizeof(Tags) + kNode) +
            turning.size() * (sizeof(Turning) + kNode);
   }
-  /// 1 along axes about which one turns, 0 along others; `usual`: what its kind says.
+  /// 1 along axes about which a projectile turns, 0 along others [-]; `usual`: frozen axes of its kind.
   [[nodiscard]] Vec3d turns(std::uint32_t slot, Axes usual) const {
     const Own* found = find_own(slot);
     return free_axes(found ? found->frozen_rotation : usual);
