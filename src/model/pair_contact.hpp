@@ -5,8 +5,8 @@
 //   and have no slip left. Momentum stays, and so does the angular momentum of both; friction and e < 1 take energy.
 // When to use it: balls of sports and billiards, round shot, debris that meets debris.
 // When it is wrong: bodies that are not round; restitution of real balls falls with speed, and friction between them
-//   with slip. A row of balls that touch is taken as one of hard balls that stand a little apart: impulses run along
-//   it.
+//   with slip. Balls of a row that touch are hard balls a little apart: impulses run along the row. Where restitution
+//   and friction of several contacts at one moment would give energy, the contacts are smooth.
 // Symbols: a, b the two; n unit normal from b to a; v velocity before, v' after [m/s]; w spin [rad/s]; r radius [m];
 //   M = 1/m a diagonal matrix of inverse mass along the axes, 0 along those on which it cannot move [1/kg]; I moment of
 //   inertia [kg m^2]; e restitution, mu friction [-]; v_n = (v_a - v_b) . n < 0; u slip of the surfaces [m/s]; J
@@ -50,33 +50,6 @@ struct PairSurface {
   double friction;     // mu [-]
 };
 
-/// Motion of both after a contact in which they approach along the normal, which points from b to a.
-inline void meet(PairBody& a, PairBody& b, const Vec3d& normal, const PairSurface& surface) {
-  PHYSIM_ASSERT(!(abs(length_squared(normal) - 1) > 1e-6));
-  const Vec3d mobility = a.mobility + b.mobility;
-  const auto given_way = [&](const Vec3d& along) { return dot(component_product(mobility, along), along); };
-  if (!(given_way(normal) > 0)) return;  // nothing moves either of them there
-  const Vec3d relative = a.velocity - b.velocity;
-  const double v_n = dot(relative, normal);
-  PHYSIM_ASSERT(!(v_n > 0));
-  const double J = -(1 + surface.restitution) * v_n / given_way(normal);
-  Vec3d impulse = normal * J;
-  const Vec3d u = relative - normal * v_n - cross(a.spin * a.radius + b.spin * b.radius, normal);
-  const double slip = length(u);
-  if (surface.friction > 0 && slip > 0) {
-    const Vec3d t = u * (1 / slip);
-    const Vec3d about = cross(normal, t);
-    const double turned = a.radius * a.radius * a.turned_by(about) + b.radius * b.radius * b.turned_by(about);
-    const double give = given_way(t) + turned;
-    const double T = give > 0 ? min(surface.friction * J, slip / give) : 0.0;
-    impulse -= t * T;
-    a.spin += component_product(a.turns, about) * (a.radius * T * a.turnability);
-    b.spin += component_product(b.turns, about) * (b.radius * T * b.turnability);
-  }
-  a.velocity += component_product(a.mobility, impulse);
-  b.velocity -= component_product(b.mobility, impulse);
-}
-
 /// Two of the bodies that meet at one moment.
 struct PairTouch {
   PairBody& a;
@@ -87,69 +60,86 @@ struct PairTouch {
 
 namespace detail {
 
+/// Velocity of a's surface over b's where they touch.
+[[nodiscard]] inline Vec3d slide(const PairTouch& t) {
+  return t.a.velocity - t.b.velocity - cross(t.a.spin * t.a.radius + t.b.spin * t.b.radius, t.normal);
+}
+
 /// The impulses of a touch so far.
 struct TouchImpulse {
-  double before;     // v_n [m/s]
+  Vec3d before;      // slide() before the contact [m/s]
   double along = 0;  // J [N s]
-  Vec3d across{};    // along the surfaces [N s]
+  Vec3d across{};    // -T t [N s]
 };
 
-/// Brings one touch to its equations by the motion that the others leave; returns by how much that changed [m/s].
-inline double settle(const PairTouch& t, TouchImpulse& given) {
-  const auto [a, b, n, surface] = t;
+/// Brings one touch to its equations by the motion that the others leave, with or without friction; returns the
+/// change of velocity [m/s].
+inline double settle(const PairTouch& t, TouchImpulse& given, bool rubs) {
+  const auto& [a, b, n, surface] = t;
   const Vec3d mobility = a.mobility + b.mobility;
-  const auto given_way = [&](const Vec3d& along) { return dot(component_product(mobility, along), along); };
+  const auto give_along = [&](const Vec3d& way) { return dot(component_product(mobility, way), way); };
   const auto push = [&](const Vec3d& impulse) {
     a.velocity += component_product(a.mobility, impulse);
     b.velocity -= component_product(b.mobility, impulse);
   };
-  const double give = given_way(n);
-  if (!(give > 0)) return 0;
-  const double asked = given.along - (dot(a.velocity - b.velocity, n) + surface.restitution * given.before) / give;
-  const double more = max(0.0, asked) - given.along;
+  const double give = give_along(n);
+  if (!(give > 0)) return 0;  // nothing moves either of them there
+  const double asked = -surface.restitution * dot(given.before, n) - dot(a.velocity - b.velocity, n);
+  const double more = max(asked / give, -given.along);
   given.along += more;
   PHYSIM_ASSERT(!(given.along < 0));
   push(n * more);
-  double change = abs(more) * give;
-  if (!(surface.friction > 0)) return change;
-  const Vec3d relative = a.velocity - b.velocity;
-  const Vec3d u = relative - n * dot(relative, n) - cross(a.spin * a.radius + b.spin * b.radius, n);
+  const double change = abs(more) * give;
+  const Vec3d w = slide(t), u = w - n * dot(w, n);
   const double slip = length(u);
-  if (!(slip > 0)) return change;
+  if (!(rubs && surface.friction > 0 && slip > 0)) return change;
   const Vec3d about = cross(n, u * (1 / slip));
   const double turned = a.radius * a.radius * a.turned_by(about) + b.radius * b.radius * b.turned_by(about);
-  const double gives = given_way(u * (1 / slip)) + turned;
+  const double gives = give_along(u * (1 / slip)) + turned;
   if (!(gives > 0)) return change;
   Vec3d across = given.across - u * (1 / gives);
-  const double most = surface.friction * given.along, length_across = length(across);
-  if (length_across > most) across *= most / length_across;
+  const double most = surface.friction * given.along, asked_across = length(across);
+  if (asked_across > most) across *= most / asked_across;
   const Vec3d rub = across - given.across;
   given.across = across;
   push(rub);
-  const Vec3d turn = cross(n, rub);
-  a.spin -= component_product(a.turns, turn) * (a.radius * a.turnability);
-  b.spin -= component_product(b.turns, turn) * (b.radius * b.turnability);
+  a.spin -= component_product(a.turns, cross(n, rub)) * (a.radius * a.turnability);
+  b.spin -= component_product(b.turns, cross(n, rub)) * (b.radius * b.turnability);
   return change + length(rub) * gives;
+}
+
+/// Brings all touches to their equations together; returns the energy that the impulses give [J].
+inline double settle_all(std::span<const PairTouch> touches, bool rubs) {
+  std::vector<TouchImpulse> given;
+  double fastest = 0;
+  for (const PairTouch& t : touches) {
+    PHYSIM_ASSERT(!(abs(length_squared(t.normal) - 1) > 1e-6));
+    given.push_back({slide(t)});
+    fastest = max(fastest, -dot(given.back().before, t.normal));
+  }
+  constexpr int kMostPasses = 1000;
+  constexpr double kRounding = 1e-15;
+  double change = 1;
+  for (int pass = 0; pass < kMostPasses && change > kRounding * fastest; ++pass) {
+    change = 0;
+    for (std::size_t i = 0; i < touches.size(); ++i) change = max(change, settle(touches[i], given[i], rubs));
+  }
+  double energy = 0;
+  for (std::size_t i = 0; i < touches.size(); ++i)
+    energy += 0.5 * dot(touches[i].normal * given[i].along + given[i].across, given[i].before + slide(touches[i]));
+  return energy;
 }
 
 }  // namespace detail
 
-/// Motion of all after contacts at one moment, in each of which two approach.
+/// Motion of all after contacts at one moment, in each of which two approach. Where friction of several contacts would
+/// give energy, as Newton's restitution lets it, they are smooth.
 inline void meet(std::span<const PairTouch> touches) {
-  if (touches.size() == 1) return meet(touches[0].a, touches[0].b, touches[0].normal, touches[0].surface);
-  std::vector<detail::TouchImpulse> given;
-  double fastest = 0;
-  for (const PairTouch& t : touches) {
-    given.push_back({dot(t.a.velocity - t.b.velocity, t.normal)});
-    fastest = max(fastest, -given.back().before);
-  }
-  constexpr int kMostPasses = 1000;
-  constexpr double kRounding = 1e-15;
-  for (int pass = 0; pass < kMostPasses; ++pass) {
-    double change = 0;
-    for (std::size_t i = 0; i < touches.size(); ++i) change = max(change, detail::settle(touches[i], given[i]));
-    if (change <= kRounding * fastest) return;
-  }
+  std::vector<PairBody> before;
+  for (const PairTouch& t : touches) before.insert(before.end(), {t.a, t.b});
+  if (detail::settle_all(touches, true) <= 0 || touches.size() == 1) return;
+  for (std::size_t i = 0; i < touches.size(); ++i) touches[i].a = before[2 * i], touches[i].b = before[2 * i + 1];
+  detail::settle_all(touches, false);
 }
 
 }  // namespace physim

@@ -15,6 +15,11 @@ PairBody ball(double mass, double radius, double k, const Vec3d& v, const Vec3d&
   return {v, w, {m, m, m}, radius, 1 / (k * mass * radius * radius)};
 }
 
+void meet(PairBody& a, PairBody& b, const Vec3d& normal, const PairSurface& surface) {
+  const PairTouch touch{a, b, normal, surface};
+  physim::meet({&touch, 1});
+}
+
 TEST(PairContact, central_impulse_follows_the_closed_form) {
   PairBody a = ball(2, 0.1, 0.4, {3, 0, 0}), b = ball(5, 0.2, 0.4, {-1, 0, 0});
   meet(a, b, {-1, 0, 0}, {0.7, 0.5});
@@ -73,6 +78,40 @@ TEST(PairContact, momentum_stays_and_energy_follows_restitution) {
       EXPECT_NEAR(before - energy(), lost, 1e-13 * 10);
     else
       EXPECT_GE(before - energy(), lost - 1e-13 * 10);
+  }
+}
+
+/// A ball that meets two to five others at one moment, with spin and friction: Newton's restitution alone would give
+/// some of them energy (T. R. Kane, 1984).
+TEST(PairContact, many_at_one_moment_gain_no_energy) {
+  std::mt19937_64 random(5);
+  std::uniform_real_distribution<double> unit(-1, 1);
+  const auto any = [&] { return Vec3d{unit(random), unit(random), unit(random)}; };
+  for (int i = 0; i < 20000; ++i) {
+    std::vector<PairBody> balls;
+    for (int k = 0; k < 3 + i % 4; ++k)
+      balls.push_back(ball(std::pow(10, unit(random)), 0.5, 0.4, any() * 5, any() * 20));
+    std::vector<PairTouch> touches;
+    for (std::size_t k = 1; k < balls.size(); ++k) {
+      Vec3d n = normalized(any());
+      if (dot(balls[0].velocity - balls[k].velocity, n) > 0) n = -n;
+      touches.push_back({balls[0], balls[k], n, {0.5 * (1 + unit(random)), i % 3 == 0 ? 0 : 1 + unit(random)}});
+    }
+    Vec3d momentum;
+    double energy = 0;
+    const auto add = [&](double sign) {
+      for (const PairBody& b : balls) {
+        momentum += b.velocity * (sign / b.mobility.x);
+        energy += 0.5 * sign * (length_squared(b.velocity) / b.mobility.x + length_squared(b.spin) / b.turnability);
+      }
+    };
+    add(-1);
+    const double before = -energy;
+    physim::meet(touches);
+    add(1);
+    EXPECT_LT(energy, 1e-12 * before) << i;
+    EXPECT_LT(length(momentum), 1e-12 * before) << i;
+    for (const PairTouch& t : touches) EXPECT_GT(dot(t.a.velocity - t.b.velocity, t.normal), -1e-9) << i;
   }
 }
 
