@@ -10,6 +10,11 @@
 
 namespace physim {
 
+/// The most births of one emitter, or of all sub-emitters, in a step of a world: more are cut.
+inline constexpr std::uint32_t kMostBirthsInStep = 1u << 20;
+/// The most births of a past, most of which need no flight.
+inline constexpr std::uint32_t kMostBirthsOfPast = 1u << 26;
+
 /// Which particle of an emitter, and when it is emitted.
 struct Birth {
   std::uint64_t number = 0;     // among the particles of its emitter, from 0

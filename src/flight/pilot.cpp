@@ -103,9 +103,10 @@ Result<PilotStep> step_within(const ProjectileDef& projectile, const Launch& lau
   auto reference = fly_exact();
   // A flight that begins with a contact does not measure steps: they are measured in a flight through the air.
   const bool goes_on = until.scene && !ends_flights(asked.contact.collision.on_hit);
+  constexpr double kLongEnough = 1;  // to measure steps [s]
   if (reference && goes_on && reference->duration() < kLongestPart) {
     until.scene = nullptr;
-    until.time = std::min(until.time, 1.0);
+    until.time = std::min(until.time, kLongEnough);
     reference = fly_exact();
   }
   if (!reference) return reference.error();

@@ -20,6 +20,7 @@ namespace {
 
 constexpr std::uintmax_t kLargestMotorFile = 16 << 20;
 constexpr std::size_t kMostPoints = 1000;  // of a motor
+constexpr std::size_t kHeader = 7;         // words
 constexpr std::string_view kHeaderHint =
     "a motor begins with seven words: name, diameter [mm], length [mm], delays, propellant [kg], mass [kg], maker";
 

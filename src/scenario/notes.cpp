@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "emit/emission.hpp"
 #include "math/angles.hpp"
 #include "math/elementary.hpp"
 #include "model/sight.hpp"
@@ -138,7 +139,6 @@ class Notes {
   /// Adds a note if an emitter has more particles in a step than the limit, at which it stops.
   void of_emitter(const ScenarioEmitter& emitter, const Value& table) {
     const EmitterDef& def = emitter.def;
-    constexpr double kMostInStep = 1u << 20, kMostOfPast = 1u << 26;
     const auto most_of = [](const DrawnNumber& number) {
       const auto top = [](double value, const Curve& curve) {
         double largest = curve.empty() ? 1 : 0;
@@ -148,21 +148,21 @@ class Notes {
       const Curve& to_curve = number.to_curve.empty() ? number.curve : number.to_curve;
       return std::max(top(number.value, number.curve), number.to ? top(*number.to, to_curve) : 0);
     };
-    const std::string limit = "an emitter lets out " + number_text(kMostInStep) + " at most in a step";
+    const std::string limit = "an emitter lets out " + number_text(kMostBirthsInStep) + " at most in a step";
     const double rate = most_of(def.per_second), in_step = rate * def.cycle.rate * scenario_.world.def.step;
-    if (in_step > kMostInStep)
+    if (in_step > kMostBirthsInStep)
       note(table, "emitter", {"per_second"},
            number_text(rate) + " a second are " + number_text(std::ceil(in_step)) + " in a step; " + limit +
                " and stops where there are more");
     for (std::size_t i = 0; i < def.bursts.size(); ++i)
-      if (const double count = most_of(def.bursts[i].count); count > kMostInStep)
+      if (const double count = most_of(def.bursts[i].count); count > kMostBirthsInStep)
         note(table, "emitter", {"bursts"}, "a burst of " + number_text(count) + "; " + limit + " and stops");
     const double past = rate * def.cycle.duration;
     const bool is_flown =
         !emitter.subs.empty() || !def.bursts.empty() || def.per_second.to || !def.per_second.curve.empty();
-    if (def.cycle.prewarm && is_flown && past > kMostOfPast)
+    if (def.cycle.prewarm && is_flown && past > kMostBirthsOfPast)
       note(table, "emitter", {"cycle", "prewarm"},
-           "one cycle has " + number_text(past) + " particles; more than " + number_text(kMostOfPast) +
+           "one cycle has " + number_text(past) + " particles; more than " + number_text(kMostBirthsOfPast) +
                " of the past are not flown");
   }
 

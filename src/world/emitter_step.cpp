@@ -20,8 +20,6 @@
 namespace physim {
 namespace {
 
-/// Births of a past, most of which need no flight.
-constexpr std::uint32_t kMostOfPast = 1u << 26;
 /// The fewest births that are worth being drawn side by side.
 constexpr std::uint32_t kFew = 4;
 
@@ -126,10 +124,8 @@ class EmitterBirths {
 
  private:
   enum Rank : std::uint32_t { kOwnMoment, kMetre, kFill, kRain, kSub };
-  /// Births that lead to one another at one moment, and those of all sub-emitters, or of one emitter alone, in one
-  /// step: more are cut.
+  /// The most births that lead to one another at one moment: more are cut.
   static constexpr std::uint32_t kDeepest = 32;
-  static constexpr std::uint32_t kMostBirths = 1u << 20;
 
   // ------------------------------------------------------------------------------------------- when and where they
   // fire
@@ -309,8 +305,8 @@ class EmitterBirths {
 
   /// Whether it is one too many. An emitter that reaches the limit without a trigger stops.
   bool is_cut(const Firing& firing) {
-    if (cause_of(firing)) return depth_of(firing) > kDeepest || ++s_.births > kMostBirths;
-    if (++s_.own_births[firing.emitter] <= (is_past_ ? kMostOfPast : kMostBirths)) return false;
+    if (cause_of(firing)) return depth_of(firing) > kDeepest || ++s_.births > kMostBirthsInStep;
+    if (++s_.own_births[firing.emitter] <= (is_past_ ? kMostBirthsOfPast : kMostBirthsInStep)) return false;
     all_[firing.emitter].plays = false;
     return true;
   }
@@ -665,7 +661,7 @@ std::size_t EmitterBirths::room(const BirthPlan& plan) const {
 std::size_t EmitterBirths::may_be_born(const Firing& firing) const {
   const std::uint32_t born = cause_of(firing) ? s_.births : s_.own_births[firing.emitter];
   if (cause_of(firing) && depth_of(firing) > kDeepest) return 0;
-  return kMostBirths - std::min(kMostBirths, born);
+  return kMostBirthsInStep - std::min(kMostBirthsInStep, born);
 }
 
 /// What settling would need between two steps.

@@ -1,4 +1,4 @@
-// Random places, turns and segments, and a ball of triangles.
+// Random places, turns and segments, and bodies of triangles.
 #pragma once
 
 #include <cmath>
@@ -7,6 +7,16 @@
 #include "random_shots.hpp"
 
 namespace physim::test {
+
+/// A box about the origin, as a closed mesh.
+inline MeshShape closed_box(const Vec3d& half) {
+  MeshShape m;
+  for (int i = 0; i < 8; ++i)
+    m.vertices.push_back({i & 1 ? half.x : -half.x, i & 2 ? half.y : -half.y, i & 4 ? half.z : -half.z});
+  m.triangles = {{0, 2, 1}, {1, 2, 3}, {4, 5, 6}, {5, 7, 6}, {0, 1, 4}, {1, 5, 4},
+                 {2, 6, 3}, {3, 6, 7}, {0, 4, 2}, {2, 4, 6}, {1, 3, 5}, {3, 7, 5}};
+  return m;
+}
 
 inline Vec3d random_vector(Random& r, double size) { return {r.in(-size, size), r.in(-size, size), r.in(-size, size)}; }
 

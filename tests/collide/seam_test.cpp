@@ -9,16 +9,9 @@
 namespace physim {
 namespace collide_seam_test {
 
+using test::closed_box;
 using test::Random;
 
-MeshShape closed_box(const Vec3d& half) {
-  MeshShape m;
-  for (int i = 0; i < 8; ++i)
-    m.vertices.push_back({i & 1 ? half.x : -half.x, i & 2 ? half.y : -half.y, i & 4 ? half.z : -half.z});
-  m.triangles = {{0, 2, 1}, {1, 2, 3}, {4, 5, 6}, {5, 7, 6}, {0, 1, 4}, {1, 5, 4},
-                 {2, 6, 3}, {3, 6, 7}, {0, 4, 2}, {2, 4, 6}, {1, 3, 5}, {3, 7, 5}};
-  return m;
-}
 void put(Scene& scene, const ShapeDef& shape, const Vec3d& position) {
   ASSERT_TRUE(scene.add({.shape = *scene.add_shape(shape), .transform = {.position = position}}));
 }

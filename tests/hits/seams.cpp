@@ -18,15 +18,6 @@ enum class Body { box, hull, cylinder, compound, mesh, field };
 constexpr Body kBodies[] = {Body::box, Body::hull, Body::cylinder, Body::compound, Body::mesh, Body::field};
 constexpr const char* kNames[] = {"box", "hull", "cylinder", "compound", "mesh", "height field"};
 
-MeshShape closed_box(const Vec3d& half) {
-  MeshShape m;
-  for (int i = 0; i < 8; ++i)
-    m.vertices.push_back({i & 1 ? half.x : -half.x, i & 2 ? half.y : -half.y, i & 4 ? half.z : -half.z});
-  m.triangles = {{0, 2, 1}, {1, 2, 3}, {4, 5, 6}, {5, 7, 6}, {0, 1, 4}, {1, 5, 4},
-                 {2, 6, 3}, {3, 6, 7}, {0, 4, 2}, {2, 4, 6}, {1, 3, 5}, {3, 7, 5}};
-  return m;
-}
-
 /// Places about a seam, in a frame that is turned and far away.
 struct Frame {
   Vec3d origin;
