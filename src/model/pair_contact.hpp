@@ -5,8 +5,8 @@
 //   and have no slip left. Momentum stays, and so does the angular momentum of both; friction and e < 1 take energy.
 // When to use it: balls of sports and billiards, round shot, debris that meets debris.
 // When it is wrong: bodies that are not round; restitution of real balls falls with speed, and friction between them
-//   with slip. Balls of a row that touch are hard balls a little apart: impulses run along the row. Where restitution
-//   and friction of several contacts at one moment would give energy, the contacts are smooth.
+//   with slip. Balls of a row that touch are hard balls a little apart: impulses run along the row. Contacts at one
+//   moment are smooth if restitution and friction of several would give energy, or have no common solution.
 // Symbols: a, b the two; n unit normal from b to a; v velocity before, v' after [m/s]; w spin [rad/s]; r radius [m];
 //   M = 1/m a diagonal matrix of inverse mass along the axes, 0 along those on which it cannot move [1/kg]; I moment of
 //   inertia [kg m^2]; e restitution, mu friction [-]; v_n = (v_a - v_b) . n < 0; u slip of the surfaces [m/s]; J
@@ -20,6 +20,7 @@
 //   stops sliding); R. Cross, "Grip-slip behavior of a bouncing ball", Am. J. Phys. 70 (2002) 1093-1102: b without end.
 #pragma once
 
+#include <limits>
 #include <span>
 #include <vector>
 
@@ -108,7 +109,8 @@ inline double settle(const PairTouch& t, TouchImpulse& given, bool rubs) {
   return change + length(rub) * gives;
 }
 
-/// Brings all touches to their equations together; returns the energy that the impulses give [J].
+/// Brings all touches to their equations together; returns the energy that the impulses give [J], infinity if the
+/// equations have no solution that is found.
 inline double settle_all(std::span<const PairTouch> touches, bool rubs) {
   std::vector<TouchImpulse> given;
   double fastest = 0;
@@ -118,12 +120,13 @@ inline double settle_all(std::span<const PairTouch> touches, bool rubs) {
     fastest = max(fastest, -dot(given.back().before, t.normal));
   }
   constexpr int kMostPasses = 1000;
-  constexpr double kRounding = 1e-15;
+  constexpr double kRounding = 1e-15, kSolved = 1e-12;
   double change = 1;
   for (int pass = 0; pass < kMostPasses && change > kRounding * fastest; ++pass) {
     change = 0;
     for (std::size_t i = 0; i < touches.size(); ++i) change = max(change, settle(touches[i], given[i], rubs));
   }
+  if (!(change <= kSolved * fastest)) return std::numeric_limits<double>::infinity();
   double energy = 0;
   for (std::size_t i = 0; i < touches.size(); ++i)
     energy += 0.5 * dot(touches[i].normal * given[i].along + given[i].across, given[i].before + slide(touches[i]));
@@ -132,8 +135,8 @@ inline double settle_all(std::span<const PairTouch> touches, bool rubs) {
 
 }  // namespace detail
 
-/// Motion of all after contacts at one moment, in each of which two approach. Where friction of several contacts would
-/// give energy, as Newton's restitution lets it, they are smooth.
+/// Motion of all after contacts at one moment, in each of which two approach. Contacts are smooth if friction of
+/// several would give energy, as Newton's restitution lets it, or has no solution together with the others.
 inline void meet(std::span<const PairTouch> touches) {
   std::vector<PairBody> before;
   for (const PairTouch& t : touches) before.insert(before.end(), {t.a, t.b});
