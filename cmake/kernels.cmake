@@ -95,8 +95,11 @@ function(physim_add_kernels target)
   foreach(isa IN LISTS isas)
     set(kernels ${target}_kernels_${isa})
     set(narrow ${PHYSIM_SMALL_KERNELS})
+    set(small "")
     if(PHYSIM_ISAS STREQUAL native AND isa STREQUAL base AND NOT isas STREQUAL base)
       set(narrow ON)  # a better copy flies here: this one is for tests, compiles in a quarter of the time and is smaller
+      # At -Os g++ 12 sees variables of another branch of a loop as uninitialized.
+      set(small $<$<AND:$<CONFIG:Release,RelWithDebInfo>,$<CXX_COMPILER_ID:GNU>>:-Os$<SEMICOLON>-Wno-maybe-uninitialized>)
     endif()
     add_library(${kernels} OBJECT ${ARGN})
     physim_flags(${kernels})
@@ -111,7 +114,7 @@ function(physim_add_kernels target)
       # Their vectors are written out; `./dev determinism` sees to it that nothing in them is fused.
       target_compile_options(${kernels} PRIVATE ${physim_isa_flags_${isa}}
                                                 $<$<AND:$<CONFIG:Release,RelWithDebInfo>,$<NOT:$<BOOL:${narrow}>>>:-O3>
-                                                $<$<CONFIG:Debug>:-O2> -ftree-slp-vectorize)
+                                                ${small} $<$<CONFIG:Debug>:-O2> -ftree-slp-vectorize)
       # Of themselves compilers copy vectors of packs by halves of registers, and a register that is read where its halves
       # have just been written waits until they are in the cache; or they call memcpy(), which keeps nothing in registers.
       if(CMAKE_CXX_COMPILER_ID MATCHES "Clang" AND isa STREQUAL avx512)
