@@ -357,6 +357,25 @@ def check_test_namespace(name, lines):
             find(name, number, f"tests are compiled together; name it: namespace {match[1]}_{match[2]} {{")
 
 
+UNNAMED = re.compile(r"^namespace \{$(.*?)^\}  // namespace$", re.S | re.M)
+OWN_NAME = re.compile(r"^(?:struct|class|enum class) (\w+)|^(?:constexpr|const) [\w:<>, ]+ (k\w+)\b", re.M)
+
+
+def check_own_names(texts):
+    """Files of a folder are compiled together, in groups that a new file shifts: their own names must not meet."""
+    first = {}
+    for name, text in texts.items():
+        if not name.startswith(("src/", "apps/")) or name.endswith("_kernel.cpp"):
+            continue
+        for body in UNNAMED.finditer(text):
+            for own in OWN_NAME.finditer(body[1]):
+                word = own[1] or own[2]
+                other = first.setdefault((os.path.dirname(name), word), name)
+                if other != name:
+                    find(name, text.count("\n", 0, body.start(1) + own.start()) + 1,
+                         f"{other} has a `{word}` of its own, too, and both may be compiled as one; rename one of them")
+
+
 def check_counts(texts):
     """Counts over the whole house; texts: name -> text of each C++ file."""
     casts = {n: t.count("reinterpret_cast<") for n, t in texts.items() if n.startswith(("include/", "src/", "apps/"))}
@@ -443,6 +462,7 @@ def main():
         texts[name] = text
     additions.check(find)
     faults.check(find)
+    check_own_names(texts)
     counts = check_counts(texts)
     kernels = check_kernel_symbols()
     for finding in findings:

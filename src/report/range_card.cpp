@@ -10,14 +10,14 @@
 namespace physim::report {
 namespace {
 
-struct Column {
+struct CardColumn {
   std::string header;
   int decimals;
 };
 
 /// The figures of a card, in its units; none where a figure has no meaning.
 struct CardFigures {
-  std::vector<Column> columns;
+  std::vector<CardColumn> columns;
   std::vector<std::vector<std::optional<double>>> rows;  // only the range where the shot does not reach it
 
   void add_column(const std::string& what, const ShownUnit& unit) {
@@ -124,7 +124,7 @@ Result<CrossWind> cross_wind(const Card& card, const AskedWind& wind) {
 Table table_of(const Card& card) {
   const CardFigures figures = figures_of(card);
   std::vector<std::string> headers;
-  for (const Column& column : figures.columns) headers.push_back(column.header);
+  for (const CardColumn& column : figures.columns) headers.push_back(column.header);
   Table table(std::move(headers));
   for (const auto& figures_of_row : figures.rows) {
     std::vector<std::string> row = {as_typed(*figures_of_row.front())};
@@ -139,7 +139,7 @@ Table table_of(const Card& card) {
 Records records_of(const Card& card) {
   CardFigures figures = figures_of(card);
   std::vector<std::string> headers;
-  for (const Column& column : figures.columns) headers.push_back(column.header);
+  for (const CardColumn& column : figures.columns) headers.push_back(column.header);
   const std::size_t count = headers.size();
   return {std::move(headers), [rows = std::move(figures.rows), count](const auto& take) {
             for (const auto& row : rows) {

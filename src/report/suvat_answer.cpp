@@ -12,16 +12,16 @@
 namespace physim::report {
 namespace {
 
-struct Column {
+struct SuvatColumn {
   const char* title;
   std::optional<double> SuvatGiven::*given;
   double Suvat::*found;
 };
-constexpr std::array<Column, 5> kColumns = {{{"s [m]", &SuvatGiven::s, &Suvat::s},
-                                             {"u [m/s]", &SuvatGiven::u, &Suvat::u},
-                                             {"v [m/s]", &SuvatGiven::v, &Suvat::v},
-                                             {"a [m/s^2]", &SuvatGiven::a, &Suvat::a},
-                                             {"t [s]", &SuvatGiven::t, &Suvat::t}}};
+constexpr std::array<SuvatColumn, 5> kSuvatColumns = {{{"s [m]", &SuvatGiven::s, &Suvat::s},
+                                                       {"u [m/s]", &SuvatGiven::u, &Suvat::u},
+                                                       {"v [m/s]", &SuvatGiven::v, &Suvat::v},
+                                                       {"a [m/s^2]", &SuvatGiven::a, &Suvat::a},
+                                                       {"t [s]", &SuvatGiven::t, &Suvat::t}}};
 
 }  // namespace
 
@@ -30,7 +30,7 @@ Answer suvat_answer(const SuvatGiven& given, std::span<const Suvat> motions) {
   PHYSIM_ASSERT(motions.size() <= 2);
   std::vector<std::string> titles;
   nlohmann::ordered_json asked = nlohmann::ordered_json::object(), found = nlohmann::ordered_json::array();
-  for (const Column& column : kColumns) {
+  for (const SuvatColumn& column : kSuvatColumns) {
     titles.emplace_back(column.title);
     if (given.*column.given) asked[column.title] = *(given.*column.given);
   }
@@ -38,7 +38,7 @@ Answer suvat_answer(const SuvatGiven& given, std::span<const Suvat> motions) {
   for (const Suvat& motion : motions) {
     std::vector<std::string> cells;
     nlohmann::ordered_json& row = found.emplace_back(nlohmann::ordered_json::object());
-    for (const Column& column : kColumns) {
+    for (const SuvatColumn& column : kSuvatColumns) {
       cells.push_back(significant(motion.*column.found, 6));
       row[column.title] = motion.*column.found;
     }

@@ -19,8 +19,8 @@ namespace physim {
 namespace {
 
 constexpr std::uintmax_t kLargestMotorFile = 16 << 20;
-constexpr std::size_t kMostPoints = 1000;  // of a motor
-constexpr std::size_t kHeader = 7;         // words
+constexpr std::size_t kMostMotorPoints = 1000;  // of a motor
+constexpr std::size_t kHeader = 7;              // words
 constexpr std::string_view kHeaderHint =
     "a motor begins with seven words: name, diameter [mm], length [mm], delays, propellant [kg], mass [kg], maker";
 
@@ -150,7 +150,7 @@ class MotorReader {
       return fault("time " + number_text(time) + " after " + number_text(thrust.back().time), "times must rise");
     if (count > 1 && time == thrust[count - 2].time)
       return fault("three points at time " + number_text(time), "two points at one time are a step");
-    if (count == kMostPoints) return fault("too many points", "at most " + std::to_string(kMostPoints));
+    if (count == kMostMotorPoints) return fault("too many points", "at most " + std::to_string(kMostMotorPoints));
     thrust.push_back({time, force});
     if (force > 0 || time == 0) return {};
     open_ = false;

@@ -78,7 +78,7 @@ const Gdal& gdal() {
 constexpr double kDegree = 3.141592653589793 / 180;  // [rad]
 constexpr double kEarthRadius = 6371008.8;           // the mean one: how far about a place counts by it [m]
 constexpr double kMostPoints = 2e7, kMostWarped = 1e8;
-constexpr double kNothing = -1e30;                    // where another projection has no height
+constexpr double kNoHeight = -1e30;                   // where another projection has no height
 constexpr double kDeepest = -12e3, kHighest = 9.2e3;  // the Mariana Trench, Mount Everest, and room [m]
 constexpr double kSamePlace = 1e-6;                   // 0.1 m: frames that differ by less are one [degrees]
 
@@ -229,8 +229,8 @@ class Raster {
     return is_same;
   }
 
-  /// A copy of the file in memory: heights in metres, kNothing where there is none. The warper sees masks of some kinds
-  /// alone.
+  /// A copy of the file in memory: heights in metres, kNoHeight where there is none. The warper sees masks of some
+  /// kinds alone.
   Result<Dataset> clean_copy(OGRSpatialReferenceH projection) const {
     const int wide = columns_.count, high = rows_.count;
     if (static_cast<double>(wide) * high > kMostWarped)
@@ -243,12 +243,12 @@ class Raster {
         gdal().GDALSetSpatialRef(copy.get(), projection) != CE_None)
       return refused();
     const GDALRasterBandH band = gdal().GDALGetRasterBand(copy.get(), 1);
-    gdal().GDALSetRasterNoDataValue(band, kNothing);
+    gdal().GDALSetRasterNoDataValue(band, kNoHeight);
     Line line(wide);
     for (int row = 0; row < high; ++row) {
       if (const Status status = read(0, row, wide, 0, line); !status) return status.error();
       for (double& height : line.heights)
-        if (!std::isfinite(height)) height = kNothing;
+        if (!std::isfinite(height)) height = kNoHeight;
       if (gdal().GDALRasterIO(band, GF_Write, 0, row, wide, 1, line.heights.data(), wide, 1, GDT_Float64, 0, 0) !=
           CE_None)
         return refused();
@@ -276,8 +276,8 @@ class Raster {
     warped_.reset(gdal().GDALCreate(gdal().GDALGetDriverByName("MEM"), "", wide, high, 1, GDT_Float64, nullptr));
     if (!warped_ || gdal().GDALSetGeoTransform(warped_.get(), at.data()) != CE_None) return refused();
     const GDALRasterBandH band = gdal().GDALGetRasterBand(warped_.get(), 1);
-    gdal().GDALSetRasterNoDataValue(band, kNothing);
-    gdal().GDALFillRaster(band, kNothing, 0);
+    gdal().GDALSetRasterNoDataValue(band, kNoHeight);
+    gdal().GDALFillRaster(band, kNoHeight, 0);
     if (gdal().GDALReprojectImage(copy.get(), nullptr, warped_.get(), wgs84().c_str(), GRA_Bilinear, 0, 0, nullptr,
                                   nullptr, nullptr) != CE_None)
       return refused();

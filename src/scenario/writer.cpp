@@ -145,7 +145,7 @@ std::string drawn_value(const DrawnColour& x, Style style) {
 
 std::optional<std::string> value_text(const Entry& entry, const Scope& scope, Style style);
 
-constexpr std::string_view kNothing = "{}";
+constexpr std::string_view kEmptyTable = "{}";
 
 /// A table within an array with all that it says; values that are absent are left out, and so are tables of nothing
 /// else.
@@ -154,9 +154,9 @@ std::string inline_table(const SchemaNode& node, const Scope& scope) {
   for (const SchemaNode& child : node.children) {
     const std::optional<std::string> value =
         child.entry ? value_text(*child.entry, scope, Style::whole) : inline_table(child, scope);
-    if (value && *value != kNothing) out += (out.empty() ? "" : ", ") + child.name + " = " + *value;
+    if (value && *value != kEmptyTable) out += (out.empty() ? "" : ", ") + child.name + " = " + *value;
   }
-  return out.empty() ? std::string(kNothing) : "{ " + out + " }";
+  return out.empty() ? std::string(kEmptyTable) : "{ " + out + " }";
 }
 
 std::string brief_element(const SchemaNode& node, const Scope& outer, const Scope& element);
@@ -390,7 +390,7 @@ Keys brief_keys(const SchemaNode& node, const Scope& scope, const Scope& reader)
 std::string in_braces(const Keys& keys) {
   std::string out;
   for (const auto& [key, value] : keys) out += (out.empty() ? "" : ", ") + key + " = " + value;
-  return out.empty() ? std::string(kNothing) : "{ " + out + " }";
+  return out.empty() ? std::string(kEmptyTable) : "{ " + out + " }";
 }
 
 /// A table on one line; nothing where there is nothing to say, and a bare value where it may stand for the table.

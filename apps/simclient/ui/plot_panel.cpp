@@ -8,7 +8,7 @@ namespace physim::client {
 namespace {
 
 /// Where a plot draws, inside its axes.
-struct Frame {
+struct PlotFrame {
   ImVec2 low, high;  // upper left and lower right corner
   const Plot* plot = nullptr;
 
@@ -19,7 +19,7 @@ struct Frame {
 };
 
 /// Each tick has its line; a number only where there is room for it beside the one before.
-void draw_x_ticks(ImDrawList& list, const Frame& frame, float gap) {
+void draw_x_ticks(ImDrawList& list, const PlotFrame& frame, float gap) {
   const Plot& plot = *frame.plot;
   float taken = frame.low.x - ImGui::GetFontSize() * 2;
   for (const double tick : plot.x.ticks()) {
@@ -34,7 +34,7 @@ void draw_x_ticks(ImDrawList& list, const Frame& frame, float gap) {
   }
 }
 
-void draw_axes(ImDrawList& list, const Frame& frame) {
+void draw_axes(ImDrawList& list, const PlotFrame& frame) {
   const Plot& plot = *frame.plot;
   const float gap = ImGui::GetFontSize() * 0.3F;
   list.AddRectFilled(frame.low, frame.high, shade(0x12151AFF));
@@ -62,7 +62,7 @@ void draw_mark(ImDrawList& list, ImVec2 at, bool published) {
   list.AddLine({at.x, at.y - arm}, {at.x, at.y + arm}, shade(colours::kDim), 1.3F * scale);
 }
 
-void draw_curves(ImDrawList& list, const Frame& frame) {
+void draw_curves(ImDrawList& list, const PlotFrame& frame) {
   const float scale = ImGui::GetFontSize() / 15;
   std::vector<ImVec2> points;
   list.PushClipRect(frame.low, frame.high, true);
@@ -78,7 +78,7 @@ void draw_curves(ImDrawList& list, const Frame& frame) {
 }
 
 /// What the marks stand for, above the right end of the plot; as many as find room beside its name.
-void draw_legend(ImDrawList& list, const Frame& frame) {
+void draw_legend(ImDrawList& list, const PlotFrame& frame) {
   const float letter = ImGui::GetFontSize();
   const float left = frame.low.x + ImGui::CalcTextSize(frame.plot->y.label.c_str()).x + letter;
   float right = frame.high.x;
@@ -95,7 +95,7 @@ void draw_legend(ImDrawList& list, const Frame& frame) {
   }
 }
 
-void draw_read_out(ImDrawList& list, const Frame& frame) {
+void draw_read_out(ImDrawList& list, const PlotFrame& frame) {
   const ImVec2 mouse = ImGui::GetMousePos();
   const ImVec2 size = {frame.high.x - frame.low.x, frame.high.y - frame.low.y};
   const PlotPoint place{(mouse.x - frame.low.x) / size.x, (frame.high.y - mouse.y) / size.y};
@@ -140,7 +140,7 @@ void draw_one(Client& client, PlotSpec& spec, float width, bool bare) {
   float wide = letter * 2;
   for (const double tick : plot.y.ticks())
     wide = std::max(wide, ImGui::CalcTextSize(plot.y.text(tick).c_str()).x + letter * 0.6F);
-  Frame frame{
+  PlotFrame frame{
       {at.x + wide, at.y + letter * 1.5F}, {at.x + room.x - letter * 1.2F, at.y + room.y - letter * 2.6F}, &plot};
   if (frame.high.x - frame.low.x > letter * 3 && frame.high.y - frame.low.y > letter * 2) {
     ImDrawList& list = *ImGui::GetWindowDrawList();
