@@ -13,7 +13,7 @@
 namespace physim {
 
 inline constexpr int kAirLayers = 8;
-inline constexpr int kMaxWindPoints = 32;
+inline constexpr int kMaxWindPoints = 256;
 /// Radius of the Earth that defines geopotential height in US Standard Atmosphere 1976 [m].
 inline constexpr double kGeopotentialRadius = 6356766.0;
 

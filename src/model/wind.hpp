@@ -9,7 +9,7 @@
 //   by range.
 // Symbols: w velocity of the air in W [m/s]; u height or downrange distance [m]; u_i places of the profile's points.
 // Equation: w(u) = w_0 + sum_i slope_i clamp(u - u_i, 0, u_{i+1} - u_i): straight lines without a search, equal for all
-//   lanes.
+//   lanes; points above all lanes add nothing and are not read.
 // Source: linear interpolation; the convention of signs is that of R. L. McCoy, Modern Exterior Ballistics (1999),
 //   ch. 7.
 #pragma once
@@ -29,7 +29,8 @@ PHYSIM_NOINLINE void profile_wind(const Conditions<S>& c, const Body<R>& b, cons
   PHYSIM_ASSERT(field.points >= 2 && field.points <= kMaxWindPoints);
   const R u = field.by_range ? x.x : height(c, x);
   Vec3<R> here = w;
-  for (int i = 0; i + 1 < field.points; ++i) {
+  w += Vec3<R>{R(S(0)), R(S(0)), R(S(0))};  // -0 becomes 0, to which the zeros of further points change no bit
+  for (int i = 0; i + 1 < field.points && any(u > R(profile.at[i])); ++i) {
     const Components<S>& point = profile.velocity[i + 1];
     Vec3<R> next{R(point.x), R(point.y), R(point.z)};
     if (c.has_own_wind) next += b.wind;

@@ -321,7 +321,8 @@ Status check(const Environment& e) {
   check_wind(e.wind.velocity, "environment.wind.velocity");
   const auto& profile = e.wind.profile;
   c.require(profile.size() <= std::size_t(kMaxWindPoints), "environment.wind.profile", "has too many points",
-            "at most 32");
+            "at most 256");
+  static_assert(kMaxWindPoints == 256);
   for (std::size_t i = 0; i < profile.size(); ++i) {
     const InputPlace place("environment.wind.profile", i);
     c.is_number(profile[i].at, place);

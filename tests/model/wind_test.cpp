@@ -73,6 +73,15 @@ TEST(Wind, a_profile_in_single_precision_has_all_its_points) {
   }
 }
 
+/// A sounding has 60 to 150 levels; those on a straight line say no more than its two ends.
+TEST(Wind, a_sounding_blows_as_the_line_that_its_levels_lie_on) {
+  std::vector<WindPoint> levels;
+  for (int i = 0; i <= 150; ++i) levels.push_back({200.0 * i, {0.1 * i, -0.02 * i, 0.3 * i}});
+  const Wind sounding{.profile = levels}, line{.profile = {levels.front(), levels.back()}};
+  for (const double height : {-5.0, 0.0, 1.0, 199.9, 200.0, 12345.6, 29999.0, 30000.0, 5e4})
+    EXPECT_TRUE(near(wind_at(sounding, {0, height, 0}), wind_at(line, {0, height, 0}), 1e-12, 1e-12)) << height;
+}
+
 TEST(Wind, height_over_a_sphere_is_above_the_sphere) {
   const Wind w = profile(WindAxis::height, WindInterpolation::linear);
   const double x = 20000, r = 6356766;  // the ground lies 31.463 m lower there
