@@ -13,6 +13,15 @@ namespace physim {
 /// Reads one setting, or one list of tables, into the objects of a scope.
 [[nodiscard]] Status read_setting(const SchemaNode& node, const Scope& scope, const Value& value);
 
+/// The extent of the checks of read_scenario().
+enum class Checks {
+  of_each,  ///< of every setting by itself, so that settings can be read while others are still to come
+  all,      ///< of all together
+};
+
+/// Reads a document of a scenario file; `file` names it in errors, and other files are looked for beside it.
+[[nodiscard]] Result<Scenario> read_scenario(Value document, const std::string& file, Checks checks);
+
 /// Error of a value that should be a table.
 [[nodiscard]] Error not_a_table(const SchemaNode& node, const Value& value);
 
