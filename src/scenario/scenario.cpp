@@ -93,7 +93,7 @@ Result<Scenario> read_scenario(Value document, const std::string& file, Checks c
   scenario.file = file;
   std::int64_t format = kFormat;
   const Scope scope{.format = &format, .scenario = &scenario};
-  if (Status status = read_table(schema(), scope, document); !status) return status.error();
+  if (Status status = read_table(schema(), scope, document, checks); !status) return status.error();
   PHYSIM_ASSERT(format == kFormat);
   PHYSIM_ASSERT(scenario.shots.size() == array->size());
   complete(scenario, document);
