@@ -16,6 +16,7 @@
 #include <utility>
 
 #include "base/assert.hpp"
+#include "base/memory_lack.hpp"
 #include "physim/math.hpp"
 #include "physim/physim.h"
 #include "physim/result.hpp"
@@ -168,8 +169,10 @@ class Call {
 template <class Work>
 physim_result guarded(const Work& work) noexcept {
   Call call;
+  memory_lacked = false;
   try {
     work(call);
+    if (memory_lacked) call.threw(PHYSIM_OUT_OF_MEMORY, "memory ran out for a projectile");
   } catch (const std::bad_alloc&) {
     call.threw(PHYSIM_OUT_OF_MEMORY, "memory ran out");
   } catch (const std::length_error&) {
