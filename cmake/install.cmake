@@ -1,5 +1,6 @@
 # `cmake --install build/release --prefix DIR`, then find_package(physim) and link physim::physim, or physim::scenario
-# for scenario, motor and recording files.
+# for scenario, motor and recording files. C: find_package(physim COMPONENTS c) and physim::c, or pkg-config physim; of it
+# alone, `cmake --install build/release --component c`.
 include(GNUInstallDirs)
 include(CMakePackageConfigHelpers)
 
@@ -19,9 +20,35 @@ if(has_assimp AND TARGET physim_scenario)  # its static library is linked with i
   set(needs_assimp "find_dependency(assimp)\n")
 endif()
 file(WRITE ${PROJECT_BINARY_DIR}/physim-config.cmake "include(CMakeFindDependencyMacro)
-find_dependency(Threads)
-${needs_assimp}include(\${CMAKE_CURRENT_LIST_DIR}/physim-targets.cmake)
+include(\${CMAKE_CURRENT_LIST_DIR}/physim-c-targets.cmake OPTIONAL)
+set(physim_c_FOUND 0)
+if(TARGET physim::c)
+  set(physim_c_FOUND 1)
+endif()
+if(NOT \"\${physim_FIND_COMPONENTS}\" STREQUAL \"c\")  # programs in C need nothing else
+  find_dependency(Threads)
+  ${needs_assimp}include(\${CMAKE_CURRENT_LIST_DIR}/physim-targets.cmake)
+endif()
+foreach(component IN LISTS physim_FIND_COMPONENTS)
+  if(component STREQUAL c AND NOT physim_c_FOUND)
+    set(physim_FOUND 0)
+    set(physim_NOT_FOUND_MESSAGE \"this build of physim has no C interface\")
+  endif()
+endforeach()
 ")
 write_basic_package_version_file(${PROJECT_BINARY_DIR}/physim-config-version.cmake COMPATIBILITY SameMinorVersion)
-install(FILES ${PROJECT_BINARY_DIR}/physim-config.cmake ${PROJECT_BINARY_DIR}/physim-config-version.cmake
-        DESTINATION ${config_dir})
+set(config_files ${PROJECT_BINARY_DIR}/physim-config.cmake ${PROJECT_BINARY_DIR}/physim-config-version.cmake)
+install(FILES ${config_files} DESTINATION ${config_dir})
+
+if(TARGET physim_c)
+  install(TARGETS physim_c EXPORT physim_c_targets COMPONENT c)
+  install(EXPORT physim_c_targets FILE physim-c-targets.cmake NAMESPACE physim:: DESTINATION ${config_dir} COMPONENT c)
+  install(FILES ${config_files} DESTINATION ${config_dir} COMPONENT c)
+  file(GLOB c_headers CONFIGURE_DEPENDS include/physim/*.h)
+  install(FILES ${c_headers} DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/physim COMPONENT c)
+  set(pc_dir ${CMAKE_INSTALL_LIBDIR}/pkgconfig)
+  file(RELATIVE_PATH to_prefix /${pc_dir} /)  # wherever all of it is moved to
+  string(REGEX REPLACE "/$" "" to_prefix "${to_prefix}")
+  configure_file(cmake/physim.pc.in ${PROJECT_BINARY_DIR}/physim.pc @ONLY)
+  install(FILES ${PROJECT_BINARY_DIR}/physim.pc DESTINATION ${pc_dir} COMPONENT c)
+endif()

@@ -21,6 +21,7 @@ set(has_stb 0)
 set(has_hdf5 0)
 set(has_mpi 0)
 set(gdal_file "")
+set(has_sdl2 0)
 physim_look_again(HDF5_INCLUDE HDF5_LIBRARY STB_INCLUDE BULLET_INCLUDE_DIR BULLET_BulletCollision BULLET_LinearMath)
 if(PHYSIM_OPTIONAL AND (PHYSIM_APPS OR PHYSIM_TESTS))
   # Meshes from files (Debian: libassimp-dev).
@@ -67,6 +68,12 @@ if(PHYSIM_OPTIONAL AND (PHYSIM_APPS OR PHYSIM_TESTS))
     if(MPI_CXX_FOUND)
       set(has_mpi 1)
     endif()
+  endif()
+
+  # SDL2, by which the example c_gun_range draws (libsdl2-dev).
+  find_package(SDL2 QUIET)
+  if(SDL2_FOUND AND TARGET SDL2::SDL2)
+    set(has_sdl2 1)
   endif()
 
   # Bullet, which the example engine_scene asks (libbullet-dev).

@@ -76,6 +76,27 @@ if(CMAKE_CXX_COMPILER_ID MATCHES "GNU|Clang")
   set_tests_properties(fast_math.consumer fast_math.parent PROPERTIES TIMEOUT 300)
 endif()
 
+# The C interface, from C.
+if(TARGET physim_c)
+  enable_language(C)
+  file(GLOB capi_tests CONFIGURE_DEPENDS tests/capi/*.c)
+  add_executable(physim_c_test ${capi_tests})
+  target_compile_options(physim_c_test PRIVATE "$<$<C_COMPILER_ID:GNU,Clang>:${PHYSIM_USERS_WARNINGS}>")
+  set_target_properties(physim_c_test PROPERTIES C_STANDARD 99 C_EXTENSIONS OFF C_STANDARD_REQUIRED ON
+                                                 RUNTIME_OUTPUT_DIRECTORY ${PROJECT_BINARY_DIR}/bin)
+  target_link_libraries(physim_c_test PRIVATE physim_c $<$<PLATFORM_ID:Linux>:m>)
+  add_test(NAME capi.c COMMAND physim_c_test)
+  add_executable(physim_no_memory tests/no_memory/no_memory.cpp)
+  physim_flags(physim_no_memory)
+  set_target_properties(physim_no_memory PROPERTIES RUNTIME_OUTPUT_DIRECTORY ${PROJECT_BINARY_DIR}/bin)
+  target_link_libraries(physim_no_memory PRIVATE physim_c)
+  foreach(calls IN ITEMS flight batch world)
+    add_test(NAME capi.no_memory.${calls} COMMAND physim_no_memory ${calls})
+    set_tests_properties(capi.no_memory.${calls} PROPERTIES TIMEOUT 300)
+  endforeach()
+  set_tests_properties(capi.c PROPERTIES TIMEOUT 300)
+endif()
+
 # What is installed compiles and links in a project that knows the package alone.
 if(TARGET physim_scenario)
   string(TOUPPER "${CMAKE_BUILD_TYPE}" config)
@@ -87,12 +108,13 @@ if(TARGET physim_scenario)
   add_test(NAME install
            COMMAND ${CMAKE_COMMAND} -DBUILD=${PROJECT_BINARY_DIR} -DSOURCE=${PROJECT_SOURCE_DIR} -DGENERATOR=${CMAKE_GENERATOR}
                    -DCOMPILER=${CMAKE_CXX_COMPILER} "-DFLAGS=${CMAKE_CXX_FLAGS} ${CMAKE_CXX_FLAGS_${config}}"
-                   -DSIZES=${programs_are_small} -P ${PROJECT_SOURCE_DIR}/tests/install/check.cmake)
+                   -DSIZES=${programs_are_small} -DC_COMPILER=${CMAKE_C_COMPILER} -P
+                   ${PROJECT_SOURCE_DIR}/tests/install/check.cmake)
   set_tests_properties(install PROPERTIES TIMEOUT 300)
 endif()
 
 file(GLOB_RECURSE test_sources CONFIGURE_DEPENDS tests/*.cpp)
-list(FILTER test_sources EXCLUDE REGEX "/tests/(additions|install|fast_math|fuzz|golden|hits|soak|client|window)/")
+list(FILTER test_sources EXCLUDE REGEX "/tests/(additions|capi|install|fast_math|fuzz|golden|hits|no_memory|soak|client|window)/")
 if(test_sources)
   find_package(GTest QUIET)
 endif()
@@ -122,6 +144,15 @@ elseif(test_sources)
   physim_run_tests(physim_tests "" 1800)
 endif()
 
+# The C interface beside C++: it has a copy of the library of its own, hidden in it.
+file(GLOB capi_tests CONFIGURE_DEPENDS tests/capi/*.cpp)
+if(TARGET physim_c AND capi_tests AND GTest_FOUND)
+  physim_add_executable(physim_capi_tests ${capi_tests})
+  physim_compile_tests(physim_capi_tests)
+  target_link_libraries(physim_capi_tests PRIVATE physim_c GTest::gtest_main)
+  physim_run_tests(physim_capi_tests "" 600)
+endif()
+
 # Tests of additions, which are there in a copy of the sources that tools/additions.py patches.
 file(GLOB addition_sources CONFIGURE_DEPENDS tests/additions/*.cpp)
 if(addition_sources AND GTest_FOUND)
@@ -139,6 +170,30 @@ if(NOT (PHYSIM_OPTIONAL AND BULLET_INCLUDE_DIR AND BULLET_BulletCollision AND BU
 endif()
 if(NOT TARGET physim_scenario)
   list(FILTER example_sources EXCLUDE REGEX "/scenario_file\\.cpp$")
+endif()
+# Those in C: clean under the same warnings, as C99.
+file(GLOB c_examples CONFIGURE_DEPENDS examples/*.c)
+if(NOT has_sdl2)
+  message(STATUS "SDL2 is missing (libsdl2-dev): the example c_gun_range is left out")
+  list(FILTER c_examples EXCLUDE REGEX "/c_gun_range\\.c$")
+endif()
+if(TARGET physim_c)
+  foreach(source IN LISTS c_examples)
+    get_filename_component(name ${source} NAME_WE)
+    add_executable(example_${name} ${source})
+    target_compile_options(example_${name} PRIVATE "$<$<C_COMPILER_ID:GNU,Clang>:${PHYSIM_USERS_WARNINGS}>")
+    target_link_libraries(example_${name} PRIVATE physim_c)
+    set_target_properties(example_${name} PROPERTIES OUTPUT_NAME ${name} C_STANDARD 99 C_EXTENSIONS OFF
+                                                     RUNTIME_OUTPUT_DIRECTORY ${PROJECT_BINARY_DIR}/examples)
+    if(name STREQUAL "c_gun_range")  # it plays by itself, without a screen
+      target_link_libraries(example_${name} PRIVATE SDL2::SDL2 $<$<PLATFORM_ID:Linux>:m>)
+      add_test(NAME example.${name} COMMAND example_${name} --demo 300)
+      set_tests_properties(example.${name} PROPERTIES ENVIRONMENT "SDL_VIDEODRIVER=dummy")
+    else()
+      add_test(NAME example.${name} COMMAND example_${name})
+    endif()
+    set_tests_properties(example.${name} PROPERTIES TIMEOUT 600)
+  endforeach()
 endif()
 set(example_headers)  # the example that compiles the library's headers for the others
 foreach(source IN LISTS example_sources)

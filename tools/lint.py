@@ -22,7 +22,7 @@ MAX_LINES, MAX_TEST_LINES, MAX_COLUMNS, MAX_BYTES = 800, 600, 120, 1_000_000
 MAX_FUNCTION_LINES = 60
 MAX_CASTS, MAX_CAST_FILES = 10, 3  # reinterpret_cast in include, src and apps
 MIN_ASSERTS = 12  # PHYSIM_ASSERT per 1000 lines of include and src; this only rises
-CPP = (".hpp", ".cpp", ".h")
+CPP = (".hpp", ".cpp", ".h", ".c")
 
 findings = []
 
@@ -191,7 +191,7 @@ NO_DEFAULT = {"Flight"}  # types of which there is none before it is made
 
 def check_initialised(name, text):
     """A designated initialiser that leaves out a field without a value of its own is warned of: -Wextra at the user's."""
-    if not re.fullmatch(r"include/physim/[^/]*\.(hpp|h)", name):
+    if not re.fullmatch(r"include/physim/[^/]*\.hpp", name):  # structs of C have none
         return
     code = COMMENT_OR_STRING.sub(blank, text)
     for first, last, field in public_fields(code):
@@ -346,7 +346,7 @@ def check_comments(name, lines):
             find(name, number, "this comment leans on what stands before it; name what it speaks of")
 
 
-APART = re.compile(r"tests/(?!additions|client|fast_math|fuzz|golden|hits|install|soak|window)(\w+)/(\w+)\.cpp")
+APART = re.compile(r"tests/(?!additions|client|fast_math|fuzz|golden|hits|install|no_memory|soak|window)(\w+)/(\w+)\.cpp")
 
 
 def check_test_namespace(name, lines):

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <new>
 #include <string>
 
 #include "base/checker.hpp"
@@ -18,7 +19,12 @@ Scene& Scene::operator=(const Scene& other) {
   if (this != &other) impl_ = std::make_unique<Impl>(*other.impl_);
   return *this;
 }
-Scene::Scene(Scene&& other) noexcept : impl_(std::move(other.impl_)) { other.impl_ = std::make_unique<Impl>(); }
+Scene::Scene(Scene&& other) noexcept : impl_(std::move(other.impl_)) {
+  try {
+    other.impl_ = std::make_unique<Impl>();
+  } catch (const std::bad_alloc&) {  // what was moved away has nothing then, and is good for its end alone
+  }
+}
 Scene& Scene::operator=(Scene&& other) noexcept {
   std::swap(impl_, other.impl_);
   return *this;

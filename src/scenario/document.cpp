@@ -10,10 +10,11 @@
 
 // toml++ 3.3 asserts (or, with NDEBUG, lets the compiler assume) that a file holds no "[[[", and other things that only
 // hold for good files. Behind these checks it reports an ordinary error, so they are turned off, in debug builds too.
+// Without exceptions its functions are noexcept, and memory that runs out would end the program.
 #pragma push_macro("NDEBUG")
 #undef NDEBUG
 #define TOML_ASSERT(expression) static_assert(true)
-#define TOML_EXCEPTIONS 0
+#define TOML_EXCEPTIONS 1
 #include <toml++/toml.h>
 #pragma pop_macro("NDEBUG")
 
@@ -152,16 +153,36 @@ Result<Value> parse_document(std::string_view text, const std::string& file) {
   const auto source = std::make_shared<const std::string>(file);
   if (const std::size_t offset = too_deep_at(text); offset != std::string_view::npos)
     return Error{"a key of more than 500 parts", place_at(text, offset, source).text(), ""};
-  const toml::parse_result parsed = toml::parse(text, std::string_view(file));
-  if (!parsed) return syntax_error(parsed.error(), source);
-  Value document = converted(parsed.table(), source);
-  PHYSIM_ASSERT(document.get<Table>() != nullptr);
-  return document;
+  try {
+    Value document = converted(toml::parse(text), source);
+    PHYSIM_ASSERT(document.get<Table>() != nullptr);
+    return document;
+  } catch (const toml::parse_error& failure) {
+    return syntax_error(failure, source);
+  }
 }
+
+namespace {
+
+/// Whether a text may be a value of TOML; "170 gr" and "g7" are not. This is found without the parser, which ends the
+/// program if memory runs out for the text of an error.
+bool may_be_toml(std::string_view text) {
+  constexpr std::string_view kBegins = "\"'[{+-0123456789";
+  for (const std::string_view word : {"true", "false", "inf", "nan"})
+    if (text.starts_with(word)) return true;
+  if (text.empty() || kBegins.find(text.front()) == kBegins.npos) return false;
+  if (kBegins.find(text.front()) < 4) return true;
+  const std::size_t blank = text.find(' ');
+  const char unit = blank != text.npos && blank + 1 < text.size() ? text[blank + 1] : '#';
+  return unit == '#' || (unit >= '0' && unit <= '9');  // a comment, or the time of a date
+}
+
+}  // namespace
 
 Value parse_override_value(std::string_view text, const Place& place) {
   Value out;
-  const Result<Value> parsed = parse_document("value = " + std::string(text), "");
+  const Result<Value> parsed = may_be_toml(text) ? parse_document("value = " + std::string(text), "")
+                                                 : Result<Value>(Error{"is a plain text", "", ""});
   if (parsed && parsed->get<Table>()->size() == 1) {
     out = parsed->get<Table>()->front().value;
     // Places inside an override's text do not help: the whole of it is named.

@@ -29,8 +29,13 @@ struct Member;
 using Array = std::vector<Value>;
 using Table = std::vector<Member>;  // in the order of the file
 
-/// A date or time: legal TOML that no setting takes.
-struct Date {};
+/// A date or time: legal TOML that no setting takes. Its copy is not trivial: libstdc++ takes a variant of alternatives
+/// that are trivial or its own for one that always has a value, and destroys a copy that memory ran out for.
+struct Date {
+  Date() = default;
+  Date(const Date&) noexcept {}
+  Date& operator=(const Date&) noexcept { return *this; }
+};
 
 struct Value {
   /// Lines and characters of UTF-8 in them, both from 1.

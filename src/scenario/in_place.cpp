@@ -14,6 +14,8 @@ namespace {
 
 constexpr std::string_view kOfShots = "shot.";
 
+}  // namespace
+
 bool looks_uncertain(const Value& value) {
   if (value.get<Table>() != nullptr) return true;
   const auto* text = value.get<std::string>();
@@ -23,6 +25,8 @@ bool looks_uncertain(const Value& value) {
     if (begin.starts_with(word)) return true;
   return text->find("+-") != text->npos || text->find("..") != text->npos;
 }
+
+namespace {
 
 // -------------------------------------------------------------------------------------------------------------- tables
 constexpr std::string_view kDistributionKeys[] = {"mean",   "deviation", "low",  "high",         "peak",

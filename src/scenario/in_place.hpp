@@ -9,4 +9,7 @@ namespace physim {
 /// flies the mean, and other code needs no change. One of several shots is named: "shot.NAME.speed".
 [[nodiscard]] Status take_distributions(Value& document, const std::string& file);
 
+/// Whether a value may be a distribution: some tables and texts.
+[[nodiscard]] bool looks_uncertain(const Value& value);
+
 }  // namespace physim

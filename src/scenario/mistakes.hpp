@@ -16,6 +16,10 @@ class Mistakes {
  public:
   static constexpr std::size_t kMost = 20;  // errors in the report
 
+  /// `needs_all`: keys that tables lack are mistakes.
+  explicit Mistakes(bool needs_all = true) : needs_all_(needs_all) {}
+  [[nodiscard]] bool needs_all() const { return needs_all_; }
+
   void take(const Status& status) {
     if (!status) all_.push_back(status.error());
   }
@@ -50,6 +54,7 @@ class Mistakes {
     return is_read ? at : kLast;
   }
 
+  bool needs_all_;
   std::vector<Error> all_;
 };
 

@@ -4,20 +4,12 @@
 #include <optional>
 
 #include "base/assert.hpp"
+#include "scenario/by_path.hpp"
 #include "scenario/reader.hpp"
-#include "scenario/suggest.hpp"
 #include "scenario/units.hpp"
 
 namespace physim {
 namespace {
-
-constexpr std::string_view kShot = "shot.";
-
-/// Where an override goes: a node of the tree, of one shot or of all.
-struct Addressed {
-  const SchemaNode* node = nullptr;
-  std::optional<std::string> shot;
-};
 
 std::vector<std::string> shot_names(const Value& document) {
   std::vector<std::string> names;
@@ -25,43 +17,6 @@ std::vector<std::string> shot_names(const Value& document) {
   if (const Array* array = shots ? shots->get<Array>() : nullptr)
     for (std::size_t i = 0; i < array->size(); ++i) names.push_back(shot_name((*array)[i], i));
   return names;
-}
-
-Error unknown_setting(std::string_view path, const Place& place) {
-  const std::string_view near = nearest(path, setting_paths());
-  return {"unknown setting " + in_quotes(path), place.text(),
-          near.empty() ? "physim list settings shows all" : "did you mean " + in_quotes(near) + "?"};
-}
-
-/// "shot.NAME.mass": names may contain dots, so every dot may be the one after the name.
-Result<Addressed> named_target(const Value& document, std::string_view path, const Place& place) {
-  PHYSIM_ASSERT(path.starts_with(kShot));
-  const std::vector<std::string> names = shot_names(document);
-  const std::string_view rest = path.substr(kShot.size());
-  std::optional<std::string> unknown, namesake;
-  for (std::size_t dot = rest.find('.'); dot != rest.npos; dot = rest.find('.', dot + 1)) {
-    const std::string name(rest.substr(0, dot));
-    const SchemaNode* node = find_node(std::string(kShot) + std::string(rest.substr(dot + 1)));
-    const bool known = std::find(names.begin(), names.end(), name) != names.end();
-    if (known && node != nullptr) return Addressed{node, name};
-    if (known) namesake = name;
-    if (node != nullptr && !unknown) unknown = name;
-  }
-  if (namesake) {
-    Error error = unknown_setting(std::string(kShot) + std::string(rest.substr(namesake->size() + 1)), place);
-    error.message += " of shot " + in_quotes(*namesake);
-    return error;
-  }
-  const std::vector<std::string_view> views(names.begin(), names.end());
-  if (unknown)
-    return Error{"no shot is named " + in_quotes(*unknown), place.text(), suggestion(*unknown, views, "shots")};
-  return unknown_setting(path, place);
-}
-
-Result<Addressed> addressed_in(const Value& document, std::string_view path, const Place& place) {
-  if (const SchemaNode* node = find_node(path); node != nullptr) return Addressed{node, std::nullopt};
-  if (path.starts_with(kShot)) return named_target(document, path, place);
-  return unknown_setting(path, place);
 }
 
 /// Makes a table of a value that stands for one: gravity = "off" becomes { model = "off" }.
@@ -73,44 +28,67 @@ Status make_table(const SchemaNode& node, Value& value) {
   return {};
 }
 
-Value& member_of(Value& table, const std::string& key, const Place& place) {
-  PHYSIM_ASSERT(table.get<Table>() != nullptr);
-  if (Value* found = table.find(key)) return *found;
-  table.get<Table>()->push_back({key, place, Value{Table{}, place, {}}});
-  return table.get<Table>()->back().value;
+/// What an override still has to go through: tables below `node` by `rest`, and lists from number `list` on.
+struct Way {
+  const Addressed& target;
+  std::string_view rest;
+  std::size_t list = 0;
+};
+
+Status put(Value& here, const SchemaNode& node, Way way, const Value& value);
+
+/// Into one element, which is made if it is the next one.
+Status put_into_element(Array& array, const SchemaNode& node, std::size_t index, const Way& way, const Value& value) {
+  PHYSIM_ASSERT(node.is_list_of_tables());
+  const std::string count = std::to_string(array.size()), next = std::to_string(array.size() + 1);
+  if (index > array.size())
+    return Error{"there are " + count + " [[" + node.path + "]]", value.place.text(), "number " + next + " adds one"};
+  if (index < array.size()) return put(array[index], node, way, value);
+  Value made{Table{}, value.place, {}, {}};
+  if (Status status = put(made, node, way, value); !status) return status;
+  array.push_back(std::move(made));
+  return {};
 }
 
-Status put(Value& here, const SchemaNode& node, std::string_view rest, const Addressed& target, const Value& value);
-
-Status put_into_list(Value& list, const SchemaNode& node, std::string_view rest, const Addressed& target,
-                     const Value& value) {
+Status put_into_list(Value& list, const SchemaNode& node, Way way, const Value& value) {
+  PHYSIM_ASSERT(way.list < way.target.elements.size());
+  const std::optional<std::size_t> element = way.target.elements[way.list++];
   Array* array = list.get<Array>();
-  if (array == nullptr || array->empty())
+  if (array == nullptr || (array->empty() && !element))
     return Error{"there is no [[" + node.path + "]] to change", value.place.text(), "set the list as a whole"};
+  if (element) return put_into_element(*array, node, *element, way, value);
   // Elements without a list of their own have nothing to change in it, where others have one.
-  const std::size_t dot = rest.find('.');
-  const SchemaNode* inner = dot == rest.npos ? nullptr : node.find(rest.substr(0, dot));
+  const std::size_t dot = way.rest.find('.');
+  const SchemaNode* inner = dot == way.rest.npos ? nullptr : node.find(way.rest.substr(0, dot));
   const auto has_list = [inner](const Value& each) { return each.find(inner->name) != nullptr; };
   const bool skips = inner && inner->is_list_of_tables() && std::ranges::any_of(*array, has_list);
-  for (std::size_t i = 0; i < array->size(); ++i) {
-    if (node.path == "shot" && target.shot && shot_name((*array)[i], i) != *target.shot) continue;
-    if (skips && !has_list((*array)[i])) continue;
-    if (Status status = put((*array)[i], node, rest, target, value); !status) return status;
+  for (Value& each : *array) {
+    if (skips && !has_list(each)) continue;
+    if (Status status = put(each, node, way, value); !status) return status;
   }
   return {};
 }
 
-/// Walks from a table to the target, making tables on the way.
-Status put(Value& here, const SchemaNode& node, std::string_view rest, const Addressed& target, const Value& value) {
+/// Walks from a table to the target. What is missing on the way is made apart, so that an error leaves nothing behind.
+Status put(Value& here, const SchemaNode& node, Way way, const Value& value) {
   if (Status status = make_table(node, here); !status) return status;
-  const std::size_t dot = rest.find('.');
-  const SchemaNode* child = node.find(rest.substr(0, dot));
+  const std::size_t dot = way.rest.find('.');
+  const SchemaNode* child = node.find(way.rest.substr(0, dot));
   PHYSIM_ASSERT(child != nullptr);  // the target is in the tree
-  Value& member = member_of(here, child->name, value.place);
-  if (dot == rest.npos) return member = value, Status();
-  rest.remove_prefix(dot + 1);
-  if (child->is_list_of_tables()) return put_into_list(member, *child, rest, target, value);
-  return put(member, *child, rest, target, value);
+  Value* member = here.find(child->name);
+  Value made{Table{}, value.place, {}, {}};
+  Value& into = member != nullptr ? *member : made;
+  if (dot == way.rest.npos) {
+    into = value;
+  } else {
+    way.rest.remove_prefix(dot + 1);
+    const bool is_list = child->is_list_of_tables();
+    if (is_list && member == nullptr) made.content = Array{};
+    if (Status status = is_list ? put_into_list(into, *child, way, value) : put(into, *child, way, value); !status)
+      return status;
+  }
+  if (member == nullptr) here.get<Table>()->push_back({child->name, value.place, std::move(made)});
+  return {};
 }
 
 }  // namespace
@@ -131,9 +109,19 @@ Status apply_override(Value& document, const std::string& override_text) {
   const std::string_view text = trimmed(std::string_view(override_text).substr(equals + 1));
   if (text.empty())
     return Error{"an override without a value", place.text(), "write path=value, such as shot.mass=\"168 gr\""};
-  const Result<Addressed> target = addressed_in(document, path, place);
+  const Result<Addressed> target = address(
+      path, [&document] { return shot_names(document); }, place);
   if (!target) return target.error();
-  return put(document, schema(), target->node->path, *target, parse_override_value(text, place));
+  return put(document, schema(), {*target, target->node->path}, parse_override_value(text, place));
+}
+
+Status put_setting(Value& document, std::string_view path, std::string_view text, const Place& place) {
+  const Result<Addressed> target = address(
+      path, [&document] { return shot_names(document); }, place);
+  if (!target) return target.error();
+  const Value value = parse_override_value(text, place);
+  if (Status status = check_alone(*target->node, value); !status) return status;
+  return put(document, schema(), {*target, target->node->path}, value);
 }
 
 }  // namespace physim

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <string>
+#include <string_view>
 
 #include "scenario/document.hpp"
 
@@ -12,5 +13,9 @@ namespace physim {
 
 /// Puts one override into a document.
 [[nodiscard]] Status apply_override(Value& document, const std::string& override_text);
+/// Puts a value, as it stands right of "=" in an override, at a path (scenario/by_path.hpp) of a document. The number
+/// that follows the last one of a list adds an element. The value is checked by itself (check_alone()). After an error
+/// the document is as it was.
+[[nodiscard]] Status put_setting(Value& document, std::string_view path, std::string_view text, const Place& place);
 
 }  // namespace physim

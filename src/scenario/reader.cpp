@@ -488,7 +488,8 @@ void read_table_into(const SchemaNode& node, const Scope& scope, const Value& va
     const Value* found = value.find(child.name);
     if (found != nullptr)
       read_child(child, scope, *found, mistakes);
-    else if (child.entry != nullptr && child.entry->required && !is_misspelt(node, *table, child))
+    else if (child.entry != nullptr && child.entry->required && mistakes.needs_all() &&
+             !is_misspelt(node, *table, child))
       mistakes.take(Error{"missing key " + in_quotes(child.name) + " in " + table_name(node), value.place.text(),
                           std::string(child.entry->doc)});
   }
@@ -502,8 +503,8 @@ Error not_a_table(const SchemaNode& node, const Value& value) {
   return wrong_kind(node.path, value, "a table with keys out of: " + keys);
 }
 
-Status read_table(const SchemaNode& node, const Scope& scope, const Value& value) {
-  Mistakes mistakes;
+Status read_table(const SchemaNode& node, const Scope& scope, const Value& value, Checks checks) {
+  Mistakes mistakes(checks == Checks::all);
   read_table_into(node, scope, value, mistakes);
   return mistakes.status();
 }

@@ -6,12 +6,22 @@
 
 namespace physim {
 
+/// The extent of checks.
+enum class Checks {
+  of_each,  ///< of every setting that is there by itself: others may still be to come
+  all,      ///< of all together
+};
+
 /// Reads all settings of a table into the objects of a scope. Unknown keys are errors. One error reports all mistakes,
 /// in the order of their places.
-[[nodiscard]] Status read_table(const SchemaNode& node, const Scope& scope, const Value& value);
+[[nodiscard]] Status read_table(const SchemaNode& node, const Scope& scope, const Value& value,
+                                Checks checks = Checks::all);
 
 /// Reads one setting, or one list of tables, into the objects of a scope.
 [[nodiscard]] Status read_setting(const SchemaNode& node, const Scope& scope, const Value& value);
+
+/// Reads a document of a scenario file; `file` names it in errors, and other files are looked for beside it.
+[[nodiscard]] Result<Scenario> read_scenario(Value document, const std::string& file, Checks checks);
 
 /// Error of a value that should be a table.
 [[nodiscard]] Error not_a_table(const SchemaNode& node, const Value& value);

@@ -80,17 +80,12 @@ Status begin_reading_measurements(const Scenario& scenario) {
 
 }  // namespace
 
-Result<Scenario> parse_scenario(const std::string& text, const std::string& file,
-                                std::span<const std::string> overrides) {
+Result<Scenario> read_scenario(Value document, const std::string& file, Checks checks) {
   const IeeeMode mode;
   const FilesInUse in_use;
-  Result<Value> document = parse_document(text, file);
-  if (!document) return document.error();
-  for (const std::string& override_text : overrides)
-    if (Status status = apply_override(*document, override_text); !status) return status.error();
-  if (Status status = check_format(*document, file); !status) return status.error();
-  if (Status status = take_distributions(*document, file); !status) return status.error();
-  const Value* shots = document->find("shot");
+  if (Status status = check_format(document, file); !status) return status.error();
+  if (Status status = take_distributions(document, file); !status) return status.error();
+  const Value* shots = document.find("shot");
   const Array* array = shots ? shots->get<Array>() : nullptr;
   if (shots == nullptr || (array != nullptr && array->empty()))
     return Error{"the scenario has no shot", shots ? shots->place.text() : file + ":1:1", "add a [[shot]]"};
@@ -98,18 +93,29 @@ Result<Scenario> parse_scenario(const std::string& text, const std::string& file
   scenario.file = file;
   std::int64_t format = kFormat;
   const Scope scope{.format = &format, .scenario = &scenario};
-  if (Status status = read_table(schema(), scope, *document); !status) return status.error();
+  if (Status status = read_table(schema(), scope, document, checks); !status) return status.error();
   PHYSIM_ASSERT(format == kFormat);
   PHYSIM_ASSERT(scenario.shots.size() == array->size());
-  complete(scenario, *document);
-  if (Status status = complete_scene(scenario, *document); !status) return status.error();
-  if (Status status = complete_emitters(scenario, *document); !status) return status.error();
-  if (Status status = check_scenario(scenario, *document); !status) return status.error();
+  complete(scenario, document);
+  if (checks == Checks::of_each) return scenario;
+  if (Status status = complete_scene(scenario, document); !status) return status.error();
+  if (Status status = complete_emitters(scenario, document); !status) return status.error();
+  if (Status status = check_scenario(scenario, document); !status) return status.error();
   if (Status status = begin_reading_measurements(scenario); !status) return status.error();
-  add_notes(scenario, *document);
-  scenario.given = given_paths(scenario, *document);
+  add_notes(scenario, document);
+  scenario.given = given_paths(scenario, document);
   scenario.files = in_use.inputs();
   return scenario;
+}
+
+Result<Scenario> parse_scenario(const std::string& text, const std::string& file,
+                                std::span<const std::string> overrides) {
+  const IeeeMode mode;
+  Result<Value> document = parse_document(text, file);
+  if (!document) return document.error();
+  for (const std::string& override_text : overrides)
+    if (Status status = apply_override(*document, override_text); !status) return status.error();
+  return read_scenario(std::move(*document), file, Checks::all);
 }
 
 Result<std::string> read_scenario_text(const std::string& file) {

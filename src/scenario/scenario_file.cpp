@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "base/assert.hpp"
+#include "scenario/by_path.hpp"
 #include "scenario/scenario.hpp"
 #include "scenario/world_run.hpp"
 
@@ -51,17 +52,8 @@ std::vector<std::string> ScenarioFile::shots() const {
 }
 
 Result<std::string> ScenarioFile::get(std::string_view path) const {
-  const auto all = effective_settings(state_->scenario);
-  const auto find = [&](const std::string& wanted) {
-    return std::ranges::find(all, wanted, &std::pair<std::string, std::string>::first);
-  };
-  auto found = find(std::string(path));
-  const auto& shots = state_->scenario.shots;
-  if (found == all.end() && shots.size() == 1 && path.starts_with("shot."))
-    found = find("shot." + shots[0].projectile.name + std::string(path.substr(4)));
-  if (found == all.end())
-    return Error{"there is no such setting", std::string(path), "`physim list settings` names all"};
-  return found->second;
+  Scenario copy = state_->scenario;
+  return value_at(copy, path);
 }
 
 Status ScenarioFile::set(std::string_view path, std::string_view value) {

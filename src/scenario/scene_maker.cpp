@@ -152,7 +152,7 @@ Status SceneMaker::add_thing(std::size_t index) {
 }
 
 Status SceneMaker::make_all() {
-  PHYSIM_ASSERT(scene_.size() == 0);
+  PHYSIM_ASSERT(things_.empty());
   Status status = add_each(scenario_.materials, "material", [this](std::size_t i) { return add_material(i); });
   if (status) status = add_each(scenario_.shapes, "shape", [this](std::size_t i) { return add_shape(i); });
   if (status) status = add_each(scenario_.shapes, "shape", [this](std::size_t i) { return add_compound(i); });

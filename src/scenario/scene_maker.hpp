@@ -23,7 +23,8 @@ template <class Moving>
 
 class SceneMaker {
  public:
-  explicit SceneMaker(const Scenario& scenario) : scenario_(scenario) {
+  /// Adds to a scene that may have other things already.
+  explicit SceneMaker(const Scenario& scenario, Scene scene = {}) : scenario_(scenario), scene_(std::move(scene)) {
     for (const ScenarioShape& shape : scenario.shapes) shapes_.add(shape.name);
   }
 

@@ -70,6 +70,7 @@ Status WorldRun::Impl::set_scene() {
   SceneMaker maker(scenario);
   if (Status status = maker.make_all(); !status) return with_place(status.error(), scenario.file);
   materials = maker.materials();
+  things = maker.things();
   return world.set_scene(maker.scene());
 }
 
@@ -412,6 +413,7 @@ std::uint64_t WorldRun::steps() const {
 World& WorldRun::world() { return impl_->world; }
 const World& WorldRun::world() const { return impl_->world; }
 const Scenario& WorldRun::scenario() const { return impl_->scenario; }
+std::span<const InstanceId> WorldRun::things() const { return impl_->things; }
 std::span<const RunEvent> WorldRun::events() const { return impl_->events; }
 std::span<const WallHit> WorldRun::hits() const { return impl_->hits; }
 std::span<const ThingHit> WorldRun::thing_hits() const { return impl_->thing_hits; }

@@ -169,6 +169,8 @@ class WorldRun {
   [[nodiscard]] World& world();
   [[nodiscard]] const World& world() const;
   [[nodiscard]] const Scenario& scenario() const;
+  /// The ids of Scenario::things in the scene of the world, in their order.
+  [[nodiscard]] std::span<const InstanceId> things() const;
   /// What happened in the last step, launches included.
   [[nodiscard]] std::span<const RunEvent> events() const;
   [[nodiscard]] std::span<const WallHit> hits() const;  ///< of the last step

@@ -5,6 +5,7 @@
 #include <new>
 #include <utility>
 
+#include "base/memory_lack.hpp"
 #include "prepare/grant.hpp"
 #include "world/world_impl.hpp"
 
@@ -129,6 +130,7 @@ std::size_t BirthBatches::take_places(const BirthPlan& plan, std::size_t most) {
       w_.state.emitters.prefetch(index);
     }
   } catch (const std::bad_alloc&) {
+    memory_lacked = true;
     if (index != 0) table.release(index, LifeStatus::unknown);
   }
   return count;

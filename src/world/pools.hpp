@@ -31,8 +31,8 @@ class Pools {
     PHYSIM_ASSERT(index < pools_.size());
     Pool& pool = pools_[index];
     PHYSIM_ASSERT(pool.count < pool.maximum);
-    ++pool.count;
     if (pool.replaces) link(pool, slot);
+    ++pool.count;
   }
   void leave(std::uint32_t index, std::uint32_t slot) {
     Pool& pool = pools_[index];

@@ -3,11 +3,14 @@
 #include <algorithm>
 #include <bit>
 
+#include "base/append.hpp"
+
 namespace physim {
 
 std::uint32_t SlotTable::take_new() {
   const std::uint32_t index = size();
-  free_.reserve(index + std::size_t{1});  // so that leaving projectiles need no memory
+  free_.reserve(index + std::size_t{1});                            // so that leaving projectiles need no memory
+  make_room(slots_, 1), make_room(birth_, 1), make_room(rest_, 1);  // all of them or none
   slots_.emplace_back();
   birth_.push_back(0);
   rest_.emplace_back();

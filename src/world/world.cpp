@@ -7,6 +7,7 @@
 
 #include "base/archive.hpp"
 #include "base/ieee_mode.hpp"
+#include "base/memory_lack.hpp"
 #include "flight/zero.hpp"
 #include "math/elementary.hpp"
 #include "model/sight.hpp"
@@ -171,6 +172,35 @@ Result<double> WorldImpl::bore_of(const Kind& kind, const Launch& launch, double
   return elevation_of(kind.flown, launch, surroundings_of(kind, time), kind.projectile.fidelity);
 }
 
+namespace {
+
+/// A slot whose projectile is on its way into the world. If memory ends before it has its row, all is taken back.
+class Arriving {
+ public:
+  Arriving(WorldState& state, std::uint32_t index) : state_(state), index_(index) {}
+  Arriving(const Arriving&) = delete;
+  Arriving& operator=(const Arriving&) = delete;
+  ~Arriving() {
+    if (has_arrived_) return;
+    if (pool_) state_.pools.leave(*pool_, index_);
+    state_.extras.forget(index_);
+    state_.slots.release(index_, LifeStatus::unknown);
+  }
+  void join(std::uint32_t pool) {
+    state_.pools.join(pool, index_);
+    pool_ = pool;
+  }
+  void arrived() { has_arrived_ = true; }
+
+ private:
+  WorldState& state_;
+  std::uint32_t index_;
+  std::optional<std::uint32_t> pool_;
+  bool has_arrived_ = false;
+};
+
+}  // namespace
+
 Result<ProjectileId> WorldImpl::spawn_of(std::uint32_t kind_index, const Launch& launch, const Coming& coming) {
   const Kind& kind = registry.kind(kind_index);
   const BodyDef& body = kind.body;
@@ -191,6 +221,7 @@ Result<ProjectileId> WorldImpl::spawn_of(std::uint32_t kind_index, const Launch&
     if (const Status status = make_room(body.pool); !status) return status.error();
 
   const std::uint32_t index = state.slots.take();
+  Arriving arriving(state, index);
   Slot& slot = state.slots[index];
   slot.kind = kind_index;
   slot.rung = rung;
@@ -207,25 +238,20 @@ Result<ProjectileId> WorldImpl::spawn_of(std::uint32_t kind_index, const Launch&
   const bool may_be_forced = !state.generators.empty() || !state.emitters.empty();
   slot.set(kForced, may_be_forced && (is_driven ? is_moved_by_forces(index) : feels_forces(index)));
   slot.cohort = placement.cohort_for(slot);
-  if (slot.cohort == kNoCohort) {
-    state.extras.forget(index);
-    state.slots.release(index, LifeStatus::unknown);
-    return Error{"there are too many different rungs and rules", "world", "at most 65535"};
-  }
+  if (slot.cohort == kNoCohort) return Error{"there are too many different rungs and rules", "world", "at most 65535"};
   state.slots.birth(index) = launched - coming.age;
   state.slots.rest(index) = {};
-  state.pools.join(body.pool, index);
-  placement.place(index, at, launch, *elevation, coming.moment);
   const ProjectileId id = whole_id(state.slots, index);
-  if (body.angular_velocity != Vec3d{}) {
-    slot.set(kTurning, true);
-    state.extras.turning[index] = {Quatd{}, body.angular_velocity};
-  }
+  const bool turns = body.angular_velocity != Vec3d{};
+  if (turns) state.extras.turning[index] = {Quatd{}, body.angular_velocity};
   if (std::isfinite(body.despawn.older)) state.old_age.add(launched + body.despawn.older, id);
-  if (coming.delay > 0)
-    state.launches.add(launched, id);
-  else
-    tell_launch(index, coming);
+  if (coming.delay > 0) state.launches.add(launched, id);
+  state.events.reserve(0, 2);  // of its launch
+  arriving.join(body.pool);
+  placement.place(index, at, launch, *elevation, coming.moment);
+  arriving.arrived();
+  if (turns) slot.set(kTurning, true);
+  if (!(coming.delay > 0)) tell_launch(index, coming);
   return id;
 }
 
@@ -247,6 +273,7 @@ Result<ProjectileId> WorldImpl::spawn_in_memory(std::uint32_t kind, const Launch
   try {
     return spawn_of(kind, launch, coming);
   } catch (const std::bad_alloc&) {
+    memory_lacked = true;
     return Error{"no memory for another projectile", "world", "lower max_projectiles"};
   }
 }

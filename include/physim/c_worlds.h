@@ -1,0 +1,395 @@
+// The C interface, second part: worlds, scenes, emitters, forces, joints. The rules are in physim/physim.h.
+#ifndef PHYSIM_C_WORLDS_H
+#define PHYSIM_C_WORLDS_H
+
+#include "physim/c_flights.h"
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+// ------------------------------------------------------------------------------------------------------------ worlds
+
+typedef enum physim_firing {
+  PHYSIM_FIRE_NOTHING = 0,  // the world and its scene; calls add all else
+  PHYSIM_FIRE_ALL = 1       // shots, volleys, emitters, forces and joints of the scenario come by themselves
+} physim_firing;
+
+typedef struct physim_world_info {
+  uint32_t size;              ///< sizeof(physim_world_info) [bytes]
+  uint32_t joints;            ///< there are [-]
+  double time;                ///< of the world [s]
+  double fraction;            ///< of a step that physim_world_advance() left over [-]
+  double step;                ///< of a frame [s]
+  uint64_t planned_steps;     ///< within the scenario's duration; 0 if nothing fires by itself [-]
+  size_t projectiles;         ///< alive [-]
+  size_t events;              ///< of the last step, and of calls since [-]
+  size_t forces;              ///< generators [-]
+  size_t memory;              ///< [bytes]
+  uint64_t steps;             ///< taken [-]
+  uint64_t projectile_steps;  ///< [-]
+  uint64_t refused;           ///< not spawned [-]
+  uint64_t dropped_events;    ///< of calls between steps [-]
+} physim_world_info;
+
+typedef struct physim_projectile {
+  uint32_t size;               ///< sizeof(physim_projectile) [bytes]
+  int32_t life;                ///< physim_name("life", life): "in_flight", "landed", ... [-]
+  uint32_t kind;               ///< [-]
+  uint32_t layers;             ///< [-]
+  uint32_t colour;             ///< RGBA [-]
+  int32_t asleep;              ///< [-]
+  uint64_t user_data;          ///< [-]
+  double age;                  ///< since launch [s]
+  double mass;                 ///< [kg]
+  double mach;                 ///< [-]
+  double position[3];          ///< [m]
+  double velocity[3];          ///< [m/s]
+  double acceleration[3];      ///< by all that acts on it [m/s^2]
+  double orientation[4];       ///< w, x, y, z [-]
+  double angular_velocity[3];  ///< [rad/s]
+} physim_projectile;
+
+/// Columns of projectiles; null: not wanted. Vectors are three numbers side by side, orientations four.
+typedef struct physim_states {
+  uint32_t size;        ///< sizeof(physim_states) [bytes]
+  uint32_t reserved;    ///< [-]
+  size_t stride;        ///< from one row to the next in each column, as of a struct of one's own; 0: no gaps [bytes]
+  physim_id* id;        ///< [-]
+  double* position;     ///< [m]
+  double* velocity;     ///< [m/s]
+  float* position_f;    ///< rounded to float [m]
+  float* velocity_f;    ///< rounded to float [m/s]
+  double* previous;     ///< position before the last step; only read [m]
+  double* shown;        ///< position to draw, between steps; only read [m]
+  float* shown_f;       ///< rounded to float; only read [m]
+  double* orientation;  ///< w, x, y, z; only read [-]
+  uint64_t* user_data;  ///< [-]
+} physim_states;
+
+/// A world with the environment, [world] and things of a def.
+PHYSIM_API physim_result physim_world_create(const physim_def* def, physim_firing firing, physim_world** world);
+PHYSIM_API physim_result physim_world_read(const physim_world* world, physim_world_info* info);
+/// A hash of all that decides what happens next.
+PHYSIM_API physim_result physim_world_hash(const physim_world* world, uint64_t* hash);
+/// The environment of a def from the next step on.
+PHYSIM_API physim_result physim_world_set_environment(physim_world* world, const physim_def* def);
+/// The place that levels of detail go by (world.detail) [m].
+PHYSIM_API physim_result physim_world_set_observer(physim_world* world, const double position[3]);
+
+enum { PHYSIM_ASK_HITS = 1 };  // its hits ask the function of physim_world_set_hit_function(), which is there
+
+/// Prepares a shot of a def as a kind of projectile; `flags`: 0 or PHYSIM_ASK_HITS.
+PHYSIM_API physim_result physim_world_add_kind(physim_world* world, const physim_def* def, const char* shot,
+                                               uint32_t flags, uint32_t* kind);
+/// Projectiles of a kind, launched as its shot says but for `launches` (may be null). Ids (may be null) are null of
+/// what was refused; `spawned` (may be null) counts the others.
+PHYSIM_API physim_result physim_world_spawn(physim_world* world, uint32_t kind, size_t count,
+                                            const physim_launches* launches, physim_id* ids, size_t* spawned);
+/// Continues a flight from one of its times on [s].
+PHYSIM_API physim_result physim_world_spawn_flight(physim_world* world, const physim_flight* flight, double time,
+                                                   physim_id* id);
+PHYSIM_API physim_result physim_world_despawn(physim_world* world, const physim_id* ids, size_t count, size_t* gone);
+
+/// Takes `count` steps of dt [s]; 0: of the world's own step, as a world that fires by itself takes them.
+PHYSIM_API physim_result physim_world_step(physim_world* world, uint64_t count, double dt);
+/// Real time has passed [s]: as many steps as fit; `steps` may be null. Not for worlds that fire by themselves.
+PHYSIM_API physim_result physim_world_advance(physim_world* world, double seconds, uint32_t* steps);
+/// Events of the last step, and of calls since, as physim_flight_events() writes them.
+PHYSIM_API physim_result physim_world_events(const physim_world* world, size_t first, physim_event* into, size_t each,
+                                             size_t room, size_t* count);
+
+/// Reads projectiles: these, or all that are alive, by index, if `ids` is null. Rows are filled up to `count`; `read`
+/// (may be null) is how many there are. Of those that are gone all is zero.
+PHYSIM_API physim_result physim_world_states(const physim_world* world, const physim_id* ids, size_t count,
+                                             const physim_states* into, size_t* read);
+/// Writes positions, velocities and user data of projectiles; `written` (may be null) counts those that took them.
+PHYSIM_API physim_result physim_world_put(physim_world* world, const physim_id* ids, size_t count,
+                                          const physim_states* from, size_t* written);
+/// Adds an impulse to each, three numbers [N s].
+PHYSIM_API physim_result physim_world_push(physim_world* world, const physim_id* ids, size_t count,
+                                           const double* impulses, size_t* pushed);
+PHYSIM_API physim_result physim_world_projectile(const physim_world* world, physim_id id, physim_projectile* into);
+/// A setting of one projectile in flight: those that are live ("mass", "drag.k1", "body.gravity_scale"), and all of
+/// "fidelity". Reads any setting of its shot and body.
+PHYSIM_API physim_result physim_world_set(physim_world* world, physim_id id, const char* path, const char* value);
+PHYSIM_API physim_result physim_world_get(const physim_world* world, physim_id id, const char* path, char* into,
+                                          size_t room, size_t* length);
+/// The flight of a projectile from now on, until the ground or for a time [s].
+PHYSIM_API physim_result physim_world_predict(const physim_world* world, physim_id id, double time,
+                                              physim_flight** flight);
+
+// ------------------------------------------------------------------------------------- snapshots, saves, recordings
+
+PHYSIM_API physim_result physim_world_snapshot(const physim_world* world, physim_snapshot** snapshot);
+/// Back to a moment of this world, bit for bit; refused for a snapshot of another one.
+PHYSIM_API physim_result physim_world_restore(physim_world* world, const physim_snapshot* snapshot);
+
+typedef struct physim_hit_question {
+  physim_id projectile;        ///< that struck [-]
+  physim_id thing;             ///< that was struck [-]
+  uint32_t kind;               ///< of the projectile [-]
+  uint32_t primitive;          ///< of the thing: triangle or part [-]
+  uint32_t material;           ///< of it [-]
+  int32_t inside;              ///< it was inside when the step began [-]
+  double time;                 ///< of the world [s]
+  double position[3];          ///< [m]
+  double velocity[3];          ///< with which it came [m/s]
+  double normal[3];            ///< of the surface, towards the projectile [-]
+  double surface_velocity[3];  ///< [m/s]
+  double energy;               ///< as seen from the surface [J]
+  double obliquity;            ///< 0 straight on [rad]
+  double thickness;            ///< of the thing along its way; 0: not known [m]
+} physim_hit_question;
+
+typedef enum physim_on_hit {
+  PHYSIM_HIT_PASSES = 0,
+  PHYSIM_HIT_STOPS = 1,
+  PHYSIM_HIT_STICKS = 2,
+  PHYSIM_HIT_BOUNCES = 3,
+  PHYSIM_HIT_BY_MATERIAL = 4
+} physim_on_hit;
+
+typedef struct physim_hit_answer {
+  int32_t then;          ///< physim_on_hit; PHYSIM_HIT_STOPS as it comes [-]
+  int32_t has_velocity;  ///< the velocity below counts, of what passes or bounces [-]
+  double velocity[3];    ///< after the hit [m/s]
+} physim_hit_answer;
+
+/// Decides what hits of kinds with PHYSIM_ASK_HITS do: a row for each hit.
+typedef void (*physim_hit_function)(void* user, size_t count, const physim_hit_question* questions,
+                                    physim_hit_answer* answers);
+
+typedef struct physim_force_batch {
+  size_t count;            ///< projectiles that the force acts on [-]
+  double time;             ///< of the world [s]
+  const physim_id* id;     ///< [-]
+  const double* position;  ///< three for each [m]
+  const double* velocity;  ///< three for each [m/s]
+  const double* mass;      ///< [kg]
+  double* force;           ///< three for each: to be added to [N]
+} physim_force_batch;
+typedef void (*physim_force_function)(void* user, const physim_force_batch* batch);
+
+/// Functions that a save or a recording lacks, in the order in which they were added.
+typedef struct physim_functions {
+  uint32_t size;                       ///< sizeof(physim_functions) [bytes]
+  uint32_t forces;                     ///< number of force functions [-]
+  const physim_force_function* force;  ///< [-]
+  void* const* force_user;             ///< of each [-]
+  physim_hit_function hit;             ///< [-]
+  void* hit_user;                      ///< [-]
+  physim_wind_function wind;           ///< of the environment [-]
+  void* wind_user;                     ///< [-]
+  physim_field_function field;         ///< of the environment [-]
+  void* field_user;                    ///< [-]
+} physim_functions;
+
+/// The world of a save. `def`: of a world that fires by itself, the one that it was made of; else null. `functions` may
+/// be null.
+PHYSIM_API physim_result physim_world_load(const void* data, size_t size, const physim_def* def,
+                                           const physim_functions* functions, physim_world** world);
+/// Records every call that changes the world, with a hash every so many steps (0: none). The recording of a world to
+/// which something was done already, as of one with a scene, begins with a save.
+PHYSIM_API physim_result physim_world_record(physim_world* world, uint32_t hash_every);
+PHYSIM_API physim_result physim_world_stop_recording(physim_world* world, physim_bytes** recording);
+
+typedef struct physim_replay_info {
+  uint32_t size;         ///< sizeof(physim_replay_info) [bytes]
+  int32_t agrees;        ///< no difference was found [-]
+  int32_t complete;      ///< the recording has its end; else it was cut [-]
+  uint32_t reserved;     ///< [-]
+  uint64_t calls;        ///< made [-]
+  uint64_t steps;        ///< taken [-]
+  uint64_t hashes;       ///< compared, and equal [-]
+  uint64_t hash;         ///< of the world at the end [-]
+  char difference[256];  ///< the first; empty: none [-]
+} physim_replay_info;
+
+/// Makes all calls of a recording again, and compares. `functions` may be null.
+PHYSIM_API physim_result physim_replay(const void* recording, size_t size, const physim_functions* functions,
+                                       physim_replay_info* info);
+
+// ------------------------------------------------------------------------------------------------------------ scenes
+// Where a call takes `scene` as a void pointer, it is a physim_scene, or a physim_world: the scene of that world.
+
+typedef struct physim_transform {
+  uint32_t size;       ///< sizeof(physim_transform) [bytes]
+  uint32_t reserved;   ///< [-]
+  double position[3];  ///< of the origin [m]
+  double rotation[4];  ///< w, x, y, z, of any length; all 0: none [-]
+  double scale;        ///< 0: 1 [-]
+} physim_transform;
+
+typedef struct physim_motion {
+  uint32_t size;               ///< sizeof(physim_motion) [bytes]
+  uint32_t reserved;           ///< [-]
+  double start;                ///< time at which the thing is where its transform puts it [s]
+  double velocity[3];          ///< [m/s]
+  double angular_velocity[3];  ///< about its own origin [rad/s]
+} physim_motion;
+
+typedef struct physim_segment {
+  double from[3];   ///< [m]
+  double to[3];     ///< [m]
+  double radius;    ///< of a ball about each point [m]
+  double time;      ///< at which it begins [s]
+  double duration;  ///< that its way takes; 0: things stand as at that time [s]
+} physim_segment;
+
+typedef struct physim_hit {
+  physim_id thing;        ///< index 0: nothing was met [-]
+  uint32_t primitive;     ///< triangle of a mesh or height field, part of a compound [-]
+  uint32_t material;      ///< [-]
+  int32_t entering;       ///< from outside to inside [-]
+  int32_t starts_inside;  ///< [-]
+  double part;            ///< of the segment, 0 to 1 [-]
+  double time;            ///< [s]
+  double position[3];     ///< [m]
+  double normal[3];       ///< of the surface, outwards [-]
+  double velocity[3];     ///< of the surface there [m/s]
+} physim_hit;
+
+typedef struct physim_nearest {
+  uint32_t size;       ///< sizeof(physim_nearest) [bytes]
+  uint32_t material;   ///< [-]
+  physim_id thing;     ///< [-]
+  double distance;     ///< 0 inside of a solid [m]
+  double position[3];  ///< on the surface [m]
+  double away[3];      ///< unit vector from the surface to the point [-]
+} physim_nearest;
+
+/// The things of a def.
+PHYSIM_API physim_result physim_scene_create(const physim_def* def, physim_scene** scene);
+/// Gives a world a copy of a scene; null: it has none any more.
+PHYSIM_API physim_result physim_world_set_scene(physim_world* world, const physim_scene* scene);
+/// Adds all things of a def, with their shapes and materials; ids of up to `room` of them. In a world this costs as
+/// much as setting its scene.
+PHYSIM_API physim_result physim_scene_add(void* scene, const physim_def* def, physim_id* ids, size_t room,
+                                          size_t* count);
+/// Adds another thing like one that is there, at another place.
+PHYSIM_API physim_result physim_scene_copy(void* scene, physim_id like, const physim_transform* to, physim_id* id);
+/// The first thing of a name among those that defs brought. PHYSIM_NOT_FOUND: none has it.
+PHYSIM_API physim_result physim_scene_find(const void* scene, const char* name, physim_id* id);
+PHYSIM_API physim_result physim_scene_move(void* scene, physim_id thing, const physim_transform* to);
+/// Lets a thing move steadily; null: it rests where its transform puts it.
+PHYSIM_API physim_result physim_scene_set_motion(void* scene, physim_id thing, const physim_motion* motion);
+PHYSIM_API physim_result physim_scene_remove(void* scene, physim_id thing);
+
+/// The first hit of each segment on things of these layers. `each`: sizeof(physim_hit). `pool` may be null.
+PHYSIM_API physim_result physim_scene_cast(const void* scene, const physim_segment* segments, size_t count,
+                                           uint32_t layers, physim_hit* hits, size_t each, const physim_pool* pool);
+/// All that the points of one segment meet, up to `room`; `count` is how many there are.
+PHYSIM_API physim_result physim_scene_hits(const void* scene, const physim_segment* segment, uint32_t layers,
+                                           physim_hit* hits, size_t each, size_t room, size_t* count);
+/// The surface nearest to a point, within a distance [m], at a time [s]. PHYSIM_NOT_FOUND: none is that near.
+PHYSIM_API physim_result physim_scene_nearest(const void* scene, const double point[3], double within, uint32_t layers,
+                                              double time, physim_nearest* nearest);
+/// The things that a ball touches at a time [s], up to `room`; `count` is how many there are.
+PHYSIM_API physim_result physim_scene_overlaps(const void* scene, const double middle[3], double radius,
+                                               uint32_t layers, double time, physim_id* ids, size_t room,
+                                               size_t* count);
+
+// ------------------------------------------------------------------------------------------ emitters, forces, joints
+
+/// Adds an [[emitter]] of a def, by its name or its number from 1. `follows` (may be null): a projectile that it sits
+/// on. Emitters that its subs name are added to this world first, of whatever def.
+PHYSIM_API physim_result physim_world_add_emitter(physim_world* world, const physim_def* def, const char* emitter,
+                                                  const physim_id* follows, physim_id* id);
+
+typedef enum physim_emitter_action {
+  PHYSIM_PLAY = 0,
+  PHYSIM_STOP = 1,
+  PHYSIM_TRIGGER = 2,  // its subs that wait for it
+  PHYSIM_EMIT = 3,     // value: so many now
+  PHYSIM_SEEK = 4      // value: as if it had played for this time [s]
+} physim_emitter_action;
+PHYSIM_API physim_result physim_emitter_do(physim_world* world, physim_id emitter, physim_emitter_action action,
+                                           double value);
+/// `time` above that of the world: it is there then [s]; else it goes there in the next step.
+PHYSIM_API physim_result physim_emitter_move(physim_world* world, physim_id emitter, const physim_transform* to,
+                                             double time);
+
+typedef struct physim_emitter_info {
+  uint32_t size;      ///< sizeof(physim_emitter_info) [bytes]
+  uint32_t alive;     ///< particles now [-]
+  int32_t playing;    ///< it may fire on its own [-]
+  uint32_t reserved;  ///< [-]
+  uint64_t born;      ///< since it was added [-]
+  uint64_t refused;   ///< full, or the world did not take them [-]
+  uint64_t landed;    ///< gone on the ground or on a thing [-]
+  uint64_t gone;      ///< gone by age, rules, calls or newer ones [-]
+} physim_emitter_info;
+PHYSIM_API physim_result physim_emitter_read(const physim_world* world, physim_id emitter, physim_emitter_info* info);
+
+/// Columns of particles for a renderer; null: not wanted.
+typedef struct physim_particles {
+  uint32_t size;      ///< sizeof(physim_particles) [bytes]
+  uint32_t reserved;  ///< [-]
+  size_t stride;      ///< from one row to the next in each column; 0: no gaps [bytes]
+  physim_id* id;      ///< [-]
+  double* position;   ///< three for each [m]
+  double* previous;   ///< three for each [m]
+  double* velocity;   ///< three for each [m/s]
+  double* extent;     ///< three for each, by its own axes [m]
+  double* rotation;   ///< three for each, about its axes [rad]
+  double* age;        ///< [s]
+  uint64_t* number;   ///< of the particle among those of its emitter [-]
+  uint32_t* colour;   ///< RGBA [-]
+  const double* eye;  ///< a place: rows come from the farthest of it to the nearest; null: by index [m]
+} physim_particles;
+/// Fills up to `room` rows; `count` is how many particles there are.
+PHYSIM_API physim_result physim_emitter_particles(const physim_world* world, physim_id emitter, size_t room,
+                                                  const physim_particles* into, size_t* count);
+
+/// Adds a [[force]] of a def, by its name or its number from 1: on these projectiles, or on those that it says itself
+/// if `count` is 0. `other` (may be null): the projectile at the other end of a spring or bungee.
+PHYSIM_API physim_result physim_world_add_force(physim_world* world, const physim_def* def, const char* force,
+                                                const physim_id* ids, size_t count, const physim_id* other,
+                                                physim_id* id);
+/// A force of one's own on these projectiles, and on all of the layers.
+PHYSIM_API physim_result physim_world_add_force_function(physim_world* world, physim_force_function function,
+                                                         void* user, const physim_id* ids, size_t count,
+                                                         uint32_t layers, physim_id* id);
+/// Null: none; refused while there are kinds that ask.
+PHYSIM_API physim_result physim_world_set_hit_function(physim_world* world, physim_hit_function function, void* user);
+
+typedef enum physim_joint_kind { PHYSIM_ROD = 0, PHYSIM_CABLE = 1, PHYSIM_SPRING = 2 } physim_joint_kind;
+typedef struct physim_joint {
+  uint32_t size;       ///< sizeof(physim_joint) [bytes]
+  int32_t kind;        ///< physim_joint_kind [-]
+  physim_id a;         ///< one end [-]
+  physim_id b;         ///< the other end; none: the point [-]
+  double point[3];     ///< [m]
+  double length;       ///< 0: as far as its ends are apart [m]
+  double restitution;  ///< of a cable, 0 to 1 [-]
+  double stiffness;    ///< of a spring [N/m]
+  double damping;      ///< of a spring [kg/s]
+} physim_joint;
+typedef struct physim_joint_info {
+  uint32_t size;   ///< sizeof(physim_joint_info) [bytes]
+  int32_t taut;    ///< [-]
+  double length;   ///< distance of its ends [m]
+  double tension;  ///< negative: it pushed [N]
+} physim_joint_info;
+typedef struct physim_joint_event {
+  int32_t kind;          ///< physim_name("joint_event", kind) [-]
+  uint32_t reserved;     ///< [-]
+  physim_id joint;       ///< [-]
+  physim_id projectile;  ///< that left, or the first end [-]
+  double time;           ///< [s]
+  double speed;          ///< at which the ends parted [m/s]
+} physim_joint_event;
+PHYSIM_API physim_result physim_world_add_joint(physim_world* world, const physim_joint* joint, physim_id* id);
+PHYSIM_API physim_result physim_joint_read(const physim_world* world, physim_id joint, physim_joint_info* info);
+PHYSIM_API physim_result physim_joint_events(const physim_world* world, physim_joint_event* into, size_t each,
+                                             size_t room, size_t* count);
+
+typedef enum physim_what { PHYSIM_A_FORCE = 0, PHYSIM_A_JOINT = 1, PHYSIM_AN_EMITTER = 2 } physim_what;
+PHYSIM_API physim_result physim_world_remove(physim_world* world, physim_what what, physim_id id);
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif

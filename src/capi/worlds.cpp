@@ -1,0 +1,464 @@
+// Worlds: made, spawned into, stepped, read and written.
+#include <algorithm>
+#include <array>
+
+#include "base/ieee_mode.hpp"
+#include "capi/objects.hpp"
+#include "capi/parts.hpp"
+#include "scenario/document.hpp"
+#include "scenario/names.hpp"
+#include "scenario/reader.hpp"
+#include "scenario/writer.hpp"
+
+namespace physim::capi {
+namespace {
+
+static_assert(sizeof(physim_id) == sizeof(ProjectileId) && offsetof(physim_id, generation) == sizeof(std::uint32_t));
+constexpr std::size_t kChunk = 256;  // rows that are read at a time, without memory of their own
+
+Result<std::shared_ptr<WorldObject>> make_world(const Scenario& scenario, physim_firing firing) {
+  auto made = std::make_shared<WorldObject>();
+  if (firing == PHYSIM_FIRE_ALL) {
+    Result<WorldRun> run = WorldRun::create(scenario);
+    if (!run) return run.error();
+    made->run.emplace(std::move(*run));
+  } else {
+    WorldDef def = scenario.world.def;
+    def.environment = scenario.environment;
+    def.tolerance = scenario.tolerance;
+    Result<World> world = World::create(def);
+    if (!world) return world.error();
+    made->own = std::move(*world);
+    if (scenario.world.observer != Vec3d{})
+      if (Status status = made->own.set_observer(scenario.world.observer); !status) return status.error();
+  }
+  if (Status status = add_things(*made, scenario); !status) return status.error();
+  PHYSIM_ASSERT(made->things.size() == scenario.things.size());
+  return made;
+}
+
+/// The bytes from one row of a column to the next.
+struct Strides {
+  std::size_t given;
+  template <class T>
+  T* at(T* column, std::size_t row, std::size_t width = 1) const {
+    using Byte = std::conditional_t<std::is_const_v<T>, const std::byte, std::byte>;
+    using Void = std::conditional_t<std::is_const_v<T>, const void, void>;
+    PHYSIM_ASSERT(column != nullptr && width > 0);
+    if (given == 0) return column + row * width;
+    return static_cast<T*>(static_cast<Void*>(static_cast<Byte*>(static_cast<Void*>(column)) + row * given));
+  }
+};
+
+void need_stride(Call& call, const physim_states& columns) {
+  const bool has_doubles = columns.position || columns.velocity || columns.previous || columns.shown ||
+                           columns.orientation || columns.user_data;
+  const std::size_t unit = has_doubles ? sizeof(double) : sizeof(float);
+  call.need(columns.stride % unit == 0 && columns.stride < (std::size_t{1} << 32), "stride",
+            "is no size of a struct with such members");
+}
+
+/// Rows first, first + 1, ... of columns.
+void put_states(const World& world, std::span<const ProjectileId> ids, const physim_states& into, std::size_t first) {
+  const Strides by{into.stride};
+  std::array<BodyState, kChunk> states;
+  PHYSIM_ASSERT(ids.size() <= kChunk);
+  const std::span<BodyState> read = std::span(states).first(ids.size());
+  world.states(ids, read);
+  for (std::size_t i = 0; i < ids.size(); ++i) {
+    const std::size_t row = first + i;
+    const ProjectileView p = world[ids[i]];
+    if (into.id) *by.at(into.id, row) = put_id(ids[i]);
+    if (into.position) put(by.at(into.position, row, 3), read[i].position);
+    if (into.velocity) put(by.at(into.velocity, row, 3), read[i].velocity);
+    if (into.position_f) put(by.at(into.position_f, row, 3), read[i].position);
+    if (into.velocity_f) put(by.at(into.velocity_f, row, 3), read[i].velocity);
+    if (into.previous) put(by.at(into.previous, row, 3), p.previous_position());
+    if (into.shown) put(by.at(into.shown, row, 3), p.render_position());
+    if (into.shown_f) put(by.at(into.shown_f, row, 3), p.render_position());
+    if (into.orientation) put(by.at(into.orientation, row, 4), p.orientation());
+    if (into.user_data) *by.at(into.user_data, row) = p.user_data();
+  }
+}
+
+/// A place or velocity of a row, whichever of two columns has it; nothing if neither is there.
+std::optional<Vec3d> row_of(const Strides& by, const double* exact, const float* rounded, std::size_t row) {
+  if (exact != nullptr) return vector_at(by.at(exact, row, 3));
+  if (rounded == nullptr) return std::nullopt;
+  const float* v = by.at(rounded, row, 3);
+  return Vec3d{v[0], v[1], v[2]};
+}
+
+/// Writes a row; false if the projectile does not take it.
+bool put_row_into(World& world, ProjectileId id, const physim_states& from, std::size_t row) {
+  PHYSIM_ASSERT(from.stride % sizeof(float) == 0);
+  const Strides by{from.stride};
+  const std::optional<Vec3d> position = row_of(by, from.position, from.position_f, row);
+  const std::optional<Vec3d> velocity = row_of(by, from.velocity, from.velocity_f, row);
+  Projectile p = world[id];
+  bool taken = p.is_alive();
+  if (taken && position && velocity)
+    taken = p.set_state({*position, *velocity}).ok();
+  else if (taken && position)
+    taken = p.set_position(*position).ok();
+  else if (taken && velocity)
+    taken = p.set_velocity(*velocity).ok();
+  if (taken && from.user_data) taken = p.set_user_data(*by.at(from.user_data, row)).ok();
+  return taken;
+}
+
+/// A projectile of a world as a shot of a scenario, whose settings have paths.
+struct AsShot {
+  Scenario scenario;
+  ScenarioShot shot;
+  explicit AsShot(const ProjectileView& p) {
+    if (p.definition() != nullptr) shot.projectile = *p.definition();
+    shot.projectile.fidelity = p.fidelity_in_use().fidelity;
+    shot.body = p.body();
+  }
+};
+
+/// The setting of a path below [[shot]].
+Result<const SchemaNode*> node_of_shot(std::string_view path) {
+  const SchemaNode* node = find_node(path.starts_with("shot.") ? std::string(path) : "shot." + std::string(path));
+  PHYSIM_ASSERT(node == nullptr || node->path.starts_with("shot."));
+  if (node == nullptr || node->entry == nullptr)
+    return Error{"no projectile has such a setting", std::string(path), "physim list settings shows all of shot"};
+  return node;
+}
+
+Status set_live(Projectile p, std::string_view path, std::string_view value) {
+  const auto node = node_of_shot(path);
+  if (!node) return node.error();
+  AsShot as(p);
+  const Scope scope{.scenario = &as.scenario, .shot = &as.shot};
+  const Place place{std::make_shared<const std::string>(path), 0, 0};
+  if (Status status = read_setting(**node, scope, parse_override_value(value, place)); !status) return status;
+  if ((*node)->path.starts_with("shot.fidelity")) return p.set_fidelity(as.shot.projectile.fidelity);
+  if ((*node)->path.starts_with("shot.body")) return p.set_body(as.shot.body);
+  PHYSIM_ASSERT(p.definition() != nullptr);
+  as.shot.projectile.fidelity = p.definition()->fidelity;
+  return p.set_projectile(as.shot.projectile);
+}
+
+}  // namespace
+
+Status add_things(WorldObject& world, const Scenario& scenario) {
+  if (world.run) world.things.assign(world.run->things().begin(), world.run->things().end());
+  if (world.run || scenario.things.empty()) return {};
+  const Result<SceneParts> parts = scene_parts(scenario);
+  if (!parts) return parts.error();
+  world.things = parts->things;
+  return world.own.set_scene(parts->scene);
+}
+
+Result<KindId> add_kind(WorldObject& object, const Scenario& scenario, std::size_t index, std::uint32_t flags) {
+  PHYSIM_ASSERT(index < scenario.shots.size());
+  ScenarioShot shot = scenario.shots[index];
+  const ScenarioNames names(scenario);
+  if (const auto pool = names.pools.find(shot.pool); pool && !shot.pool.empty())
+    shot.body.pool = static_cast<std::uint32_t>(*pool);
+  if (flags & PHYSIM_ASK_HITS) shot.body.collision.on_hit = OnHit::ask;
+  shot.body.cheapest_within = shot.cheapest_within.value_or(0);
+  const Result<KindId> kind = object.world().add_kind(shot.projectile, shot.body);
+  if (kind) object.launches.emplace(kind->index, shot.launch);
+  return kind;
+}
+
+}  // namespace physim::capi
+
+using namespace physim;
+using namespace physim::capi;
+
+physim_result physim_world_create(const physim_def* def, physim_firing firing, physim_world** world) {
+  return guarded([&](Call& call) {
+    const auto from = call.find(def, "def");
+    call.need(world, "world");
+    call.need(firing == PHYSIM_FIRE_NOTHING || firing == PHYSIM_FIRE_ALL, "firing", "is neither of the two");
+    if (!call.ok()) return;
+    const auto checked = from->checked();
+    if (!call.take(checked)) return;
+    auto made = make_world((*checked)->scenario, firing);
+    if (call.take(made)) call.give(world, std::move(*made));
+  });
+}
+
+physim_result physim_world_read(const physim_world* world, physim_world_info* info) {
+  return guarded([&](Call& call) {
+    const auto of = call.find(world, "world");
+    call.need_struct(info, "info");
+    if (!call.ok()) return;
+    const World& w = of->world();
+    const WorldCounters& counters = w.counters();
+    call.write(info, {.size = 0,
+                      .joints = static_cast<std::uint32_t>(w.joint_counts().joints),
+                      .time = w.time(),
+                      .fraction = w.fraction(),
+                      .step = w.def().step,
+                      .planned_steps = of->run ? of->run->steps() : 0,
+                      .projectiles = w.size(),
+                      .events = w.events().size(),
+                      .forces = w.force_count(),
+                      .memory = w.memory(),
+                      .steps = counters.steps,
+                      .projectile_steps = counters.projectile_steps,
+                      .refused = counters.refused,
+                      .dropped_events = counters.dropped_events});
+  });
+}
+
+physim_result physim_world_hash(const physim_world* world, uint64_t* hash) {
+  return guarded([&](Call& call) {
+    const auto of = call.find(world, "world");
+    call.need(hash, "hash");
+    if (call.ok()) *hash = of->world().hash();
+  });
+}
+
+physim_result physim_world_set_environment(physim_world* world, const physim_def* def) {
+  return guarded([&](Call& call) {
+    const auto into = call.find(world, "world");
+    const auto from = call.find(def, "def");
+    if (!call.ok()) return;
+    const auto checked = from->checked();
+    if (call.take(checked)) call.take(into->world().set_environment(0, (*checked)->scenario.environment));
+  });
+}
+
+physim_result physim_world_set_observer(physim_world* world, const double position[3]) {
+  return guarded([&](Call& call) {
+    const auto into = call.find(world, "world");
+    call.need(position, "position");
+    if (call.ok()) call.take(into->world().set_observer(vector_at(position)));
+  });
+}
+
+physim_result physim_world_add_kind(physim_world* world, const physim_def* def, const char* shot, uint32_t flags,
+                                    uint32_t* kind) {
+  return guarded([&](Call& call) {
+    const auto into = call.find(world, "world");
+    const auto from = call.find(def, "def");
+    call.need(flags <= PHYSIM_ASK_HITS, "flags", "has a bit that is none");
+    call.need(kind, "kind");
+    if (!call.ok()) return;
+    const auto checked = from->checked();
+    if (!call.take(checked)) return;
+    const auto index = shot_in((*checked)->scenario, shot);
+    if (!call.take(index, PHYSIM_NOT_FOUND)) return;
+    const Result<KindId> added = add_kind(*into, (*checked)->scenario, *index, flags);
+    if (call.take(added)) *kind = added->index;
+  });
+}
+
+physim_result physim_world_spawn(physim_world* world, uint32_t kind, size_t count, const physim_launches* launches,
+                                 physim_id* ids, size_t* spawned) {
+  return guarded([&](Call& call) {
+    const auto into = call.find(world, "world");
+    const physim_launches given = call.read(launches, "launches");
+    call.need(count > 0, "count", "is 0");
+    call.need_rows(into ? into.get() : nullptr, count, "count");
+    if (!call.ok()) return;
+    const auto usual = into->launches.find(kind);
+    if (usual == into->launches.end())
+      return call.fail(PHYSIM_NOT_FOUND, "this world has no such kind", "kind", "physim_world_add_kind() makes kinds");
+    LaunchColumns columns = columns_of(given, count);
+    if (columns.has_drag()) return call.fail(PHYSIM_REFUSED, "all of a kind have one drag", "launches", "add kinds");
+    columns.common = usual->second;
+    if (count == 1) {  // alone it says why it is refused
+      const Result<ProjectileId> one = into->world().spawn(KindId{kind}, columns.at(0));
+      if (ids != nullptr) *ids = one ? put_id(*one) : physim_id{0, 0};
+      if (spawned != nullptr) *spawned = one.ok();
+      return static_cast<void>(call.take(one));
+    }
+    std::array<Launch, kChunk> chunk;
+    std::array<ProjectileId, kChunk> born;
+    std::size_t total = 0;
+    for (std::size_t first = 0; first < count; first += kChunk) {
+      const std::size_t rows = std::min(kChunk, count - first);
+      PHYSIM_ASSERT(rows > 0 && rows <= kChunk);
+      for (std::size_t i = 0; i < rows; ++i) chunk[i] = columns.at(first + i);
+      total += into->world().spawn(KindId{kind}, std::span(chunk).first(rows), std::span(born).first(rows));
+      for (std::size_t i = 0; ids != nullptr && i < rows; ++i) ids[first + i] = put_id(born[i]);
+    }
+    if (spawned != nullptr) *spawned = total;
+  });
+}
+
+physim_result physim_world_spawn_flight(physim_world* world, const physim_flight* flight, double time, physim_id* id) {
+  return guarded([&](Call& call) {
+    const auto into = call.find(world, "world");
+    const auto from = call.find(flight, "flight");
+    call.need(!std::isnan(time), "time", "is not a number");
+    call.need(id, "id");
+    if (!call.ok()) return;
+    const Result<ProjectileId> born = into->world().spawn(from->flight, time);
+    if (call.take(born)) *id = put_id(*born);
+  });
+}
+
+physim_result physim_world_despawn(physim_world* world, const physim_id* ids, size_t count, size_t* gone) {
+  return guarded([&](Call& call) {
+    const auto into = call.find(world, "world");
+    call.need_rows(ids, count, "ids");
+    if (!call.ok()) return;
+    const std::size_t there = into->world().despawn({same_memory<const ProjectileId>(ids), count});
+    if (gone != nullptr) *gone = there;
+  });
+}
+
+physim_result physim_world_step(physim_world* world, uint64_t count, double dt) {
+  return guarded([&](Call& call) {
+    const auto into = call.find(world, "world");
+    call.need(dt >= 0, "dt", "is negative, or not a number");
+    if (!call.ok()) return;
+    if (into->run && dt != 0)
+      return call.fail(PHYSIM_REFUSED, "a world that fires by itself takes its own steps", "dt", "give 0");
+    for (std::uint64_t i = 0; i < count && call.ok(); ++i) {
+      if (into->run)
+        into->run->step();
+      else
+        call.take(into->own.step(dt > 0 ? dt : into->own.def().step));
+    }
+  });
+}
+
+physim_result physim_world_advance(physim_world* world, double seconds, uint32_t* steps) {
+  return guarded([&](Call& call) {
+    const auto into = call.find(world, "world");
+    call.need(seconds >= 0 && seconds < 1e9, "seconds", "is not 0 to 1e9");
+    if (!call.ok()) return;
+    if (into->run) return call.fail(PHYSIM_REFUSED, "it fires by itself", "world", "call physim_world_step()");
+    const int taken = into->own.advance(seconds);
+    if (steps != nullptr) *steps = static_cast<std::uint32_t>(taken);
+  });
+}
+
+physim_result physim_world_events(const physim_world* world, size_t first, physim_event* into, size_t each, size_t room,
+                                  size_t* count) {
+  return guarded([&](Call& call) {
+    const auto of = call.find(world, "world");
+    if (call.ok()) put_events(call, of->world().events(), first, into, each, room, count);
+  });
+}
+
+physim_result physim_world_states(const physim_world* world, const physim_id* ids, size_t count,
+                                  const physim_states* into, size_t* read) {
+  return guarded([&](Call& call) {
+    const auto of = call.find(world, "world");
+    call.need(into, "into");
+    const physim_states columns = call.read(into, "into");
+    call.need_rows(into, count, "count");
+    need_stride(call, columns);
+    if (!call.ok()) return;
+    const World& w = of->world();
+    std::vector<ProjectileId> alive;
+    if (ids == nullptr) w.ids(alive);
+    const auto all =
+        ids != nullptr ? std::span(same_memory<const ProjectileId>(ids), count) : std::span(std::as_const(alive));
+    const std::size_t rows = std::min(count, all.size());
+    PHYSIM_ASSERT(ids == nullptr || rows == count);
+    for (std::size_t first = 0; first < rows; first += kChunk)
+      put_states(w, all.subspan(first, std::min(kChunk, rows - first)), columns, first);
+    if (read != nullptr) *read = all.size();
+  });
+}
+
+physim_result physim_world_put(physim_world* world, const physim_id* ids, size_t count, const physim_states* from,
+                               size_t* written) {
+  return guarded([&](Call& call) {
+    const auto into = call.find(world, "world");
+    call.need_rows(ids, count, "ids");
+    call.need(from, "from");
+    const physim_states columns = call.read(from, "from");
+    need_stride(call, columns);
+    if (!call.ok()) return;
+    std::size_t total = 0;
+    for (std::size_t i = 0; i < count; ++i)
+      total += put_row_into(into->world(), id_of<ProjectileId>(ids[i]), columns, i);
+    if (written != nullptr) *written = total;
+  });
+}
+
+physim_result physim_world_push(physim_world* world, const physim_id* ids, size_t count, const double* impulses,
+                                size_t* pushed) {
+  return guarded([&](Call& call) {
+    const auto into = call.find(world, "world");
+    call.need_rows(ids, count, "ids");
+    call.need_rows(impulses, count, "impulses");
+    if (!call.ok()) return;
+    std::size_t total = 0;
+    for (std::size_t i = 0; i < count; ++i)
+      total += into->world()[id_of<ProjectileId>(ids[i])].apply_impulse(vector_at(impulses + 3 * i)).ok();
+    if (pushed != nullptr) *pushed = total;
+  });
+}
+
+physim_result physim_world_projectile(const physim_world* world, physim_id id, physim_projectile* into) {
+  return guarded([&](Call& call) {
+    const auto of = call.find(world, "world");
+    call.need_struct(into, "into");
+    if (!call.ok()) return;
+    const ProjectileView p = of->world()[id_of<ProjectileId>(id)];
+    if (p.status() == LifeStatus::unknown) return call.fail(PHYSIM_NOT_FOUND, "there is no such projectile", "id");
+    physim_projectile out{};
+    out.life = static_cast<std::int32_t>(p.status());
+    out.kind = p.kind().index;
+    out.layers = p.layers();
+    out.colour = p.colour();
+    out.asleep = p.is_asleep();
+    out.user_data = p.user_data();
+    out.age = p.age();
+    out.mass = p.mass();
+    out.mach = p.mach();
+    put(out.position, p.position());
+    put(out.velocity, p.velocity());
+    if (p.is_alive()) put(out.acceleration, p.accelerations().total);
+    put(out.orientation, p.orientation());
+    put(out.angular_velocity, p.angular_velocity());
+    call.write(into, out);
+  });
+}
+
+physim_result physim_world_set(physim_world* world, physim_id id, const char* path, const char* value) {
+  return guarded([&](Call& call) {
+    const IeeeMode mode;
+    const auto into = call.find(world, "world");
+    call.need(path, "path");
+    call.need(value, "value");
+    if (!call.ok()) return;
+    const Projectile p = into->world()[id_of<ProjectileId>(id)];
+    if (!p.is_alive()) return call.fail(PHYSIM_NOT_FOUND, "there is no such projectile", "id");
+    call.take(set_live(p, path, value));
+  });
+}
+
+physim_result physim_world_get(const physim_world* world, physim_id id, const char* path, char* into, size_t room,
+                               size_t* length) {
+  return guarded([&](Call& call) {
+    const IeeeMode mode;
+    const auto of = call.find(world, "world");
+    call.need(path, "path");
+    call.need_rows(into, room, "into");
+    if (!call.ok()) return;
+    const ProjectileView p = of->world()[id_of<ProjectileId>(id)];
+    if (!p.is_alive()) return call.fail(PHYSIM_NOT_FOUND, "there is no such projectile", "id");
+    const auto node = node_of_shot(path);
+    if (!call.take(node, PHYSIM_NOT_FOUND)) return;
+    AsShot as(p);
+    const std::optional<std::string> text = written(*(*node)->entry, {.scenario = &as.scenario, .shot = &as.shot});
+    if (!text) return call.fail(PHYSIM_NOT_FOUND, "has no value here", path);
+    call.write_text(*text, into, room, length);
+  });
+}
+
+physim_result physim_world_predict(const physim_world* world, physim_id id, double time, physim_flight** flight) {
+  return guarded([&](Call& call) {
+    const auto of = call.find(world, "world");
+    call.need(time > 0, "time", "is not above 0");
+    call.need(flight, "flight");
+    if (!call.ok()) return;
+    Flight flown = of->world().predict(id_of<ProjectileId>(id), time);
+    if (flown.error()) return call.fail(PHYSIM_REFUSED, *flown.error());
+    call.give(flight, std::make_shared<FlightObject>(FlightObject{std::move(flown)}));
+  });
+}
