@@ -1,0 +1,38 @@
+// physim._core: the library as the Python package sees it. Users import physim, which is written on top of it.
+#include "common.hpp"
+
+namespace physim::python {
+namespace {
+
+/// Raises physim.Error with the parts of an error.
+void raise(const Error& error) {
+  const nb::object type = nb::module_::import_("physim._errors").attr("Error");
+  const nb::object made = type(error.message, error.place, error.hint);
+  PyErr_SetObject(type.ptr(), made.ptr());
+}
+
+void translate(const std::exception_ptr& thrown, void*) {
+  try {
+    std::rethrow_exception(thrown);
+  } catch (const Failure& failure) {
+    raise(failure.error);
+  }
+}
+
+}  // namespace
+}  // namespace physim::python
+
+NB_MODULE(_core, m) {
+  using namespace physim::python;
+  m.doc() = "The library itself; use the package physim, which is written on top of it.";
+  nb::register_exception_translator(translate);
+  nb::set_leak_warnings(false);  // objects that live when the interpreter ends are no mistake
+  m.attr("__version__") = physim::kVersion;
+  m.def("use_kernel", &physim::use_kernel, "name"_a, "Chooses the instruction set; \"\" chooses the best.");
+  add_setup(m);
+  add_flight(m);
+  add_solve(m);
+  add_scene(m);
+  add_world(m);
+  add_study(m);
+}
