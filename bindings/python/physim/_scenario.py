@@ -317,6 +317,7 @@ class Shot(_Settled):
         count = lengths.pop() if lengths else (1 if inputs else 0)
         inputs = {name: np.full(count, column) if column.ndim == 0 else column for name, column in inputs.items()}
         outputs = dict(into) if isinstance(into, Mapping) else {name: np.empty(count) for name in into}
+        _check_apart(inputs, outputs)
         codes = np.empty(count, dtype=np.uint8)
         answer = _core.fly_columns(self._setup, "", inputs, outputs, codes, moves_profile, threads)
         batch = Batch(outputs, codes, answer)
@@ -538,6 +539,18 @@ def _column(value: Any, name: str) -> NDArray[np.float64]:
         value = value.to(unit).magnitude
     array = np.asarray(value)
     return numbers(array.reshape(1), name)[0:1].reshape(()) if array.ndim == 0 else numbers(array, name)
+
+
+def _check_apart(inputs: Mapping[str, Any], outputs: Mapping[str, Any]) -> None:
+    """What is written must be no column that is read, and no other that is written."""
+    seen = [(name, each) for name, each in inputs.items()]
+    for name, column in outputs.items():
+        if not isinstance(column, np.ndarray):
+            continue  # refused where it is written
+        for other, each in seen:
+            if np.may_share_memory(column, each) and np.shares_memory(column, each):
+                raise Error(f"shares memory with {other}", name, "give an array of its own")
+        seen.append((name, column))
 
 
 def _ranges(ranges: Any) -> list[float]:

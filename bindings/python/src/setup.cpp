@@ -368,7 +368,7 @@ void add_setup(nb::module_& m) {
             return Setup::make(setup.document, setup.scenario.file, function_of(wind_field, "wind_field"),
                                function_of(force, "force_field"));
           },
-          "wind_field"_a, "force_field"_a, "A copy with functions of place and time.")
+          "wind_field"_a.none(), "force_field"_a.none(), "A copy with functions of place and time.")
       .def(
           "only_shot",
           [](const Setup& setup, const std::string& name) {
