@@ -14,12 +14,14 @@ from ._errors import Error
 from ._flight import Event, Flight, Sample
 from ._scenario import Aim, Batch, Comparison, Fit, Scenario, Shot, Solution, fly, suvat
 from ._settings import Setting, Settings, settings
+from ._study import Study, StudyResult, study_paths
 from ._table import Columns, Record
+from ._world import Projectile, Scene, Snapshot, World, replay
 
 __all__ = [
-    "Aim", "Batch", "Columns", "Comparison", "Error", "Event", "Fit", "Flight", "Record", "Sample", "Scenario",
-    "Setting", "Settings", "Shot", "Solution", "__version__", "fidelities", "fly", "kernels", "presets", "settings",
-    "suvat", "use_kernel",
+    "Aim", "Batch", "Columns", "Comparison", "Error", "Event", "Fit", "Flight", "Projectile", "Record", "Sample",
+    "Scenario", "Scene", "Setting", "Settings", "Shot", "Snapshot", "Solution", "Study", "StudyResult", "World", "__version__", "fidelities",
+    "fly", "kernels", "presets", "replay", "settings", "study_paths", "suvat", "use_kernel",
 ]  # fmt: skip
 
 

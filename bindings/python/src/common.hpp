@@ -7,6 +7,7 @@
 #include <nanobind/stl/shared_ptr.h>
 #include <nanobind/stl/string.h>
 #include <nanobind/stl/string_view.h>
+#include <nanobind/stl/unique_ptr.h>
 #include <nanobind/stl/vector.h>
 
 #include <cstdint>
@@ -83,6 +84,12 @@ template <class T, class List, class Get>
   numbers.reserve(std::size(list));
   for (const auto& each : list) numbers.push_back(static_cast<T>(get(each)));
   return owned(std::move(numbers));
+}
+
+/// A column of true and false.
+template <class List, class Get>
+[[nodiscard]] nb::object flags_of(const List& list, const Get& get) {
+  return column_of<std::uint8_t>(list, [&](const auto& each) { return get(each) ? 1 : 0; }).attr("view")("bool");
 }
 
 [[nodiscard]] inline Vec3d vec_of(const std::vector<double>& v, const char* place) {
@@ -178,6 +185,7 @@ class Function {
   }
   /// Raises what was kept. The interpreter's lock is held.
   void raise_kept() const;
+  [[nodiscard]] bool has_raised() const { return shared_->raised != nullptr; }
 
  private:
   struct Stopped {};

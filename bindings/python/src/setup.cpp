@@ -170,6 +170,16 @@ void open_shorthands(Value& table, const SchemaNode& node) {
   }
 }
 
+/// A shot that says how a world treats it belongs to one, as long as there is nothing that a single flight meets.
+void add_world_of_bodies(Value& document) {
+  if (document.find("world") != nullptr || document.find("thing") != nullptr) return;
+  const Value* shots = document.find("shot");
+  const Array* all = shots != nullptr ? shots->get<Array>() : nullptr;
+  const auto has_body = [](const Value& shot) { return shot.find("body") != nullptr; };
+  if (all == nullptr || std::ranges::none_of(*all, has_body)) return;
+  document.get<Table>()->push_back({"world", document.place, Value{Table{}, document.place, {}, {}}});
+}
+
 std::string text_of(const Value& value) {
   if (const auto* text = value.get<std::string>()) return *text;
   if (const Array* array = value.get<Array>()) {
@@ -298,6 +308,7 @@ SetupPtr with_settings(const Setup& setup, const nb::dict& changes) {
   Value document = setup.document;
   open_shorthands(document, schema());
   for (const auto& [path, value] : changes) put_setting(document, nb::cast<std::string>(path), value);
+  add_world_of_bodies(document);
   return Setup::make(std::move(document), setup.scenario.file, setup.wind_field, setup.force);
 }
 
@@ -348,7 +359,9 @@ void add_setup(nb::module_& m) {
       .def_static(
           "from_tree",
           [](const nb::dict& tree, const std::string& file, const nb::object& wind_field, const nb::object& force) {
-            return Setup::make(value_of_python(tree, ""), file, function_of(wind_field, "wind_field"),
+            Value document = value_of_python(tree, "");
+            add_world_of_bodies(document);
+            return Setup::make(std::move(document), file, function_of(wind_field, "wind_field"),
                                function_of(force, "force_field"));
           },
           "tree"_a, "file"_a = "", "wind_field"_a = nb::none(), "force_field"_a = nb::none(),

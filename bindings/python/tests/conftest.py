@@ -39,7 +39,7 @@ def program() -> str:
 
 def run_program(*args: str) -> str:
     done = subprocess.run([program(), *args], capture_output=True, text=True, cwd=ROOT)
-    assert done.returncode == 0, done.stderr
+    assert done.returncode in (0, 1), done.stderr  # 1: an expectation of the scenario is missed
     return done.stdout
 
 
