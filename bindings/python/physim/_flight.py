@@ -184,7 +184,7 @@ class Flight:
     @property
     def step_times(self) -> NDArray[np.float64]:
         """Times of the steps taken [s]."""
-        return self._flight.step_times()
+        return np.asarray(self._flight.step_times())
 
     def accelerations(self, time: float) -> dict[str, NDArray[np.float64]]:
         """Acceleration by effect at a time [m/s^2]."""
@@ -192,7 +192,8 @@ class Flight:
 
     def stability(self, time: float = 0.0) -> tuple[float, float] | None:
         """Gyroscopic and dynamic stability of a rigid body at a time; None where rotation is not flown."""
-        return self._flight.stability(_number(time, "time"))
+        both: tuple[float, float] | None = self._flight.stability(_number(time, "time"))
+        return both
 
     def geodetic(self, time: float) -> tuple[float, float, float]:
         """Latitude [rad], longitude [rad] and height [m] at a time."""

@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from ._errors import Error
+from ._table import optional
 
 if TYPE_CHECKING:
     from ._flight import Flight
@@ -24,18 +25,10 @@ _SAMPLES = 400
 
 
 def _new_figure(figure: Any, size: tuple[float, float]) -> Any:
-    try:
-        import matplotlib.figure  # noqa: PLC0415  # optional
-    except ImportError as error:
-        raise Error("Matplotlib is not installed", "plot", "pip install matplotlib") from error
     if figure is not None:
         return figure
-    try:  # shown at the end of a notebook's cell, as figures of pyplot are
-        import matplotlib.pyplot as plt  # noqa: PLC0415
-
-        return plt.figure(figsize=size, layout="constrained")
-    except ImportError:  # no display
-        return matplotlib.figure.Figure(figsize=size, layout="constrained")
+    # Of pyplot, which shows it at the end of a notebook's cell.
+    return optional("matplotlib.pyplot").figure(figsize=size, layout="constrained")
 
 
 def _title(figure: Any, title: str, below: str = "") -> None:
@@ -126,35 +119,43 @@ def _not_flat(axes: Any) -> None:
 def plot_world(world: World, figure: Any = None) -> Any:
     """The world from the side and from above: where all are, and the paths that were traced."""
     figure = _new_figure(figure, (11, 8))
-    grid = figure.add_gridspec(2, 1)
-    side = _axes(figure, grid[0], "from the side", "downrange x [m]")
-    above = _axes(figure, grid[1], "from above (to the right is down)", "downrange x [m]")
+    wall = np.concatenate(world._wall) if world._wall else np.empty((0, 3))
+    grid = figure.add_gridspec(2, 3)
+    side = _axes(figure, grid[0, :], "from the side", "downrange x [m]")
+    above = _axes(figure, grid[1, :2] if len(wall) else grid[1, :], "from above (to the right is down)", "downrange x [m]")
     side.set_ylabel("height y [m]", fontsize=9)
     above.set_ylabel("right z [m]", fontsize=9)
     above.invert_yaxis()
     for path in _paths_of(world):
-        side.plot(path[:, 0], path[:, 1], color=BLUE, linewidth=0.6, alpha=0.6)
-        above.plot(path[:, 0], path[:, 2], color=BLUE, linewidth=0.6, alpha=0.6)
-    positions = world.positions()
-    if len(positions):
-        side.plot(positions[:, 0], positions[:, 1], ".", color=BLUE, markersize=4)
-        above.plot(positions[:, 0], positions[:, 2], ".", color=BLUE, markersize=4)
-    hits = world.hits if world._core.is_run else world.events
-    if hits.size and "thing" in hits:
-        side.plot(hits.position[:, 0], hits.position[:, 1], "x", color=ORANGE, markersize=5)
-        above.plot(hits.position[:, 0], hits.position[:, 2], "x", color=ORANGE, markersize=5)
+        side.plot(path[:, 0], path[:, 1], color=BLUE, linewidth=0.7, alpha=0.6)
+        above.plot(path[:, 0], path[:, 2], color=BLUE, linewidth=0.7, alpha=0.6)
+    for places, mark, colour in ((world.positions(), ".", BLUE), (world.hits.position, "x", ORANGE), (wall, ".", BLUE)):
+        side.plot(places[:, 0], places[:, 1], mark, color=colour, markersize=4)
+        above.plot(places[:, 0], places[:, 2], mark, color=colour, markersize=4)
+    ground = world._core.ground
+    if ground is not None:
+        low, high = side.get_ylim()
+        if low - (high - low) < ground < high:
+            side.axhline(ground, color="#a0989a", linewidth=1.5)
+    if len(wall):
+        hits = _axes(figure, grid[1, 2], "hits on the wall, to scale", "right z [m]")
+        hits.plot(wall[:, 2], wall[:, 1], ".", color=BLUE, markersize=4)
+        hits.set_ylabel("height y [m]", fontsize=9)
+        hits.set_aspect("equal", adjustable="datalim")
     title = world._setup.title or "World"
     _title(figure, title, f"{len(world)} projectiles at {world.time:.4g} s")
     return figure
 
 
 def _paths_of(world: World) -> list[Any]:
-    """Paths by projectile, of what trace() kept."""
-    kept: dict[int, list[Any]] = {}
-    for _, ids, positions in world._trace or ():
-        for id, position in zip(ids.tolist(), positions):
-            kept.setdefault(id, []).append(position)
-    return [np.array(path) for path in kept.values() if len(path) > 1]
+    """Paths by projectile, in order of time, of what trace() kept."""
+    trace = [part for part in world._trace or () if len(part[1])]
+    if not trace:
+        return []
+    times, ids, places = (np.concatenate([part[i] for part in trace]) for i in range(3))
+    order = np.lexsort((times, ids))
+    ids, places = ids[order], places[order]
+    return [path for path in np.split(places, np.flatnonzero(np.diff(ids)) + 1) if len(path) > 1]
 
 
 # ------------------------------------------------------------------------------------------------------------- studies
@@ -178,7 +179,7 @@ def plot_study(result: StudyResult, figure: Any = None) -> Any:
 
 
 def _impacts(figure: Any, place: Any, result: StudyResult, quantities: Sequence[str]) -> None:
-    from matplotlib import patches  # noqa: PLC0415
+    patches = optional("matplotlib.patches")
 
     study = result.study
     shots = study.samples(0)

@@ -51,7 +51,7 @@ class _Settled:
 
     def get(self, path: str) -> str:
         """The value of a setting as text in SI: get("shot.mass") == "0.0109 kg"."""
-        all_settings = self._setup.settings()
+        all_settings: dict[str, str] = self._setup.settings()
         if path in all_settings:
             return all_settings[path]
         path = path_of(path)
@@ -361,8 +361,8 @@ class Shot(_Settled):
         arc: "low", "high" or "both"; tolerance: a path that passes so near hits it [m]; ground: height of ground that
         stops the shot [m]; time: longest time of flight [s].
         """
-        vectors = [[float(each) for each in vector] for vector in (position, velocity, acceleration)]
-        return Aim(_core.aim(self._setup, "", *vectors, arc, tolerance, ground, time), self)
+        target, moving, turning = ([float(each) for each in v] for v in (position, velocity, acceleration))
+        return Aim(_core.aim(self._setup, "", target, moving, turning, arc, tolerance, ground, time), self)
 
     def max_range(self, *, ground: float = 0.0, slope: float = 0.0, time: float = 3600.0) -> Record:
         """The bore elevation that carries farthest: elevation [rad], range [m], time [s], position, velocity."""
@@ -383,11 +383,15 @@ class Shot(_Settled):
         """Fits its drag, and its muzzle speed too where asked, to what was measured at ranges [m]: speed [m/s], drop
         (above the line of sight, below it negative) [m], time of flight [s]. NaN: not measured there."""
         at = numbers(ranges, "ranges")
-        figures = [None if c is None else numbers(c, n) for n, c in (("speed", speed), ("drop", drop), ("time", time))]
-        for name, column in zip(("speed", "drop", "time"), figures):
+        given = {"speed": speed, "drop": drop, "time": time}
+        figures = {name: None if column is None else numbers(column, name) for name, column in given.items()}
+        for name, column in figures.items():
             if column is not None and len(column) != len(at):
                 raise Error(f"found {len(column)} numbers", name, f"expected {len(at)}, one for each range")
-        answer, setup = _core.fit(self._setup, "", at, *figures, muzzle_speed, speed_error, drop_error, time_error)
+        answer, setup = _core.fit(
+            self._setup, "", at, figures["speed"], figures["drop"], figures["time"],
+            muzzle_speed, speed_error, drop_error, time_error,
+        )  # fmt: skip
         names = ("measurement", "quantity", "measured", "computed")
         rows = answer.pop("residuals")
         residuals = Columns({name: np.array([row[i] for row in rows]) for i, name in enumerate(names)})

@@ -110,9 +110,9 @@ class Settings(Mapping[str, Setting]):
 
     def to_frame(self) -> Any:
         """A pandas DataFrame with a row for each."""
-        import pandas  # noqa: PLC0415  # optional
+        from ._table import optional  # noqa: PLC0415
 
-        return pandas.DataFrame([vars(row) for row in self._rows.values()]).set_index("path")
+        return optional("pandas").DataFrame([vars(row) for row in self._rows.values()]).set_index("path")
 
     def __repr__(self) -> str:
         return "\n".join(f"{row.path}: {row.describe()}" for row in self._rows.values())

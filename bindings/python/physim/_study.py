@@ -113,8 +113,8 @@ class Study:
         if inputs is not None:
             changes["study.inputs"] = _inputs(inputs)
         if targets is not None:
-            named = isinstance(targets, Mapping)
-            changes["study.targets"] = [f"{n}: {t}" for n, t in targets.items()] if named else list(targets)
+            named = targets.items() if isinstance(targets, Mapping) else ()
+            changes["study.targets"] = [f"{name}: {target}" for name, target in named] or list(targets)
         if range is not None:
             changes["until.range"] = range
         setup = of._setup

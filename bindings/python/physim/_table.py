@@ -3,13 +3,24 @@
 from __future__ import annotations
 
 import html
+import importlib
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
+from ._errors import Error
+
 _SHOWN = 12  # rows of a table in a notebook or a terminal
+
+
+def optional(name: str) -> Any:
+    """A package that may be missing."""
+    try:
+        return importlib.import_module(name)
+    except ImportError as error:
+        raise Error(f"{name} is not installed", name, f"pip install {name}") from error
 
 
 def _text(value: Any) -> str:
@@ -73,8 +84,7 @@ class Columns(Mapping[str, NDArray[Any]]):
 
     def to_frame(self) -> Any:
         """A pandas DataFrame; vectors become three columns: position_x, position_y, position_z."""
-        import pandas  # noqa: PLC0415  # optional
-
+        pandas = optional("pandas")
         flat: dict[str, Any] = {}
         for name, column in self._columns.items():
             if column.ndim == 1:
@@ -114,6 +124,9 @@ class Record:
 
     def __init__(self, values: Mapping[str, Any]) -> None:
         self.__dict__.update(values)
+
+    def __getitem__(self, name: str) -> Any:
+        return self.as_dict()[name]
 
     def as_dict(self) -> dict[str, Any]:
         return {name: value for name, value in self.__dict__.items() if not name.startswith("_")}

@@ -201,7 +201,7 @@ class Scene:
 
     def overlaps(self, middle: Sequence[float], radius: float, *, time: float = 0.0) -> Ids:
         """Ids of the things that a sphere touches."""
-        return self._scene.overlaps(_vector(middle), radius, time)
+        return np.asarray(self._scene.overlaps(_vector(middle), radius, time))
 
     def __len__(self) -> int:
         return self._scene.size
@@ -239,7 +239,8 @@ class World:
         self._emitters: dict[str, tuple[dict[str, Any], int]] = {}
         self._functions: list[Any] = []
         self._on_hit: Any = None
-        self._trace: list[tuple[float, Ids, NDArray[np.float64]]] | None = None
+        self._trace: list[tuple[NDArray[np.float64], Ids, NDArray[np.float64]]] | None = None
+        self._wall: list[NDArray[np.float64]] = []
 
     @classmethod
     def _of(cls, setup: _core.Setup, core: _core.World) -> World:
@@ -317,7 +318,7 @@ class World:
         if n < 0:
             raise Error("must not be negative", "count")
         inputs = {name: np.full(n, column) if column.ndim == 0 else column for name, column in given.items()}
-        return self._core.spawn(shot._setup, "", inputs, n, delay, errors == "raise", asks)
+        return np.asarray(self._core.spawn(shot._setup, "", inputs, n, delay, errors == "raise", asks))
 
     def despawn(self, ids: ArrayLike | None = None) -> int:
         """Takes projectiles out, all without ids; returns how many were there."""
@@ -326,7 +327,7 @@ class World:
     @property
     def ids(self) -> Ids:
         """Of all that are alive, by index."""
-        return self._core.ids()
+        return np.asarray(self._core.ids())
 
     def __len__(self) -> int:
         return self._core.size
@@ -344,15 +345,15 @@ class World:
     def positions(self, ids: ArrayLike | None = None, *, out: NDArray[Any] | None = None) -> NDArray[Any]:
         """Rows of x, y, z [m], of all alive in the order of `ids`, or of some. With `out` they are written into the
         first rows of that array, of float64 or float32, with any strides; what cannot be written is an error."""
-        return self._core.positions(_ids(ids), out)
+        return np.asarray(self._core.positions(_ids(ids), out))
 
     def velocities(self, ids: ArrayLike | None = None, *, out: NDArray[Any] | None = None) -> NDArray[Any]:
         """Rows of vx, vy, vz [m/s], as `positions()`."""
-        return self._core.velocities(_ids(ids), out)
+        return np.asarray(self._core.velocities(_ids(ids), out))
 
     def render_positions(self, ids: ArrayLike | None = None, *, out: NDArray[Any] | None = None) -> NDArray[Any]:
         """Places to draw them at, between steps of `advance()`, as `positions()`."""
-        return self._core.render_positions(_ids(ids), out)
+        return np.asarray(self._core.render_positions(_ids(ids), out))
 
     def state(self) -> Columns:
         """Ids, positions and velocities of all alive."""
@@ -372,6 +373,11 @@ class World:
     def hits(self) -> Columns:
         """On things, of the last `step()` of a scenario's world: thing, outcome, depth, energy and more."""
         return Columns(self._core.hits(), _UNITS)
+
+    @property
+    def wall_hits(self) -> Columns:
+        """On the wall (world.wall), of the last `step()` of a scenario's world: time, id, position, velocity."""
+        return Columns(self._core.wall_hits(), _UNITS)
 
     @property
     def groups(self) -> dict[str, Record]:
@@ -577,13 +583,18 @@ class World:
     # ------------------------------------------------------------------------------------------------------ pictures
     def trace(self, on: bool = True) -> None:
         """Keeps the places of all after each step from now on, for `plot()`."""
-        self._trace = [] if on else None
+        self._trace, self._wall = [] if on else None, []
         self._note()
 
     def _note(self) -> None:
-        if self._trace is not None:
-            state = self._core.state()
-            self._trace.append((self.time, state["id"], state["position"]))
+        if self._trace is None:
+            return
+        state, events, wall = self._core.state(), self._core.events(), self._core.wall_hits()
+        seen = events["kind"] != _core.names("event").index("retired")  # they are taken out where nothing is seen
+        self._trace.append((events["time"][seen], events["id"][seen], events["position"][seen]))
+        self._trace.append((wall["time"], wall["id"], wall["position"]))  # corners between steps
+        self._trace.append((np.full(len(state["id"]), self.time), state["id"], state["position"]))
+        self._wall.append(wall["position"])
 
     def plot(self, figure: Any = None) -> Any:
         """A Matplotlib figure: the world from the side and from above, with the paths that `trace()` kept."""

@@ -6,6 +6,13 @@
 #include <mutex>
 
 namespace physim::python {
+
+void set_exception(const Error& error) {
+  const nb::object type = nb::module_::import_("physim._errors").attr("Error");
+  const nb::object made = type(error.message, error.place, error.hint);
+  PyErr_SetObject(type.ptr(), made.ptr());
+}
+
 namespace {
 
 using AnyArray = nb::ndarray<nb::device::cpu>;  // no const: read-only arrays are no outputs

@@ -30,6 +30,8 @@ using namespace nb::literals;
 struct Failure {
   Error error;
 };
+/// Makes it the exception that Python raises next.
+void set_exception(const Error& error);
 [[noreturn]] inline void fail(Error error) { throw Failure{std::move(error)}; }
 [[noreturn]] inline void fail(std::string message, std::string place, std::string hint = {}) {
   throw Failure{{std::move(message), std::move(place), std::move(hint)}};
@@ -178,10 +180,17 @@ class Function {
     const nb::gil_scoped_acquire lock;
     try {
       work(shared_->function);
+      return;
     } catch (nb::python_error& error) {
-      if (!shared_->raised) shared_->raised = std::make_unique<nb::python_error>(std::move(error));
-      throw Stopped();
+      keep(std::move(error));
+    } catch (const Failure& failure) {
+      set_exception(failure.error);
+      keep(nb::python_error());
+    } catch (const std::exception& error) {  // a conversion that failed
+      PyErr_SetString(PyExc_ValueError, error.what());
+      keep(nb::python_error());
     }
+    throw Stopped();
   }
   /// Raises what was kept. The interpreter's lock is held.
   void raise_kept() const;
@@ -189,6 +198,9 @@ class Function {
 
  private:
   struct Stopped {};
+  void keep(nb::python_error&& error) const {
+    if (!shared_->raised) shared_->raised = std::make_unique<nb::python_error>(std::move(error));
+  }
   struct Shared {
     nb::object function;
     std::unique_ptr<nb::python_error> raised;

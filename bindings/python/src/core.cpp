@@ -4,18 +4,11 @@
 namespace physim::python {
 namespace {
 
-/// Raises physim.Error with the parts of an error.
-void raise(const Error& error) {
-  const nb::object type = nb::module_::import_("physim._errors").attr("Error");
-  const nb::object made = type(error.message, error.place, error.hint);
-  PyErr_SetObject(type.ptr(), made.ptr());
-}
-
 void translate(const std::exception_ptr& thrown, void*) {
   try {
     std::rethrow_exception(thrown);
   } catch (const Failure& failure) {
-    raise(failure.error);
+    set_exception(failure.error);
   }
 }
 

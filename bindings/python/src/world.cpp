@@ -52,7 +52,9 @@ void PyWorld::raise_kept() {
 void PyWorld::take_events() {
   const std::span<const Event> news = (run_ ? std::as_const(*run_).world() : std::as_const(*own_)).events();
   events_.insert(events_.end(), news.begin(), news.end());
-  if (run_) hits_.insert(hits_.end(), run_->thing_hits().begin(), run_->thing_hits().end());
+  if (!run_) return;
+  hits_.insert(hits_.end(), run_->thing_hits().begin(), run_->thing_hits().end());
+  wall_hits_.insert(wall_hits_.end(), run_->hits().begin(), run_->hits().end());
 }
 
 void PyWorld::step(std::size_t count, std::optional<double> dt) {
@@ -577,6 +579,25 @@ void add_reads(nb::class_<PyWorld>& c) {
           "call_events", [](PyWorld& w) { return event_columns(w.get().events()); },
           "Of the last step and of calls since.")
       .def("hits", &hit_columns, "On things, of the last steps of a scenario's world.")
+      .def(
+          "wall_hits",
+          [](const PyWorld& w) {
+            const std::vector<WallHit>& all = w.wall_hits();
+            nb::dict out;
+            out["time"] = column_of<double>(all, [](const WallHit& h) { return h.time; });
+            out["id"] = column_of<std::uint64_t>(all, [](const WallHit& h) { return number_of(h.id); });
+            out["position"] = rows_of(all, [](const WallHit& h) { return h.position; });
+            out["velocity"] = rows_of(all, [](const WallHit& h) { return h.velocity; });
+            return out;
+          },
+          "On the wall, of the last steps of a scenario's world.")
+      .def_prop_ro(
+          "ground",
+          [](PyWorld& w) -> std::optional<double> {
+            const Ground& ground = w.get().def().ground;
+            return ground.mode == GroundMode::none ? std::nullopt : std::optional(ground.height);
+          },
+          "Its height [m], or None.")
       .def("groups", &group_tables)
       .def("particles", &particle_columns, "emitter"_a, "eye"_a.none())
       .def("projectile", &projectile_table, "id"_a)

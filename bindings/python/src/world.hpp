@@ -33,7 +33,8 @@ class PyWorld {
   int advance(double real_dt);
   [[nodiscard]] std::span<const Event> events() const { return events_; }
   [[nodiscard]] const std::vector<ThingHit>& hits() const { return hits_; }
-  void forget() { events_.clear(), hits_.clear(); }
+  [[nodiscard]] const std::vector<WallHit>& wall_hits() const { return wall_hits_; }
+  void forget() { events_.clear(), hits_.clear(), wall_hits_.clear(); }
 
   /// Keeps a function of Python, so that what it raises comes out of step().
   const Function& keep(nb::object function, const char* name);
@@ -62,6 +63,7 @@ class PyWorld {
   std::vector<Environment> environments_;
   std::vector<Event> events_;   // of the last steps
   std::vector<ThingHit> hits_;  // of the last steps of a run
+  std::vector<WallHit> wall_hits_;
   std::atomic<std::thread::id> stepping_{};
   bool is_closed_ = false;
 };
