@@ -9,6 +9,7 @@
 `physim.settings()` lists all keywords with units, ranges and defaults. The guide is docs/python.md.
 """
 
+from ._adapters import from_py_ballisticcalc, from_rocketpy
 from ._core import __version__, use_kernel
 from ._errors import Error
 from ._flight import Event, Flight, Sample
@@ -21,7 +22,7 @@ from ._world import Projectile, Scene, Snapshot, World, replay
 __all__ = [
     "Aim", "Batch", "Columns", "Comparison", "Error", "Event", "Fit", "Flight", "Projectile", "Record", "Sample",
     "Scenario", "Scene", "Setting", "Settings", "Shot", "Snapshot", "Solution", "Study", "StudyResult", "World", "__version__", "fidelities",
-    "fly", "kernels", "presets", "replay", "settings", "study_paths", "suvat", "use_kernel",
+    "fly", "from_py_ballisticcalc", "from_rocketpy", "kernels", "presets", "replay", "settings", "study_paths", "suvat", "use_kernel",
 ]  # fmt: skip
 
 
