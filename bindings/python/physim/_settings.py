@@ -172,20 +172,29 @@ def flat_paths(keywords: Mapping[str, Any]) -> dict[str, Any]:
     return {path_of(keyword): value for keyword, value in keywords.items()}
 
 
+@functools.lru_cache(maxsize=4096)
+def _place_of(keyword: str) -> tuple[bool, tuple[str, ...], str]:
+    """Whether it is in the table of the shot, the keys that lead there, and the path."""
+    path = path_of(keyword)
+    parts = tuple(path.split("."))
+    return (True, parts[1:], path) if parts[0] == "shot" else (False, parts, path)
+
+
 def tree_of(keywords: Mapping[str, Any]) -> dict[str, Any]:
     """The nested dicts of keyword arguments, with one shot: what the library reads."""
     shot: dict[str, Any] = {}
     tree: dict[str, Any] = {"physim": 1, "shot": [shot]}
-    for path, value in flat_paths(keywords).items():
-        parts = path.split(".")
-        table = tree
-        if parts[0] == "shot":
-            table, parts = shot, parts[1:]
-        _put(table, parts, value, path)
+    for keyword, value in keywords.items():
+        of_shot, parts, path = _place_of(keyword)
+        table = shot if of_shot else tree
+        if len(parts) == 1 and parts[0] not in table and not isinstance(value, dict):
+            table[parts[0]] = value
+        else:
+            _put(table, parts, value, path)
     return tree
 
 
-def _put(table: dict[str, Any], parts: list[str], value: Any, path: str) -> None:
+def _put(table: dict[str, Any], parts: tuple[str, ...], value: Any, path: str) -> None:
     for part in parts[:-1]:
         inner = table.setdefault(part, {})
         if not isinstance(inner, dict):  # fidelity="small_arms" beside fidelity_drag="off"

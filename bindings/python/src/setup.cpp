@@ -112,11 +112,27 @@ void complete(Scenario& scenario, const Value& document) {
     scenario.expect[i].place = element(document, "expect", i).place.text();
 }
 
+/// Whether a distribution may stand in the place of a number. Most trees have none, and taking them takes a while.
+bool may_be_uncertain(const Value& value, const SchemaNode* node) {
+  if (const auto* text = value.get<std::string>()) {
+    for (const std::string_view word : {"lognormal ", "one of ", "column ", "added "})
+      if (text->find(word) != text->npos) return true;
+    return text->find("+-") != text->npos || text->find("..") != text->npos;
+  }
+  const auto in = [&](const Value& inner, const SchemaNode* at) { return may_be_uncertain(inner, at); };
+  if (const Array* array = value.get<Array>())
+    return std::ranges::any_of(*array, [&](const Value& each) { return in(each, node); });
+  const Table* table = value.get<Table>();
+  if (table == nullptr) return false;
+  if (node == nullptr || node->children.empty()) return true;  // { mean, deviation }
+  return std::ranges::any_of(*table, [&](const Member& each) { return in(each.value, node->find(each.key)); });
+}
+
 /// As parse_scenario() reads the tree of a text. Distributions in the tree become inputs of its study.
 Scenario scenario_of(Value& document, const std::string& file) {
   const IeeeMode mode;
   const FilesInUse in_use;
-  taken(take_distributions(document, file));
+  if (may_be_uncertain(document, &schema())) taken(take_distributions(document, file));
   Scenario scenario;
   scenario.file = file;
   std::int64_t format = 1;
