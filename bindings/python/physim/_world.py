@@ -381,7 +381,9 @@ class World:
 
     @property
     def groups(self) -> dict[str, Record]:
-        """Of a scenario's world: what was counted of each shot, volley and emitter, by name."""
+        """Of a scenario's world: what was counted of each shot, volley and emitter, by name; none of others."""
+        if not self._core.is_run:
+            return {}
         return {row["name"]: Record(row) for row in self._core.groups()}
 
     @property

@@ -2,8 +2,11 @@
 
 #include <unistd.h>
 
+#include <atomic>
+#include <chrono>
 #include <map>
 #include <mutex>
+#include <thread>
 
 namespace physim::python {
 
@@ -59,6 +62,46 @@ OutputRows::OutputRows(nb::handle object, const std::string& name) : kept_(nb::b
   data_ = array.data();
   size_ = array.shape(0);
   strides_[0] = array.stride(0), strides_[1] = array.stride(1);
+}
+
+// ------------------------------------------------------------------------------------------------------------- threads
+namespace {
+
+struct Ending {
+  std::atomic<bool> has_begun{false};
+  std::atomic<int> acquiring{0};  // threads that wait for the interpreter, or have just got it
+  std::atomic<std::thread::id> by{};
+};
+Ending& ending() {
+  static Ending* const one = new Ending;  // threads may outlive the end of main()
+  return *one;
+}
+
+}  // namespace
+
+bool Released::is_over() { return ending().has_begun && ending().by.load() != std::this_thread::get_id(); }
+
+Released::~Released() {
+  ++ending().acquiring;
+  if (is_over()) {
+    --ending().acquiring;
+    for (;;) std::this_thread::sleep_for(std::chrono::hours(1));
+  }
+  PyEval_RestoreThread(state_);
+  --ending().acquiring;
+}
+
+void Released::wait_for_the_end(nb::module_& module) {
+  module.def("_end", [] {
+    ending().by = std::this_thread::get_id();
+    ending().has_begun = true;
+    while (ending().acquiring > 0) {  // those that are past their question get the interpreter now
+      PyThreadState* const state = PyEval_SaveThread();
+      std::this_thread::sleep_for(std::chrono::milliseconds(1));
+      PyEval_RestoreThread(state);
+    }
+  });
+  nb::module_::import_("atexit").attr("register")(module.attr("_end"));
 }
 
 // ---------------------------------------------------------------------------------------------------------- functions

@@ -165,6 +165,25 @@ template <class Id>
 }
 using Ids = nb::ndarray<const std::uint64_t, nb::ndim<1>, nb::c_contig, nb::device::cpu>;
 
+// ------------------------------------------------------------------------------------------------------------- threads
+/// Lets other threads of Python run while it lives. When the interpreter ends, threads that are still in here wait for
+/// the end of the process: Python would end them in the middle of functions of C++, which aborts.
+class Released {
+ public:
+  Released() : state_(PyEval_SaveThread()) {}
+  ~Released();
+  Released(const Released&) = delete;
+  Released& operator=(const Released&) = delete;
+
+  /// Whether the interpreter has begun to end, and another thread than this one ends it.
+  [[nodiscard]] static bool is_over();
+  /// To be called once, by the module.
+  static void wait_for_the_end(nb::module_& module);
+
+ private:
+  PyThreadState* state_;
+};
+
 // ---------------------------------------------------------------------------------------------------------- functions
 /// A function of Python that the library calls, from any thread. What it raises is kept, and raised again when the call
 /// of the library is over.
@@ -176,7 +195,7 @@ class Function {
   /// Calls `work` with the interpreter's lock; an exception is kept and told to the library by a C++ exception.
   template <class Work>
   void call(const Work& work) const {
-    if (!Py_IsInitialized()) throw Stopped();
+    if (!Py_IsInitialized() || Released::is_over()) throw Stopped();
     const nb::gil_scoped_acquire lock;
     try {
       work(shared_->function);

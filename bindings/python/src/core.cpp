@@ -22,6 +22,7 @@ NB_MODULE(_core, m) {
   nb::set_leak_warnings(false);  // objects that live when the interpreter ends are no mistake
   m.attr("__version__") = physim::kVersion;
   m.def("use_kernel", &physim::use_kernel, "name"_a, "Chooses the instruction set; \"\" chooses the best.");
+  Released::wait_for_the_end(m);
   add_setup(m);
   add_flight(m);
   add_solve(m);

@@ -88,7 +88,7 @@ namespace {
 Flight fly_setup(const Setup& setup, const std::string& name) {
   const ScenarioShot& shot = setup.shot(name);
   Flight flight = [&] {
-    const nb::gil_scoped_release free;
+    const Released free;
     return setup.scene ? fly_shot(setup.scenario, shot, *setup.scene) : fly_shot(setup.scenario, shot);
   }();
   setup.raise_kept();
@@ -134,7 +134,7 @@ nb::dict sample_columns(const std::vector<Sample>& all, bool turning) {
 nb::dict at_times(const Flight& flight, const Numbers& times) {
   std::vector<Sample> all(times.size());
   {
-    const nb::gil_scoped_release free;
+    const Released free;
     for (std::size_t i = 0; i < all.size(); ++i) all[i] = flight.at(times.data()[i]);
   }
   return sample_columns(all, turns(flight.fidelity_in_use().fidelity));
@@ -144,7 +144,7 @@ nb::dict at_times(const Flight& flight, const Numbers& times) {
 nb::dict drawn_samples(const Flight& flight, std::size_t count) {
   std::vector<Sample> all;
   {
-    const nb::gil_scoped_release free;
+    const Released free;
     report::Times times;
     const double parts = static_cast<double>(std::max<std::size_t>(count, 2) - 1);
     for (std::size_t i = 0; i <= static_cast<std::size_t>(parts); ++i)
@@ -159,7 +159,7 @@ nb::dict at_ranges(const Flight& flight, const Numbers& ranges) {
   const double nan = std::numeric_limits<double>::quiet_NaN();
   std::vector<Sample> all(ranges.size());
   {
-    const nb::gil_scoped_release free;
+    const Released free;
     const Vec3d none{nan, nan, nan};
     for (std::size_t i = 0; i < all.size(); ++i) {
       const Result<Sample> found = flight.at_range(ranges.data()[i]);
@@ -290,7 +290,7 @@ nb::dict fly_batch_columns(const Setup& setup, const std::string& name, const nb
   const Until until = setup.until(shot);
   ColumnsResult result;
   {
-    const nb::gil_scoped_release free;
+    const Released free;
     const Threads pool(threads);
     result = fly_columns(projectile, in.launches, setup.scenario.environment, projectile.fidelity,
                          setup.scenario.tolerance, until, into, pool.runner(), in.weather);
@@ -333,7 +333,7 @@ nb::dict range_card(const Setup& setup, const std::string& name, const std::vect
   report::Records records;
   std::optional<report::Card> card;
   {
-    const nb::gil_scoped_release free;
+    const Released free;
     card = taken(report::make_card(asked, wishes));
     records = report::records_of(*card);
   }

@@ -31,7 +31,7 @@ nb::dict first_hits(const Scene& scene, const Triples& from, const Triples& to, 
     segments[i] = {{from(i, 0), from(i, 1), from(i, 2)}, {to(i, 0), to(i, 1), to(i, 2)}, radius, time, duration};
   std::vector<SceneHit> hits(count);
   {
-    const nb::gil_scoped_release free;
+    const Released free;
     const Threads pool(threads);
     scene.first_hits(segments, hits, {layers, sensors}, pool.runner());
   }

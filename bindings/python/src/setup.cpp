@@ -38,7 +38,7 @@ class PythonReader {
     Table members;
     for (const auto& [key, each] : nb::borrow<nb::dict>(object)) {
       if (!nb::isinstance<nb::str>(key)) fail("a key is no text", path);
-      const std::string name = nb::cast<std::string>(key);
+      const std::string name = text_of(key, path);
       const std::string below = path.empty() ? name : path + "." + name;
       const SchemaNode* child = node != nullptr ? node->find(name) : nullptr;
       members.push_back({name, {std::make_shared<const std::string>(below), 0, 0}, read(each, child, below)});
@@ -51,7 +51,7 @@ class PythonReader {
     if (PyBool_Check(o)) return o == Py_True;
     if (PyLong_Check(o)) return whole(object, path);
     if (PyFloat_Check(o)) return PyFloat_AsDouble(o);
-    if (PyUnicode_Check(o)) return nb::cast<std::string>(object);
+    if (PyUnicode_Check(o)) return text_of(object, path);
     if (object.is_none()) return absent(node, path);
     if (PyList_Check(o) || PyTuple_Check(o)) return list(object, node, path);
     if (nb::hasattr(object, "to") && nb::hasattr(object, "magnitude"))  // a quantity of pint
@@ -65,6 +65,16 @@ class PythonReader {
     const std::string type = nb::cast<std::string>(object.type().attr("__name__"));
     fail("found an object of type " + type, path,
          "expected a number, a text with a unit, a list, a dict or a quantity of pint");
+  }
+
+  [[nodiscard]] static std::string text_of(nb::handle object, const std::string& path) {
+    Py_ssize_t size = 0;
+    const char* const text = PyUnicode_AsUTF8AndSize(object.ptr(), &size);
+    if (text == nullptr) {
+      PyErr_Clear();
+      fail("the text is not UTF-8", path);
+    }
+    return {text, static_cast<std::size_t>(size)};
   }
 
   [[nodiscard]] static Content whole(nb::handle object, const std::string& path) {

@@ -22,7 +22,7 @@ struct Asked {
   template <class Work>
   auto run(const Work& work) const {
     auto result = [&] {
-      const nb::gil_scoped_release free;
+      const Released free;
       return work();
     }();
     setup.raise_kept();

@@ -33,7 +33,7 @@ std::unique_ptr<PyStudy> make_study(SetupPtr setup, const std::string& shot, dou
   Study study = taken(study_of(setup->scenario, setup->shot(shot)));
   study.until_width = width_of(study, until_width);
   StudyPlan plan = [&] {
-    const nb::gil_scoped_release free;
+    const Released free;
     return taken(plan_study(study));
   }();
   setup->raise_kept();
@@ -220,7 +220,7 @@ nb::bytes run_part(const PyStudy& s, std::uint64_t first, std::uint64_t count, c
     };
   }
   StudyPart part = [&] {
-    const nb::gil_scoped_release free;
+    const Released free;
     const Threads pool(threads);
     return taken(run_shards(s.plan, first, count, pool.runner(), options));
   }();
@@ -248,7 +248,7 @@ nb::tuple run_all(const PyStudy& s, const nb::bytes& so_far, unsigned threads, c
     return goes_on;
   };
   StudyResult result = [&] {
-    const nb::gil_scoped_release free;
+    const Released free;
     const Threads pool(threads);
     return taken(run_study(s.plan, pool.runner(), options));
   }();
@@ -313,7 +313,7 @@ void add_study(nb::module_& m) {
           "shots",
           [](const PyStudy& s, std::uint64_t shard) {
             const StudyShots shots = [&] {
-              const nb::gil_scoped_release free;
+              const Released free;
               return fly_shots_of(s.plan, shard);
             }();
             s.setup->raise_kept();

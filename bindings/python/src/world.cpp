@@ -1,6 +1,7 @@
 #include "world.hpp"
 
 #include <algorithm>
+#include <chrono>
 
 #include "base/ieee_mode.hpp"
 #include "flight/zero.hpp"
@@ -63,16 +64,21 @@ void PyWorld::step(std::size_t count, std::optional<double> dt) {
   if (stepping_.load() != std::thread::id()) fail("a world cannot be stepped inside its own step", "world");
   forget();
   Status status;
-  {
+  using Clock = std::chrono::steady_clock;
+  for (std::size_t i = 0; i < count && status && !has_raised();) {
     const Stepping stepping(*this);
-    const nb::gil_scoped_release free;
-    for (std::size_t i = 0; i < count && status && !has_raised(); ++i) {
-      if (run_)
-        run_->step();
-      else
-        status = world.step(dt.value_or(world.def().step));
-      if (status) take_events();
+    {
+      const Released free;
+      const auto until = Clock::now() + std::chrono::milliseconds(100);
+      for (; i < count && status && !has_raised() && Clock::now() < until; ++i) {
+        if (run_)
+          run_->step();
+        else
+          status = world.step(dt.value_or(world.def().step));
+        if (status) take_events();
+      }
     }
+    if (!has_raised() && PyErr_CheckSignals() != 0) throw nb::python_error();  // Ctrl-C
   }
   raise_kept();
   taken(status);
@@ -86,7 +92,7 @@ int PyWorld::advance(double real_dt) {
   int steps = 0;
   {
     const Stepping stepping(*this);
-    const nb::gil_scoped_release free;
+    const Released free;
     steps = world.advance(real_dt);
     take_events();
   }
@@ -141,7 +147,7 @@ std::unique_ptr<PyWorld> make_world(SetupPtr setup) {
 /// The scenario with its functions, which no text has.
 std::unique_ptr<PyWorld> run_world(SetupPtr setup, const std::string& recording) {
   WorldRun run = [&] {
-    const nb::gil_scoped_release free;
+    const Released free;
     return taken(WorldRun::create(setup->scenario, recording));
   }();
   setup->raise_kept();
@@ -519,7 +525,7 @@ std::unique_ptr<PyWorld> load_world(SetupPtr setup, const nb::bytes& save, bool 
 nb::dict replay_file(const std::string& file) {
   const std::vector<std::byte> bytes = taken(load_recording(file));
   const ReplayReport r = [&] {
-    const nb::gil_scoped_release free;
+    const Released free;
     return taken(replay(bytes));
   }();
   nb::dict out;
