@@ -2,7 +2,7 @@
 
     python bench/python/peers.py [--quick] [--markdown]
 
-Prints medians of many runs, one package after the other in turns, with the error that each reaches beside its time: the
+Prints medians of many runs in CPU time, one package after the other in turns, with the error that each reaches beside its time: the
 distance of the drop at 1000 m from what the same package's models give at its finest steps. Versions that the figures of
 docs/benchmarks.md are of are pinned below; others are told. Packages that are missing are left out.
 """
@@ -53,15 +53,15 @@ def measure(rows: list[Row], seconds: float, rounds: int) -> None:
     counts = {}
     for row in rows:
         row.work()
-        start = time.perf_counter()
+        start = time.process_time()
         row.work()
-        counts[row.name] = max(1, int(seconds / rounds / max(1e-7, time.perf_counter() - start)))
+        counts[row.name] = max(1, int(seconds / rounds / max(1e-7, time.process_time() - start)))
     for _ in range(rounds):
         for row in rows:
-            start = time.perf_counter()
+            start = time.process_time()
             for _ in range(counts[row.name]):
                 row.work()
-            row.times.append((time.perf_counter() - start) / counts[row.name] / row.shots)
+            row.times.append((time.process_time() - start) / counts[row.name] / row.shots)
 
 
 # -------------------------------------------------------------------------------------------------------- the packages

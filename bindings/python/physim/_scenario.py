@@ -342,8 +342,10 @@ class Shot(_Settled):
         wanted = [] if ranges is None else _ranges(ranges)
         if ranges is None and not self._setup.ranges:
             raise Error("the shot has no range to show", "ranges", "give ranges=[100, 200, 300]")
-        speeds = [_number(wind, "environment.wind.velocity") for wind in winds]
-        return Columns(_core.range_card(self._setup, "", wanted, speeds, units == "customary"))
+        blown = list(winds)
+        labels = [wind if isinstance(wind, str) else f"{wind} m/s" for wind in blown]
+        speeds = [_number(wind, "environment.wind.velocity") for wind in blown]
+        return Columns(_core.range_card(self._setup, "", wanted, labels, speeds, units == "customary"))
 
     def aim(
         self,
@@ -432,7 +434,8 @@ class Shot(_Settled):
         return Study(self, **options)
 
     def __repr__(self) -> str:
-        given = [f"{path.removeprefix('shot.').replace('.', '_')}={text!r}" for path, text in self._given()]
+        said = [(path, text) for path, text in self._given() if path not in ("source", "expect", "output.ranges")]
+        given = [f"{path.removeprefix('shot.').replace('.', '_')}={text!r}" for path, text in said]
         return f"Shot({', '.join(given)})"
 
 

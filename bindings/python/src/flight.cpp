@@ -6,7 +6,6 @@
 
 #include "report/range_card.hpp"
 #include "report_table.hpp"
-#include "settings/units.hpp"
 #include "setup.hpp"
 
 namespace physim::python {
@@ -320,7 +319,8 @@ std::vector<std::string> names_in(const Row (&rows)[n]) {
 
 // --------------------------------------------------------------------------------------------------------- range cards
 nb::dict range_card(const Setup& setup, const std::string& name, const std::vector<double>& ranges,
-                    const std::vector<double>& winds, bool customary) {
+                    const std::vector<std::string>& labels, const std::vector<double>& winds, bool customary) {
+  if (labels.size() != winds.size()) fail("has no label for each wind", "winds");
   report::AskedShot asked{setup.scenario, 0};
   asked.scenario.things.clear();
   if (!ranges.empty()) asked.scenario.ranges = ranges;
@@ -329,7 +329,7 @@ nb::dict range_card(const Setup& setup, const std::string& name, const std::vect
   report::CardWishes wishes;
   if (customary) wishes.units = report::kCustomary;
   wishes.scenario_ranges = !customary || !ranges.empty();
-  for (const double wind : winds) wishes.winds.push_back({quantity_text(wind, Quantity::speed), wind});
+  for (std::size_t i = 0; i < winds.size(); ++i) wishes.winds.push_back({labels[i], winds[i]});
   report::Records records;
   std::optional<report::Card> card;
   {
@@ -426,7 +426,7 @@ void add_flight(nb::module_& m) {
     return names;
   });
   m.def("batch_outputs", [] { return names_in(kEndNames); });
-  m.def("range_card", &range_card, "setup"_a, "shot"_a, "ranges"_a, "winds"_a, "customary"_a,
+  m.def("range_card", &range_card, "setup"_a, "shot"_a, "ranges"_a, "labels"_a, "winds"_a, "customary"_a,
         "A range card as columns.");
   m.def("names", [](const std::string& of) {
     const auto list = [](auto names) { return std::vector<std::string>(names.begin(), names.end()); };

@@ -92,6 +92,16 @@ def fresh(study):
     return copy
 
 
+def test_dask_gives_equal_bits(study):
+    """Each task has the numbers of its shards, so that none of them is taken for another."""
+    distributed = pytest.importorskip("distributed")
+    expected = figures(study.run(threads=1))
+    study.so_far = b""
+    options = {"n_workers": 2, "threads_per_worker": 1, "host": "127.0.0.1", "dashboard_address": None}
+    with distributed.LocalCluster(**options) as cluster, distributed.Client(cluster) as client:
+        assert figures(study.run(client.get_executor(pure=False), shards_per_task=1)) == expected
+
+
 def test_a_child_of_fork_flies(study, level):
     """Threads of the parent are not there in a child that fork() made."""
     expected = level.batch(speed=np.full(5000, 800.0), threads=2).time[0]
