@@ -1,0 +1,486 @@
+#include "setup.hpp"
+
+#include <algorithm>
+
+#include "base/ieee_mode.hpp"
+#include "scenario/checks.hpp"
+#include "scenario/files_in_use.hpp"
+#include "scenario/in_place.hpp"
+#include "scenario/notes.hpp"
+#include "scenario/overrides.hpp"
+#include "scenario/reader.hpp"
+#include "scenario/schema.hpp"
+#include "scenario/suggest.hpp"
+#include "scenario/units.hpp"
+#include "scenario/writer.hpp"
+
+namespace physim::python {
+namespace {
+
+// -------------------------------------------------------------------------------------------------- values from Python
+/// Reads a tree of Python's objects as the tree of a file; each value knows the path of its setting.
+class PythonReader {
+ public:
+  [[nodiscard]] Value read(nb::handle object, const SchemaNode* node, const std::string& path) const {
+    Value value;
+    value.place = {std::make_shared<const std::string>(path), 0, 0};
+    if (nb::isinstance<nb::dict>(object))
+      value.content = table(object, node, path);
+    else
+      value.content = content(object, node, path);
+    return value;
+  }
+
+ private:
+  using Content = decltype(Value::content);
+
+  [[nodiscard]] Table table(nb::handle object, const SchemaNode* node, const std::string& path) const {
+    Table members;
+    for (const auto& [key, each] : nb::borrow<nb::dict>(object)) {
+      if (!nb::isinstance<nb::str>(key)) fail("a key is no text", path);
+      const std::string name = text_of(key, path);
+      const std::string below = path.empty() ? name : path + "." + name;
+      const SchemaNode* child = node != nullptr ? node->find(name) : nullptr;
+      members.push_back({name, {std::make_shared<const std::string>(below), 0, 0}, read(each, child, below)});
+    }
+    return members;
+  }
+
+  [[nodiscard]] Content content(nb::handle object, const SchemaNode* node, const std::string& path) const {
+    PyObject* const o = object.ptr();
+    if (PyBool_Check(o)) return o == Py_True;
+    if (PyLong_Check(o)) return whole(object, path);
+    if (PyFloat_Check(o)) return PyFloat_AsDouble(o);
+    if (PyUnicode_Check(o)) return text_of(object, path);
+    if (object.is_none()) return absent(node, path);
+    if (PyList_Check(o) || PyTuple_Check(o)) return list(object, node, path);
+    if (nb::hasattr(object, "to") && nb::hasattr(object, "magnitude"))  // a quantity of pint
+      return content(in_si(object, node, path), node, path);
+    if (nb::hasattr(object, "tolist")) return content(object.attr("tolist")(), node, path);  // of NumPy and pandas
+    if (nb::hasattr(object, "__fspath__")) return nb::cast<std::string>(nb::str(object));
+    if (nb::hasattr(object, "__float__")) {
+      const nb::float_ number(object);
+      return static_cast<double>(number);
+    }
+    const std::string type = nb::cast<std::string>(object.type().attr("__name__"));
+    fail("found an object of type " + type, path,
+         "expected a number, a text with a unit, a list, a dict or a quantity of pint");
+  }
+
+  [[nodiscard]] static std::string text_of(nb::handle object, const std::string& path) {
+    Py_ssize_t size = 0;
+    const char* const text = PyUnicode_AsUTF8AndSize(object.ptr(), &size);
+    if (text == nullptr) {
+      PyErr_Clear();
+      fail("the text is not UTF-8", path);
+    }
+    return {text, static_cast<std::size_t>(size)};
+  }
+
+  [[nodiscard]] static Content whole(nb::handle object, const std::string& path) {
+    int overflow = 0;
+    const long long number = PyLong_AsLongLongAndOverflow(object.ptr(), &overflow);
+    if (overflow != 0) fail("the whole number is too large", path);
+    return std::int64_t{number};
+  }
+
+  /// None stands for the word that a file has for it: "off", "none".
+  [[nodiscard]] static Content absent(const SchemaNode* node, const std::string& path) {
+    if (node == nullptr || node->entry == nullptr) fail("found None", path, "leave it out, and it has its default");
+    return std::string(node->entry->none);
+  }
+
+  [[nodiscard]] Content list(nb::handle object, const SchemaNode* node, const std::string& path) const {
+    Array array;
+    for (const nb::handle each : object) array.push_back(read(each, node, path));
+    return array;
+  }
+
+  [[nodiscard]] static nb::object in_si(nb::handle object, const SchemaNode* node, const std::string& path) {
+    if (node == nullptr || node->entry == nullptr) fail("found a quantity where a table stands", path);
+    std::string unit(si_unit(node->entry->quantity));
+    if (unit.empty()) unit = "dimensionless";
+    try {
+      return object.attr("to")(unit).attr("magnitude");
+    } catch (nb::python_error& error) {
+      fail(error.value().is_valid() ? nb::cast<std::string>(nb::str(error.value())) : std::string("wrong dimension"),
+           path, "expected " + std::string(info(node->entry->quantity).with_article) + " in " + unit);
+    }
+  }
+};
+
+// ------------------------------------------------------------------------------------------------- trees to scenarios
+/// Default names, as the reader of files gives them.
+void complete(Scenario& scenario, const Value& document) {
+  for (std::size_t i = 0; i < scenario.shots.size(); ++i) {
+    const Value& shot = element(document, "shot", i);
+    scenario.shots[i].projectile.name = shot_name(shot, i);
+    if (shot.find("preset") && shot.find("velocity") && !shot.find("speed")) scenario.shots[i].launch.speed = 0;
+  }
+  complete_world(scenario, document);
+  for (std::size_t i = 0; i < scenario.expect.size(); ++i)
+    scenario.expect[i].place = element(document, "expect", i).place.text();
+}
+
+/// Whether a distribution may stand in the place of a number. Most trees have none, and taking them takes a while.
+bool may_be_uncertain(const Value& value, const SchemaNode* node) {
+  if (const auto* text = value.get<std::string>()) {
+    for (const std::string_view word : {"lognormal ", "one of ", "column ", "added "})
+      if (text->find(word) != text->npos) return true;
+    return text->find("+-") != text->npos || text->find("..") != text->npos;
+  }
+  const auto in = [&](const Value& inner, const SchemaNode* at) { return may_be_uncertain(inner, at); };
+  if (const Array* array = value.get<Array>())
+    return std::ranges::any_of(*array, [&](const Value& each) { return in(each, node); });
+  const Table* table = value.get<Table>();
+  if (table == nullptr) return false;
+  if (node == nullptr || node->children.empty()) return true;  // { mean, deviation }
+  return std::ranges::any_of(*table, [&](const Member& each) { return in(each.value, node->find(each.key)); });
+}
+
+/// As parse_scenario() reads the tree of a text. Distributions in the tree become inputs of its study.
+Scenario scenario_of(Value& document, const std::string& file) {
+  const IeeeMode mode;
+  const FilesInUse in_use;
+  if (may_be_uncertain(document, &schema())) taken(take_distributions(document, file));
+  Scenario scenario;
+  scenario.file = file;
+  std::int64_t format = 1;
+  const Scope scope{.format = &format, .scenario = &scenario};
+  taken(read_table(schema(), scope, document));
+  const Value* shots = document.find("shot");
+  if (shots == nullptr || scenario.shots.empty()) fail("the scenario has no shot", "shot", "add a [[shot]]");
+  complete(scenario, document);
+  taken(complete_scene(scenario, document));
+  taken(complete_emitters(scenario, document));
+  taken(check_scenario(scenario, document));
+  add_notes(scenario, document);
+  scenario.files = in_use.inputs();
+  return scenario;
+}
+
+void put(Value& table, std::string_view path, const Value& value) {
+  const std::size_t dot = path.find('.');
+  const std::string key(path.substr(0, dot));
+  if (table.get<Array>() != nullptr && !table.get<Array>()->empty())  // [[shot]]: of all of them
+    for (Value& each : *table.get<Array>()) put(each, path, value);
+  if (table.get<Array>() != nullptr) return;
+  if (table.get<Table>() == nullptr) table.content = Table{};
+  Value* found = table.find(key);
+  if (found == nullptr) {
+    table.get<Table>()->push_back({key, value.place, Value{Table{}, value.place, {}, {}}});
+    found = &table.get<Table>()->back().value;
+  }
+  if (dot == path.npos)
+    *found = value;
+  else
+    put(*found, path.substr(dot + 1), value);
+}
+
+/// drag = "off" becomes drag = { model = "off" }, so that other keys of its table find room.
+void open_shorthands(Value& table, const SchemaNode& node) {
+  Table* const members = table.get<Table>();
+  if (members == nullptr) return;
+  for (Member& member : *members) {
+    const SchemaNode* child = node.find(member.key);
+    if (child == nullptr || child->entry != nullptr) {
+      if (child != nullptr && member.value.get<Array>() != nullptr && child->is_list_of_tables())
+        for (Value& each : *member.value.get<Array>()) open_shorthands(each, *child);
+      continue;
+    }
+    if (member.value.get<Table>() == nullptr && !child->shorthand.empty()) {
+      Value inner = member.value;
+      member.value.content = Table{{child->shorthand, member.key_place, std::move(inner)}};
+    }
+    open_shorthands(member.value, *child);
+  }
+}
+
+/// A shot that says how a world treats it belongs to one, as long as there is nothing that a single flight meets.
+void add_world_of_bodies(Value& document) {
+  if (document.find("world") != nullptr || document.find("thing") != nullptr) return;
+  const Value* shots = document.find("shot");
+  const Array* all = shots != nullptr ? shots->get<Array>() : nullptr;
+  const auto has_body = [](const Value& shot) { return shot.find("body") != nullptr; };
+  if (all == nullptr || std::ranges::none_of(*all, has_body)) return;
+  document.get<Table>()->push_back({"world", document.place, Value{Table{}, document.place, {}, {}}});
+}
+
+std::string text_of(const Value& value) {
+  if (const auto* text = value.get<std::string>()) return *text;
+  if (const Array* array = value.get<Array>()) {
+    std::string all;
+    for (const Value& each : *array) all += (all.empty() ? "" : ", ") + text_of(each);
+    return "[" + all + "]";
+  }
+  if (const Table* table = value.get<Table>()) {
+    std::string all;
+    for (const Member& member : *table) all += (all.empty() ? "" : ", ") + member.key + ": " + text_of(member.value);
+    return "{" + all + "}";
+  }
+  return shown(value);
+}
+
+void add_leaves(const Value& value, const std::string& path, nb::list& into) {
+  const Table* table = value.get<Table>();
+  const Array* array = value.get<Array>();
+  if (table != nullptr) {
+    for (const Member& member : *table)
+      add_leaves(member.value, path.empty() ? member.key : path + "." + member.key, into);
+  } else if (path == "shot" && array != nullptr) {
+    for (const Value& each : *array) add_leaves(each, path, into);
+  } else {
+    into.append(nb::make_tuple(path, text_of(value)));
+  }
+}
+
+// --------------------------------------------------------------------------------------------------------- functions
+template <class Batch>
+nb::tuple inputs_of(const Batch& batch) {
+  const nb::object time = owned(std::vector<double>(batch.time.begin(), batch.time.end()));
+  if constexpr (requires { batch.mass; })
+    return nb::make_tuple(time, array_of(batch.position), array_of(std::span<const Vec3d>(batch.velocity)),
+                          owned(std::vector<double>(batch.mass.begin(), batch.mass.end())));
+  else
+    return nb::make_tuple(time, array_of(batch.position));
+}
+
+WindFunction wind_of(const Function& function) {
+  return WindFunction([function](const WindBatch& batch) {
+    function.call([&](const nb::object& f) { copy_rows(f(*inputs_of(batch)), batch.velocity, "wind_field"); });
+  });
+}
+
+ForceFunction force_of(const Function& function) {
+  return ForceFunction([function](const FieldForceBatch& batch) {
+    function.call([&](const nb::object& f) { copy_rows(f(*inputs_of(batch)), batch.force, "force_field"); });
+  });
+}
+
+}  // namespace
+
+Value value_of_python(nb::handle object, const std::string& path) {
+  return PythonReader().read(object, path.empty() ? &schema() : find_node(path), path);
+}
+
+SetupPtr Setup::make(Value document, const std::string& file, std::optional<Function> wind_field,
+                     std::optional<Function> force) {
+  Scenario scenario = scenario_of(document, file);
+  if (wind_field) scenario.environment.wind.field = wind_of(*wind_field);
+  if (force) scenario.environment.force = force_of(*force);
+  std::optional<Scene> scene;
+  if (!scenario.world.given && !scenario.things.empty()) scene = taken(scene_of(scenario));
+  return std::make_shared<const Setup>(
+      Setup{std::move(document), std::move(scenario), std::move(scene), std::move(wind_field), std::move(force)});
+}
+
+SetupPtr Setup::with(const Scenario& changed) const {
+  return make(taken(parse_document(scenario_text(changed), scenario.file)), scenario.file, wind_field, force);
+}
+
+const ScenarioShot& Setup::shot(const std::string& name) const {
+  if (name.empty()) return scenario.shots.front();
+  std::vector<std::string_view> names;
+  for (const ScenarioShot& each : scenario.shots) {
+    if (each.projectile.name == name) return each;
+    names.push_back(each.projectile.name);
+  }
+  fail("no shot is named " + in_quotes(name), "shot", suggestion(name, names, "shots"));
+}
+
+Until Setup::until(const ScenarioShot& shot) const {
+  Until until = scenario.until;
+  if (scene) {
+    until.scene = &*scene;
+    until.contact = contact_of(shot);
+  }
+  return until;
+}
+
+void Setup::raise_kept() const {
+  if (wind_field) wind_field->raise_kept();
+  if (force) force->raise_kept();
+}
+
+// ------------------------------------------------------------------------------------------------------------- module
+namespace {
+
+std::optional<Function> function_of(const nb::object& object, const char* name) {
+  if (object.is_none()) return std::nullopt;
+  if (PyCallable_Check(object.ptr()) == 0) fail("is no function", name);
+  return Function(object);
+}
+
+nb::object function_in(const std::optional<Function>& function) { return function ? function->get() : nb::none(); }
+
+/// "shot.NAME.mass" of one shot, or a path of all.
+void put_setting(Value& document, const std::string& path, nb::handle object) {
+  const SchemaNode* node = find_node(path);
+  if (node != nullptr) return put(document, path, value_of_python(object, path));
+  const Array* shots = document.find("shot") ? document.find("shot")->get<Array>() : nullptr;
+  for (std::size_t i = 0; shots != nullptr && i < shots->size(); ++i) {
+    const std::string head = "shot." + shot_name((*shots)[i], i) + ".";
+    if (!path.starts_with(head)) continue;
+    const std::string rest = path.substr(head.size());
+    if (find_node("shot." + rest) == nullptr) continue;
+    return put((*document.find("shot")->get<Array>())[i], rest, value_of_python(object, "shot." + rest));
+  }
+  const std::string_view near = nearest(path, setting_paths());
+  fail("unknown setting " + in_quotes(path), path,
+       near.empty() ? "physim.settings() lists all" : "did you mean " + in_quotes(near) + "?");
+}
+
+SetupPtr with_settings(const Setup& setup, const nb::dict& changes) {
+  Value document = setup.document;
+  open_shorthands(document, schema());
+  for (const auto& [path, value] : changes) put_setting(document, nb::cast<std::string>(path), value);
+  add_world_of_bodies(document);
+  return Setup::make(std::move(document), setup.scenario.file, setup.wind_field, setup.force);
+}
+
+SetupPtr from_text(const std::string& text, const std::string& file, const std::vector<std::string>& overrides,
+                   const nb::object& wind_field, const nb::object& force) {
+  Value document = taken(parse_document(text, file));
+  for (const std::string& each : overrides) taken(apply_override(document, each));
+  const Value* format = document.find("physim");
+  if (format == nullptr) fail("the format version is missing", file + ":1:1", "write physim = 1 at the top");
+  return Setup::make(std::move(document), file, function_of(wind_field, "wind_field"),
+                     function_of(force, "force_field"));
+}
+
+nb::list settings_table() {
+  nb::list all;
+  for (const Entry& entry : entries()) {
+    const std::string path(entry.path);
+    const SchemaNode* node = find_node(path);
+    std::size_t lists = 0;  // tables before it that are lists
+    for (std::size_t dot = path.find('.'); dot != path.npos; dot = path.find('.', dot + 1))
+      lists += find_node(path.substr(0, dot))->is_list_of_tables() ? 1 : 0;
+    nb::dict row;
+    row["path"] = path;
+    row["in_lists"] = lists;
+    row["is_list"] = node->is_list_of_tables();
+    row["shorthand"] = entry.shorthand;
+    row["required"] = entry.required;
+    row["none"] = std::string(entry.none);
+    all.append(row);
+  }
+  std::size_t i = 0;
+  for (const Setting& setting : settings()) {
+    nb::dict row = nb::cast<nb::dict>(all[i++]);
+    row["type"] = setting.type;
+    row["unit"] = setting.unit;
+    row["default"] = setting.default_value;
+    row["range"] = setting.range;
+    row["doc"] = setting.doc;
+    row["live"] = setting.live;
+  }
+  return all;
+}
+
+}  // namespace
+
+void add_setup(nb::module_& m) {
+  nb::class_<Setup>(m, "Setup", "A scenario that was read; it never changes.")
+      .def_static(
+          "from_tree",
+          [](const nb::dict& tree, const std::string& file, const nb::object& wind_field, const nb::object& force) {
+            Value document = value_of_python(tree, "");
+            add_world_of_bodies(document);
+            return Setup::make(std::move(document), file, function_of(wind_field, "wind_field"),
+                               function_of(force, "force_field"));
+          },
+          "tree"_a, "file"_a = "", "wind_field"_a = nb::none(), "force_field"_a = nb::none(),
+          "Reads nested dicts of settings.")
+      .def_static("from_text", &from_text, "text"_a, "file"_a = "text", "overrides"_a = std::vector<std::string>(),
+                  "wind_field"_a = nb::none(), "force_field"_a = nb::none(), "Reads the text of a scenario file.")
+      .def_static(
+          "from_file",
+          [](const std::string& file, const std::vector<std::string>& overrides) {
+            return from_text(taken(read_scenario_text(file)), file, overrides, nb::none(), nb::none());
+          },
+          "file"_a, "overrides"_a = std::vector<std::string>(), "Reads a scenario file.")
+      .def("with_settings", &with_settings, "changes"_a, "A copy with settings by path that differ.")
+      .def(
+          "with_functions",
+          [](const Setup& setup, const nb::object& wind_field, const nb::object& force) {
+            return Setup::make(setup.document, setup.scenario.file, function_of(wind_field, "wind_field"),
+                               function_of(force, "force_field"));
+          },
+          "wind_field"_a.none(), "force_field"_a.none(), "A copy with functions of place and time.")
+      .def(
+          "only_shot",
+          [](const Setup& setup, const std::string& name) {
+            Scenario alone = setup.scenario;
+            alone.shots = {setup.shot(name)};
+            alone.world = {};
+            alone.volleys.clear(), alone.emitters.clear(), alone.forces.clear(), alone.joints.clear();
+            alone.expect.clear();
+            return setup.with(alone);
+          },
+          "name"_a, "A copy with one shot of it, for single flights.")
+      .def(
+          "text", [](const Setup& setup) { return scenario_text(setup.scenario); },
+          "The settings that differ from their defaults, as the text of a file.")
+      .def(
+          "given",
+          [](const Setup& setup) {
+            nb::list all;
+            add_leaves(setup.document, "", all);
+            return all;
+          },
+          "Path and text of each setting that was given.")
+      .def(
+          "settings",
+          [](const Setup& setup) {
+            nb::dict all;
+            for (const auto& [path, value] : effective_settings(setup.scenario)) all[path.c_str()] = value;
+            return all;
+          },
+          "Every setting with its value in SI, by path.")
+      .def_prop_ro(
+          "file", [](const Setup& setup) { return setup.scenario.file; }, "That it was read from.")
+      .def_prop_ro(
+          "title", [](const Setup& setup) { return setup.scenario.title; }, "Of the scenario.")
+      .def_prop_ro(
+          "notes", [](const Setup& setup) { return setup.scenario.notes; }, "Remarks about settings.")
+      .def_prop_ro(
+          "has_world", [](const Setup& setup) { return setup.scenario.world.given; },
+          "Whether its shots fly in a world.")
+      .def_prop_ro(
+          "shots",
+          [](const Setup& setup) {
+            std::vector<std::string> names;
+            for (const ScenarioShot& shot : setup.scenario.shots) names.push_back(shot.projectile.name);
+            return names;
+          },
+          "Names of its shots.")
+      .def_prop_ro(
+          "ranges", [](const Setup& setup) { return setup.scenario.ranges; }, "Of its range card.")
+      .def_prop_ro(
+          "wind_field", [](const Setup& setup) { return function_in(setup.wind_field); }, "A function, or None.")
+      .def_prop_ro(
+          "force_field", [](const Setup& setup) { return function_in(setup.force); }, "A function, or None.");
+
+  m.def("settings", &settings_table, "The list of settings, a dict each.");
+  m.def(
+      "parse_quantity",
+      [](const std::string& text, const std::string& path) {
+        const SchemaNode* node = find_node(path);
+        if (node == nullptr || node->entry == nullptr) fail("unknown setting " + in_quotes(path), path);
+        Result<double> number = parse_quantity(text, node->entry->quantity);
+        if (!number) fail(number.error().message, path, number.error().hint);
+        return *number;
+      },
+      "text"_a, "path"_a, "A text with a unit as a number in SI, by the quantity of a setting.");
+  m.def(
+      "units_of",
+      [](const std::string& path) {
+        const SchemaNode* node = find_node(path);
+        if (node == nullptr || node->entry == nullptr) fail("unknown setting " + in_quotes(path), path);
+        return units_of(node->entry->quantity);
+      },
+      "path"_a, "Units that a setting takes, the one of SI first.");
+}
+
+}  // namespace physim::python
