@@ -99,8 +99,9 @@ PHYSIM_API physim_result physim_world_advance(physim_world* world, double second
 PHYSIM_API physim_result physim_world_events(const physim_world* world, size_t first, physim_event* into, size_t each,
                                              size_t room, size_t* count);
 
-/// Reads projectiles: these, or all that are alive, by index, if `ids` is null. Rows are filled up to `count`; `read`
-/// (may be null) is how many there are. Of those that are gone all is zero.
+/// Reads projectiles: these, or if `ids` is null all that are alive, as they lie in memory: the faster way, in which
+/// the column `id` tells which they are. Rows are filled up to `count`; `read` (may be null) is how many there are. Of
+/// those that are gone all is zero.
 PHYSIM_API physim_result physim_world_states(const physim_world* world, const physim_id* ids, size_t count,
                                              const physim_states* into, size_t* read);
 /// Writes positions, velocities and user data of projectiles; `written` (may be null) counts those that took them.

@@ -58,7 +58,16 @@ void need_stride(Call& call, const physim_states& columns) {
             "is no size of a struct with such members");
 }
 
-/// Rows first, first + 1, ... of columns.
+/// What of a row is not in the columns of a world.
+void put_rest(const ProjectileView& p, const physim_states& into, std::size_t row) {
+  const Strides by{into.stride};
+  if (into.shown) put(by.at(into.shown, row, 3), p.render_position());
+  if (into.shown_f) put(by.at(into.shown_f, row, 3), p.render_position());
+  if (into.orientation) put(by.at(into.orientation, row, 4), p.orientation());
+  if (into.user_data) *by.at(into.user_data, row) = p.user_data();
+}
+
+/// Rows first, first + 1, ... of these projectiles.
 void put_states(const World& world, std::span<const ProjectileId> ids, const physim_states& into, std::size_t first) {
   const Strides by{into.stride};
   std::array<BodyState, kChunk> states;
@@ -74,11 +83,60 @@ void put_states(const World& world, std::span<const ProjectileId> ids, const phy
     if (into.position_f) put(by.at(into.position_f, row, 3), read[i].position);
     if (into.velocity_f) put(by.at(into.velocity_f, row, 3), read[i].velocity);
     if (into.previous) put(by.at(into.previous, row, 3), p.previous_position());
-    if (into.shown) put(by.at(into.shown, row, 3), p.render_position());
-    if (into.shown_f) put(by.at(into.shown_f, row, 3), p.render_position());
-    if (into.orientation) put(by.at(into.orientation, row, 4), p.orientation());
-    if (into.user_data) *by.at(into.user_data, row) = p.user_data();
+    put_rest(p, into, row);
   }
+}
+
+/// A vector of each row, from three columns of a world.
+template <class To, class From>
+void put_vectors(const std::array<std::span<const From>, 3>& from, std::size_t rows, To* into, const Strides& by) {
+  if (into == nullptr) return;
+  for (std::size_t i = 0; i < rows; ++i) {
+    To* const to = by.at(into, i, 3);
+    for (std::size_t axis = 0; axis < 3; ++axis) to[axis] = static_cast<To>(from[axis][i]);
+  }
+}
+
+/// Columns that begin so many rows further on.
+physim_states after(physim_states columns, std::size_t rows) {
+  const Strides by{columns.stride};
+  const auto move = [&](auto*& column, std::size_t width) {
+    if (column != nullptr) column = by.at(column, rows, width);
+  };
+  move(columns.id, 1), move(columns.user_data, 1), move(columns.orientation, 4);
+  for (double** column : {&columns.position, &columns.velocity, &columns.previous, &columns.shown}) move(*column, 3);
+  for (float** column : {&columns.position_f, &columns.velocity_f, &columns.shown_f}) move(*column, 3);
+  return columns;
+}
+
+/// All that are alive, as they lie in memory; returns how many there are.
+std::size_t put_all(const World& world, std::size_t room, const physim_states& into) {
+  const Strides by{into.stride};
+  const bool has_rest = into.shown || into.shown_f || into.orientation || into.user_data;
+  std::vector<WorldColumns> cohorts;
+  world.columns(cohorts);
+  std::size_t first = 0;
+  for (const WorldColumns& cohort : cohorts)
+    std::visit(
+        [&](const auto& c) {
+          const std::size_t rows = std::min(c.index.size(), room - std::min(room, first));
+          if (rows == 0) return;
+          const physim_states here = after(into, first);
+          put_vectors(c.position, rows, here.position, by);
+          put_vectors(c.velocity, rows, here.velocity, by);
+          put_vectors(c.position, rows, here.position_f, by);
+          put_vectors(c.velocity, rows, here.velocity_f, by);
+          put_vectors(c.previous, rows, here.previous, by);
+          for (std::size_t i = 0; (here.id || has_rest) && i < rows; ++i) {
+            const ProjectileId id = world.id_at(c.index[i]);
+            if (here.id) *by.at(here.id, i) = put_id(id);
+            if (has_rest) put_rest(world[id], here, i);
+          }
+          first += rows;
+        },
+        cohort);
+  PHYSIM_ASSERT(first == std::min(room, world.size()));
+  return world.size();
 }
 
 /// A place or velocity of a row, whichever of two columns has it; nothing if neither is there.
@@ -351,15 +409,15 @@ physim_result physim_world_states(const physim_world* world, const physim_id* id
     need_stride(call, columns);
     if (!call.ok()) return;
     const World& w = of->world();
-    std::vector<ProjectileId> alive;
-    if (ids == nullptr) w.ids(alive);
-    const auto all =
-        ids != nullptr ? std::span(same_memory<const ProjectileId>(ids), count) : std::span(std::as_const(alive));
-    const std::size_t rows = std::min(count, all.size());
-    PHYSIM_ASSERT(ids == nullptr || rows == count);
-    for (std::size_t first = 0; first < rows; first += kChunk)
-      put_states(w, all.subspan(first, std::min(kChunk, rows - first)), columns, first);
-    if (read != nullptr) *read = all.size();
+    if (ids == nullptr) {
+      const std::size_t alive = put_all(w, count, columns);
+      if (read != nullptr) *read = alive;
+      return;
+    }
+    const std::span all(same_memory<const ProjectileId>(ids), count);
+    for (std::size_t first = 0; first < count; first += kChunk)
+      put_states(w, all.subspan(first, std::min(kChunk, count - first)), columns, first);
+    if (read != nullptr) *read = count;
   });
 }
 
