@@ -52,7 +52,7 @@ struct Strides {
 
 void need_stride(Call& call, const physim_states& columns) {
   const bool has_doubles = columns.position || columns.velocity || columns.previous || columns.shown ||
-                           columns.orientation || columns.user_data;
+                           columns.angular_velocity || columns.orientation || columns.user_data;
   const std::size_t unit = has_doubles ? sizeof(double) : sizeof(float);
   call.need(columns.stride % unit == 0 && columns.stride < (std::size_t{1} << 32), "stride",
             "is no size of a struct with such members");
@@ -63,6 +63,7 @@ void put_rest(const ProjectileView& p, const physim_states& into, std::size_t ro
   const Strides by{into.stride};
   if (into.shown) put(by.at(into.shown, row, 3), p.render_position());
   if (into.shown_f) put(by.at(into.shown_f, row, 3), p.render_position());
+  if (into.angular_velocity) put(by.at(into.angular_velocity, row, 3), p.angular_velocity());
   if (into.orientation) put(by.at(into.orientation, row, 4), p.orientation());
   if (into.user_data) *by.at(into.user_data, row) = p.user_data();
 }
@@ -104,7 +105,9 @@ physim_states after(physim_states columns, std::size_t rows) {
     if (column != nullptr) column = by.at(column, rows, width);
   };
   move(columns.id, 1), move(columns.user_data, 1), move(columns.orientation, 4);
-  for (double** column : {&columns.position, &columns.velocity, &columns.previous, &columns.shown}) move(*column, 3);
+  for (double** column :
+       {&columns.position, &columns.velocity, &columns.previous, &columns.shown, &columns.angular_velocity})
+    move(*column, 3);
   for (float** column : {&columns.position_f, &columns.velocity_f, &columns.shown_f}) move(*column, 3);
   return columns;
 }
@@ -112,7 +115,7 @@ physim_states after(physim_states columns, std::size_t rows) {
 /// All that are alive, as they lie in memory; returns how many there are.
 std::size_t put_all(const World& world, std::size_t room, const physim_states& into) {
   const Strides by{into.stride};
-  const bool has_rest = into.shown || into.shown_f || into.orientation || into.user_data;
+  const bool has_rest = into.shown || into.shown_f || into.angular_velocity || into.orientation || into.user_data;
   std::vector<WorldColumns> cohorts;
   world.columns(cohorts);
   std::size_t first = 0;
@@ -161,6 +164,8 @@ bool put_row_into(World& world, ProjectileId id, const physim_states& from, std:
     taken = p.set_position(*position).ok();
   else if (taken && velocity)
     taken = p.set_velocity(*velocity).ok();
+  if (taken && from.angular_velocity)
+    taken = p.set_angular_velocity(vector_at(by.at(from.angular_velocity, row, 3))).ok();
   if (taken && from.user_data) taken = p.set_user_data(*by.at(from.user_data, row)).ok();
   return taken;
 }
@@ -210,12 +215,14 @@ Status add_things(WorldObject& world, const Scenario& scenario) {
   return world.own.set_scene(parts->scene);
 }
 
-Result<KindId> add_kind(WorldObject& object, const Scenario& scenario, std::size_t index, std::uint32_t flags) {
+Result<KindId> add_kind(WorldObject& object, const Scenario& scenario, std::size_t index, std::uint32_t environment,
+                        std::uint32_t flags) {
   PHYSIM_ASSERT(index < scenario.shots.size());
   ScenarioShot shot = scenario.shots[index];
   const ScenarioNames names(scenario);
   if (const auto pool = names.pools.find(shot.pool); pool && !shot.pool.empty())
     shot.body.pool = static_cast<std::uint32_t>(*pool);
+  shot.body.environment = environment;
   if (flags & PHYSIM_ASK_HITS) shot.body.collision.on_hit = OnHit::ask;
   shot.body.cheapest_within = shot.cheapest_within.value_or(0);
   const Result<KindId> kind = object.world().add_kind(shot.projectile, shot.body);
@@ -273,13 +280,86 @@ physim_result physim_world_hash(const physim_world* world, uint64_t* hash) {
   });
 }
 
-physim_result physim_world_set_environment(physim_world* world, const physim_def* def) {
+physim_result physim_world_set_environment(physim_world* world, uint32_t index, const physim_def* def) {
   return guarded([&](Call& call) {
     const auto into = call.find(world, "world");
     const auto from = call.find(def, "def");
     if (!call.ok()) return;
     const auto checked = from->checked();
-    if (call.take(checked)) call.take(into->world().set_environment(0, (*checked)->scenario.environment));
+    if (call.take(checked)) call.take(into->world().set_environment(index, (*checked)->scenario.environment));
+  });
+}
+
+physim_result physim_world_add_environment(physim_world* world, const physim_def* def, uint32_t* index) {
+  return guarded([&](Call& call) {
+    const auto into = call.find(world, "world");
+    const auto from = call.find(def, "def");
+    call.need(index, "index");
+    if (!call.ok()) return;
+    const auto checked = from->checked();
+    if (!call.take(checked)) return;
+    const Result<std::uint32_t> added = into->world().add_environment((*checked)->scenario.environment);
+    if (call.take(added)) *index = *added;
+  });
+}
+
+physim_result physim_world_set_detail(physim_world* world, const physim_def* def) {
+  return guarded([&](Call& call) {
+    const auto into = call.find(world, "world");
+    const auto from = call.find(def, "def");
+    if (!call.ok()) return;
+    const auto checked = from->checked();
+    if (call.take(checked)) call.take(into->world().set_detail((*checked)->scenario.world.def.detail));
+  });
+}
+
+physim_result physim_world_do(physim_world* world, physim_world_action action, double value) {
+  return guarded([&](Call& call) {
+    const auto into = call.find(world, "world");
+    call.need(!std::isnan(value), "value", "is not a number");
+    call.need(action >= PHYSIM_CLEAR && action <= PHYSIM_TIME_SCALE, "action", "is none");
+    if (!call.ok()) return;
+    World& w = into->world();
+    if (action == PHYSIM_CLEAR) w.clear();
+    if (action == PHYSIM_PAUSE) w.set_paused(value != 0);
+    if (action == PHYSIM_SINGLE_STEP) w.single_step();
+    if (action == PHYSIM_TIME_SCALE) call.take(w.set_time_scale(value));
+  });
+}
+
+physim_result physim_world_rest(physim_world* world, const physim_id* ids, size_t count, int32_t sleep,
+                                size_t* changed) {
+  return guarded([&](Call& call) {
+    const auto into = call.find(world, "world");
+    call.need_rows(ids, count, "ids");
+    if (!call.ok()) return;
+    std::size_t total = 0;
+    for (std::size_t i = 0; i < count; ++i) {
+      Projectile p = into->world()[id_of<ProjectileId>(ids[i])];
+      total += (sleep != 0 ? p.sleep() : p.wake()).ok();
+    }
+    if (changed != nullptr) *changed = total;
+  });
+}
+
+physim_result physim_world_spawn_moving(physim_world* world, const physim_def* def, const char* shot,
+                                        const double position[3], const double velocity[3], double age, physim_id* id) {
+  return guarded([&](Call& call) {
+    const auto into = call.find(world, "world");
+    const auto from = call.find(def, "def");
+    call.need(position, "position");
+    call.need(velocity, "velocity");
+    call.need(!std::isnan(age), "age", "is not a number");
+    call.need(id, "id");
+    if (!call.ok()) return;
+    const auto checked = from->checked();
+    if (!call.take(checked)) return;
+    const auto index = shot_in((*checked)->scenario, shot);
+    if (!call.take(index, PHYSIM_NOT_FOUND)) return;
+    const ScenarioShot& one = (*checked)->scenario.shots[*index];
+    const Departure departure{.position = vector_at(position), .velocity = vector_at(velocity), .age = age};
+    const Result<ProjectileId> born = into->world().spawn_departed(one.projectile, departure, one.body);
+    if (call.take(born)) *id = put_id(*born);
   });
 }
 
@@ -291,8 +371,8 @@ physim_result physim_world_set_observer(physim_world* world, const double positi
   });
 }
 
-physim_result physim_world_add_kind(physim_world* world, const physim_def* def, const char* shot, uint32_t flags,
-                                    uint32_t* kind) {
+physim_result physim_world_add_kind(physim_world* world, const physim_def* def, const char* shot, uint32_t environment,
+                                    uint32_t flags, uint32_t* kind) {
   return guarded([&](Call& call) {
     const auto into = call.find(world, "world");
     const auto from = call.find(def, "def");
@@ -303,7 +383,7 @@ physim_result physim_world_add_kind(physim_world* world, const physim_def* def, 
     if (!call.take(checked)) return;
     const auto index = shot_in((*checked)->scenario, shot);
     if (!call.take(index, PHYSIM_NOT_FOUND)) return;
-    const Result<KindId> added = add_kind(*into, (*checked)->scenario, *index, flags);
+    const Result<KindId> added = add_kind(*into, (*checked)->scenario, *index, environment, flags);
     if (call.take(added)) *kind = added->index;
   });
 }
@@ -323,7 +403,8 @@ physim_result physim_world_spawn(physim_world* world, uint32_t kind, size_t coun
     if (columns.has_drag()) return call.fail(PHYSIM_REFUSED, "all of a kind have one drag", "launches", "add kinds");
     columns.common = usual->second;
     if (count == 1) {  // alone it says why it is refused
-      const Result<ProjectileId> one = into->world().spawn(KindId{kind}, columns.at(0));
+      const double delay = given.delay != nullptr ? given.delay[0] : 0;
+      const Result<ProjectileId> one = into->world().spawn(KindId{kind}, columns.at(0), delay);
       if (ids != nullptr) *ids = one ? put_id(*one) : physim_id{0, 0};
       if (spawned != nullptr) *spawned = one.ok();
       return static_cast<void>(call.take(one));
@@ -335,7 +416,15 @@ physim_result physim_world_spawn(physim_world* world, uint32_t kind, size_t coun
       const std::size_t rows = std::min(kChunk, count - first);
       PHYSIM_ASSERT(rows > 0 && rows <= kChunk);
       for (std::size_t i = 0; i < rows; ++i) chunk[i] = columns.at(first + i);
-      total += into->world().spawn(KindId{kind}, std::span(chunk).first(rows), std::span(born).first(rows));
+      if (given.delay == nullptr) {
+        total += into->world().spawn(KindId{kind}, std::span(chunk).first(rows), std::span(born).first(rows));
+      } else {
+        for (std::size_t i = 0; i < rows; ++i) {
+          const Result<ProjectileId> one = into->world().spawn(KindId{kind}, chunk[i], given.delay[first + i]);
+          born[i] = one ? *one : ProjectileId{};
+          total += one.ok();
+        }
+      }
       for (std::size_t i = 0; ids != nullptr && i < rows; ++i) ids[first + i] = put_id(born[i]);
     }
     if (spawned != nullptr) *spawned = total;

@@ -195,7 +195,7 @@ TEST(CInterface, a_world_of_calls_has_the_bits_of_cpp) {
   auto launches = sized<physim_launches>();
   launches.z = z.data();
   ASSERT_DONE(physim_world_add_emitter(world, def, "sparks", nullptr, &emitter));
-  ASSERT_DONE(physim_world_add_kind(world, def, "ball", 0, &kind));
+  ASSERT_DONE(physim_world_add_kind(world, def, "ball", 0, 0, &kind));
   ASSERT_DONE(physim_world_spawn(world, kind, z.size(), &launches, ids, nullptr));
   ASSERT_DONE(physim_world_step(world, 100, 0));
   const std::array<double, 3> push{1, 2, 3};

@@ -133,7 +133,7 @@ physim_result world() {
   std::uint64_t hash = 0;
   step(physim_def_create(kWorld, nullptr, &def));
   if (step.ok()) step(physim_world_create(def, PHYSIM_FIRE_NOTHING, &made));
-  if (step.ok()) step(physim_world_add_kind(made, def, nullptr, 0, &kind));
+  if (step.ok()) step(physim_world_add_kind(made, def, nullptr, 0, 0, &kind));
   if (step.ok()) step(physim_world_spawn(made, kind, 3, nullptr, balls, nullptr));
   if (step.ok()) step(physim_world_add_emitter(made, def, nullptr, nullptr, &emitter));
   if (step.ok()) step(physim_world_step(made, 30, 0));
