@@ -209,8 +209,9 @@ typedef struct physim_functions {
   void* field_user;                    ///< [-]
 } physim_functions;
 
-/// The world of a save. `def`: of a world that fires by itself, the one that it was made of; else null. `functions` may
-/// be null.
+/// The world of a save. `def`: of a world that fires by itself, the one that it was made of, with its functions; else
+/// null. `functions` may be null. Kinds and names are given again: physim_world_add_kind() finds the kind that is
+/// there.
 PHYSIM_API physim_result physim_world_load(const void* data, size_t size, const physim_def* def,
                                            const physim_functions* functions, physim_world** world);
 /// Records every call that changes the world, with a hash every so many steps (0: none). The recording of a world to
