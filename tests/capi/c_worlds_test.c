@@ -486,6 +486,36 @@ static void test_shorter_structs(void) {
   OK(physim_free(def));
 }
 
+/* What a function does to the world that calls it: reading is fine, changes are refused, its end waits for the step. */
+struct seen {
+  physim_world* world;
+  int calls;
+  physim_result step, read, freed;
+};
+static void meddle(void* user, const physim_force_batch* batch) {
+  struct seen* seen = user;
+  physim_world_info info = {.size = sizeof info};
+  (void)batch;
+  if (seen->calls++ > 0) return;
+  seen->step = physim_world_step(seen->world, 1, 0);
+  seen->read = physim_world_read(seen->world, &info);
+  seen->freed = physim_free(seen->world);
+}
+static void test_inside_of_a_step(void) {
+  physim_def* def = made(kWorld);
+  struct seen seen = {.calls = 0};
+  physim_id id, force;
+  uint32_t kind = 0;
+  OK(physim_world_create(def, PHYSIM_FIRE_NOTHING, &seen.world));
+  OK(physim_world_add_kind(seen.world, def, NULL, 0, 0, &kind));
+  OK(physim_world_spawn(seen.world, kind, 1, NULL, &id, NULL));
+  OK(physim_world_add_force_function(seen.world, meddle, &seen, &id, 1, 0, &force));
+  OK(physim_world_step(seen.world, 3, 0));
+  CHECK(seen.calls >= 3 && seen.step == PHYSIM_REFUSED && seen.read == PHYSIM_OK && seen.freed == PHYSIM_OK);
+  IS(PHYSIM_BAD_HANDLE, physim_world_step(seen.world, 1, 0));
+  OK(physim_free(def));
+}
+
 void test_worlds(void) {
   test_world();
   test_scene();
@@ -494,4 +524,5 @@ void test_worlds(void) {
   test_hits();
   test_changes();
   test_shorter_structs();
+  test_inside_of_a_step();
 }
