@@ -282,6 +282,7 @@ typedef struct physim_launches {
   const double* azimuth;                ///< [rad]
   const double* ballistic_coefficient;  ///< batches only [kg/m^2]
   const double* form_factor;            ///< batches only [-]
+  const double* delay;                  ///< worlds only: it is launched so much later [s]
 } physim_launches;
 
 typedef struct physim_weather {

@@ -52,19 +52,20 @@ typedef struct physim_projectile {
 
 /// Columns of projectiles; null: not wanted. Vectors are three numbers side by side, orientations four.
 typedef struct physim_states {
-  uint32_t size;        ///< sizeof(physim_states) [bytes]
-  uint32_t reserved;    ///< [-]
-  size_t stride;        ///< from one row to the next in each column, as of a struct of one's own; 0: no gaps [bytes]
-  physim_id* id;        ///< [-]
-  double* position;     ///< [m]
-  double* velocity;     ///< [m/s]
-  float* position_f;    ///< rounded to float [m]
-  float* velocity_f;    ///< rounded to float [m/s]
-  double* previous;     ///< position before the last step; only read [m]
-  double* shown;        ///< position to draw, between steps; only read [m]
-  float* shown_f;       ///< rounded to float; only read [m]
-  double* orientation;  ///< w, x, y, z; only read [-]
-  uint64_t* user_data;  ///< [-]
+  uint32_t size;      ///< sizeof(physim_states) [bytes]
+  uint32_t reserved;  ///< [-]
+  size_t stride;      ///< from one row to the next in each column, as of a struct of one's own; 0: no gaps [bytes]
+  physim_id* id;      ///< [-]
+  double* position;   ///< [m]
+  double* velocity;   ///< [m/s]
+  float* position_f;  ///< rounded to float [m]
+  float* velocity_f;  ///< rounded to float [m/s]
+  double* previous;   ///< position before the last step; only read [m]
+  double* shown;      ///< position to draw, between steps; only read [m]
+  float* shown_f;     ///< rounded to float; only read [m]
+  double* angular_velocity;  ///< in the world frame, of what turns [rad/s]
+  double* orientation;       ///< w, x, y, z; only read [-]
+  uint64_t* user_data;       ///< [-]
 } physim_states;
 
 /// A world with the environment, [world] and things of a def.
@@ -72,16 +73,22 @@ PHYSIM_API physim_result physim_world_create(const physim_def* def, physim_firin
 PHYSIM_API physim_result physim_world_read(const physim_world* world, physim_world_info* info);
 /// A hash of all that decides what happens next.
 PHYSIM_API physim_result physim_world_hash(const physim_world* world, uint64_t* hash);
-/// The environment of a def from the next step on.
-PHYSIM_API physim_result physim_world_set_environment(physim_world* world, const physim_def* def);
+/// The environment of a def from the next step on, in the place of environment `index`; 0 is that of all kinds that
+/// were added without another.
+PHYSIM_API physim_result physim_world_set_environment(physim_world* world, uint32_t index, const physim_def* def);
+/// Another place to fly in, for physim_world_add_kind().
+PHYSIM_API physim_result physim_world_add_environment(physim_world* world, const physim_def* def, uint32_t* index);
+/// The levels of detail of a def (world.detail).
+PHYSIM_API physim_result physim_world_set_detail(physim_world* world, const physim_def* def);
 /// The place that levels of detail go by (world.detail) [m].
 PHYSIM_API physim_result physim_world_set_observer(physim_world* world, const double position[3]);
 
 enum { PHYSIM_ASK_HITS = 1 };  // its hits ask the function of physim_world_set_hit_function(), which is there
 
-/// Prepares a shot of a def as a kind of projectile; `flags`: 0 or PHYSIM_ASK_HITS.
+/// Prepares a shot of a def as a kind of projectile that flies in an environment of the world; `flags`: 0 or
+/// PHYSIM_ASK_HITS.
 PHYSIM_API physim_result physim_world_add_kind(physim_world* world, const physim_def* def, const char* shot,
-                                               uint32_t flags, uint32_t* kind);
+                                               uint32_t environment, uint32_t flags, uint32_t* kind);
 /// Projectiles of a kind, launched as its shot says but for `launches` (may be null). Ids (may be null) are null of
 /// what was refused; `spawned` (may be null) counts the others.
 PHYSIM_API physim_result physim_world_spawn(physim_world* world, uint32_t kind, size_t count,
@@ -89,26 +96,43 @@ PHYSIM_API physim_result physim_world_spawn(physim_world* world, uint32_t kind, 
 /// Continues a flight from one of its times on [s].
 PHYSIM_API physim_result physim_world_spawn_flight(physim_world* world, const physim_flight* flight, double time,
                                                    physim_id* id);
+/// A projectile of a shot that is on its way already, `age` after its launch [s].
+PHYSIM_API physim_result physim_world_spawn_moving(physim_world* world, const physim_def* def, const char* shot,
+                                                   const double position[3], const double velocity[3], double age,
+                                                   physim_id* id);
 PHYSIM_API physim_result physim_world_despawn(physim_world* world, const physim_id* ids, size_t count, size_t* gone);
 
 /// Takes `count` steps of dt [s]; 0: of the world's own step, as a world that fires by itself takes them.
 PHYSIM_API physim_result physim_world_step(physim_world* world, uint64_t count, double dt);
 /// Real time has passed [s]: as many steps as fit; `steps` may be null. Not for worlds that fire by themselves.
 PHYSIM_API physim_result physim_world_advance(physim_world* world, double seconds, uint32_t* steps);
+typedef enum physim_world_action {
+  PHYSIM_CLEAR = 0,        // takes all projectiles out
+  PHYSIM_PAUSE = 1,        // value: 1 or 0; physim_world_advance() takes no steps meanwhile
+  PHYSIM_SINGLE_STEP = 2,  // one step of the world's own, paused or not
+  PHYSIM_TIME_SCALE = 3    // value: factor on the time given to physim_world_advance()
+} physim_world_action;
+PHYSIM_API physim_result physim_world_do(physim_world* world, physim_world_action action, double value);
 /// Events of the last step, and of calls since, as physim_flight_events() writes them.
 PHYSIM_API physim_result physim_world_events(const physim_world* world, size_t first, physim_event* into, size_t each,
                                              size_t room, size_t* count);
 
-/// Reads projectiles: these, or all that are alive, by index, if `ids` is null. Rows are filled up to `count`; `read`
-/// (may be null) is how many there are. Of those that are gone all is zero.
+/// Reads projectiles: these, or if `ids` is null all that are alive, as they lie in memory: the faster way, in which
+/// the column `id` tells which they are. Rows are filled up to `count`; `read` (may be null) is how many there are. Of
+/// those that are gone all is zero.
 PHYSIM_API physim_result physim_world_states(const physim_world* world, const physim_id* ids, size_t count,
                                              const physim_states* into, size_t* read);
-/// Writes positions, velocities and user data of projectiles; `written` (may be null) counts those that took them.
+/// Writes positions, velocities, angular velocities and user data of projectiles; `written` (may be null) counts those
+/// that took them.
 PHYSIM_API physim_result physim_world_put(physim_world* world, const physim_id* ids, size_t count,
                                           const physim_states* from, size_t* written);
 /// Adds an impulse to each, three numbers [N s].
 PHYSIM_API physim_result physim_world_push(physim_world* world, const physim_id* ids, size_t count,
                                            const double* impulses, size_t* pushed);
+/// Puts projectiles to sleep, or wakes them: `sleep` 1 or 0. `changed` (may be null) counts those that were not so
+/// before.
+PHYSIM_API physim_result physim_world_rest(physim_world* world, const physim_id* ids, size_t count, int32_t sleep,
+                                           size_t* changed);
 PHYSIM_API physim_result physim_world_projectile(const physim_world* world, physim_id id, physim_projectile* into);
 /// A setting of one projectile in flight: those that are live ("mass", "drag.k1", "body.gravity_scale"), and all of
 /// "fidelity". Reads any setting of its shot and body.
@@ -185,8 +209,9 @@ typedef struct physim_functions {
   void* field_user;                    ///< [-]
 } physim_functions;
 
-/// The world of a save. `def`: of a world that fires by itself, the one that it was made of; else null. `functions` may
-/// be null.
+/// The world of a save. `def`: of a world that fires by itself, the one that it was made of, with its functions; else
+/// null. `functions` may be null. Kinds and names are given again: physim_world_add_kind() finds the kind that is
+/// there.
 PHYSIM_API physim_result physim_world_load(const void* data, size_t size, const physim_def* def,
                                            const physim_functions* functions, physim_world** world);
 /// Records every call that changes the world, with a hash every so many steps (0: none). The recording of a world to
@@ -274,6 +299,8 @@ PHYSIM_API physim_result physim_scene_find(const void* scene, const char* name, 
 PHYSIM_API physim_result physim_scene_move(void* scene, physim_id thing, const physim_transform* to);
 /// Lets a thing move steadily; null: it rests where its transform puts it.
 PHYSIM_API physim_result physim_scene_set_motion(void* scene, physim_id thing, const physim_motion* motion);
+/// Bits that kinds and queries choose things by.
+PHYSIM_API physim_result physim_scene_set_layers(void* scene, physim_id thing, uint32_t layers);
 PHYSIM_API physim_result physim_scene_remove(void* scene, physim_id thing);
 
 /// The first hit of each segment on things of these layers. `each`: sizeof(physim_hit). `pool` may be null.
@@ -306,7 +333,8 @@ typedef enum physim_emitter_action {
 } physim_emitter_action;
 PHYSIM_API physim_result physim_emitter_do(physim_world* world, physim_id emitter, physim_emitter_action action,
                                            double value);
-/// `time` above that of the world: it is there then [s]; else it goes there in the next step.
+/// `time` above that of the world: it is there then [s]; below 0: it is there at once, without a way to it; else it
+/// goes there in the course of the next step.
 PHYSIM_API physim_result physim_emitter_move(physim_world* world, physim_id emitter, const physim_transform* to,
                                              double time);
 
@@ -386,6 +414,9 @@ PHYSIM_API physim_result physim_joint_events(const physim_world* world, physim_j
                                              size_t room, size_t* count);
 
 typedef enum physim_what { PHYSIM_A_FORCE = 0, PHYSIM_A_JOINT = 1, PHYSIM_AN_EMITTER = 2 } physim_what;
+/// Takes projectiles out of the targets of a force; `released` (may be null) counts those that were among them.
+PHYSIM_API physim_result physim_world_release(physim_world* world, physim_id force, const physim_id* ids, size_t count,
+                                              size_t* released);
 PHYSIM_API physim_result physim_world_remove(physim_world* world, physim_what what, physim_id id);
 
 #ifdef __cplusplus

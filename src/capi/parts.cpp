@@ -184,7 +184,9 @@ physim_result physim_emitter_move(physim_world* world, physim_id emitter, const 
     const Transform place{vector_at(t.position), rotation_at(t.rotation), 1};
     World& w = into->world();
     const auto id = id_of<EmitterId>(emitter);
-    call.take(time > w.time() ? w.lead_emitter(id, place, time) : w.move_emitter(id, place));
+    call.take(time > w.time() ? w.lead_emitter(id, place, time)
+              : time < 0      ? w.jump_emitter(id, place)
+                              : w.move_emitter(id, place));
   });
 }
 
@@ -333,6 +335,19 @@ physim_result physim_joint_events(const physim_world* world, physim_joint_event*
                .projectile = put_id(events[i].projectile),
                .time = events[i].time,
                .speed = events[i].speed});
+  });
+}
+
+physim_result physim_world_release(physim_world* world, physim_id force, const physim_id* ids, size_t count,
+                                   size_t* released) {
+  return guarded([&](Call& call) {
+    const auto into = call.find(world, "world");
+    call.need_rows(ids, count, "ids");
+    if (!call.ok()) return;
+    std::size_t total = 0;
+    for (std::size_t i = 0; i < count; ++i)
+      total += into->world()[id_of<ProjectileId>(ids[i])].remove_force(id_of<ForceId>(force)).ok();
+    if (released != nullptr) *released = total;
   });
 }
 

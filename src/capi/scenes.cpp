@@ -28,6 +28,9 @@ struct AnyScene {
   Status set_motion(InstanceId id, const SceneMotion& motion) const {
     return alone ? alone->scene.set_motion(id, motion) : of_world->world().set_instance_motion(id, motion);
   }
+  Status set_layers(InstanceId id, std::uint32_t layers) const {
+    return alone ? alone->scene.set_layers(id, layers) : of_world->world().set_instance_layers(id, layers);
+  }
   Status remove(InstanceId id) const { return alone ? alone->scene.remove(id) : of_world->world().remove_instance(id); }
 };
 
@@ -176,6 +179,13 @@ physim_result physim_scene_set_motion(void* scene, physim_id thing, const physim
     SceneMotion as = AtRest{};
     if (motion != nullptr) as = SteadyMotion{m.start, vector_at(m.velocity), vector_at(m.angular_velocity)};
     call.take(in.set_motion(id_of<InstanceId>(thing), as));
+  });
+}
+
+physim_result physim_scene_set_layers(void* scene, physim_id thing, uint32_t layers) {
+  return guarded([&](Call& call) {
+    const AnyScene in = find_scene(call, scene, true);
+    if (call.ok()) call.take(in.set_layers(id_of<InstanceId>(thing), layers));
   });
 }
 

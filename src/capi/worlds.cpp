@@ -52,13 +52,23 @@ struct Strides {
 
 void need_stride(Call& call, const physim_states& columns) {
   const bool has_doubles = columns.position || columns.velocity || columns.previous || columns.shown ||
-                           columns.orientation || columns.user_data;
+                           columns.angular_velocity || columns.orientation || columns.user_data;
   const std::size_t unit = has_doubles ? sizeof(double) : sizeof(float);
   call.need(columns.stride % unit == 0 && columns.stride < (std::size_t{1} << 32), "stride",
             "is no size of a struct with such members");
 }
 
-/// Rows first, first + 1, ... of columns.
+/// What of a row is not in the columns of a world.
+void put_rest(const ProjectileView& p, const physim_states& into, std::size_t row) {
+  const Strides by{into.stride};
+  if (into.shown) put(by.at(into.shown, row, 3), p.render_position());
+  if (into.shown_f) put(by.at(into.shown_f, row, 3), p.render_position());
+  if (into.angular_velocity) put(by.at(into.angular_velocity, row, 3), p.angular_velocity());
+  if (into.orientation) put(by.at(into.orientation, row, 4), p.orientation());
+  if (into.user_data) *by.at(into.user_data, row) = p.user_data();
+}
+
+/// Rows first, first + 1, ... of these projectiles.
 void put_states(const World& world, std::span<const ProjectileId> ids, const physim_states& into, std::size_t first) {
   const Strides by{into.stride};
   std::array<BodyState, kChunk> states;
@@ -74,11 +84,62 @@ void put_states(const World& world, std::span<const ProjectileId> ids, const phy
     if (into.position_f) put(by.at(into.position_f, row, 3), read[i].position);
     if (into.velocity_f) put(by.at(into.velocity_f, row, 3), read[i].velocity);
     if (into.previous) put(by.at(into.previous, row, 3), p.previous_position());
-    if (into.shown) put(by.at(into.shown, row, 3), p.render_position());
-    if (into.shown_f) put(by.at(into.shown_f, row, 3), p.render_position());
-    if (into.orientation) put(by.at(into.orientation, row, 4), p.orientation());
-    if (into.user_data) *by.at(into.user_data, row) = p.user_data();
+    put_rest(p, into, row);
   }
+}
+
+/// A vector of each row, from three columns of a world.
+template <class To, class From>
+void put_vectors(const std::array<std::span<const From>, 3>& from, std::size_t rows, To* into, const Strides& by) {
+  if (into == nullptr) return;
+  for (std::size_t i = 0; i < rows; ++i) {
+    To* const to = by.at(into, i, 3);
+    for (std::size_t axis = 0; axis < 3; ++axis) to[axis] = static_cast<To>(from[axis][i]);
+  }
+}
+
+/// Columns that begin so many rows further on.
+physim_states after(physim_states columns, std::size_t rows) {
+  const Strides by{columns.stride};
+  const auto move = [&](auto*& column, std::size_t width) {
+    if (column != nullptr) column = by.at(column, rows, width);
+  };
+  move(columns.id, 1), move(columns.user_data, 1), move(columns.orientation, 4);
+  for (double** column :
+       {&columns.position, &columns.velocity, &columns.previous, &columns.shown, &columns.angular_velocity})
+    move(*column, 3);
+  for (float** column : {&columns.position_f, &columns.velocity_f, &columns.shown_f}) move(*column, 3);
+  return columns;
+}
+
+/// All that are alive, as they lie in memory; returns how many there are.
+std::size_t put_all(const World& world, std::size_t room, const physim_states& into) {
+  const Strides by{into.stride};
+  const bool has_rest = into.shown || into.shown_f || into.angular_velocity || into.orientation || into.user_data;
+  std::vector<WorldColumns> cohorts;
+  world.columns(cohorts);
+  std::size_t first = 0;
+  for (const WorldColumns& cohort : cohorts)
+    std::visit(
+        [&](const auto& c) {
+          const std::size_t rows = std::min(c.index.size(), room - std::min(room, first));
+          if (rows == 0) return;
+          const physim_states here = after(into, first);
+          put_vectors(c.position, rows, here.position, by);
+          put_vectors(c.velocity, rows, here.velocity, by);
+          put_vectors(c.position, rows, here.position_f, by);
+          put_vectors(c.velocity, rows, here.velocity_f, by);
+          put_vectors(c.previous, rows, here.previous, by);
+          for (std::size_t i = 0; (here.id || has_rest) && i < rows; ++i) {
+            const ProjectileId id = world.id_at(c.index[i]);
+            if (here.id) *by.at(here.id, i) = put_id(id);
+            if (has_rest) put_rest(world[id], here, i);
+          }
+          first += rows;
+        },
+        cohort);
+  PHYSIM_ASSERT(first == std::min(room, world.size()));
+  return world.size();
 }
 
 /// A place or velocity of a row, whichever of two columns has it; nothing if neither is there.
@@ -103,6 +164,8 @@ bool put_row_into(World& world, ProjectileId id, const physim_states& from, std:
     taken = p.set_position(*position).ok();
   else if (taken && velocity)
     taken = p.set_velocity(*velocity).ok();
+  if (taken && from.angular_velocity)
+    taken = p.set_angular_velocity(vector_at(by.at(from.angular_velocity, row, 3))).ok();
   if (taken && from.user_data) taken = p.set_user_data(*by.at(from.user_data, row)).ok();
   return taken;
 }
@@ -152,12 +215,14 @@ Status add_things(WorldObject& world, const Scenario& scenario) {
   return world.own.set_scene(parts->scene);
 }
 
-Result<KindId> add_kind(WorldObject& object, const Scenario& scenario, std::size_t index, std::uint32_t flags) {
+Result<KindId> add_kind(WorldObject& object, const Scenario& scenario, std::size_t index, std::uint32_t environment,
+                        std::uint32_t flags) {
   PHYSIM_ASSERT(index < scenario.shots.size());
   ScenarioShot shot = scenario.shots[index];
   const ScenarioNames names(scenario);
   if (const auto pool = names.pools.find(shot.pool); pool && !shot.pool.empty())
     shot.body.pool = static_cast<std::uint32_t>(*pool);
+  shot.body.environment = environment;
   if (flags & PHYSIM_ASK_HITS) shot.body.collision.on_hit = OnHit::ask;
   shot.body.cheapest_within = shot.cheapest_within.value_or(0);
   const Result<KindId> kind = object.world().add_kind(shot.projectile, shot.body);
@@ -215,13 +280,86 @@ physim_result physim_world_hash(const physim_world* world, uint64_t* hash) {
   });
 }
 
-physim_result physim_world_set_environment(physim_world* world, const physim_def* def) {
+physim_result physim_world_set_environment(physim_world* world, uint32_t index, const physim_def* def) {
   return guarded([&](Call& call) {
     const auto into = call.find(world, "world");
     const auto from = call.find(def, "def");
     if (!call.ok()) return;
     const auto checked = from->checked();
-    if (call.take(checked)) call.take(into->world().set_environment(0, (*checked)->scenario.environment));
+    if (call.take(checked)) call.take(into->world().set_environment(index, (*checked)->scenario.environment));
+  });
+}
+
+physim_result physim_world_add_environment(physim_world* world, const physim_def* def, uint32_t* index) {
+  return guarded([&](Call& call) {
+    const auto into = call.find(world, "world");
+    const auto from = call.find(def, "def");
+    call.need(index, "index");
+    if (!call.ok()) return;
+    const auto checked = from->checked();
+    if (!call.take(checked)) return;
+    const Result<std::uint32_t> added = into->world().add_environment((*checked)->scenario.environment);
+    if (call.take(added)) *index = *added;
+  });
+}
+
+physim_result physim_world_set_detail(physim_world* world, const physim_def* def) {
+  return guarded([&](Call& call) {
+    const auto into = call.find(world, "world");
+    const auto from = call.find(def, "def");
+    if (!call.ok()) return;
+    const auto checked = from->checked();
+    if (call.take(checked)) call.take(into->world().set_detail((*checked)->scenario.world.def.detail));
+  });
+}
+
+physim_result physim_world_do(physim_world* world, physim_world_action action, double value) {
+  return guarded([&](Call& call) {
+    const auto into = call.find(world, "world");
+    call.need(!std::isnan(value), "value", "is not a number");
+    call.need(action >= PHYSIM_CLEAR && action <= PHYSIM_TIME_SCALE, "action", "is none");
+    if (!call.ok()) return;
+    World& w = into->world();
+    if (action == PHYSIM_CLEAR) w.clear();
+    if (action == PHYSIM_PAUSE) w.set_paused(value != 0);
+    if (action == PHYSIM_SINGLE_STEP) w.single_step();
+    if (action == PHYSIM_TIME_SCALE) call.take(w.set_time_scale(value));
+  });
+}
+
+physim_result physim_world_rest(physim_world* world, const physim_id* ids, size_t count, int32_t sleep,
+                                size_t* changed) {
+  return guarded([&](Call& call) {
+    const auto into = call.find(world, "world");
+    call.need_rows(ids, count, "ids");
+    if (!call.ok()) return;
+    std::size_t total = 0;
+    for (std::size_t i = 0; i < count; ++i) {
+      Projectile p = into->world()[id_of<ProjectileId>(ids[i])];
+      total += (sleep != 0 ? p.sleep() : p.wake()).ok();
+    }
+    if (changed != nullptr) *changed = total;
+  });
+}
+
+physim_result physim_world_spawn_moving(physim_world* world, const physim_def* def, const char* shot,
+                                        const double position[3], const double velocity[3], double age, physim_id* id) {
+  return guarded([&](Call& call) {
+    const auto into = call.find(world, "world");
+    const auto from = call.find(def, "def");
+    call.need(position, "position");
+    call.need(velocity, "velocity");
+    call.need(!std::isnan(age), "age", "is not a number");
+    call.need(id, "id");
+    if (!call.ok()) return;
+    const auto checked = from->checked();
+    if (!call.take(checked)) return;
+    const auto index = shot_in((*checked)->scenario, shot);
+    if (!call.take(index, PHYSIM_NOT_FOUND)) return;
+    const ScenarioShot& one = (*checked)->scenario.shots[*index];
+    const Departure departure{.position = vector_at(position), .velocity = vector_at(velocity), .age = age};
+    const Result<ProjectileId> born = into->world().spawn_departed(one.projectile, departure, one.body);
+    if (call.take(born)) *id = put_id(*born);
   });
 }
 
@@ -233,8 +371,8 @@ physim_result physim_world_set_observer(physim_world* world, const double positi
   });
 }
 
-physim_result physim_world_add_kind(physim_world* world, const physim_def* def, const char* shot, uint32_t flags,
-                                    uint32_t* kind) {
+physim_result physim_world_add_kind(physim_world* world, const physim_def* def, const char* shot, uint32_t environment,
+                                    uint32_t flags, uint32_t* kind) {
   return guarded([&](Call& call) {
     const auto into = call.find(world, "world");
     const auto from = call.find(def, "def");
@@ -245,7 +383,7 @@ physim_result physim_world_add_kind(physim_world* world, const physim_def* def, 
     if (!call.take(checked)) return;
     const auto index = shot_in((*checked)->scenario, shot);
     if (!call.take(index, PHYSIM_NOT_FOUND)) return;
-    const Result<KindId> added = add_kind(*into, (*checked)->scenario, *index, flags);
+    const Result<KindId> added = add_kind(*into, (*checked)->scenario, *index, environment, flags);
     if (call.take(added)) *kind = added->index;
   });
 }
@@ -265,7 +403,8 @@ physim_result physim_world_spawn(physim_world* world, uint32_t kind, size_t coun
     if (columns.has_drag()) return call.fail(PHYSIM_REFUSED, "all of a kind have one drag", "launches", "add kinds");
     columns.common = usual->second;
     if (count == 1) {  // alone it says why it is refused
-      const Result<ProjectileId> one = into->world().spawn(KindId{kind}, columns.at(0));
+      const double delay = given.delay != nullptr ? given.delay[0] : 0;
+      const Result<ProjectileId> one = into->world().spawn(KindId{kind}, columns.at(0), delay);
       if (ids != nullptr) *ids = one ? put_id(*one) : physim_id{0, 0};
       if (spawned != nullptr) *spawned = one.ok();
       return static_cast<void>(call.take(one));
@@ -277,7 +416,15 @@ physim_result physim_world_spawn(physim_world* world, uint32_t kind, size_t coun
       const std::size_t rows = std::min(kChunk, count - first);
       PHYSIM_ASSERT(rows > 0 && rows <= kChunk);
       for (std::size_t i = 0; i < rows; ++i) chunk[i] = columns.at(first + i);
-      total += into->world().spawn(KindId{kind}, std::span(chunk).first(rows), std::span(born).first(rows));
+      if (given.delay == nullptr) {
+        total += into->world().spawn(KindId{kind}, std::span(chunk).first(rows), std::span(born).first(rows));
+      } else {
+        for (std::size_t i = 0; i < rows; ++i) {
+          const Result<ProjectileId> one = into->world().spawn(KindId{kind}, chunk[i], given.delay[first + i]);
+          born[i] = one ? *one : ProjectileId{};
+          total += one.ok();
+        }
+      }
       for (std::size_t i = 0; ids != nullptr && i < rows; ++i) ids[first + i] = put_id(born[i]);
     }
     if (spawned != nullptr) *spawned = total;
@@ -351,15 +498,15 @@ physim_result physim_world_states(const physim_world* world, const physim_id* id
     need_stride(call, columns);
     if (!call.ok()) return;
     const World& w = of->world();
-    std::vector<ProjectileId> alive;
-    if (ids == nullptr) w.ids(alive);
-    const auto all =
-        ids != nullptr ? std::span(same_memory<const ProjectileId>(ids), count) : std::span(std::as_const(alive));
-    const std::size_t rows = std::min(count, all.size());
-    PHYSIM_ASSERT(ids == nullptr || rows == count);
-    for (std::size_t first = 0; first < rows; first += kChunk)
-      put_states(w, all.subspan(first, std::min(kChunk, rows - first)), columns, first);
-    if (read != nullptr) *read = all.size();
+    if (ids == nullptr) {
+      const std::size_t alive = put_all(w, count, columns);
+      if (read != nullptr) *read = alive;
+      return;
+    }
+    const std::span all(same_memory<const ProjectileId>(ids), count);
+    for (std::size_t first = 0; first < count; first += kChunk)
+      put_states(w, all.subspan(first, std::min(kChunk, count - first)), columns, first);
+    if (read != nullptr) *read = count;
   });
 }
 

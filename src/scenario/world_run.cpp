@@ -392,7 +392,10 @@ Result<WorldRun> WorldRun::load(Scenario scenario, std::span<const std::byte> sa
                     saved->state.lone.size() == run.lone.size();
   if (!same)
     return Error{"is of another scenario", "save", "give the scenario, with the same --set, that it was made with"};
-  Result<World> world = World::load(saved->world, {.threading = scenario.world.def.threading, .custom_forces = {}});
+  LoadOptions options{.threading = scenario.world.def.threading};
+  if (scenario.environment.wind.field) options.wind_fields.push_back(scenario.environment.wind.field);
+  if (scenario.environment.force) options.force_fields.push_back(scenario.environment.force);
+  Result<World> world = World::load(saved->world, options);
   if (!world) return world.error();
   run.world = std::move(*world);
   static_cast<RunState&>(run) = std::move(saved->state);

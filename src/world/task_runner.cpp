@@ -4,9 +4,12 @@
 #include <algorithm>
 #include <atomic>
 #include <condition_variable>
+#include <exception>
 #include <mutex>
+#include <new>
 #include <system_error>
 #include <thread>
+#include <utility>
 #include <vector>
 
 namespace physim {
@@ -19,6 +22,7 @@ class ThreadPool final : public TaskRunner {
     try {
       for (unsigned i = 1; i < threads; ++i) helpers_.emplace_back([this] { help(); });
     } catch (const std::system_error&) {  // the system gives no more: those that there are do the work
+    } catch (const std::bad_alloc&) {     // nor does memory last for more
     }
   }
   ThreadPool(const ThreadPool&) = delete;
@@ -50,12 +54,21 @@ class ThreadPool final : public TaskRunner {
     take_tasks();
     std::unique_lock lock(mutex_);
     done_.wait(lock, [this] { return busy_ == 0; });
+    const std::exception_ptr thrown = std::exchange(thrown_, nullptr);
+    lock.unlock();
+    if (thrown) std::rethrow_exception(thrown);
   }
   [[nodiscard]] unsigned threads() const override { return static_cast<unsigned>(helpers_.size()) + 1; }
 
  private:
+  /// A task may run out of memory: the first exception goes to the caller when all threads are done with the context.
   void take_tasks() {
-    for (std::size_t i = next_.fetch_add(1); i < count_; i = next_.fetch_add(1)) task_(context_, i);
+    for (std::size_t i = next_.fetch_add(1); i < count_; i = next_.fetch_add(1)) try {
+        task_(context_, i);
+      } catch (...) {
+        const std::lock_guard lock(mutex_);
+        if (!thrown_) thrown_ = std::current_exception();
+      }
   }
   void help() {
     std::unique_lock lock(mutex_);
@@ -79,6 +92,7 @@ class ThreadPool final : public TaskRunner {
   std::size_t count_ = 0;
   std::atomic<std::size_t> next_{0};
   std::size_t busy_ = 0;
+  std::exception_ptr thrown_;  // by a task of this round
   std::size_t round_ = 0;
   bool stopping_ = false;
 };

@@ -35,7 +35,7 @@ static void test_world(void) {
   OK(physim_world_create(def, PHYSIM_FIRE_NOTHING, &world));
   OK(physim_world_record(world, 1));
   IS(PHYSIM_REFUSED, physim_world_record(world, 1));
-  OK(physim_world_add_kind(world, def, "ball", 0, &kind));
+  OK(physim_world_add_kind(world, def, "ball", 0, 0, &kind));
   launches.z = z;
   OK(physim_world_spawn(world, kind, 3, &launches, ids, &count));
   CHECK(count == 3);
@@ -276,9 +276,9 @@ static void test_parts(void) {
   IS(PHYSIM_NOT_FOUND, physim_emitter_read(world, nobody, &info));
 
   IS(PHYSIM_REFUSED,
-     physim_world_add_kind(world, def, "ball", PHYSIM_ASK_HITS, &kind)); /* it asks, and there is no function */
+     physim_world_add_kind(world, def, "ball", 0, PHYSIM_ASK_HITS, &kind)); /* it asks, and there is no function */
   OK(physim_world_set_hit_function(world, all_stop, &struck));
-  OK(physim_world_add_kind(world, def, "ball", PHYSIM_ASK_HITS, &kind));
+  OK(physim_world_add_kind(world, def, "ball", 0, PHYSIM_ASK_HITS, &kind));
   launches.z = zs;
   OK(physim_world_spawn(world, kind, 2, &launches, ball, NULL));
   rod.a = ball[0];
@@ -334,7 +334,7 @@ static void test_functions(void) {
   OK(physim_flight_at(blown, PHYSIM_AT_TIME, 2, &b));
   CHECK(b.position[2] > a.position[2] && b.position[0] > a.position[0] + 5); /* 3 m/s^2 for 2 s: 6 m, less drag */
   OK(physim_world_create(def, PHYSIM_FIRE_NOTHING, &world));
-  OK(physim_world_add_kind(world, def, "ball", 0, &kind));
+  OK(physim_world_add_kind(world, def, "ball", 0, 0, &kind));
   OK(physim_world_spawn(world, kind, 1, NULL, NULL, NULL));
   OK(physim_world_step(world, 10, 0));
   OK(physim_save(world, &save));
@@ -354,7 +354,7 @@ static void test_functions(void) {
   CHECK(hash == again);
   OK(physim_set_wind_function(def, NULL, NULL));
   OK(physim_set(def, "environment.wind.velocity", "[1, 0, 0]"));
-  OK(physim_world_set_environment(world, def));
+  OK(physim_world_set_environment(world, 0, def));
   OK(physim_free(loaded));
   OK(physim_free(world));
   OK(physim_free(save));
@@ -378,7 +378,7 @@ static void test_hits(void) {
   OK(physim_world_create(def, PHYSIM_FIRE_NOTHING, &world));
   OK(physim_scene_find(world, "wall", &wall));
   OK(physim_world_set_hit_function(world, all_stop, &struck));
-  OK(physim_world_add_kind(world, def, "ball", PHYSIM_ASK_HITS, &kind));
+  OK(physim_world_add_kind(world, def, "ball", 0, PHYSIM_ASK_HITS, &kind));
   OK(physim_world_spawn(world, kind, 1, NULL, &ball, NULL));
   OK(physim_world_step(world, 200, 0));
   OK(physim_world_projectile(world, ball, &one));
@@ -388,10 +388,141 @@ static void test_hits(void) {
   OK(physim_free(def));
 }
 
+/* Calls that change a world otherwise. */
+static void test_changes(void) {
+  physim_def* def = made(kWorld);
+  physim_world* world = NULL;
+  physim_id ids[3], moving, force, wall;
+  physim_projectile one = {.size = sizeof one};
+  physim_world_info info = {.size = sizeof info};
+  physim_launches launches = {.size = sizeof launches};
+  physim_states states = {.size = sizeof states};
+  physim_transform to = {.size = sizeof to};
+  physim_hit hit;
+  const physim_segment ray = {{0, 5, 0}, {100, 5, 0}, 0, 0, 0};
+  double delay[3] = {0, 0.5, 1}, spin[9] = {0, 0, 10, 0, 0, 0, 0, 0, 0};
+  const double place[3] = {0, 50, 0}, velocity[3] = {1, 2, 3};
+  uint32_t moon = 0, kind = 0, light = 0, steps = 0;
+  size_t count = 0, pulled = 0;
+  OK(physim_world_create(def, PHYSIM_FIRE_NOTHING, &world));
+  OK(physim_set(def, "environment.gravity.acceleration", "1.62"));
+  OK(physim_set(def, "environment.gravity.model", "constant"));
+  OK(physim_world_add_environment(world, def, &moon));
+  OK(physim_world_add_kind(world, def, NULL, 0, 0, &kind));
+  OK(physim_world_add_kind(world, def, NULL, moon, 0, &light));
+  IS(PHYSIM_REFUSED, physim_world_add_kind(world, def, NULL, moon + 1, 0, &light));
+  launches.delay = delay;
+  OK(physim_world_spawn(world, kind, 3, &launches, ids, &count));
+  CHECK(count == 3);
+  OK(physim_world_spawn(world, light, 1, NULL, &moving, NULL));
+  OK(physim_world_step(world, 20, 0));
+  OK(physim_world_projectile(world, ids[2], &one));
+  CHECK(strcmp(physim_name("life", one.life), "pending") == 0);
+  OK(physim_world_projectile(world, moving, &one));
+  CHECK(one.acceleration[1] < -1.62 && one.acceleration[1] > -4); /* with some drag */
+  OK(physim_world_set_environment(world, moon, def));
+  OK(physim_world_set_detail(world, def));
+  OK(physim_world_spawn_moving(world, def, "ball", place, velocity, 2, &moving));
+  OK(physim_world_projectile(world, moving, &one));
+  CHECK(one.position[1] == 50 && one.velocity[2] == 3 && is_near(one.age, 2, 1e-6));
+
+  states.angular_velocity = spin;
+  OK(physim_world_put(world, ids, 1, &states, &count));
+  CHECK(count == 1);
+  OK(physim_world_rest(world, &moving, 1, 1, &count));
+  CHECK(count == 1);
+  OK(physim_world_projectile(world, moving, &one));
+  CHECK(one.asleep);
+  OK(physim_world_rest(world, &moving, 1, 0, &count));
+  OK(physim_world_rest(world, &moving, 1, 0, &count));
+  CHECK(count == 0); /* it is awake */
+  OK(physim_world_add_force_function(world, pull, &pulled, &moving, 1, 0, &force));
+  OK(physim_world_release(world, force, &moving, 1, &count));
+  CHECK(count == 1);
+
+  OK(physim_scene_find(world, "wall", &wall));
+  OK(physim_scene_set_layers(world, wall, 2));
+  OK(physim_scene_cast(world, &ray, 1, 1, &hit, sizeof hit, NULL));
+  CHECK(hit.thing.index == 0);
+  OK(physim_scene_cast(world, &ray, 1, 2, &hit, sizeof hit, NULL));
+  CHECK(hit.thing.index == wall.index);
+
+  OK(physim_world_do(world, PHYSIM_PAUSE, 1));
+  OK(physim_world_advance(world, 0.05, &steps));
+  CHECK(steps == 0);
+  OK(physim_world_do(world, PHYSIM_SINGLE_STEP, 0));
+  OK(physim_world_do(world, PHYSIM_PAUSE, 0));
+  OK(physim_world_do(world, PHYSIM_TIME_SCALE, 0.5));
+  OK(physim_world_advance(world, 0.11, &steps));
+  CHECK(steps == 5);
+  IS(PHYSIM_REFUSED, physim_world_do(world, PHYSIM_TIME_SCALE, -1));
+  OK(physim_world_do(world, PHYSIM_CLEAR, 0));
+  OK(physim_world_read(world, &info));
+  CHECK(info.projectiles == 0);
+  to.position[0] = 1;
+  IS(PHYSIM_REFUSED, physim_emitter_move(world, wall, &to, -1));
+  OK(physim_free(world));
+  OK(physim_free(def));
+}
+
+/* A program that was compiled with a shorter struct gets what it knows, and nothing behind it. */
+static void test_shorter_structs(void) {
+  physim_def* def = made(kWorld);
+  physim_world* world = NULL;
+  physim_id id;
+  uint32_t kind = 0;
+  struct {
+    physim_projectile known;
+    double behind;
+  } room = {.known = {.size = offsetof(physim_projectile, acceleration)}, .behind = 7};
+  OK(physim_world_create(def, PHYSIM_FIRE_NOTHING, &world));
+  OK(physim_world_add_kind(world, def, NULL, 0, 0, &kind));
+  OK(physim_world_spawn(world, kind, 1, NULL, &id, NULL));
+  room.known.acceleration[1] = room.known.angular_velocity[2] = 5;
+  OK(physim_world_projectile(world, id, &room.known));
+  CHECK(room.known.velocity[0] > 0 && room.known.acceleration[1] == 5 && room.known.angular_velocity[2] == 5);
+  CHECK(room.behind == 7 && room.known.size == offsetof(physim_projectile, acceleration));
+  OK(physim_free(world));
+  OK(physim_free(def));
+}
+
+/* What a function does to the world that calls it: reading is fine, changes are refused, its end waits for the step. */
+struct seen {
+  physim_world* world;
+  int calls;
+  physim_result step, read, freed;
+};
+static void meddle(void* user, const physim_force_batch* batch) {
+  struct seen* seen = user;
+  physim_world_info info = {.size = sizeof info};
+  (void)batch;
+  if (seen->calls++ > 0) return;
+  seen->step = physim_world_step(seen->world, 1, 0);
+  seen->read = physim_world_read(seen->world, &info);
+  seen->freed = physim_free(seen->world);
+}
+static void test_inside_of_a_step(void) {
+  physim_def* def = made(kWorld);
+  struct seen seen = {.calls = 0};
+  physim_id id, force;
+  uint32_t kind = 0;
+  OK(physim_world_create(def, PHYSIM_FIRE_NOTHING, &seen.world));
+  OK(physim_world_add_kind(seen.world, def, NULL, 0, 0, &kind));
+  OK(physim_world_spawn(seen.world, kind, 1, NULL, &id, NULL));
+  OK(physim_world_add_force_function(seen.world, meddle, &seen, &id, 1, 0, &force));
+  OK(physim_world_step(seen.world, 3, 0));
+  CHECK(seen.calls >= 3 && seen.step == PHYSIM_REFUSED && seen.read == PHYSIM_OK && seen.freed == PHYSIM_OK);
+  IS(PHYSIM_BAD_HANDLE, physim_world_step(seen.world, 1, 0));
+  OK(physim_free(def));
+}
+
 void test_worlds(void) {
   test_world();
   test_scene();
   test_parts();
   test_functions();
   test_hits();
+  test_changes();
+  test_shorter_structs();
+  test_inside_of_a_step();
 }

@@ -195,7 +195,7 @@ TEST(CInterface, a_world_of_calls_has_the_bits_of_cpp) {
   auto launches = sized<physim_launches>();
   launches.z = z.data();
   ASSERT_DONE(physim_world_add_emitter(world, def, "sparks", nullptr, &emitter));
-  ASSERT_DONE(physim_world_add_kind(world, def, "ball", 0, &kind));
+  ASSERT_DONE(physim_world_add_kind(world, def, "ball", 0, 0, &kind));
   ASSERT_DONE(physim_world_spawn(world, kind, z.size(), &launches, ids, nullptr));
   ASSERT_DONE(physim_world_step(world, 100, 0));
   const std::array<double, 3> push{1, 2, 3};
@@ -227,12 +227,13 @@ TEST(CInterface, a_world_of_calls_has_the_bits_of_cpp) {
   auto states = sized<physim_states>();
   std::vector<double> positions(3 * twin.size());
   std::size_t count = 0;
+  std::vector<physim_id> alive(twin.size());
   states.position = positions.data();
+  states.id = alive.data();
   ASSERT_DONE(physim_world_states(world, nullptr, twin.size(), &states, &count));
   ASSERT_EQ(count, twin.size());
-  const std::vector<ProjectileId> alive = twin.ids();
   for (std::size_t i = 0; i < count; ++i) {
-    const Vec3d at = twin[alive[i]].position();
+    const Vec3d at = twin[{alive[i].index, alive[i].generation}].position();
     EXPECT_EQ((Vec3d{positions[3 * i], positions[3 * i + 1], positions[3 * i + 2]}), at);
   }
 }

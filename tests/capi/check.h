@@ -3,6 +3,7 @@
 #define PHYSIM_TESTS_CHECK_H
 
 #include <math.h>
+#include <stddef.h>
 #include <stdio.h>
 #include <string.h>
 

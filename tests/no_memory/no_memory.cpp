@@ -105,22 +105,28 @@ physim_result flight() {
   return step.code();
 }
 
-physim_result batch() {
+/// On the caller's thread alone, or on two.
+physim_result batch_on(std::uint32_t threads, std::size_t count) {
   Steps step;
   physim_def* def = nullptr;
-  constexpr std::size_t kCount = 40;
-  double speed[kCount], x[kCount] = {};
-  for (std::size_t i = 0; i < kCount; ++i) speed[i] = 90 + static_cast<double>(i);
+  physim_pool* pool = nullptr;
+  static double speed[5000], x[5000];
+  for (std::size_t i = 0; i < count; ++i) speed[i] = 90 + 1e-3 * static_cast<double>(i);
   physim_launches launches{};
   physim_ends ends{};
   launches.size = sizeof launches, launches.speed = speed;
   ends.size = sizeof ends, ends.x = x;
   step(physim_def_create(kShot, nullptr, &def));
-  if (step.ok()) step(physim_batch(def, nullptr, kCount, &launches, nullptr, &ends, nullptr, nullptr));
+  if (step.ok() && threads > 1) step(physim_pool_create(threads, &pool));
+  if (step.ok()) step(physim_batch(def, nullptr, count, &launches, nullptr, &ends, pool, nullptr));
+  physim_free(pool);
   physim_free(def);
-  answer = x[kCount - 1];
+  answer = x[count - 1];
   return step.code();
 }
+
+physim_result batch() { return batch_on(1, 40); }
+physim_result threads() { return batch_on(2, 5000); }
 
 physim_result world() {
   Steps step;
@@ -133,7 +139,7 @@ physim_result world() {
   std::uint64_t hash = 0;
   step(physim_def_create(kWorld, nullptr, &def));
   if (step.ok()) step(physim_world_create(def, PHYSIM_FIRE_NOTHING, &made));
-  if (step.ok()) step(physim_world_add_kind(made, def, nullptr, 0, &kind));
+  if (step.ok()) step(physim_world_add_kind(made, def, nullptr, 0, 0, &kind));
   if (step.ok()) step(physim_world_spawn(made, kind, 3, nullptr, balls, nullptr));
   if (step.ok()) step(physim_world_add_emitter(made, def, nullptr, nullptr, &emitter));
   if (step.ok()) step(physim_world_step(made, 30, 0));
@@ -188,7 +194,8 @@ int main(int count, char** names) {
     physim_result (*calls)();
   };
   bool good = true;
-  for (const Scene& scene : {Scene{"flight", flight}, Scene{"batch", batch}, Scene{"world", world}})
+  for (const Scene& scene :
+       {Scene{"flight", flight}, Scene{"batch", batch}, Scene{"threads", threads}, Scene{"world", world}})
     if (count < 2 || std::strcmp(names[1], scene.name) == 0) good = survives(scene.name, scene.calls) && good;
   return good ? 0 : 1;
 }
