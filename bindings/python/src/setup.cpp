@@ -154,7 +154,6 @@ Scenario scenario_of(Value& document, const std::string& file) {
   taken(complete_scene(scenario, document));
   taken(complete_emitters(scenario, document));
   taken(check_scenario(scenario, document));
-  add_notes(scenario, document);
   scenario.files = in_use.inputs();
   return scenario;
 }
@@ -346,6 +345,14 @@ SetupPtr from_text(const std::string& text, const std::string& file, const std::
   if (format == nullptr) fail("the format version is missing", file + ":1:1", "write physim = 1 at the top");
   return Setup::make(std::move(document), file, function_of(wind_field, "wind_field"),
                      function_of(force, "force_field"));
+}
+
+/// They are looked for where they are asked for: it takes as long as reading all settings.
+std::vector<std::string> notes_of(const Setup& setup) {
+  const IeeeMode mode;
+  Scenario scenario = setup.scenario;
+  add_notes(scenario, setup.document);
+  return scenario.notes;
 }
 
 nb::list settings_table() {
