@@ -127,7 +127,7 @@ class Flight:
 
     @property
     def outcome(self) -> str:
-        """How it ended: "landed", "reached_range", "time_limit", "hit", "event", ..."""
+        """Its end: "landed", "reached_range", "time_limit", "hit", "event", ..."""
         return self._flight.outcome
 
     @property
@@ -195,7 +195,7 @@ class Flight:
 
     @property
     def notes(self) -> list[str]:
-        """Where the fidelity granted differs from what was asked for, and why."""
+        """Differences of the fidelity granted from what was asked for, with reasons."""
         return [f"{n['effect']}: {n['granted']} instead of {n['asked']}: {n['reason']}" for n in self._flight.notes()]
 
     @property

@@ -122,7 +122,7 @@ void complete(Scenario& scenario, const Value& document) {
     scenario.expect[i].place = element(document, "expect", i).place.text();
 }
 
-/// Whether a distribution may stand in the place of a number. Most trees have none, and taking them takes a while.
+/// True if a distribution may stand in the place of a number. Most trees have none, and taking them takes a while.
 bool may_be_uncertain(const Value& value, const SchemaNode* node) {
   if (const auto* text = value.get<std::string>()) {
     for (const std::string_view word : {"lognormal ", "one of ", "column ", "added "})
