@@ -41,7 +41,10 @@ class PythonReader {
       const std::string name = text_of(key, path);
       const std::string below = path.empty() ? name : path + "." + name;
       const SchemaNode* child = node != nullptr ? node->find(name) : nullptr;
-      members.push_back({name, {std::make_shared<const std::string>(below), 0, 0}, read(each, child, below)});
+      // Apart: g++ 12 destroys parts of an aggregate twice where a later one throws.
+      Value value = read(each, child, below);
+      Place place = value.place;
+      members.push_back({name, std::move(place), std::move(value)});
     }
     return members;
   }
