@@ -150,7 +150,7 @@ def from_rocketpy(
 
 
 def _times_of(function: Any, start: float, end: float) -> Any:
-    """Where a curve has its points, or evenly where it is a formula."""
+    """Times of a curve's points; evenly spaced ones of a formula."""
     source = getattr(function, "source", None)
     if isinstance(source, np.ndarray) and source.ndim == 2:
         inside = source[(source[:, 0] > start) & (source[:, 0] < end), 0]

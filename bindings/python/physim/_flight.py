@@ -44,20 +44,42 @@ class Sample(Record):
     angular_velocity: NDArray[np.float64]
     angle_of_attack: float
 
-    @property
-    def x(self) -> float:
-        """Downrange [m]."""
-        return float(self.position[0])
+    x: float
+    y: float
+    z: float
 
-    @property
-    def y(self) -> float:
-        """Upwards [m]."""
-        return float(self.position[1])
+    def __init__(self, sample: _core.Sample) -> None:
+        self.__dict__["_sample"] = sample
 
-    @property
-    def z(self) -> float:
-        """To the right [m]."""
-        return float(self.position[2])
+    def __getattr__(self, name: str) -> Any:
+        """Read when it is asked for: few ask for all."""
+        if name.startswith("_"):
+            raise AttributeError(name)
+        return getattr(self.__dict__["_sample"], name)
+
+    def as_dict(self) -> dict[str, Any]:
+        return self.__dict__["_sample"].table()  # type: ignore[no-any-return]
+
+    def __dir__(self) -> list[str]:
+        return [*super().__dir__(), *self.as_dict(), "x", "y", "z"]
+
+    def __reduce__(self) -> Any:
+        return (_pickled_sample, (self.as_dict(),))
+
+
+class _PickledSample:
+    """Numbers of a sample that was pickled."""
+
+    def __init__(self, values: dict[str, Any]) -> None:
+        self.__dict__.update(values)
+        self.x, self.y, self.z = values["position"]
+
+    def table(self) -> dict[str, Any]:
+        return {name: value for name, value in self.__dict__.items() if name not in ("x", "y", "z")}
+
+
+def _pickled_sample(values: dict[str, Any]) -> Sample:
+    return Sample(_PickledSample(values))  # type: ignore[arg-type]
 
 
 class Event(Record):
@@ -105,7 +127,7 @@ class Flight:
 
     @property
     def outcome(self) -> str:
-        """How it ended: "landed", "reached_range", "time_limit", "hit", "event", ..."""
+        """Its end: "landed", "reached_range", "time_limit", "hit", "event", ..."""
         return self._flight.outcome
 
     @property
@@ -173,7 +195,7 @@ class Flight:
 
     @property
     def notes(self) -> list[str]:
-        """Where the fidelity granted differs from what was asked for, and why."""
+        """Differences of the fidelity granted from what was asked for, with reasons."""
         return [f"{n['effect']}: {n['granted']} instead of {n['asked']}: {n['reason']}" for n in self._flight.notes()]
 
     @property

@@ -51,7 +51,7 @@ def _axes(figure: Any, place: Any, title: str, xlabel: str = "", **options: Any)
 
 
 def _stretch(axes: Any, width: float, height: float) -> str:
-    """How much taller the picture shows heights than they are: "" where they are to scale."""
+    """The factor by which the picture stretches heights, in words; "" if they are to scale."""
     if width <= 0 or height <= 0:
         return ""
     box = axes.get_position()

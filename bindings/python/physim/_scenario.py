@@ -36,7 +36,7 @@ _COLUMN_PATHS = {
 
 
 class _Settled:
-    """What has settings: they are read by path, and a copy with others is made by keywords."""
+    """Base of shots and scenarios: settings are read by path, and a copy with others is made by keywords."""
 
     _setup: _core.Setup
 
@@ -114,7 +114,7 @@ def _unpickled(cls: type[_Settled], text: str, file: str, wind_field: Any, force
 
 
 class Batch(Columns):
-    """How many flights ended: columns as they were asked for."""
+    """The ends of many flights, in the columns that were asked for."""
 
     def __init__(self, columns: Mapping[str, Any], codes: NDArray[np.uint8], answer: Mapping[str, Any]) -> None:
         super().__init__(columns, UNITS)
@@ -128,7 +128,7 @@ class Batch(Columns):
 
     @property
     def outcome(self) -> NDArray[np.str_]:
-        """How each ended: "landed", "reached_range", ..., "refused"."""
+        """The end of each: "landed", "reached_range", ..., "refused"."""
         return np.array(_core.names("outcome"))[self._codes]
 
     def __getitem__(self, key: Any) -> Any:
@@ -549,7 +549,7 @@ def _column(value: Any, name: str) -> NDArray[np.float64]:
 
 
 def _check_apart(inputs: Mapping[str, Any], outputs: Mapping[str, Any]) -> None:
-    """What is written must be no column that is read, and no other that is written."""
+    """A column that is written must be no column that is read, and no other that is written."""
     seen = [(name, each) for name, each in inputs.items()]
     for name, column in outputs.items():
         if not isinstance(column, np.ndarray):

@@ -174,7 +174,7 @@ def flat_paths(keywords: Mapping[str, Any]) -> dict[str, Any]:
 
 @functools.lru_cache(maxsize=4096)
 def _place_of(keyword: str) -> tuple[bool, tuple[str, ...], str]:
-    """Whether it is in the table of the shot, the keys that lead there, and the path."""
+    """A flag for settings of the shot, the keys that lead to the setting, and its path."""
     path = path_of(keyword)
     parts = tuple(path.split("."))
     return (True, parts[1:], path) if parts[0] == "shot" else (False, parts, path)

@@ -17,7 +17,7 @@ _BARS = 60  # of histograms
 
 
 class StudyResult:
-    """What a study came to. Estimates are pairs of value and standard error.
+    """The result of a study. Estimates are pairs of value and standard error.
 
     Attributes:
         shots, refused, not_arrived: counts
@@ -137,7 +137,7 @@ class Study:
 
     @property
     def inputs(self) -> list[str]:
-        """What is uncertain, with units."""
+        """Uncertain numbers, with units."""
         return self._core.inputs
 
     @property

@@ -507,7 +507,7 @@ class World:
 
     # --------------------------------------------------------------------------------------------------------- scene
     def set_scene(self, scene: Scenario | None = None, **tables: Any) -> None:
-        """What projectiles meet from now on, as their body_collision_on_hit says: material=[...], shape=[...],
+        """Sets the things that projectiles meet from now on, as their body_collision_on_hit says: material=[...], shape=[...],
         thing=[...]; or the things of a scenario; nothing without any."""
         if scene is None:
             tree = {"physim": 1, "world": {}, "shot": [{}], **_as_lists(tables)}

@@ -1,4 +1,4 @@
-// What the files of the extension module share: errors as exceptions, columns as NumPy arrays, functions of Python.
+// Common parts of the extension module: errors as exceptions, columns as NumPy arrays, functions of Python.
 #pragma once
 
 #include <nanobind/nanobind.h>
@@ -106,7 +106,7 @@ class Output {
   Output(nb::handle array, const std::string& name);
 
   [[nodiscard]] std::size_t size() const { return size_; }
-  /// Where numbers can be written in place; empty where they are converted or scattered by finish().
+  /// Memory to be written: the caller's, or a buffer that finish() converts or scatters.
   [[nodiscard]] std::span<double> span() {
     return is_direct() ? std::span<double>(static_cast<double*>(data_), size_) : std::span<double>(buffer_);
   }
@@ -175,7 +175,7 @@ class Released {
   Released(const Released&) = delete;
   Released& operator=(const Released&) = delete;
 
-  /// Whether the interpreter has begun to end, and another thread than this one ends it.
+  /// True if the interpreter has begun to end, and another thread than this one ends it.
   [[nodiscard]] static bool is_over();
   /// To be called once, by the module.
   static void wait_for_the_end(nb::module_& module);
@@ -192,7 +192,7 @@ class Function {
   explicit Function(nb::object function);
 
   [[nodiscard]] nb::object get() const;
-  /// Calls `work` with the interpreter's lock; an exception is kept and told to the library by a C++ exception.
+  /// Calls `work` with the interpreter's lock; an exception is kept, and the library gets a C++ exception.
   template <class Work>
   void call(const Work& work) const {
     if (!Py_IsInitialized() || Released::is_over()) throw Stopped();

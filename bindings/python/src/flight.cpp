@@ -343,6 +343,26 @@ nb::dict range_card(const Setup& setup, const std::string& name, const std::vect
 }  // namespace
 
 void add_flight(nb::module_& m) {
+  nb::class_<Sample>(m, "Sample", "The state at one moment.")
+      .def("table", &sample_table)
+      .def_ro("time", &Sample::time)
+      .def_prop_ro("position", [](const Sample& s) { return array_of(s.position); })
+      .def_prop_ro("velocity", [](const Sample& s) { return array_of(s.velocity); })
+      .def_prop_ro("acceleration", [](const Sample& s) { return array_of(s.acceleration); })
+      .def_prop_ro("x", [](const Sample& s) { return s.position.x; })
+      .def_prop_ro("y", [](const Sample& s) { return s.position.y; })
+      .def_prop_ro("z", [](const Sample& s) { return s.position.z; })
+      .def_ro("speed", &Sample::speed)
+      .def_ro("mach", &Sample::mach)
+      .def_ro("energy", &Sample::energy)
+      .def_ro("mass", &Sample::mass)
+      .def_ro("thrust", &Sample::thrust)
+      .def_ro("range", &Sample::range)
+      .def_ro("drop", &Sample::drop)
+      .def_ro("windage", &Sample::windage)
+      .def_prop_ro("orientation", [](const Sample& s) { return array_of(s.orientation); })
+      .def_prop_ro("angular_velocity", [](const Sample& s) { return array_of(s.angular_velocity); })
+      .def_ro("angle_of_attack", &Sample::angle_of_attack);
   nb::class_<Flight>(m, "Flight", "A computed trajectory.")
       .def_prop_ro(
           "outcome", [](const Flight& f) { return std::string(name(f.outcome())); }, "How it ended.")
@@ -353,14 +373,14 @@ void add_flight(nb::module_& m) {
           "kinds_of_rotation", [](const Flight& f) { return turns(f.fidelity_in_use().fidelity); },
           "Whether its attitude was flown.")
       .def(
-          "at", [](const Flight& f, double time) { return sample_table(f.at(time)); }, "time"_a, "State at a time.")
+          "at", [](const Flight& f, double time) { return f.at(time); }, "time"_a, "State at a time.")
       .def(
-          "at_range", [](const Flight& f, double range) { return sample_table(taken(f.at_range(range))); }, "range"_a,
+          "at_range", [](const Flight& f, double range) { return taken(f.at_range(range)); }, "range"_a,
           "State at a range along the line of sight.")
       .def(
           "at_height",
           [](const Flight& f, double height, const std::string& direction) {
-            return sample_table(taken(f.at_height(height, crossing_of(direction))));
+            return taken(f.at_height(height, crossing_of(direction)));
           },
           "height"_a, "direction"_a = "any", "State at a height.")
       .def("at_times", &at_times, "times"_a, "Columns of states at times.")

@@ -41,7 +41,10 @@ class PythonReader {
       const std::string name = text_of(key, path);
       const std::string below = path.empty() ? name : path + "." + name;
       const SchemaNode* child = node != nullptr ? node->find(name) : nullptr;
-      members.push_back({name, {std::make_shared<const std::string>(below), 0, 0}, read(each, child, below)});
+      // Apart: g++ 12 destroys parts of an aggregate twice where a later one throws.
+      Value value = read(each, child, below);
+      Place place = value.place;
+      members.push_back({name, std::move(place), std::move(value)});
     }
     return members;
   }
@@ -122,7 +125,7 @@ void complete(Scenario& scenario, const Value& document) {
     scenario.expect[i].place = element(document, "expect", i).place.text();
 }
 
-/// Whether a distribution may stand in the place of a number. Most trees have none, and taking them takes a while.
+/// True if a distribution may stand in the place of a number. Most trees have none, and taking them takes a while.
 bool may_be_uncertain(const Value& value, const SchemaNode* node) {
   if (const auto* text = value.get<std::string>()) {
     for (const std::string_view word : {"lognormal ", "one of ", "column ", "added "})
@@ -154,7 +157,6 @@ Scenario scenario_of(Value& document, const std::string& file) {
   taken(complete_scene(scenario, document));
   taken(complete_emitters(scenario, document));
   taken(check_scenario(scenario, document));
-  add_notes(scenario, document);
   scenario.files = in_use.inputs();
   return scenario;
 }
@@ -346,6 +348,14 @@ SetupPtr from_text(const std::string& text, const std::string& file, const std::
   if (format == nullptr) fail("the format version is missing", file + ":1:1", "write physim = 1 at the top");
   return Setup::make(std::move(document), file, function_of(wind_field, "wind_field"),
                      function_of(force, "force_field"));
+}
+
+/// They are looked for where they are asked for: it takes as long as reading all settings.
+std::vector<std::string> notes_of(const Setup& setup) {
+  const IeeeMode mode;
+  Scenario scenario = setup.scenario;
+  add_notes(scenario, setup.document);
+  return scenario.notes;
 }
 
 nb::list settings_table() {

@@ -32,7 +32,7 @@ struct Setup {
 
 using SetupPtr = std::shared_ptr<const Setup>;
 
-/// What Python gave as a value of a setting.
+/// The value of a setting as Python gave it.
 [[nodiscard]] Value value_of_python(nb::handle object, const std::string& path);
 
 }  // namespace physim::python

@@ -202,58 +202,55 @@ nb::dict shots_table(const StudyPlan& plan, const StudyShots& shots) {
 }
 
 // ---------------------------------------------------------------------------------------------------------------- runs
+std::optional<Function> function_of(const nb::object& object) {
+  return object.is_none() ? std::nullopt : std::optional<Function>(object);
+}
+
+/// Asks a function of Python whether the study goes on; what it raises is kept, and ends the study.
+bool goes_on(const std::optional<Function>& after, const StudyPart& part) {
+  if (!after) return true;
+  bool answer = false;
+  try {
+    after->call([&](const nb::object& f) { answer = nb::cast<bool>(nb::bool_(f(part.shards()))); });
+  } catch (...) {
+    return false;
+  }
+  return answer;
+}
+
 /// Flies shards first ... first + count - 1 that `so_far` lacks; `after` is called after each and may stop it.
 nb::bytes run_part(const PyStudy& s, std::uint64_t first, std::uint64_t count, const nb::bytes& so_far,
                    unsigned threads, const nb::object& after) {
+  const std::optional<Function> asked = function_of(after);
   StudyOptions options{.so_far = part_of(so_far)};
-  std::optional<Function> told;
-  if (!after.is_none()) {
-    told.emplace(after);
-    options.after_shard = [&](const StudyPart& part) {
-      bool goes_on = false;
-      try {
-        told->call([&](const nb::object& f) { goes_on = nb::cast<bool>(nb::bool_(f(part.shards()))); });
-      } catch (...) {  // kept, and raised below
-        return false;
-      }
-      return goes_on;
-    };
-  }
-  StudyPart part = [&] {
+  options.after_shard = [&](const StudyPart& part) { return goes_on(asked, part); };
+  const StudyPart part = [&] {
     const Released free;
     const Threads pool(threads);
     return taken(run_shards(s.plan, first, count, pool.runner(), options));
   }();
   s.setup->raise_kept();
-  if (told) told->raise_kept();
+  if (asked) asked->raise_kept();
   return bytes_of(save_part(part));
 }
 
 /// All of it, with the ends of studies by width.
 nb::tuple run_all(const PyStudy& s, const nb::bytes& so_far, unsigned threads, const nb::object& after,
                   std::size_t bars) {
+  const std::optional<Function> asked = function_of(after);
   StudyOptions options{.so_far = part_of(so_far)};
-  std::optional<Function> told;
   StudyPart last = options.so_far;
-  if (!after.is_none()) told.emplace(after);
   options.after_shard = [&](const StudyPart& part) {
     last = part;
-    if (!told) return true;
-    bool goes_on = false;
-    try {
-      told->call([&](const nb::object& f) { goes_on = nb::cast<bool>(nb::bool_(f(part.shards()))); });
-    } catch (...) {  // kept, and raised below
-      return false;
-    }
-    return goes_on;
+    return goes_on(asked, part);
   };
-  StudyResult result = [&] {
+  const StudyResult result = [&] {
     const Released free;
     const Threads pool(threads);
     return taken(run_study(s.plan, pool.runner(), options));
   }();
   s.setup->raise_kept();
-  if (told) told->raise_kept();
+  if (asked) asked->raise_kept();
   return nb::make_tuple(result_table(result, bars), bytes_of(save_part(last)));
 }
 

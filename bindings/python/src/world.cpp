@@ -353,8 +353,8 @@ ForceTarget target_of(World& world, nb::handle ids, std::uint32_t layers) {
 std::uint64_t add_law(PyWorld& py, const Setup& setup, nb::handle ids, std::uint32_t layers, std::uint64_t other) {
   World& world = py.get();
   const ScenarioForce& force = setup.scenario.forces.front();
-  ForceDef def{
-      .law = force.law, .target = target_of(world, ids, layers), .delay = force.delay, .duration = force.duration};
+  ForceTarget target = target_of(world, ids, layers);  // apart: see PythonReader
+  ForceDef def{.law = force.law, .target = std::move(target), .delay = force.delay, .duration = force.duration};
   if (ProjectileId* end = other_end_of(def.law); end != nullptr && other != 0) *end = id_of<ProjectileId>(other);
   return number_of(taken(world.add_force(def)));
 }
@@ -376,8 +376,9 @@ std::uint64_t add_function(PyWorld& py, nb::object function, nb::handle ids, std
                            double duration) {
   World& world = py.get();
   const Function& kept = py.keep(std::move(function), "force");
-  return number_of(taken(world.add_force(
-      {.law = custom_force(kept), .target = target_of(world, ids, layers), .delay = delay, .duration = duration})));
+  ForceTarget target = target_of(world, ids, layers);
+  ForceDef def{.law = custom_force(kept), .target = std::move(target), .delay = delay, .duration = duration};
+  return number_of(taken(world.add_force(def)));
 }
 
 std::uint64_t add_joint(PyWorld& py, const Setup& setup, std::uint64_t a, std::uint64_t b) {

@@ -1,4 +1,4 @@
-"""Where the tests find the repository and the command line."""
+"""The repository, the command line and shots that the tests share."""
 
 from __future__ import annotations
 
