@@ -4,10 +4,8 @@
 #include <backends/imgui_impl_opengl3.h>
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <set>
-#include <thread>
 
 #include "simclient/core/actions.hpp"
 #include "simclient/core/state_log.hpp"
@@ -15,12 +13,15 @@
 namespace physim::client {
 namespace {
 
-constexpr double kFrame = 1.0 / 60;  // of a hidden window [s]
-constexpr double kShortestFrame = 1.0 / 250;
-constexpr double kLongestFrame = 0.25;   // of simulation, after a hitch [s]
-constexpr double kClickReach = 4;        // a mouse that moves further drags [pixels]
-constexpr double kTurnPerPixel = 0.006;  // [rad]
-constexpr double kPatience = 0.03;       // with the steps of one frame [s]
+constexpr double kFrame = 1.0 / 60;          // of a hidden window [s]
+constexpr double kShortestFrame = 1.0 / 62;  // of a window: screens show no more
+constexpr double kTick = 1.0 / 30;           // between looks at the clock while nothing is drawn [s]
+constexpr double kPausedTick = 0.25;         // [s]
+constexpr double kClockDrawn = 2;            // the time of the simulation is drawn so often while nothing moves [s]
+constexpr double kLongestFrame = 0.25;       // of simulation, after a hitch [s]
+constexpr double kClickReach = 4;            // a mouse that moves further drags [pixels]
+constexpr double kTurnPerPixel = 0.006;      // [rad]
+constexpr double kPatience = 0.03;           // with the steps of one frame [s]
 constexpr float kLeastWidth = 480, kLeastHeight = 320;
 
 Status save_picture(const Client& client, const Picture& picture, const std::string& path) {
@@ -42,11 +43,47 @@ App::~App() {
 Status App::run() {
   if (Status status = open(); !status) return status;
   while (!client_.leaves) {
+    wait_for_frame();
     if (is_asked_to_close()) run_action(client_, *find_action("quit"));
     if (Status status = frame(); !status) return status;
     if (is_last_frame()) break;
   }
   return {};
+}
+
+/// Without a person: frames are counted there.
+bool App::draws_every_frame() const {
+  return options_.hidden || options_.frames > 0 || frame_ < static_cast<std::uint64_t>(script_.frames());
+}
+
+bool App::has_to_draw() const {
+  if (glfwGetWindowAttrib(window_.get(), GLFW_ICONIFIED) == GLFW_TRUE) return false;
+  const bool has_clock = !client_.session.is_paused() && !client_.session.is_over();
+  const bool is_clock_due = has_clock && glfwGetTime() - last_drawn_ > kClockDrawn;
+  return frames_due_ > 0 || !inputs_.is_empty() || drag_.button >= 0 || ImGui::IsAnyMouseDown() ||
+         client_.is_changing() || client_.messages().size() != messages_drawn_ || is_clock_due;
+}
+
+void App::wait_for_frame() {
+  if (draws_every_frame()) return glfwPollEvents();
+  do {
+    const double rest = last_drawn_ + kShortestFrame - glfwGetTime();
+    const double calm = client_.session.is_paused() ? kPausedTick : kTick;
+    const double wait = has_to_draw() ? rest : std::max(rest, calm);
+    if (wait > 0)
+      glfwWaitEventsTimeout(wait);
+    else
+      glfwPollEvents();
+    if (glfwWindowShouldClose(window_.get()) == GLFW_TRUE) return has_changed();
+    pass_time();
+  } while (!has_to_draw() || glfwGetTime() < last_drawn_ + kShortestFrame);
+}
+
+/// Where something moved it is to be seen, also where it came to rest.
+void App::pass_time() {
+  const bool was_changing = client_.is_changing();
+  client_.advance(frame_time(), options_.hidden ? std::numeric_limits<double>::infinity() : kPatience);
+  if (was_changing || client_.is_changing()) frames_due_ = std::max(frames_due_, 1);
 }
 
 /// By the button of the window's frame. Whether it closes is for the client to say.
@@ -73,8 +110,10 @@ Status App::open() {
   if (Status status = renderer_.make(); !status) return status;
   install_callbacks();
   install_mouse_callbacks();
+  install_window_callbacks();
   ImGui::CreateContext();
   ImGui::GetIO().IniFilename = nullptr;
+  ImGui::GetIO().ConfigInputTextCursorBlink = false;   // a field that waits is not drawn again and again
   ImGui_ImplGlfw_InitForOpenGL(window_.get(), false);  // events come through the queue
   ImGui_ImplOpenGL3_Init("#version 330 core");
   has_imgui_ = true;
@@ -91,7 +130,6 @@ Status App::open() {
 
 // --------------------------------------------------------------------------------------------------------------- frame
 Status App::frame() {
-  glfwPollEvents();
   const double start = glfwGetTime();
   const std::vector<InputEvent> inputs = inputs_.take();
   for (const InputEvent& input : inputs)
@@ -107,7 +145,7 @@ Status App::frame() {
   for (const InputEvent& input : inputs)
     if (input.to_client) input.to_client();
   if (Status status = script_.run(client_); !status) return status;
-  client_.advance(frame_time(), options_.hidden ? std::numeric_limits<double>::infinity() : kPatience);
+  pass_time();
   const bool points = is_over_scene(mouse_x_, mouse_y_) && drag_.button < 0;
   client_.pointer = points ? std::optional(on_scene(mouse_x_, mouse_y_)) : std::nullopt;
   build_scene(client_, ui_->scale(), scene_);
@@ -116,6 +154,9 @@ Status App::frame() {
   ImGui::Render();
   render(scene_);
   ++frame_;
+  frames_due_ = std::max(frames_due_ - 1, 0);
+  messages_drawn_ = client_.messages().size();
+  last_drawn_ = start;
   if (Status status = take_pictures(); !status) return status;
   if (!target_) glfwSwapBuffers(window_.get());
   client_.frame_times.push_back(static_cast<float>(glfwGetTime() - start));
@@ -126,9 +167,6 @@ Status App::frame() {
 
 double App::frame_time() {
   if (options_.hidden) return kFrame;
-  // Screens that wait for nothing would be drawn as often as the machine can.
-  const double rest = kShortestFrame - (glfwGetTime() - last_time_);
-  if (rest > 0) std::this_thread::sleep_for(std::chrono::duration<double>(rest));
   const double now = glfwGetTime();
   const double passed = std::min(now - last_time_, kLongestFrame);
   last_time_ = now;
@@ -213,6 +251,7 @@ void App::install_callbacks() {
   GLFWwindow* window = window_.get();
   glfwSetWindowUserPointer(window, this);
   glfwSetKeyCallback(window, [](GLFWwindow* w, int key, int scancode, int action, int mods) {
+    app_of(w).has_changed();
     const bool is_plain = (mods & (GLFW_MOD_CONTROL | GLFW_MOD_ALT | GLFW_MOD_SUPER)) == 0;
     app_of(w).inputs_.push({.kind = kind_of(action),
                             .code = key,
@@ -222,31 +261,50 @@ void App::install_callbacks() {
                             .to_client = [=] { app_of(w).on_key(key, scancode, action, mods); }});
   });
   glfwSetCharCallback(window, [](GLFWwindow* w, unsigned letter) {
+    app_of(w).has_changed();
     app_of(w).inputs_.push(
         {.kind = InputEvent::Kind::text, .to_panels = [=] { ImGui_ImplGlfw_CharCallback(w, letter); }});
   });
-  glfwSetWindowFocusCallback(window, ImGui_ImplGlfw_WindowFocusCallback);
   glfwSetDropCallback(window, [](GLFWwindow* w, int count, const char** paths) {
+    app_of(w).has_changed();
     if (count > 0) run_action(app_of(w).client_, *find_action("open"), paths[0]);
   });
 }
 
+/// After each of them the window looks different.
+void App::install_window_callbacks() {
+  GLFWwindow* window = window_.get();
+  glfwSetWindowFocusCallback(window, [](GLFWwindow* w, int is_focused) {
+    app_of(w).has_changed();
+    ImGui_ImplGlfw_WindowFocusCallback(w, is_focused);
+  });
+  glfwSetCursorEnterCallback(window, [](GLFWwindow* w, int has_entered) {
+    app_of(w).has_changed();
+    ImGui_ImplGlfw_CursorEnterCallback(w, has_entered);
+  });
+  glfwSetWindowRefreshCallback(window, [](GLFWwindow* w) { app_of(w).has_changed(); });
+  glfwSetFramebufferSizeCallback(window, [](GLFWwindow* w, int, int) { app_of(w).has_changed(); });
+  glfwSetWindowIconifyCallback(window, [](GLFWwindow* w, int) { app_of(w).has_changed(); });
+}
+
 void App::install_mouse_callbacks() {
   GLFWwindow* window = window_.get();
-  glfwSetCursorEnterCallback(window, ImGui_ImplGlfw_CursorEnterCallback);
   glfwSetMouseButtonCallback(window, [](GLFWwindow* w, int button, int action, int mods) {
     double x = 0, y = 0;
     glfwGetCursorPos(w, &x, &y);
+    app_of(w).has_changed();
     app_of(w).inputs_.push({.kind = InputEvent::Kind::button,
                             .code = button,
                             .to_panels = [=] { ImGui_ImplGlfw_MouseButtonCallback(w, button, action, mods); },
                             .to_client = [=] { app_of(w).on_button(button, action, x, y); }});
   });
   glfwSetCursorPosCallback(window, [](GLFWwindow* w, double x, double y) {
+    app_of(w).has_changed();
     app_of(w).inputs_.push({.to_panels = {}, .to_client = [=] { app_of(w).on_move(x, y); }});
   });
   glfwSetScrollCallback(window, [](GLFWwindow* w, double x, double y) {
     App& app = app_of(w);
+    app.has_changed();
     app.inputs_.push({.to_panels = [=] { ImGui_ImplGlfw_ScrollCallback(w, x, y); },
                       .to_client =
                           [=, &app] {

@@ -54,13 +54,24 @@ double Camera::near_plane() const { return std::clamp(distance * 0.01, 0.02, 1e4
 
 Vec3d Camera::shown(const Vec3d& point) const { return {point.x, target.y + (point.y - target.y) * stretch, point.z}; }
 
-std::optional<Pixel> Camera::project(const Vec3d& point) const {
-  const Vec3d way = shown(point) - eye();
-  const double depth = dot(way, forward());
-  if (depth < near_plane()) return std::nullopt;
-  const double scale = focal() / depth;
-  return Pixel{width_ / 2 + dot(way, right()) * scale, height_ / 2 - dot(way, up()) * scale};
+std::optional<Pixel> Projector::project(const Vec3d& point) const {
+  const Vec3d way = Vec3d{point.x, target_.y + (point.y - target_.y) * stretch_, point.z} - eye_;
+  const double depth = dot(way, forward_);
+  if (depth < near_) return std::nullopt;
+  const double scale = focal_ / depth;
+  return Pixel{x_ + dot(way, right_) * scale, y_ - dot(way, up_) * scale};
 }
+
+Projector Camera::projector() const {
+  Projector out;
+  out.target_ = target, out.stretch_ = stretch, out.eye_ = eye();
+  out.forward_ = forward(), out.right_ = right(), out.up_ = up();
+  out.near_ = near_plane(), out.focal_ = focal();
+  out.x_ = width_ / 2, out.y_ = height_ / 2;
+  return out;
+}
+
+std::optional<Pixel> Camera::project(const Vec3d& point) const { return projector().project(point); }
 
 Ray Camera::ray(const Pixel& pixel) const {
   const double scale = 1 / focal();

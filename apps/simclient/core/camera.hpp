@@ -27,6 +27,17 @@ enum class CameraMode {
 /// Column-major, as OpenGL reads it.
 using Mat4 = std::array<float, 16>;
 
+/// Where a camera that stays shows points: for many of them.
+class Projector {
+ public:
+  [[nodiscard]] std::optional<Pixel> project(const Vec3d& point) const;
+
+ private:
+  friend class Camera;
+  Vec3d target_, eye_, forward_, right_, up_;
+  double stretch_ = 1, near_ = 0, focal_ = 1, x_ = 0, y_ = 0;
+};
+
 class Camera {
  public:
   CameraMode mode = CameraMode::orbit;
@@ -56,6 +67,7 @@ class Camera {
   [[nodiscard]] Vec3d up() const;
   /// Where a point is seen; nothing behind the eye.
   [[nodiscard]] std::optional<Pixel> project(const Vec3d& point) const;
+  [[nodiscard]] Projector projector() const;
   /// Among the points as they are drawn.
   [[nodiscard]] Ray ray(const Pixel& pixel) const;
   /// Where a pixel meets a height, within sight.

@@ -101,6 +101,10 @@ void Client::advance(double real_dt, double patience) {
   follow();
 }
 
+bool Client::is_changing() const {
+  return session.is_moving() || study.run.state() == StudyRun::State::running || !pictures.empty();
+}
+
 Status Client::open(const std::string& file) {
   if (Status status = use_session(open_session(file, {})); !status) return status;
   take_file(file);
@@ -360,11 +364,25 @@ std::optional<Client::Arrow> Client::arrow() {
 std::optional<Client::Probe> Client::probe(const Pixel& pixel) {
   std::optional<Probe> best;
   double nearest = kReach;
+  const Projector view = camera.projector();
   const auto look = [&](const Track* track, const std::vector<TrackSample>& samples) {
-    for (const TrackSample& s : samples) {
-      const auto seen = camera.project(s.position);
-      const double away = seen ? std::hypot(seen->x - pixel.x, seen->y - pixel.y) : nearest;
-      if (away < nearest) nearest = away, best = Probe{track, s};
+    std::optional<Pixel> last;
+    for (std::size_t i = 0; i < samples.size(); ++i) {
+      const std::optional<Pixel> seen = view.project(samples[i].position);
+      if (!seen) {
+        last.reset();
+        continue;
+      }
+      const Pixel from = i > 0 && last ? *last : *seen;
+      const double x = seen->x - from.x, y = seen->y - from.y, size = x * x + y * y;
+      const double along = (pixel.x - from.x) * x + (pixel.y - from.y) * y;
+      const double part = size > 0 ? std::clamp(along / size, 0.0, 1.0) : 1;
+      const double away = std::hypot(from.x + part * x - pixel.x, from.y + part * y - pixel.y);
+      if (away < nearest) {
+        nearest = away;
+        best = Probe{track, part < 1 ? between(samples[i - 1], samples[i], part) : samples[i]};
+      }
+      last = seen;
     }
   };
   for (const Track& track : session.tracks()) look(&track, track.samples);

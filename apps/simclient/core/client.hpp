@@ -106,6 +106,8 @@ class Client {
 
   /// Time has passed on the screen [s]. `patience`: what the steps in it may take [s of the machine's clock].
   void advance(double real_dt, double patience = std::numeric_limits<double>::infinity());
+  /// The picture changes by itself: something moves, a study counts on, or a picture was asked for.
+  [[nodiscard]] bool is_changing() const;
   /// Another scenario or recording instead of this one; what was there stays where it cannot be.
   [[nodiscard]] Status open(const std::string& file);
   [[nodiscard]] Status restart();

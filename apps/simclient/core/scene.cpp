@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "simclient/core/stroke.hpp"
+
 namespace physim::client {
 
 void Scene::clear() {
@@ -22,22 +24,55 @@ void Scene::ball(const Vec3d& at, Colour colour, double pixels, double radius) {
   balls.push_back({at, colour, static_cast<float>(radius), static_cast<float>(pixels)});
 }
 
-void Scene::polyline(const std::vector<TrackSample>& samples, Colour colour, double width) {
-  const std::size_t stride = samples.size() / 800 + 1;  // more than the screen can show
-  std::size_t last = 0;
-  for (std::size_t i = stride; i < samples.size(); last = i, i += stride)
-    line(samples[last].position, samples[i].position, colour, width);
-  if (!samples.empty() && last + 1 < samples.size())
-    line(samples[last].position, samples.back().position, colour, width);
+namespace {
+
+/// The cubic through two samples with their velocities, at a part of the way; nothing where they do not belong to one
+/// smooth curve, as at a hit.
+std::optional<Vec3d> on_curve(const TrackSample& a, const TrackSample& b, double part) {
+  const double time = b.time - a.time;
+  const Vec3d way = b.position - a.position;
+  const double off = length(way - (a.velocity + b.velocity) * (0.5 * time));
+  if (!(off < 0.1 * length(way))) return std::nullopt;
+  const double t = part, u = 1 - part;
+  return a.position * (u * u * (1 + 2 * t)) + b.position * (t * t * (1 + 2 * u)) + a.velocity * (time * t * u * u) -
+         b.velocity * (time * t * t * u);
+}
+
+/// Points of a path so near on the screen that lines between them are as smooth as it is.
+std::vector<Vec3d> points_of(const std::vector<TrackSample>& samples, const Projector& view) {
+  constexpr double kApart = 14, kMostBetween = 32;  // [pixels]; points between two samples
+  std::vector<Vec3d> points;
+  points.reserve(samples.size());
+  std::optional<Pixel> last;
+  for (std::size_t i = 0; i < samples.size(); ++i) {
+    const std::optional<Pixel> at = view.project(samples[i].position);
+    const double apart = at && last ? std::hypot(at->x - last->x, at->y - last->y) : 0;
+    const double count = std::min(std::floor(apart / kApart), kMostBetween);
+    for (double k = 1; k <= count; ++k)
+      if (const auto point = on_curve(samples[i - 1], samples[i], k / (count + 1))) points.push_back(*point);
+    points.push_back(samples[i].position);
+    last = at;
+  }
+  return points;
+}
+
+}  // namespace
+
+void Scene::polyline(const std::vector<TrackSample>& samples, const Camera& camera, Colour colour, double width) {
+  const Projector view = camera.projector();
+  const std::vector<Vec3d> points = points_of(samples, view);
+  const auto kept = points_of_stroke(points.size(), [&](std::size_t i) { return view.project(points[i]); });
+  for (std::size_t i = 1; i < kept.size(); ++i) line(points[kept[i - 1]], points[kept[i]], colour, width);
 }
 
 /// Dots of equal distance on the screen, so that a path is dotted near and far.
 void Scene::dots(const std::vector<TrackSample>& samples, const Camera& camera, Colour colour, double scale) {
   const double gap = 9 * scale;  // [pixels]
+  const Projector view = camera.projector();
   double way = 0;
   for (std::size_t i = 1; i < samples.size(); ++i) {
     const Vec3d a = samples[i - 1].position, b = samples[i].position;
-    const auto from = camera.project(a), to = camera.project(b);
+    const auto from = view.project(a), to = view.project(b);
     if (!from || !to) continue;
     const double length = std::hypot(to->x - from->x, to->y - from->y);
     if (length > 4 * camera.width()) continue;

@@ -62,7 +62,8 @@ struct Scene {
   void clear();
   void line(const Vec3d& a, const Vec3d& b, Colour colour, double width, double fog = 0);
   void ball(const Vec3d& at, Colour colour, double pixels, double radius = 0);
-  void polyline(const std::vector<TrackSample>& samples, Colour colour, double width);
+  /// A path as the camera sees it, smooth from near and far.
+  void polyline(const std::vector<TrackSample>& samples, const Camera& camera, Colour colour, double width);
   void dots(const std::vector<TrackSample>& samples, const Camera& camera, Colour colour, double scale);
   void arrow(const Vec3d& from, const Vec3d& to, Colour colour, double width, const Camera& camera);
   void label(const Vec3d& at, const std::string& text, Colour colour, double line = 0);

@@ -91,7 +91,8 @@ void build_projectiles(const Client& client, double scale, Scene& scene) {
   const Track* selected = client.selected_track();
   for (const Track& track : client.session.tracks()) {
     const double width = (&track == selected ? 2.5 : 1.8) * scale;
-    if (client.show.trails) scene.polyline(track.samples, faded(track.colour, track.is_flying() ? 0.9 : 0.6), width);
+    if (client.show.trails)
+      scene.polyline(track.samples, client.camera, faded(track.colour, track.is_flying() ? 0.9 : 0.6), width);
     if (client.show.marks) mark(scene, client.session, client.camera, scale, track);
     if (!track.is_flying()) continue;
     const Vec3d at = client.session.shown(track).position;
@@ -105,7 +106,7 @@ void build_comparison(Client& client, double scale, Scene& scene) {
   int line = 0;
   for (const ComparedRung& rung : client.comparison()) {
     if (rung.path.empty()) continue;
-    scene.polyline(rung.path, rung.colour, (rung.is_truth ? 3 : 2) * scale);
+    scene.polyline(rung.path, client.camera, rung.colour, (rung.is_truth ? 3 : 2) * scale);
     scene.label(rung.path.back().position, rung.name, rung.colour, line++);
   }
 }
