@@ -9,6 +9,7 @@
 
 #include "simclient/core/actions.hpp"
 #include "simclient/core/state_log.hpp"
+#include "simclient/ui/panel.hpp"
 
 namespace physim::client {
 namespace {
@@ -137,6 +138,7 @@ Status App::frame() {
   ImGui_ImplOpenGL3_NewFrame();
   ImGui_ImplGlfw_NewFrame();
   if (options_.hidden) ImGui::GetIO().DeltaTime = static_cast<float>(kFrame);
+  if (&theme_in_use() != client_.theme) use_theme(*client_.theme, ui_->scale());
   ImGui::NewFrame();
   const ImVec2 size = ImGui::GetIO().DisplaySize;
   const Layout layout = make_layout(client_, size.x, size.y, ui_->scale());
@@ -146,6 +148,7 @@ Status App::frame() {
     if (input.to_client) input.to_client();
   if (Status status = script_.run(client_); !status) return status;
   pass_time();
+  client_.keep_view();
   const bool points = is_over_scene(mouse_x_, mouse_y_) && drag_.button < 0;
   client_.pointer = points ? std::optional(on_scene(mouse_x_, mouse_y_)) : std::nullopt;
   build_scene(client_, ui_->scale(), scene_);
@@ -189,7 +192,8 @@ void App::render(const Scene& scene) {
   const Box& box = ui_->layout().scene;
   const auto pixels = [part](float x) { return static_cast<int>(std::lround(x * part)); };
   const Viewport viewport{pixels(box.x), height - pixels(box.y + box.height), pixels(box.width), pixels(box.height)};
-  glClearColor(0, 0, 0, 1);
+  const ImVec4 bar = exact_tint(client_.theme->bar);
+  glClearColor(bar.x, bar.y, bar.z, 1);
   glClear(GL_COLOR_BUFFER_BIT);
   renderer_.draw(scene, client_.camera, viewport);
   glViewport(0, 0, width, height);
@@ -308,8 +312,9 @@ void App::install_mouse_callbacks() {
     app.inputs_.push({.to_panels = [=] { ImGui_ImplGlfw_ScrollCallback(w, x, y); },
                       .to_client =
                           [=, &app] {
-                            if (app.is_over_scene(app.mouse_x_, app.mouse_y_))
-                              app.client_.camera.zoom(std::pow(0.88, y));
+                            if (!app.is_over_scene(app.mouse_x_, app.mouse_y_)) return;
+                            app.client_.camera.zoom(std::pow(0.88, y));
+                            app.client_.has_moved_view();
                           }});
   });
 }
@@ -362,6 +367,7 @@ void App::on_move(double x, double y) {
   drag_.moved = std::max(drag_.moved, std::hypot(x - drag_.x, y - drag_.y));
   if (drag_.moved <= kClickReach * ui_->scale()) return;
   const double turn = kTurnPerPixel / ui_->scale();
+  if (drag_.button != GLFW_MOUSE_BUTTON_LEFT) client_.has_moved_view();
   if (drag_.button == GLFW_MOUSE_BUTTON_MIDDLE)
     client_.camera.pan(dx, -dy);
   else if (drag_.button == GLFW_MOUSE_BUTTON_RIGHT)

@@ -44,6 +44,11 @@ Status select_type(Client& client, const std::string& name) {
   return Error{"there is no shot type " + in_quotes(name), "", suggestion(name, names, "shot types")};
 }
 
+void zoom(Client& client, double factor) {
+  client.camera.zoom(factor);
+  client.has_moved_view();
+}
+
 void change_speed(Client& client, double factor) {
   client.session.set_time_scale(std::clamp(client.session.time_scale() * factor, 1.0 / 64, 1024.0));
 }
@@ -102,6 +107,17 @@ Status choose_material(Client& client, const std::string& name) {
   return client.placing.material = name, Status();
 }
 
+/// The one of a name, or the next one.
+Status choose_theme(Client& client, const std::string& name) {
+  const std::span<const Theme> all = themes();
+  const auto next = static_cast<std::size_t>(client.theme - all.data() + 1) % all.size();
+  const Theme* wanted = name.empty() ? &all[next] : find_theme(name);
+  if (wanted != nullptr) return client.theme = wanted, Status();
+  std::vector<std::string_view> names;
+  for (const Theme& theme : all) names.push_back(theme.name);
+  return Error{"there is no theme " + in_quotes(name), "", suggestion(name, names, "themes")};
+}
+
 Status check_determinism(Client& client) {
   const Result<DeterminismCheck> check = client.session.check_determinism();
   if (!check) return check.error();
@@ -151,8 +167,8 @@ constexpr Action kActions[] = {
     // view
     {"camera", "C", "View", "next camera: orbit, follow, side", "", act([](Client& c) { c.next_camera(); })},
     {"fit", "Home", "View", "looks at everything", "", act([](Client& c) { c.fit_view(); })},
-    {"zoom-in", "PageUp", "View", "nearer", "", act([](Client& c) { c.camera.zoom(0.8); })},
-    {"zoom-out", "PageDown", "View", "farther away", "", act([](Client& c) { c.camera.zoom(1.25); })},
+    {"zoom-in", "PageUp", "View", "nearer", "", act([](Client& c) { zoom(c, 0.8); })},
+    {"zoom-out", "PageDown", "View", "farther away", "", act([](Client& c) { zoom(c, 1.25); })},
     {"select", "Tab", "View", "selects the next projectile", "", act([](Client& c) { c.select_next(); })},
     {"trails", "T", "View", "trails", "", kToggle<&Shown::trails>},
     {"vectors", "V", "View", "velocity, acceleration and forces of the selected one", "", kToggle<&Shown::vectors>},
@@ -163,6 +179,8 @@ constexpr Action kActions[] = {
      })},
     {"prediction", "A", "View", "predicted path of the next shot", "", kToggle<&Shown::prediction>},
     {"marks", "K", "View", "marks of apex and impact, hits on things, and their names", "", kToggle<&Shown::marks>},
+    {"drop-lines", "Ctrl+L", "View", "lines down to the ground, and the ways over it", "", kToggle<&Shown::depth>},
+    {"theme", "Ctrl+T", "View", "next light and colours: day, dusk, chart, night", "NAME", choose_theme},
     {"clear", "X", "View", "forgets those that have left", "", act([](Client& c) { c.session.clear_tracks(); })},
     // panels
     {"settings", "F2", "Panels", "settings of the next shot", "", kToggle<&Shown::settings>},

@@ -3,6 +3,7 @@
 
 #include <array>
 #include <optional>
+#include <span>
 
 #include "physim/math.hpp"
 
@@ -54,8 +55,12 @@ class Camera {
   void orbit(double right, double down);  // [rad]
   void zoom(double factor);
   void pan(double right, double up);  // [pixels]
-  /// Looks at all of a box.
-  void fit(const Vec3d& low, const Vec3d& high);
+  /// Looks at all of these places, so that they cover two thirds of the view's width or height.
+  void fit(std::span<const Vec3d> places);
+  /// The part of the view's width or height, whichever is larger, that places cover.
+  [[nodiscard]] double cover(std::span<const Vec3d> places) const;
+  /// Raises the eye, by a steeper look, if it is not above a height.
+  void stay_above(double height);
 
   /// Where a point is drawn: its height is stretched.
   [[nodiscard]] Vec3d shown(const Vec3d& point) const;
@@ -81,6 +86,8 @@ class Camera {
   [[nodiscard]] double near_plane() const;
 
  private:
+  double centre(std::span<const Vec3d> places, double fill);
+
   double width_ = 1280, height_ = 720;
 };
 

@@ -6,6 +6,7 @@
 #include <iterator>
 
 #include "math/angles.hpp"
+#include "model/ladder.hpp"
 #include "physim/files.hpp"
 #include "report/file.hpp"
 #include "report/format.hpp"
@@ -17,6 +18,7 @@
 #include "scenario/text_file.hpp"
 #include "simclient/core/original_tests.hpp"
 #include "simclient/core/scene.hpp"
+#include "simclient/core/subject.hpp"
 
 namespace physim::client {
 namespace {
@@ -390,36 +392,65 @@ std::optional<Client::Probe> Client::probe(const Pixel& pixel) {
   return best;
 }
 
+std::vector<Vec3d> Client::subject() {
+  const Scenario& scenario = session.scenario();
+  if (run_at_ != session_version_) {
+    run_places_ = session.is_replay() ? std::vector<Vec3d>() : places_of_run(scenario);
+    run_at_ = session_version_;
+  }
+  if (flight_at_ != versions() && run_places_.empty() && !session.is_replay()) {
+    flight_places_ = places_of_flight(scenario, launcher.shot(), {prediction().path, prediction().is_cut});
+    flight_at_ = versions();
+  }
+  std::vector<Vec3d> places = run_places_;  // what it fires is among them
+  if (places.empty()) {
+    if (!session.is_replay()) {
+      places = flight_places_;
+      places.push_back(launcher.shot().launch.position);
+    }
+    for (const Track& track : session.tracks())
+      for (const TrackSample& s : track.samples) places.push_back(s.position);
+  }
+  return subject_of(std::move(places), scenery(), session.ground());
+}
+
 void Client::fit_view() {
-  Vec3d low = launcher.shot().launch.position, high = low;
-  const auto include = [&](const Vec3d& p) {
-    low = {std::min(low.x, p.x), std::min(low.y, p.y), std::min(low.z, p.z)};
-    high = {std::max(high.x, p.x), std::max(high.y, p.y), std::max(high.z, p.z)};
-  };
-  // What lies among things is small beside paths that go on for long after the end of the run.
-  const Scenery& things = scenery();
-  const double end = things.is_empty() ? kInfinity : session.scenario().world.duration;
-  for (const TrackSample& s : prediction().path)
-    if (s.time <= end) include(s.position);
-  for (const Track& track : session.tracks())
-    for (const TrackSample& s : track.samples)
-      if (s.time <= end) include(s.position);
-  constexpr double kMuchLarger = 3;  // than the paths: things that large are looked at from among them
-  const double of_paths = length(high - low);
-  if (things.has_size && (length(things.high - things.low) < kMuchLarger * of_paths || of_paths < 1e-3))
-    include(things.low), include(things.high);
-  if (const auto height = session.ground()) include({low.x, *height, low.z});
+  fits_ = true;
+  fitted_to_ = {camera.width(), camera.height(), launcher.type(), session_version_};
+  const std::vector<Vec3d> places = subject();
+  const bool has_things = !scenery().is_empty();
   if (camera.mode == CameraMode::side) {
     camera.yaw = launcher.azimuth() - kRightAngle;
     camera.pitch = 0.05;
-    const double across = std::hypot(high.x - low.x, high.z - low.z), upward = high.y - low.y;
-    camera.stretch = upward > 0 ? std::clamp(scale_step(across / upward, 5), 1.0, 1000.0) : 1;
+    const double steepness = height_over_length(places);
+    camera.stretch = steepness > 0 ? std::clamp(scale_step(1 / steepness, 5), 1.0, 1000.0) : 1;
   } else {
+    // Flat flights are seen more from the side, and things stand one behind the other.
+    constexpr double kFromBehind = 0.35, kFromAside = 1.1, kOfThings = 0.8;  // [rad]
+    const double flatness = std::clamp(1 - 4 * height_over_length(places), 0.0, 1.0);
     camera.stretch = 1;
-    camera.yaw = launcher.azimuth() - (things.is_empty() ? 0.35 : 0.8);  // things stand one behind the other
-    camera.pitch = things.is_empty() ? 0.22 : 0.3;
+    camera.yaw = launcher.azimuth() - (has_things ? kOfThings : std::lerp(kFromBehind, kFromAside, flatness));
+    camera.pitch = has_things ? 0.3 : 0.22;
   }
-  camera.fit(low, high);
+  camera.fit(places);
+}
+
+/// A projectile that flies, in a view that looks at all.
+bool Client::is_out_of_view() const {
+  const Projector view = camera.projector();
+  return std::ranges::any_of(session.tracks(), [&](const Track& track) {
+    const auto at = view.project(track.samples.back().position);
+    const bool is_seen = at && at->x >= 0 && at->y >= 0 && at->x <= camera.width() && at->y <= camera.height();
+    return track.is_flying() && !is_seen;
+  });
+}
+
+void Client::keep_view() {
+  const FittedTo now{camera.width(), camera.height(), launcher.type(), session_version_};
+  const bool is_due = now != fitted_to_ || (run_places_.empty() && is_out_of_view());
+  if (fits_ && camera.mode != CameraMode::follow && is_due) fit_view();
+  const bool is_round = row(launcher.shot().projectile.fidelity.earth).shape != EarthShape::flat;
+  if (const auto ground = session.ground(); ground && !is_round) camera.stay_above(*ground);
 }
 
 void Client::next_camera() {

@@ -18,6 +18,7 @@
 #include "simclient/core/session.hpp"
 #include "simclient/core/setting_rows.hpp"
 #include "simclient/core/study_desk.hpp"
+#include "simclient/core/theme.hpp"
 
 namespace physim::client {
 
@@ -32,6 +33,7 @@ struct Shown {
   bool vectors = false;
   bool forces_add_up = false;  // each force begins where the one before ends
   bool prediction = true;
+  bool depth = true;  // drop lines, and the ways of projectiles over the ground
   bool marks = true;  // apex, impact, hits on things, and what these are called
 };
 
@@ -85,6 +87,7 @@ class Client {
   Launcher launcher;
   Camera camera;
   Shown show;
+  const Theme* theme = &themes()[0];
   Tool tool = Tool::fire;
   Tape tape;
   Placing placing;
@@ -181,7 +184,15 @@ class Client {
     TrackSample sample;
   };
   [[nodiscard]] std::optional<Probe> probe(const Pixel& pixel);
+  /// Looks at what the scenario is about. It does so again where the view's size or the type of shot changes and where
+  /// a projectile leaves the view, until the view is moved by hand.
   void fit_view();
+  /// The view was moved by hand, and stays.
+  void has_moved_view() { fits_ = false; }
+  /// Once a frame: fits the view again if that is due, and keeps the eye above the ground.
+  void keep_view();
+  /// Places of what the scenario is about.
+  [[nodiscard]] std::vector<Vec3d> subject();
   void next_camera();
 
   void say(const std::string& text);
@@ -190,6 +201,7 @@ class Client {
 
  private:
   void follow();
+  [[nodiscard]] bool is_out_of_view() const;
   void take_file(const std::string& file);
   [[nodiscard]] Scenario with_next_shot() const;
   [[nodiscard]] Status use_session(Result<Session> opened);
@@ -211,6 +223,17 @@ class Client {
   bool meets_things_ = false;                           // its file is of flights, and has things
   std::string recorded_;                                // file of the last recording
   std::uint64_t session_version_ = 0;
+  std::vector<Vec3d> run_places_, flight_places_;  // of the subject
+  std::optional<std::uint64_t> run_at_;            // versions at which they were found; none: never
+  std::optional<Versions> flight_at_;
+  bool fits_ = true;  // the view, by itself
+  struct FittedTo {
+    double width = 0, height = 0;
+    std::size_t type = 0;
+    std::uint64_t restarts = 0;
+    bool operator==(const FittedTo&) const = default;
+  };
+  FittedTo fitted_to_;
   std::deque<Message> messages_;
 };
 

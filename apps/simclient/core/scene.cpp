@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "model/ladder.hpp"
+#include "physim/environment.hpp"
 #include "simclient/core/stroke.hpp"
 
 namespace physim::client {
@@ -10,6 +12,7 @@ namespace physim::client {
 void Scene::clear() {
   lines.clear();
   balls.clear();
+  discs.clear();
   crowd.clear();
   sprites.clear();
   drawn.clear();
@@ -58,11 +61,12 @@ std::vector<Vec3d> points_of(const std::vector<TrackSample>& samples, const Proj
 
 }  // namespace
 
-void Scene::polyline(const std::vector<TrackSample>& samples, const Camera& camera, Colour colour, double width) {
+void Scene::polyline(const std::vector<TrackSample>& samples, const Camera& camera, Colour colour, double width,
+                     double fog) {
   const Projector view = camera.projector();
   const std::vector<Vec3d> points = points_of(samples, view);
   const auto kept = points_of_stroke(points.size(), [&](std::size_t i) { return view.project(points[i]); });
-  for (std::size_t i = 1; i < kept.size(); ++i) line(points[kept[i - 1]], points[kept[i]], colour, width);
+  for (std::size_t i = 1; i < kept.size(); ++i) line(points[kept[i - 1]], points[kept[i]], colour, width, fog);
 }
 
 /// Dots of equal distance on the screen, so that a path is dotted near and far.
@@ -90,9 +94,9 @@ void Scene::arrow(const Vec3d& from, const Vec3d& to, Colour colour, double widt
   if (length(across) < 1e-6) across = camera.right();
   across = normalized(across);
   const double head = std::min(size * 0.35, camera.pixel_size(to) * 6 * width);
-  line(from, to, colour, width);
+  line(from, to, colour, width, kCased);
   for (const double side : {-0.5, 0.5})
-    line(to, to + camera.drawn_as(across * (head * side) - along * head), colour, width);
+    line(to, to + camera.drawn_as(across * (head * side) - along * head), colour, width, kCased);
 }
 
 void Scene::label(const Vec3d& at, const std::string& text, Colour colour, double line) {
@@ -112,13 +116,41 @@ std::string distance_text(double metres) {
   return formatted(far ? "%.6g km" : "%.6g m", far ? metres / 1000 : metres);
 }
 
+namespace {
+
+/// From so far away the Earth is round.
+constexpr double kGlobeDistance = 30e3;  // [m]
+
+std::optional<SceneGlobe> globe_of(const Client& client) {
+  const EarthModel earth = client.launcher.shot().projectile.fidelity.earth;
+  if (row(earth).shape == EarthShape::flat || client.camera.distance < kGlobeDistance) return std::nullopt;
+  const EarthFrames frames(client.session.scenario().environment, earth);
+  const Vec3d origin = frames.earth_fixed({}, {}).position;
+  SceneGlobe globe;
+  globe.centre = frames.from_earth_fixed({}).position;
+  globe.radius = length(origin) - frames.geodetic({}).height;
+  std::size_t i = 0;
+  for (const Vec3d& axis : {Vec3d{1, 0, 0}, Vec3d{0, 1, 0}, Vec3d{0, 0, 1}}) {
+    constexpr double kFar = 1e6;  // [m]
+    const Vec3d way = (frames.earth_fixed(axis * kFar, {}).position - origin) * (1 / kFar);
+    for (const double x : {way.x, way.y, way.z}) globe.to_geographic[i++] = x;
+  }
+  return globe;
+}
+
+}  // namespace
+
 void build_scene(Client& client, double scale, Scene& scene) {
   scene.clear();
+  scene.theme = client.theme;
+  scene.globe = globe_of(client);
   scene.ground = client.session.ground().value_or(0);
   scene.has_ground = client.session.ground().has_value();
+  scene.contour_step = scale_step(client.camera.distance, 20);
   build_ground(client, scale, scene);
   build_things(client, scale, scene);
   build_particles(client, scale, scene);
+  if (client.show.depth) build_depth(client, scale, scene);
   build_projectiles(client, scale, scene);
   if (client.bottom == BottomPanel::compare) build_comparison(client, scale, scene);
   build_aim(client, scale, scene);

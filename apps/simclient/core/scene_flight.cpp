@@ -15,7 +15,7 @@ void cross(Scene& scene, const Camera& camera, double scale, const Vec3d& at, co
   const double size = 5 * scale * camera.pixel_size(at);
   for (const Vec3d& way : {one, other}) {
     const Vec3d arm = camera.drawn_as(way * size);
-    scene.line(at - arm, at + arm, colour, 2 * scale);
+    scene.line(at - arm, at + arm, colour, 2 * scale, kCased);
   }
 }
 
@@ -96,9 +96,33 @@ void build_projectiles(const Client& client, double scale, Scene& scene) {
     if (client.show.marks) mark(scene, client.session, client.camera, scale, track);
     if (!track.is_flying()) continue;
     const Vec3d at = client.session.shown(track).position;
-    if (client.show.trails) scene.line(track.samples.back().position, at, faded(track.colour, 0.9), width);
+    if (client.show.trails) scene.line(track.samples.back().position, at, faded(track.colour, 0.9), width, kCased);
     scene.ball(at, track.colour, (&track == selected ? 6.5 : 5.5) * scale, track.radius);
     scene.label(at, "#" + std::to_string(track.number), track.colour, -1);
+  }
+}
+
+/// How high things fly and over what: the way over the ground, a line down to it from where a projectile is and from
+/// its apex, and a shadow. Over things there is no one ground.
+void build_depth(const Client& client, double scale, Scene& scene) {
+  const Camera& camera = client.camera;
+  if (!scene.has_ground || scene.globe || client.session.world().scene() != nullptr) return;
+  constexpr Colour kShade = 0x0A0E12A0;
+  std::vector<TrackSample> below;
+  for (const Track& track : client.session.tracks()) {
+    const auto foot = [&](const Vec3d& at) { return Vec3d{at.x, scene.ground, at.z}; };
+    below = track.samples;
+    for (TrackSample& s : below) s.position.y = scene.ground, s.velocity.y = 0;
+    const bool is_flying = track.is_flying();
+    const Vec3d at = is_flying ? client.session.shown(track).position : track.samples.back().position;
+    if (is_flying) below.push_back({.time = below.back().time, .position = foot(at)});
+    if (client.show.trails) scene.polyline(below, camera, kShade, 1.6 * scale, 0);
+    if (track.apex && client.show.marks)
+      scene.line(track.apex->position, foot(track.apex->position), faded(track.colour, 0.45), scale);
+    if (!is_flying) continue;
+    scene.line(at, foot(at), faded(track.colour, 0.6), 1.2 * scale);
+    scene.discs.push_back(
+        {foot(at), 0x06080A90, static_cast<float>(1.2 * track.radius), static_cast<float>(7 * scale)});
   }
 }
 

@@ -31,7 +31,10 @@ void action_item(Client& client, const char* name, const char* label) {
 
 }  // namespace
 
-Ui::Ui(float scale) : scale_(scale) { set_theme(scale); }
+Ui::Ui(float scale) : scale_(scale) {
+  load_fonts(scale);
+  use_theme(themes().front(), scale);
+}
 
 void Ui::draw(Client& client, const Scene& scene) {
   const ImVec2 size = ImGui::GetIO().DisplaySize;
@@ -292,7 +295,8 @@ void Ui::draw_labels(const Client& client, const Scene& scene) {
   const auto width_of = [](const std::string& text) { return ImGui::CalcTextSize(text.c_str()).x; };
   for (const PlacedLabel& each : place_labels(scene.labels, client.camera, s, line, scale_, width_of)) {
     const std::string& text = each.label->text;
-    list->AddRectFilled({each.x - 2, each.y}, {each.x + width_of(text) + 2, each.y + line}, IM_COL32(16, 19, 24, 150));
+    list->AddRectFilled({each.x - 2, each.y}, {each.x + width_of(text) + 2, each.y + line},
+                        exact(theme_in_use().label));
     list->AddText({each.x, each.y}, shade(each.label->colour), text.c_str());
   }
   list->PopClipRect();
