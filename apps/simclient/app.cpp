@@ -261,7 +261,7 @@ void App::install_callbacks() {
                             .code = key,
                             .writes = is_plain && key > GLFW_KEY_SPACE && key < GLFW_KEY_ESCAPE,
                             .modifies = key >= GLFW_KEY_LEFT_SHIFT && key <= GLFW_KEY_RIGHT_SUPER,
-                            .to_panels = [=] { ImGui_ImplGlfw_KeyCallback(w, key, scancode, action, mods); },
+                            .to_panels = [=] { app_of(w).on_panel_key(key, scancode, action, mods); },
                             .to_client = [=] { app_of(w).on_key(key, scancode, action, mods); }});
   });
   glfwSetCharCallback(window, [](GLFWwindow* w, unsigned letter) {
@@ -317,6 +317,13 @@ void App::install_mouse_callbacks() {
                             app.client_.has_moved_view();
                           }});
   });
+}
+
+/// Tab selects a projectile, but for where the keys belong to the panels or to a field.
+void App::on_panel_key(int code, int scancode, int action, int mods) {
+  const bool enters_panels = client_.show.panel_keys || ImGui::GetIO().WantTextInput || action == GLFW_RELEASE;
+  if (code == GLFW_KEY_TAB && !enters_panels) return;
+  ImGui_ImplGlfw_KeyCallback(window_.get(), code, scancode, action, mods);
 }
 
 void App::on_key(int code, int scancode, int action, int mods) {

@@ -47,6 +47,7 @@ class App {
   [[nodiscard]] Status frame();
   [[nodiscard]] Picture picture(bool of_plots);
   [[nodiscard]] Status take_pictures();
+  void on_panel_key(int code, int scancode, int action, int mods);
   void on_key(int code, int scancode, int action, int mods);
   void on_button(int button, int action, double x, double y);
   void on_move(double x, double y);

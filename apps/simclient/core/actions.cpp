@@ -107,6 +107,24 @@ Status choose_material(Client& client, const std::string& name) {
   return client.placing.material = name, Status();
 }
 
+/// By hand or by a script. `what`: the change.
+Status tell(Client& client, const std::string& done, const std::string& what, const Status& status) {
+  if (status) client.say(done + ": " + what);
+  return status;
+}
+
+Status undo(Client& client, const std::string&) {
+  client.note_changes();
+  const std::string what = client.history().undo_text();
+  return tell(client, "taken back", what, client.undo());
+}
+
+Status redo(Client& client, const std::string&) {
+  client.note_changes();
+  const std::string what = client.history().redo_text();
+  return tell(client, "changed again", what, client.redo());
+}
+
 /// The one of a name, or the next one.
 Status choose_theme(Client& client, const std::string& name) {
   const std::span<const Theme> all = themes();
@@ -132,10 +150,12 @@ Status check_determinism(Client& client) {
 // clang-format off
 constexpr Action kActions[] = {
     // the original's
-    {"fire", "Enter", "Shot", "fires along the arrow; also a left click on the scene", "",
+    {"fire", "Enter", "Shot", "fires along the arrow; also a left click: shots of a file without a world fly whole", "",
      act([](Client& c) { return c.fire(); })},
     {"fire-whole", "W", "Shot", "computes the whole flight of the next shot, as physim run does, and plays it", "",
      act([](Client& c) { return c.fire_whole(); })},
+    {"fire-into-world", "Ctrl+Enter", "Shot", "fires into the world, where it can be changed in flight", "",
+     act([](Client& c) { return c.fire(); })},
     {"elevation", "E", "Shot", "next elevation", "", act([](Client& c) { c.launcher.cycle_elevation(); })},
     {"artillery", "1", "Shot", "the original's artillery", "",
      act([](Client& c) { c.launcher.select(0U); })},
@@ -222,7 +242,9 @@ constexpr Action kActions[] = {
     {"wall", "I", "Tools", "puts up a wall: left clicks set its two ends", "X Z X Z", wall},
     {"target", "O", "Tools", "puts up a target: a left click on a path or the ground", "X Y Z", target},
     {"material", "", "", "what the next wall or target is made of", "NAME", choose_material},
-    {"undo", "Ctrl+Z", "Tools", "takes away what was put up last", "", act([](Client& c) { return c.undo_placing(); })},
+    {"undo", "Ctrl+Z", "Tools", "takes back the last change of setting, aim, curve, thing or environment", "",
+     undo},
+    {"redo", "Ctrl+Y Ctrl+Shift+Z", "Tools", "changes again what was taken back", "", redo},
     {"fire-compared", "F6", "Tools", "fires the next shot on all rungs of the comparison", "",
      act([](Client& c) { return c.fire_compared(); })},
     {"fire-scenario", "", "Tools", "fires all shots of the scenario", "",
@@ -291,15 +313,19 @@ std::string actions_table() {
 namespace {
 
 void run_at_once(Client& client, const Action& action, const std::string& argument) {
-  if (Status status = action.run(client, argument); !status) client.complain(status.error());
+  // Scripts say which of the two they mean.
+  const Status status = action.name == "fire" ? client.fire_by_hand() : action.run(client, argument);
+  if (!status) client.complain(status.error());
+  client.note_changes();
 }
 
 /// What would be lost, for people; empty where nothing would.
 std::string loss_of(const Client& client, const Action& action, const std::string& argument) {
   if (action.loss == Loss::none) return "";
   if (action.loss == Loss::file) {
+    if (action.name == "save-as" && argument.empty()) return "";  // a file is chosen first
     const bool replaces = !argument.empty() && argument != client.file() && std::filesystem::exists(argument);
-    return replaces ? argument + " is there already, and would be replaced." : "";
+    return replaces ? argument + " is there already, and would be replaced." : client.loss_of_saving(argument);
   }
   if (action.name == "open" && argument.empty()) return "";  // a file is chosen first
   std::string lost;

@@ -78,7 +78,49 @@ Client::Client(Session s, const std::string& file)
     : session(std::move(s)), launcher(session.scenario()), plots(*parse_plots("y/range y speed acceleration")) {
   study.asked = session.scenario().study;
   take_file(file);
+  history_.start(launcher, session.scenario(), content_);
   fit_view();
+}
+
+void Client::note_changes() {
+  constexpr double kGoesOn = 0.8;  // between changes of the aim that belong together [s]
+  const Versions before{launcher.version(), contents_};
+  if (noted_ == before) return;
+  noted_ = before;
+  history_.note(launcher, session.scenario(), content_, since_change_ < kGoesOn);
+  since_change_ = 0;
+}
+
+Status Client::bring_back(const Moment* moment, const char* how) {
+  if (moment == nullptr) return Error{"nothing was changed by hand", how, ""};
+  if (session.is_replay()) return Error{"a replay cannot be changed", how, "come back from it first: replay"};
+  const Scenario& then = *moment->scenario;
+  Status status;
+  if (moment->content.environment != content_.environment) status = session.set_environment(then.environment);
+  if (status && moment->content.scene != content_.scene) status = session.set_scene(then);
+  if (status && moment->content.emitters != content_.emitters) status = session.set_emitters(then.emitters);
+  if (!status) return status;
+  if (moment->content != content_) ++session_version_;
+  content_ = moment->content;
+  launcher.bring_back(moment->launcher);
+  history_.adopt(launcher.version());
+  noted_ = {launcher.version(), contents_};
+  unsaved_ = true;
+  return {};
+}
+
+const ScenarioShot& Client::next_shot() {
+  if (next_at_ == versions()) return next_;
+  next_at_ = versions();
+  next_ = launcher.shot();
+  if (launcher.raised() == 0) return next_;
+  Launch& launch = next_.launch;
+  const Result<double> zero = zero_elevation(next_.projectile, launch, session.scenario().environment,
+                                             next_.projectile.fidelity, launch.sight.zero_range);
+  if (!zero) return next_;  // the prediction tells why
+  launch.elevation = *zero + launcher.raised();
+  launch.sight.zero_range = 0;
+  return next_;
 }
 
 /// Remembers which file the session is of. That of a scenario is come back to from a replay.
@@ -96,6 +138,8 @@ void Client::take_file(const std::string& file) {
 }
 
 void Client::advance(double real_dt, double patience) {
+  note_changes();
+  since_change_ += real_dt;
   session.advance(real_dt, patience);
   study.run.advance(patience == std::numeric_limits<double>::infinity());
   for (Message& message : messages_) message.shown += real_dt;
@@ -123,8 +167,8 @@ Status Client::use_session(Result<Session> opened) {
   tape = {};
   tool = Tool::fire;
   wall_from.reset();
-  placed_.clear();
   ++session_version_;
+  history_.start(launcher, session.scenario(), content_);
   fit_view();
   return {};
 }
@@ -136,7 +180,7 @@ Status Client::restart() {
 }
 
 Status Client::fire() {
-  const Result<ProjectileId> fired = session.fire(launcher.shot());
+  const Result<ProjectileId> fired = session.fire(next_shot());
   if (!fired) return fired.error();
   selected = *fired;
   return {};
@@ -147,11 +191,18 @@ Status Client::fire_whole() {
     return Error{"its shots fly in a world", "fire-whole", "fire it into the world, as its scenario does"};
   if (!session.scenario().things.empty())
     return Error{"whole flights know no things", "fire-whole", "fire it, or take away what was put up: Ctrl+Z"};
-  const ScenarioShot& shot = launcher.shot();
+  const ScenarioShot& shot = next_shot();
   const Result<ProjectileId> played = session.play(shot, fly_shot(session.scenario(), shot));
   if (!played) return played.error();
   selected = *played;
   return {};
+}
+
+Status Client::fire_by_hand() {
+  const Scenario& scenario = session.scenario();
+  const bool is_of_flights = !scenario.world.given && scenario.things.empty() && !scenario.shots.empty();
+  const bool flies_whole = is_of_flights && !session.is_replay() && !session.is_recording();
+  return flies_whole ? fire_whole() : fire();
 }
 
 Status Client::fire_scenario() {
@@ -164,7 +215,7 @@ Status Client::fire_scenario() {
 }
 
 Status Client::fire_compared() {
-  ScenarioShot shot = launcher.shot();
+  ScenarioShot shot = next_shot();
   shot.cheapest_within.reset();
   for (const ComparedRung& rung : comparison()) {
     shot.projectile.fidelity = rung.asked;
@@ -179,7 +230,7 @@ Status Client::fire_compared() {
 
 const std::vector<ComparedRung>& Client::comparison() {
   const bool is_new = compared_at_ != versions() || compared_presets_ != compared;
-  if (is_new && !session.is_replay()) comparison_ = compare_rungs(session, launcher.shot(), compared, costs_);
+  if (is_new && !session.is_replay()) comparison_ = compare_rungs(session, next_shot(), compared, costs_);
   compared_at_ = versions();
   compared_presets_ = compared;
   return comparison_;
@@ -204,10 +255,27 @@ Scenario Client::with_next_shot() const {
   return becomes_world ? with_world(scenario) : scenario;
 }
 
+std::string Client::path_to_save(const std::string& file) const {
+  const std::string own = scenario_file_.empty() ? free_name("scenario", ".toml") : scenario_file_;
+  return file.empty() ? own : file;
+}
+
+/// A file that cannot be revised is written anew, by what is set alone.
+std::string Client::loss_of_saving(const std::string& file) const {
+  const std::string path = path_to_save(file);
+  if (session.is_replay() || text_.empty() || !is_same_file(path, scenario_file_)) return "";
+  const Scenario changed = with_next_shot();
+  const std::size_t expected = session.scenario().expect.size();
+  std::string lost;
+  if (!revised_text(text_, path, changed)) lost = "its comments and its own units";
+  if (changed.expect.size() < expected)
+    lost += (lost.empty() ? "" : ", and ") + formatted("its %zu expectations", expected);
+  return lost.empty() ? "" : path + " would be written anew, as a world: " + lost + " would be lost. ";
+}
+
 Status Client::save(const std::string& file) {
   if (session.is_replay()) return Error{"a replay has no scenario", "save", "come back from it first: replay"};
-  const std::string own = scenario_file_.empty() ? free_name("scenario", ".toml") : scenario_file_;
-  const std::string path = file.empty() ? own : file;
+  const std::string path = path_to_save(file);
   Scenario scenario = with_next_shot();
   const auto text_of = [&] {
     const auto revised = text_.empty() ? std::nullopt : revised_text(text_, path, scenario);
@@ -230,6 +298,7 @@ Status Client::save(const std::string& file) {
   }
   const auto is_next = [&](const ScenarioShot& s) { return s.projectile.name == launcher.shot().projectile.name; };
   if (std::ranges::none_of(scenario.shots, is_next)) left_out = ", but for the next shot: its world would fire it";
+  if (launcher.raised() != 0) left_out += ", but for the aim off the zero";
   const bool is_own_file = is_same_file(path, scenario_file_) || is_same_file(path, own_scenario.file);
   if (Status status = is_own_file ? Status() : check_output(path); !status) return status;
   if (Status status = report::write_file(path, text); !status) return status;
@@ -319,21 +388,28 @@ Status Client::set_emitters(const std::vector<ScenarioEmitter>& emitters) {
   selected = {};
   unsaved_ = true;
   ++session_version_;
+  content_.emitters = ++contents_;
+  note_changes();
   return {};
 }
 
 Status Client::use(const Scenario& scenario, const ScenarioShot& shot) {
   launcher.set_shot(shot);
   unsaved_ = true;
-  if (scenario.environment == session.scenario().environment) return {};
-  ++session_version_;
-  return session.set_environment(scenario.environment);
+  Status status;
+  if (!(scenario.environment == session.scenario().environment)) {
+    ++session_version_;
+    status = session.set_environment(scenario.environment);
+    if (status) content_.environment = ++contents_;
+  }
+  note_changes();
+  return status;
 }
 
 const Prediction& Client::prediction() {
   if (predicted_at_ == versions()) return prediction_;
   if (!predicted_at_ || predicted_at_->second != session_version_) predictor_.forget_world();
-  if (!session.is_replay()) prediction_ = predictor_.predict(session, launcher.shot());
+  if (!session.is_replay()) prediction_ = predictor_.predict(session, next_shot());
   predicted_at_ = versions();
   return prediction_;
 }
@@ -399,7 +475,7 @@ std::vector<Vec3d> Client::subject() {
     run_at_ = session_version_;
   }
   if (flight_at_ != versions() && run_places_.empty() && !session.is_replay()) {
-    flight_places_ = places_of_flight(scenario, launcher.shot(), {prediction().path, prediction().is_cut});
+    flight_places_ = places_of_flight(scenario, next_shot(), {prediction().path, prediction().is_cut});
     flight_at_ = versions();
   }
   std::vector<Vec3d> places = run_places_;  // what it fires is among them

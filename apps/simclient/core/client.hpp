@@ -9,6 +9,7 @@
 #include "report/picture.hpp"
 #include "simclient/core/camera.hpp"
 #include "simclient/core/compare.hpp"
+#include "simclient/core/history.hpp"
 #include "simclient/core/launcher.hpp"
 #include "simclient/core/placing.hpp"
 #include "simclient/core/plot_data.hpp"
@@ -115,8 +116,19 @@ class Client {
   [[nodiscard]] Status open(const std::string& file);
   [[nodiscard]] Status restart();
   [[nodiscard]] Status fire();
+  /// The shot that is fired next: with a zero range and a barrel that is raised above it, at the elevation of both.
+  [[nodiscard]] const ScenarioShot& next_shot();
+  /// Takes back the last change by hand, and brings back what was taken back.
+  [[nodiscard]] Status undo() { return bring_back(history_.undo(), "undo"); }
+  [[nodiscard]] Status redo() { return bring_back(history_.redo(), "redo"); }
+  [[nodiscard]] const History& history() const { return history_; }
+  /// Notes what was changed by hand since the last call, for undo().
+  void note_changes();
   /// Computes the flight of the next shot whole, as `physim run` does, and plays it.
   [[nodiscard]] Status fire_whole();
+  /// As the scenario says, by a hand: the shots of a scenario without a world and without things are flown whole, to
+  /// the end that it sets; others into the world.
+  [[nodiscard]] Status fire_by_hand();
   /// All shots of the scenario at once.
   [[nodiscard]] Status fire_scenario();
   /// The next shot on every rung of the comparison at once: where the scenario has no world, the flights that were
@@ -127,6 +139,8 @@ class Client {
   /// Saves the scenario with the next shot, into the file that it came from where none is named. Nothing is written
   /// that could not be read again.
   [[nodiscard]] Status save(const std::string& file);
+  /// What saving into a file would lose of what stands there, for people; empty: nothing.
+  [[nodiscard]] std::string loss_of_saving(const std::string& file) const;
   /// Where the scenario stands; empty where it is of no file.
   [[nodiscard]] const std::string& file() const { return scenario_file_; }
   /// Settings were changed by hand, and not saved.
@@ -174,8 +188,6 @@ class Client {
   [[nodiscard]] Status place_target(const Vec3d& middle);
   /// Where a target would stand for a click: on a path, or with its lower edge on what is there.
   [[nodiscard]] std::optional<Vec3d> target_under(const Pixel& pixel);
-  /// Takes away what was placed last.
-  [[nodiscard]] Status undo_placing();
   /// The things of the scene as they are drawn.
   [[nodiscard]] const Scenery& scenery();
   /// The nearest moment of a path under the mouse, within 12 pixels.
@@ -209,8 +221,16 @@ class Client {
   [[nodiscard]] std::optional<Vec3d> point_under(const Pixel& pixel);
   [[nodiscard]] Status place(const Result<Placed>& placed);
 
+  [[nodiscard]] Status bring_back(const Moment* moment, const char* how);
+  [[nodiscard]] std::string path_to_save(const std::string& file) const;
+
   SceneryMaker scenery_;
-  std::vector<bool> placed_;  // what was placed by hand, and whether it brought a material along
+  History history_;
+  ContentVersions content_;
+  std::uint64_t contents_ = 0;  // versions of content that there were
+  double since_change_ = 1e9;   // of the screen [s]
+  ScenarioShot next_;
+  std::optional<Versions> next_at_, noted_;
   Predictor predictor_;
   Prediction prediction_;
   std::vector<ComparedRung> comparison_;

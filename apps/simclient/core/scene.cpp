@@ -11,6 +11,7 @@ namespace physim::client {
 
 void Scene::clear() {
   lines.clear();
+  on_top.clear();
   balls.clear();
   discs.clear();
   crowd.clear();

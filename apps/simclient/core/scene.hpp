@@ -62,7 +62,7 @@ struct SceneGlobe {
 
 struct Scene {
   const Theme* theme = &themes()[0];
-  std::vector<SceneLine> lines;
+  std::vector<SceneLine> lines, on_top;  // on_top: over balls
   std::vector<SceneBall> balls;
   std::vector<SceneBall> discs;  // that lie on the ground
   std::vector<SceneDot> crowd;

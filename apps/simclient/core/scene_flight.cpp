@@ -42,6 +42,13 @@ void mark(Scene& scene, const Session& session, const Camera& camera, double sca
     const double height = reach_of(session, track, at, at).height;
     scene.label(at, formatted("apex %.2f m, %.2f s", height, track.apex->time), track.colour, -2);
   }
+  if (track.whole && track.status == LifeStatus::expired) {  // at the end that its scenario sets
+    const Sample end = track.whole->end();
+    cross(scene, camera, scale, end.position, right + up, right - up, track.colour);
+    scene.label(end.position, distance_text(std::round(1000 * end.range) / 1000) + formatted(" in %.3f s", end.time),
+                track.colour, 1);
+    scene.label(end.position, formatted("drop %.3f m, windage %.3f m", end.drop, end.windage), track.colour, 2);
+  }
   if (track.impact) {
     const Vec3d at = track.impact->position;
     cross(scene, camera, scale, at, right + up, right - up, track.colour);
@@ -73,16 +80,16 @@ struct ShownForce {
   const char* name;
   Vec3d Accelerations::*effect;
 };
-constexpr ShownForce kForces[] = {{"gravity", &Accelerations::gravity},
-                                  {"drag", &Accelerations::drag},
-                                  {"Magnus", &Accelerations::lift},
-                                  {"body", &Accelerations::body},
-                                  {"thrust", &Accelerations::thrust},
-                                  {"Coriolis", &Accelerations::coriolis},
-                                  {"centrifugal", &Accelerations::centrifugal},
-                                  {"applied", &Accelerations::applied},
-                                  {"constraint", &Accelerations::constraint}};
-static_assert(std::size(kForces) + 1 == kMemberCount<Accelerations>, "each effect has its arrow, and the total");
+constexpr ShownForce kShownForces[] = {{"gravity", &Accelerations::gravity},
+                                       {"drag", &Accelerations::drag},
+                                       {"Magnus", &Accelerations::lift},
+                                       {"body", &Accelerations::body},
+                                       {"thrust", &Accelerations::thrust},
+                                       {"Coriolis", &Accelerations::coriolis},
+                                       {"centrifugal", &Accelerations::centrifugal},
+                                       {"applied", &Accelerations::applied},
+                                       {"constraint", &Accelerations::constraint}};
+static_assert(std::size(kShownForces) + 1 == kMemberCount<Accelerations>, "each effect has its arrow, and the total");
 
 }  // namespace
 
@@ -141,7 +148,12 @@ void build_aim(Client& client, double scale, Scene& scene) {
   if (prediction.error) return;
   if (client.show.prediction) scene.dots(prediction.path, client.camera, faded(colours::kText, 0.75), scale);
   scene.ball(prediction.muzzle, colours::kArrow, 3 * scale);
-  if (const auto arrow = client.arrow()) scene.arrow(arrow->from, arrow->to, colours::kArrow, 3 * scale, client.camera);
+  const auto arrow = client.arrow();
+  if (!arrow) return;
+  const auto before = static_cast<std::ptrdiff_t>(scene.lines.size());
+  scene.arrow(arrow->from, arrow->to, colours::kArrow, 3 * scale, client.camera);
+  scene.on_top.assign(scene.lines.begin() + before, scene.lines.end());
+  scene.lines.resize(static_cast<std::size_t>(before));
 }
 
 void build_vectors(const Client& client, double scale, Scene& scene) {
@@ -166,11 +178,11 @@ void build_vectors(const Client& client, double scale, Scene& scene) {
   if (by_loop && f.drag == DragModel::damping) a.drag = {};  // it acts on the velocity, and is no force there
   const double mass = now.mass;
   double strongest = length(a.total);
-  for (const ShownForce& each : kForces) strongest = std::max(strongest, length(a.*each.effect));
+  for (const ShownForce& each : kShownForces) strongest = std::max(strongest, length(a.*each.effect));
   if (!(strongest > 0) || !std::isfinite(mass)) return;
   const double unit = longest * 0.8 / strongest;  // of all of them, so that they can be added by eye
   Vec3d from = at;
-  for (const ShownForce& each : kForces) {
+  for (const ShownForce& each : kShownForces) {
     const Vec3d& effect = a.*each.effect;
     if (!(length(effect) > 0)) continue;
     const bool is_seen = length(effect) >= 0.02 * strongest;

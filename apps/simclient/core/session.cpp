@@ -475,6 +475,24 @@ Colour Session::colour_of(const Hit& hit) const {
   return found != nullptr ? found->colour : hit.colour;
 }
 
+std::string Session::fate_of(const Track& track) const {
+  if (track.is_flying()) return !track.whole && world()[track.id].is_asleep() ? "at rest" : "in flight";
+  const auto& hits = hits_.hits();
+  const auto last = std::find_if(hits.rbegin(), hits.rend(), [&](const Hit& hit) { return hit.id == track.id; });
+  const bool has_stopped = last != hits.rend() && last->outcome == EventKind::stopped;
+  if (has_stopped && track.born + track.samples.back().time < last->time + 2 * step_length())
+    return "stopped by " + last->thing;
+  switch (track.status) {
+    case LifeStatus::landed: return "landed";
+    case LifeStatus::expired: return track.whole ? "at its end" : "expired";
+    case LifeStatus::retired: return "taken out";
+    case LifeStatus::unknown: return track.impact ? "hit" : "gone";
+    case LifeStatus::pending:
+    case LifeStatus::in_flight: break;
+  }
+  return "waits";
+}
+
 void Session::forget_after(double time) {
   const double late = time + kInstant;
   hits_.forget_after(late);

@@ -95,6 +95,8 @@ class Session {
   /// "bullet #3", or its name alone where it is no track.
   [[nodiscard]] std::string title_of(const Hit& hit) const;
   [[nodiscard]] Colour colour_of(const Hit& hit) const;
+  /// What has become of a projectile, for people: "in flight", "at rest", "landed", "stopped by hill".
+  [[nodiscard]] std::string fate_of(const Track& track) const;
   [[nodiscard]] std::optional<double> ground() const;
   /// The time of what is shown: the world's, and what is left over since the last step [s].
   [[nodiscard]] double shown_time() const { return world().time() + leftover_; }

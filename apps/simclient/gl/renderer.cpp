@@ -89,25 +89,26 @@ GLsizei upload(const Pass& pass, const std::vector<Thing>& things, const Fill& f
   return static_cast<GLsizei>(data.size());
 }
 
-GLsizei upload_lines(const Pass& pass, const Scene& scene, const Camera& camera) {
+GLsizei upload_lines(const Pass& pass, const Scene& scene, const std::vector<SceneLine>& lines, const Camera& camera) {
   const auto fill = [&camera, &scene, eye = camera.eye()](const SceneLine& line, LineInstance& out) {
     relative(line.a, camera, eye, out.a);
     relative(line.b, camera, eye, out.b);
     bytes(ink(*scene.theme, line.colour), out.colour);
     out.width = line.width, out.fog = line.fog;
   };
-  return upload<LineInstance>(pass, scene.lines, fill);
+  return upload<LineInstance>(pass, lines, fill);
 }
 
 /// Casings of all lines first, so that none lies over another line.
-void draw_lines(const Pass& pass, const Scene& scene, const Camera& camera, const Mat4& matrix, float part) {
+void draw_lines(const Pass& pass, const Scene& scene, const std::vector<SceneLine>& lines, const Camera& camera,
+                const Mat4& matrix, float part) {
   const Shader& shader = pass.shader;
   begin(pass, camera, matrix);
   glUniform1f(shader.uniform("part"), part);
   glUniform1f(shader.uniform("near"), static_cast<float>(camera.near_plane()));
   const auto of_casing = [&](int shift) { return static_cast<float>(scene.theme->casing >> shift & 0xFFU) / 255; };
   glUniform4f(shader.uniform("casing"), of_casing(24), of_casing(16), of_casing(8), of_casing(0));
-  const GLsizei count = upload_lines(pass, scene, camera);
+  const GLsizei count = upload_lines(pass, scene, lines, camera);
   for (const float casing : {kCasing, 0.0F}) {
     if (casing > 0 && part < 1) continue;
     glUniform1f(shader.uniform("casing_width"), casing);
@@ -245,12 +246,13 @@ void Renderer::draw_in(const Scene& scene, const Camera& camera) {
   if (has_depth) {
     constexpr float kShowsThrough = 0.25F;
     glDepthFunc(GL_GREATER);
-    draw_lines(line_, scene, camera, matrix, kShowsThrough);
+    draw_lines(line_, scene, scene.lines, camera, matrix, kShowsThrough);
     draw_balls(ball_, scene, camera, matrix, kShowsThrough);
     glDepthFunc(GL_LEQUAL);
   }
-  draw_lines(line_, scene, camera, matrix, 1);
+  draw_lines(line_, scene, scene.lines, camera, matrix, 1);
   draw_balls(ball_, scene, camera, matrix, 1);
+  draw_lines(line_, scene, scene.on_top, camera, matrix, 1);
   glDepthMask(GL_TRUE);
   glDisable(GL_DEPTH_TEST);
   glBindVertexArray(0);

@@ -29,6 +29,15 @@ void action_item(Client& client, const char* name, const char* label) {
   if (ImGui::MenuItem(label, std::string(action->keys).c_str())) run_action(client, *action);
 }
 
+/// What an action does, in the menu: those that take back say what.
+std::string help_of(const Client& client, const Action& action) {
+  const bool undoes = action.name == "undo", redoes = action.name == "redo";
+  const std::string what = undoes   ? client.history().undo_text()
+                           : redoes ? client.history().redo_text()
+                                    : std::string();
+  return what.empty() ? std::string(action.help) : (undoes ? "takes back: " : "changes again: ") + what;
+}
+
 }  // namespace
 
 Ui::Ui(float scale) : scale_(scale) {
@@ -89,7 +98,7 @@ void Ui::draw_menu_bar(Client& client) {
   for (const char* menu : {"File", "Shot", "Time", "View", "Panels", "Tools", "Help"}) {
     if (!ImGui::BeginMenu(menu)) continue;
     for (const Action& action : actions())
-      if (action.menu == menu) action_item(client, action.name.data(), std::string(action.help).c_str());
+      if (action.menu == menu) action_item(client, action.name.data(), help_of(client, action).c_str());
     if (std::string_view(menu) == "Tools") draw_tests_menu(client);
     if (std::string_view(menu) == "File") draw_recent_menu(client);
     ImGui::EndMenu();
