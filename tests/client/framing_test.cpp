@@ -25,13 +25,18 @@ bool is_above_ground(Client& client) {
 TEST_P(Framed, ItsSubjectIsLarge) {
   Client client = client_of(GetParam());
   const bool fires = !client.session.scenario().world.given;
-  for (const auto& [width, height] : {std::pair{640.0, 746.0}, {1280.0, 746.0}, {235.0, 546.0}}) {
+  for (const auto& [width, height] : {std::pair{640.0, 746.0}, {1280.0, 746.0}, {235.0, 546.0}, {208.0, 174.0}}) {
     client.camera.set_viewport(width, height);
     client.keep_view();
     const nlohmann::json state = nlohmann::json::parse(state_line(client, 1));
     EXPECT_GE(state["subject"], 0.25) << width << " pixels wide";
     EXPECT_LE(state["subject"], 0.95) << width << " pixels wide";
     EXPECT_TRUE(is_above_ground(client));
+    for (const Vec3d& place : client.subject()) {
+      const auto seen = client.camera.project(place);
+      ASSERT_TRUE(seen) << width << " pixels wide";
+      EXPECT_TRUE(seen->x >= 0 && seen->x <= width && seen->y >= 0 && seen->y <= height) << width << " pixels wide";
+    }
   }
   if (fires) {
     ASSERT_TRUE(client.fire());
@@ -65,6 +70,25 @@ TEST(Framing, TheWholeOfALongFlightIsInView) {
       EXPECT_GE(std::min(seen->x, seen->y), 0) << scenario << " " << i;
       EXPECT_LE(seen->x, client.camera.width()) << scenario << " " << i;
       EXPECT_LE(seen->y, client.camera.height()) << scenario << " " << i;
+    }
+  }
+}
+
+/// A table from near, where perspective is strong, in windows of all proportions.
+TEST(Framing, EveryCornerOfThingsIsInView) {
+  Client client = client_of("billiards");
+  for (const auto& [width, height] : {std::pair{960.0, 386.0}, {640.0, 746.0}, {1280.0, 300.0}, {240.0, 700.0}}) {
+    client.camera.set_viewport(width, height);
+    client.fit_view();
+    const Scenery& things = client.scenery();
+    for (int i = 0; i < 8; ++i) {
+      const auto seen = client.camera.project({(i & 1) != 0 ? things.high.x : things.low.x,
+                                               (i & 2) != 0 ? things.high.y : things.low.y,
+                                               (i & 4) != 0 ? things.high.z : things.low.z});
+      ASSERT_TRUE(seen);
+      EXPECT_GE(std::min(seen->x, seen->y), 0) << width;
+      EXPECT_LE(seen->x, width);
+      EXPECT_LE(seen->y, height);
     }
   }
 }

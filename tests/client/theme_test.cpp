@@ -41,6 +41,8 @@ TEST(Themes, LettersOfEveryColourCanBeRead) {
 TEST(Themes, LinesStandOutOnWhite) {
   const Theme& chart = *find_theme("chart");
   for (const Colour colour : kPalette) EXPECT_GE(contrast(ink(chart, colour), chart.ground), 3) << std::hex << colour;
+  const Theme& night = *find_theme("night");
+  EXPECT_GE(contrast(ink(night, 0x333333FF), night.ground), 2.2) << "rounds of a dark grey";
   EXPECT_EQ(ink(*find_theme("day"), kPalette[0]), kPalette[0]);
   EXPECT_NEAR(length(chart.to_sun()), 1, 1e-12);
 }

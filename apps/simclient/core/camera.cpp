@@ -45,21 +45,30 @@ struct Rect {
 
 /// From a distance: moves the middle of what is seen to the middle of the view. The part of the room that is used.
 double Camera::centre(std::span<const Vec3d> places, double fill) {
-  constexpr int kTurns = 5;
+  constexpr int kTurns = 10;
   const double room_up = std::tan(kHalfView) * fill, room_aside = room_up * width_ / height_;
   const Vec3d aside = right(), upward = up(), ahead = forward();
+  /// What is seen farthest to one side, and how far away that is.
+  struct Rim {
+    double at = 0, depth = 1;
+  };
+  const auto between = [](const Rim& a, const Rim& b) { return (a.at + b.at) / (1 / a.depth + 1 / b.depth); };
   double part = 0;
   for (int i = 0; i < kTurns; ++i) {
-    Rect seen;
+    Rim left{1e300}, right_rim{-1e300}, low{1e300}, high{-1e300};
     for (const Vec3d& p : places) {
       const Vec3d way = shown(p) - target;
       const double depth = dot(way, ahead) + distance;
       if (depth < 0.03 * distance) return std::numeric_limits<double>::infinity();  // behind the eye, or nearly
-      seen.add(dot(way, aside) / depth, dot(way, upward) / depth);
+      const double x = dot(way, aside) / depth, y = dot(way, upward) / depth;
+      if (x < left.at) left = {x, depth};
+      if (x > right_rim.at) right_rim = {x, depth};
+      if (y < low.at) low = {y, depth};
+      if (y > high.at) high = {y, depth};
     }
-    target += aside * ((seen.left + seen.right) / 2 * distance);
-    target += upward * ((seen.low + seen.high) / 2 * distance / stretch);
-    part = std::max((seen.right - seen.left) / (2 * room_aside), (seen.high - seen.low) / (2 * room_up));
+    part = std::max(std::max(right_rim.at, -left.at) / room_aside, std::max(high.at, -low.at) / room_up);
+    target += aside * between(left, right_rim);
+    target += upward * (between(low, high) / stretch);
   }
   return part;
 }

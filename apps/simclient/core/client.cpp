@@ -182,7 +182,8 @@ Status Client::restart() {
 Status Client::fire() {
   const Result<ProjectileId> fired = session.fire(next_shot());
   if (!fired) return fired.error();
-  selected = *fired;
+  selected = fired_ = *fired;
+  fired_at_ = versions();
   return {};
 }
 
@@ -194,8 +195,13 @@ Status Client::fire_whole() {
   const ScenarioShot& shot = next_shot();
   const Result<ProjectileId> played = session.play(shot, fly_shot(session.scenario(), shot));
   if (!played) return played.error();
-  selected = *played;
+  selected = fired_ = *played;
+  fired_at_ = versions();
   return {};
+}
+
+const Track* Client::last_of_this_shot() const {
+  return show.trails && fired_at_ == versions() ? session.track(fired_) : nullptr;
 }
 
 Status Client::fire_by_hand() {

@@ -129,6 +129,8 @@ class Client {
   /// As the scenario says, by a hand: the shots of a scenario without a world and without things are flown whole, to
   /// the end that it sets; others into the world.
   [[nodiscard]] Status fire_by_hand();
+  /// The last one that was fired by hand, if the next shot is the same; null: there is none, or its trail is not shown.
+  [[nodiscard]] const Track* last_of_this_shot() const;
   /// All shots of the scenario at once.
   [[nodiscard]] Status fire_scenario();
   /// The next shot on every rung of the comparison at once: where the scenario has no world, the flights that were
@@ -230,7 +232,8 @@ class Client {
   std::uint64_t contents_ = 0;  // versions of content that there were
   double since_change_ = 1e9;   // of the screen [s]
   ScenarioShot next_;
-  std::optional<Versions> next_at_, noted_;
+  std::optional<Versions> next_at_, noted_, fired_at_;
+  ProjectileId fired_;  // by hand, the last one
   Predictor predictor_;
   Prediction prediction_;
   std::vector<ComparedRung> comparison_;

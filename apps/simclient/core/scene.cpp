@@ -139,6 +139,19 @@ std::optional<SceneGlobe> globe_of(const Client& client) {
   return globe;
 }
 
+/// The next shot goes farther than up or down, among no things: distances stand at the height of its muzzle then.
+bool flies_level(Client& client) {
+  if (client.session.is_replay() || client.session.world().scene() != nullptr) return false;
+  const auto& path = client.prediction().path;
+  if (path.empty()) return false;
+  double low = path[0].position.y, high = low, far = 0;
+  for (const TrackSample& s : path) {
+    low = std::min(low, s.position.y), high = std::max(high, s.position.y);
+    far = std::max(far, std::hypot(s.position.x - path[0].position.x, s.position.z - path[0].position.z));
+  }
+  return far > 2 * (high - low);
+}
+
 }  // namespace
 
 void build_scene(Client& client, double scale, Scene& scene) {
@@ -147,6 +160,7 @@ void build_scene(Client& client, double scale, Scene& scene) {
   scene.globe = globe_of(client);
   scene.ground = client.session.ground().value_or(0);
   scene.has_ground = client.session.ground().has_value();
+  scene.has_scale = scene.has_ground || flies_level(client);
   scene.contour_step = scale_step(client.camera.distance, 20);
   build_ground(client, scale, scene);
   build_things(client, scale, scene);

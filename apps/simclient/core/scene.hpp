@@ -73,6 +73,7 @@ struct Scene {
   float crowd_size = 3;              // of each of the crowd [pixels]
   double ground = 0;                 // [m]
   bool has_ground = true;            // there is one to land on
+  bool has_scale = true;             // distances stand along the line of fire
   Vec3d grid_origin;                 // of the grid on the ground
   double grid_step = 1;              // between its lines [m]
   double contour_step = 1;           // between lines of equal height on terrain [m]

@@ -54,7 +54,8 @@ void mark(Scene& scene, const Session& session, const Camera& camera, double sca
     cross(scene, camera, scale, at, right + up, right - up, track.colour);
     const Reach reach = reach_of(session, track, track.samples.front().position, at);
     const double range = std::round(100 * reach.distance) / 100;
-    scene.label(at, distance_text(range) + formatted(" in %.2f s", track.impact->time), track.colour, 1);
+    if (range > 0)  // what fell where it was says nothing
+      scene.label(at, distance_text(range) + formatted(" in %.2f s", track.impact->time), track.colour, 1);
   }
 }
 
@@ -146,7 +147,12 @@ void build_aim(Client& client, double scale, Scene& scene) {
   if (client.session.is_replay()) return;
   const Prediction& prediction = client.prediction();
   if (prediction.error) return;
-  if (client.show.prediction) scene.dots(prediction.path, client.camera, faded(colours::kText, 0.75), scale);
+  if (client.show.prediction) {
+    std::vector<TrackSample> ahead = prediction.path;
+    if (const Track* last = client.last_of_this_shot())  // its trail shows the rest
+      std::erase_if(ahead, [last](const TrackSample& s) { return s.time <= last->samples.back().time; });
+    scene.dots(ahead, client.camera, faded(colours::kText, 0.75), scale);
+  }
   scene.ball(prediction.muzzle, colours::kArrow, 3 * scale);
   const auto arrow = client.arrow();
   if (!arrow) return;

@@ -45,12 +45,12 @@ void build_ground(const Client& client, double scale, Scene& scene) {
   const Camera& camera = client.camera;
   const Vec3d muzzle = client.launcher.shot().launch.position;
   const Vec3d along = main_axis(client.launcher.azimuth()), across = {-along.z, 0, along.x};
-  const Vec3d origin = {muzzle.x, scene.ground, muzzle.z};
+  const Vec3d origin = {muzzle.x, scene.has_ground ? scene.ground : muzzle.y, muzzle.z};
   const double seen = camera.distance * 1.6;
   const double step = scale_step(seen, 10);
   scene.grid_origin = origin;
   scene.grid_step = step;
-  if (scene.globe || !scene.has_ground) return;
+  if (scene.globe || !scene.has_scale) return;
   const double middle = std::round(dot(camera.target - origin, along) / step);
   constexpr int kMarks = 14;
   const double reach = 24 * step;
@@ -64,7 +64,7 @@ void build_ground(const Client& client, double scale, Scene& scene) {
     if (!is_hidden(client, mark))
       scene.labels.push_back({mark + across * (step * 0.16), distance_text(x), colours::kText, false, 0});
   }
-  build_wall(client, scale, step, scene);
+  if (scene.has_ground) build_wall(client, scale, step, scene);
 }
 
 }  // namespace physim::client

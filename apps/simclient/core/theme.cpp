@@ -11,6 +11,7 @@ namespace physim::client {
 namespace {
 
 constexpr double kLettersContrast = 4.5, kLinesContrast = 3;  // as the guidelines ask for
+constexpr double kDark = 0.1, kDarkLinesContrast = 2.2;       // kDark: luminance of a ground
 
 constexpr Theme kThemes[] = {
     {.name = "day",
@@ -192,7 +193,9 @@ Colour readable(Colour colour, Colour ground, double wanted) {
 }
 
 Colour ink(const Theme& theme, Colour colour) {
-  return theme.is_light ? readable(on_white(colour), theme.ground, kLinesContrast) : colour;
+  if (theme.is_light) return readable(on_white(colour), theme.ground, kLinesContrast);
+  const bool is_dark = luminance(theme.ground) < kDark;
+  return is_dark ? readable(colour, theme.ground, kDarkLinesContrast) : colour;  // others have a casing
 }
 
 Colour letters(const Theme& theme, Colour colour) {
