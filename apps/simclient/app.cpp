@@ -4,23 +4,25 @@
 #include <backends/imgui_impl_opengl3.h>
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <set>
-#include <thread>
 
 #include "simclient/core/actions.hpp"
 #include "simclient/core/state_log.hpp"
+#include "simclient/ui/panel.hpp"
 
 namespace physim::client {
 namespace {
 
-constexpr double kFrame = 1.0 / 60;  // of a hidden window [s]
-constexpr double kShortestFrame = 1.0 / 250;
-constexpr double kLongestFrame = 0.25;   // of simulation, after a hitch [s]
-constexpr double kClickReach = 4;        // a mouse that moves further drags [pixels]
-constexpr double kTurnPerPixel = 0.006;  // [rad]
-constexpr double kPatience = 0.03;       // with the steps of one frame [s]
+constexpr double kFrame = 1.0 / 60;          // of a hidden window [s]
+constexpr double kShortestFrame = 1.0 / 62;  // of a window: screens show no more
+constexpr double kTick = 1.0 / 30;           // between looks at the clock while nothing is drawn [s]
+constexpr double kPausedTick = 0.25;         // [s]
+constexpr double kClockDrawn = 2;            // the time of the simulation is drawn so often while nothing moves [s]
+constexpr double kLongestFrame = 0.25;       // of simulation, after a hitch [s]
+constexpr double kClickReach = 4;            // a mouse that moves further drags [pixels]
+constexpr double kTurnPerPixel = 0.006;      // [rad]
+constexpr double kPatience = 0.03;           // with the steps of one frame [s]
 constexpr float kLeastWidth = 480, kLeastHeight = 320;
 
 Status save_picture(const Client& client, const Picture& picture, const std::string& path) {
@@ -42,11 +44,47 @@ App::~App() {
 Status App::run() {
   if (Status status = open(); !status) return status;
   while (!client_.leaves) {
+    wait_for_frame();
     if (is_asked_to_close()) run_action(client_, *find_action("quit"));
     if (Status status = frame(); !status) return status;
     if (is_last_frame()) break;
   }
   return {};
+}
+
+/// Without a person: frames are counted there.
+bool App::draws_every_frame() const {
+  return options_.hidden || options_.frames > 0 || frame_ < static_cast<std::uint64_t>(script_.frames());
+}
+
+bool App::has_to_draw() const {
+  if (glfwGetWindowAttrib(window_.get(), GLFW_ICONIFIED) == GLFW_TRUE) return false;
+  const bool has_clock = !client_.session.is_paused() && !client_.session.is_over();
+  const bool is_clock_due = has_clock && glfwGetTime() - last_drawn_ > kClockDrawn;
+  return frames_due_ > 0 || !inputs_.is_empty() || drag_.button >= 0 || ImGui::IsAnyMouseDown() ||
+         client_.is_changing() || client_.messages().size() != messages_drawn_ || is_clock_due;
+}
+
+void App::wait_for_frame() {
+  if (draws_every_frame()) return glfwPollEvents();
+  do {
+    const double rest = last_drawn_ + kShortestFrame - glfwGetTime();
+    const double calm = client_.session.is_paused() ? kPausedTick : kTick;
+    const double wait = has_to_draw() ? rest : std::max(rest, calm);
+    if (wait > 0)
+      glfwWaitEventsTimeout(wait);
+    else
+      glfwPollEvents();
+    if (glfwWindowShouldClose(window_.get()) == GLFW_TRUE) return has_changed();
+    pass_time();
+  } while (!has_to_draw() || glfwGetTime() < last_drawn_ + kShortestFrame);
+}
+
+/// Where something moved it is to be seen, also where it came to rest.
+void App::pass_time() {
+  const bool was_changing = client_.is_changing();
+  client_.advance(frame_time(), options_.hidden ? std::numeric_limits<double>::infinity() : kPatience);
+  if (was_changing || client_.is_changing()) frames_due_ = std::max(frames_due_, 1);
 }
 
 /// By the button of the window's frame. Whether it closes is for the client to say.
@@ -73,8 +111,10 @@ Status App::open() {
   if (Status status = renderer_.make(); !status) return status;
   install_callbacks();
   install_mouse_callbacks();
+  install_window_callbacks();
   ImGui::CreateContext();
   ImGui::GetIO().IniFilename = nullptr;
+  ImGui::GetIO().ConfigInputTextCursorBlink = false;   // a field that waits is not drawn again and again
   ImGui_ImplGlfw_InitForOpenGL(window_.get(), false);  // events come through the queue
   ImGui_ImplOpenGL3_Init("#version 330 core");
   has_imgui_ = true;
@@ -91,7 +131,6 @@ Status App::open() {
 
 // --------------------------------------------------------------------------------------------------------------- frame
 Status App::frame() {
-  glfwPollEvents();
   const double start = glfwGetTime();
   const std::vector<InputEvent> inputs = inputs_.take();
   for (const InputEvent& input : inputs)
@@ -99,6 +138,7 @@ Status App::frame() {
   ImGui_ImplOpenGL3_NewFrame();
   ImGui_ImplGlfw_NewFrame();
   if (options_.hidden) ImGui::GetIO().DeltaTime = static_cast<float>(kFrame);
+  if (&theme_in_use() != client_.theme) use_theme(*client_.theme, ui_->scale());
   ImGui::NewFrame();
   const ImVec2 size = ImGui::GetIO().DisplaySize;
   const Layout layout = make_layout(client_, size.x, size.y, ui_->scale());
@@ -107,7 +147,8 @@ Status App::frame() {
   for (const InputEvent& input : inputs)
     if (input.to_client) input.to_client();
   if (Status status = script_.run(client_); !status) return status;
-  client_.advance(frame_time(), options_.hidden ? std::numeric_limits<double>::infinity() : kPatience);
+  pass_time();
+  client_.keep_view();
   const bool points = is_over_scene(mouse_x_, mouse_y_) && drag_.button < 0;
   client_.pointer = points ? std::optional(on_scene(mouse_x_, mouse_y_)) : std::nullopt;
   build_scene(client_, ui_->scale(), scene_);
@@ -116,6 +157,9 @@ Status App::frame() {
   ImGui::Render();
   render(scene_);
   ++frame_;
+  frames_due_ = std::max(frames_due_ - 1, 0);
+  messages_drawn_ = client_.messages().size();
+  last_drawn_ = start;
   if (Status status = take_pictures(); !status) return status;
   if (!target_) glfwSwapBuffers(window_.get());
   client_.frame_times.push_back(static_cast<float>(glfwGetTime() - start));
@@ -126,9 +170,6 @@ Status App::frame() {
 
 double App::frame_time() {
   if (options_.hidden) return kFrame;
-  // Screens that wait for nothing would be drawn as often as the machine can.
-  const double rest = kShortestFrame - (glfwGetTime() - last_time_);
-  if (rest > 0) std::this_thread::sleep_for(std::chrono::duration<double>(rest));
   const double now = glfwGetTime();
   const double passed = std::min(now - last_time_, kLongestFrame);
   last_time_ = now;
@@ -151,7 +192,8 @@ void App::render(const Scene& scene) {
   const Box& box = ui_->layout().scene;
   const auto pixels = [part](float x) { return static_cast<int>(std::lround(x * part)); };
   const Viewport viewport{pixels(box.x), height - pixels(box.y + box.height), pixels(box.width), pixels(box.height)};
-  glClearColor(0, 0, 0, 1);
+  const ImVec4 bar = exact_tint(client_.theme->bar);
+  glClearColor(bar.x, bar.y, bar.z, 1);
   glClear(GL_COLOR_BUFFER_BIT);
   renderer_.draw(scene, client_.camera, viewport);
   glViewport(0, 0, width, height);
@@ -213,47 +255,75 @@ void App::install_callbacks() {
   GLFWwindow* window = window_.get();
   glfwSetWindowUserPointer(window, this);
   glfwSetKeyCallback(window, [](GLFWwindow* w, int key, int scancode, int action, int mods) {
+    app_of(w).has_changed();
     const bool is_plain = (mods & (GLFW_MOD_CONTROL | GLFW_MOD_ALT | GLFW_MOD_SUPER)) == 0;
     app_of(w).inputs_.push({.kind = kind_of(action),
                             .code = key,
                             .writes = is_plain && key > GLFW_KEY_SPACE && key < GLFW_KEY_ESCAPE,
                             .modifies = key >= GLFW_KEY_LEFT_SHIFT && key <= GLFW_KEY_RIGHT_SUPER,
-                            .to_panels = [=] { ImGui_ImplGlfw_KeyCallback(w, key, scancode, action, mods); },
+                            .to_panels = [=] { app_of(w).on_panel_key(key, scancode, action, mods); },
                             .to_client = [=] { app_of(w).on_key(key, scancode, action, mods); }});
   });
   glfwSetCharCallback(window, [](GLFWwindow* w, unsigned letter) {
+    app_of(w).has_changed();
     app_of(w).inputs_.push(
         {.kind = InputEvent::Kind::text, .to_panels = [=] { ImGui_ImplGlfw_CharCallback(w, letter); }});
   });
-  glfwSetWindowFocusCallback(window, ImGui_ImplGlfw_WindowFocusCallback);
   glfwSetDropCallback(window, [](GLFWwindow* w, int count, const char** paths) {
+    app_of(w).has_changed();
     if (count > 0) run_action(app_of(w).client_, *find_action("open"), paths[0]);
   });
 }
 
+/// After each of them the window looks different.
+void App::install_window_callbacks() {
+  GLFWwindow* window = window_.get();
+  glfwSetWindowFocusCallback(window, [](GLFWwindow* w, int is_focused) {
+    app_of(w).has_changed();
+    ImGui_ImplGlfw_WindowFocusCallback(w, is_focused);
+  });
+  glfwSetCursorEnterCallback(window, [](GLFWwindow* w, int has_entered) {
+    app_of(w).has_changed();
+    ImGui_ImplGlfw_CursorEnterCallback(w, has_entered);
+  });
+  glfwSetWindowRefreshCallback(window, [](GLFWwindow* w) { app_of(w).has_changed(); });
+  glfwSetFramebufferSizeCallback(window, [](GLFWwindow* w, int, int) { app_of(w).has_changed(); });
+  glfwSetWindowIconifyCallback(window, [](GLFWwindow* w, int) { app_of(w).has_changed(); });
+}
+
 void App::install_mouse_callbacks() {
   GLFWwindow* window = window_.get();
-  glfwSetCursorEnterCallback(window, ImGui_ImplGlfw_CursorEnterCallback);
   glfwSetMouseButtonCallback(window, [](GLFWwindow* w, int button, int action, int mods) {
     double x = 0, y = 0;
     glfwGetCursorPos(w, &x, &y);
+    app_of(w).has_changed();
     app_of(w).inputs_.push({.kind = InputEvent::Kind::button,
                             .code = button,
                             .to_panels = [=] { ImGui_ImplGlfw_MouseButtonCallback(w, button, action, mods); },
                             .to_client = [=] { app_of(w).on_button(button, action, x, y); }});
   });
   glfwSetCursorPosCallback(window, [](GLFWwindow* w, double x, double y) {
+    app_of(w).has_changed();
     app_of(w).inputs_.push({.to_panels = {}, .to_client = [=] { app_of(w).on_move(x, y); }});
   });
   glfwSetScrollCallback(window, [](GLFWwindow* w, double x, double y) {
     App& app = app_of(w);
+    app.has_changed();
     app.inputs_.push({.to_panels = [=] { ImGui_ImplGlfw_ScrollCallback(w, x, y); },
                       .to_client =
                           [=, &app] {
-                            if (app.is_over_scene(app.mouse_x_, app.mouse_y_))
-                              app.client_.camera.zoom(std::pow(0.88, y));
+                            if (!app.is_over_scene(app.mouse_x_, app.mouse_y_)) return;
+                            app.client_.camera.zoom(std::pow(0.88, y));
+                            app.client_.has_moved_view();
                           }});
   });
+}
+
+/// Tab selects a projectile, but for where the keys belong to the panels or to a field.
+void App::on_panel_key(int code, int scancode, int action, int mods) {
+  const bool enters_panels = client_.show.panel_keys || ImGui::GetIO().WantTextInput || action == GLFW_RELEASE;
+  if (code == GLFW_KEY_TAB && !enters_panels) return;
+  ImGui_ImplGlfw_KeyCallback(window_.get(), code, scancode, action, mods);
 }
 
 void App::on_key(int code, int scancode, int action, int mods) {
@@ -304,6 +374,7 @@ void App::on_move(double x, double y) {
   drag_.moved = std::max(drag_.moved, std::hypot(x - drag_.x, y - drag_.y));
   if (drag_.moved <= kClickReach * ui_->scale()) return;
   const double turn = kTurnPerPixel / ui_->scale();
+  if (drag_.button != GLFW_MOUSE_BUTTON_LEFT) client_.has_moved_view();
   if (drag_.button == GLFW_MOUSE_BUTTON_MIDDLE)
     client_.camera.pan(dx, -dy);
   else if (drag_.button == GLFW_MOUSE_BUTTON_RIGHT)

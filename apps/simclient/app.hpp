@@ -22,8 +22,12 @@ class App {
   ~App();
   /// Opens the window and stays until somebody leaves; an error where it cannot.
   [[nodiscard]] Status run();
+  /// Something was done to the window: it is drawn again.
+  void has_changed() { frames_due_ = kSettling; }
 
  private:
+  static constexpr int kSettling = 3;  // frames until panels show what was done to them
+
   /// A mouse button that is held down over the scene.
   struct Drag {
     int button = -1;
@@ -33,10 +37,17 @@ class App {
   [[nodiscard]] Status open();
   void install_callbacks();
   void install_mouse_callbacks();
+  void install_window_callbacks();
   [[nodiscard]] bool is_asked_to_close();
+  /// Waits until a frame is due. The clock runs on meanwhile; what looks the same is not drawn again.
+  void wait_for_frame();
+  [[nodiscard]] bool has_to_draw() const;
+  [[nodiscard]] bool draws_every_frame() const;
+  void pass_time();
   [[nodiscard]] Status frame();
   [[nodiscard]] Picture picture(bool of_plots);
   [[nodiscard]] Status take_pictures();
+  void on_panel_key(int code, int scancode, int action, int mods);
   void on_key(int code, int scancode, int action, int mods);
   void on_button(int button, int action, double x, double y);
   void on_move(double x, double y);
@@ -57,8 +68,10 @@ class App {
   std::ofstream state_;
   InputQueue inputs_;
   Drag drag_;
-  double mouse_x_ = -1, mouse_y_ = -1, last_time_ = 0;
+  double mouse_x_ = -1, mouse_y_ = -1, last_time_ = 0, last_drawn_ = 0;
   std::uint64_t frame_ = 0;
+  int frames_due_ = kSettling;
+  std::size_t messages_drawn_ = 0;
   bool has_imgui_ = false;
 };
 

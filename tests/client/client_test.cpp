@@ -42,9 +42,29 @@ TEST(Launcher, AScenarioComesFirstToHand) {
   Client client = client_of("308_168gr_g7");
   EXPECT_EQ(client.launcher.shot().projectile.name, "308-168gr");
   EXPECT_EQ(client.launcher.elevation_text(), "zeroed at 100 m");
-  client.launcher.turn(0, 0.1);  // takes the zero away
-  EXPECT_EQ(client.launcher.shot().launch.sight.zero_range, 0);
+  client.launcher.turn(0, 0.1);  // above the zero, which stays
+  EXPECT_EQ(client.launcher.shot().launch.sight.zero_range, 100);
   EXPECT_NEAR(client.launcher.elevation(), 0.1, 1e-12);
+  EXPECT_EQ(client.launcher.elevation_text(), "zeroed at 100 m, +5.73\u00b0");
+}
+
+TEST(Launcher, AZeroIsAimedFrom) {
+  Client client = client_of("308_168gr_g7");
+  const auto slope = [&] {
+    const Vec3d v = client.prediction().velocity;
+    return std::atan2(v.y, std::hypot(v.x, v.z));
+  };
+  const double zeroed = slope();
+  client.launcher.turn(0.02, 0.003);
+  EXPECT_NEAR(slope() - zeroed, 0.003, 1e-6);
+  EXPECT_NEAR(client.launcher.azimuth(), 0.02, 1e-12);
+  ASSERT_TRUE(client.fire());
+  EXPECT_EQ(client.session.world()[client.selected].velocity(), client.prediction().velocity);
+  client.launcher.turn(-0.02, -0.003);
+  EXPECT_NEAR(slope(), zeroed, 1e-12);
+  client.launcher.cycle_elevation();
+  EXPECT_EQ(client.launcher.shot().launch.sight.zero_range, 100);
+  EXPECT_NEAR(slope() - zeroed, 5 * 0.017453292519943295, 1e-6);
 }
 
 /// Panels keep what they read by the version: another scenario must never look like the one before.
@@ -110,7 +130,7 @@ TEST(Actions, EveryOneRunsWithoutAWindow) {
     if (action.name == "study-run" || action.name == "study-again") {
       ASSERT_TRUE(run(client, "study-input shot.speed = +- 1 m/s"));
     }
-    if (action.name == "replay" || action.name == "fire-scenario" || action.name == "undo")
+    if (action.name == "replay" || action.name == "fire-scenario" || action.name == "undo" || action.name == "redo")
       continue;  // there is nothing of the kind yet
     const Status status = action.run(client, argument);
     EXPECT_TRUE(status) << action.name << ": " << status.error().text();

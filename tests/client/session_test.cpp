@@ -2,6 +2,7 @@
 #include "simclient/core/session.hpp"
 
 #include <gtest/gtest.h>
+#include <malloc.h>
 
 #include <cmath>
 
@@ -101,6 +102,18 @@ TEST(Session, StepsBackToTheSameBits) {
     session.single_step();
     EXPECT_EQ(session.world().hash(), hashes[i]) << i;
   }
+}
+
+/// Against what the allocator says, where it says something.
+TEST(Session, TheWayBackKeepsWithinItsMemory) {
+  constexpr std::size_t kBudget = 256u << 20;
+  Session session = session_of("emit_fountain.toml");
+  session.set_time_scale(128);
+  const std::size_t before = mallinfo2().uordblks + mallinfo2().hblkhd;
+  for (int i = 0; i < 600; ++i) session.advance(kStep);
+  const std::size_t used = mallinfo2().uordblks + mallinfo2().hblkhd - before;
+  EXPECT_LE(session.way_back_memory(), kBudget);
+  EXPECT_LE(static_cast<double>(used), 1.1 * static_cast<double>(session.way_back_memory()) + 4e6);
 }
 
 TEST(Session, StepsBackThroughVolleys) {

@@ -255,6 +255,42 @@ TEST(Pace, FlightsComputedWholeArePlayedAtAnySpeed) {
   ASSERT_FALSE(client.session.edit(track.id, [](Projectile p) { return p.set_velocity({}); }));
 }
 
+/// With the drift of its spin, and with a mark at the range that ends it.
+TEST(Fired, AClickFliesWhatTheScenarioSays) {
+  Client client = client_of("308_168gr_g7");
+  client.click({client.camera.width() / 2, client.camera.height() / 2});
+  ASSERT_EQ(client.session.tracks().size(), 1U);
+  client.session.set_time_scale(64);
+  for (int i = 0; i < 10; ++i) client.advance(1.0 / 60);
+  const Track& track = client.session.tracks()[0];
+  ASSERT_FALSE(track.is_flying());
+  const Flight flight = fly_shot(client.session.scenario(), client.launcher.shot());
+  EXPECT_EQ(track.samples.back(), sample_of(flight, flight.duration()));
+  EXPECT_NEAR(flight.end().range, 1000, 1e-6);
+  EXPECT_EQ(client.session.fate_of(track), "at its end");
+  Scene scene;
+  build_scene(client, 1, scene);
+  std::set<std::string> labels;
+  for (const SceneLabel& label : scene.labels) labels.insert(label.text);
+  char said[64];
+  std::snprintf(said, sizeof said, "drop %.3f m, windage %.3f m", flight.end().drop, flight.end().windage);
+  EXPECT_TRUE(labels.contains(said)) << said;
+}
+
+TEST(Fired, StatisticsSayWhatHasBecomeOfIt) {
+  Client client = client_of("mortar_over_hill");
+  ASSERT_TRUE(run(client, "fire; wait 500"));
+  std::set<std::string> fates;
+  for (const Track& track : client.session.tracks()) fates.insert(client.session.fate_of(track));
+  EXPECT_TRUE(fates.contains("stopped by hill")) << *fates.begin();
+  EXPECT_FALSE(fates.contains("unknown"));
+  Client range = client_of();
+  ASSERT_TRUE(run(range, "fire; wait 2"));
+  EXPECT_EQ(range.session.fate_of(range.session.tracks()[0]), "in flight");
+  ASSERT_TRUE(run(range, "wait 60"));
+  EXPECT_EQ(range.session.fate_of(range.session.tracks()[0]), "landed");
+}
+
 TEST(Pace, WhatWasComparedIsWhatIsPlayed) {
   Client client = client_of("golf_drive");
   ASSERT_TRUE(client.fire_compared());

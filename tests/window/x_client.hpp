@@ -71,6 +71,7 @@ class Screen {
     while (server_ > 0 && size + 1 < sizeof text && read(ends[0], text + size, 1) == 1 && text[size] != '\n') ++size;
     close(ends[0]);
     name_ = size > 0 ? ":" + std::string(text, size) : "";
+    XSetErrorHandler([](Display*, XErrorEvent*) { return 0; });  // a window may close while it is asked for something
     if (!name_.empty()) display_ = XOpenDisplay(name_.c_str());
   }
   ~Screen() {
@@ -224,11 +225,37 @@ class RunningClient {
     }
     return now;
   }
-  /// Two frames more: what was sent before has been seen, and shown.
+  /// Two frames more: what was sent before has been seen, and shown. A client at rest draws none by itself: its window
+  /// is uncovered, as when another one is taken away.
   Json next_frames() {
     const Json now = state();
     const std::uint64_t frame = now.is_object() ? now["frame"].get<std::uint64_t>() : 0;
-    return wait_for([frame](const Json& s) { return s["frame"].get<std::uint64_t>() > frame + 2; });
+    return wait_for([this, frame](const Json& s) {
+      if (s["frame"].get<std::uint64_t>() > frame + 2) return true;
+      uncover();
+      return false;
+    });
+  }
+  void uncover() {
+    XClearArea(screen_, window_, 0, 0, 1, 1, True);
+    XSync(screen_, False);
+  }
+  /// Says that the window is an icon, or is shown again, as window managers do.
+  void iconify(bool is_icon) {
+    const Atom atom = XInternAtom(screen_, "WM_STATE", False);
+    const long state[2] = {is_icon ? IconicState : NormalState, None};
+    XChangeProperty(screen_, window_, atom, atom, 32, PropModeReplace, reinterpret_cast<const unsigned char*>(state),
+                    2);
+    XSync(screen_, False);
+  }
+  /// The number of the last frame, once none has come for a while; nothing where they come and come.
+  std::optional<std::uint64_t> frame_at_rest(int milliseconds) {
+    for (int i = 0; i < 10 && is_running(); ++i) {
+      const Json before = state();
+      nap(milliseconds);
+      if (state()["frame"] == before["frame"]) return before["frame"].get<std::uint64_t>();
+    }
+    return std::nullopt;
   }
 
   [[nodiscard]] Shot picture() const {

@@ -44,6 +44,11 @@ Status select_type(Client& client, const std::string& name) {
   return Error{"there is no shot type " + in_quotes(name), "", suggestion(name, names, "shot types")};
 }
 
+void zoom(Client& client, double factor) {
+  client.camera.zoom(factor);
+  client.has_moved_view();
+}
+
 void change_speed(Client& client, double factor) {
   client.session.set_time_scale(std::clamp(client.session.time_scale() * factor, 1.0 / 64, 1024.0));
 }
@@ -102,6 +107,35 @@ Status choose_material(Client& client, const std::string& name) {
   return client.placing.material = name, Status();
 }
 
+/// By hand or by a script. `what`: the change.
+Status tell(Client& client, const std::string& done, const std::string& what, const Status& status) {
+  if (status) client.say(done + ": " + what);
+  return status;
+}
+
+Status undo(Client& client, const std::string&) {
+  client.note_changes();
+  const std::string what = client.history().undo_text();
+  return tell(client, "taken back", what, client.undo());
+}
+
+Status redo(Client& client, const std::string&) {
+  client.note_changes();
+  const std::string what = client.history().redo_text();
+  return tell(client, "changed again", what, client.redo());
+}
+
+/// The one of a name, or the next one.
+Status choose_theme(Client& client, const std::string& name) {
+  const std::span<const Theme> all = themes();
+  const auto next = static_cast<std::size_t>(client.theme - all.data() + 1) % all.size();
+  const Theme* wanted = name.empty() ? &all[next] : find_theme(name);
+  if (wanted != nullptr) return client.theme = wanted, Status();
+  std::vector<std::string_view> names;
+  for (const Theme& theme : all) names.push_back(theme.name);
+  return Error{"there is no theme " + in_quotes(name), "", suggestion(name, names, "themes")};
+}
+
 Status check_determinism(Client& client) {
   const Result<DeterminismCheck> check = client.session.check_determinism();
   if (!check) return check.error();
@@ -116,10 +150,12 @@ Status check_determinism(Client& client) {
 // clang-format off
 constexpr Action kActions[] = {
     // the original's
-    {"fire", "Enter", "Shot", "fires along the arrow; also a left click on the scene", "",
+    {"fire", "Enter", "Shot", "fires along the arrow; also a left click: shots of a file without a world fly whole", "",
      act([](Client& c) { return c.fire(); })},
     {"fire-whole", "W", "Shot", "computes the whole flight of the next shot, as physim run does, and plays it", "",
      act([](Client& c) { return c.fire_whole(); })},
+    {"fire-into-world", "Ctrl+Enter", "Shot", "fires into the world, where it can be changed in flight", "",
+     act([](Client& c) { return c.fire(); })},
     {"elevation", "E", "Shot", "next elevation", "", act([](Client& c) { c.launcher.cycle_elevation(); })},
     {"artillery", "1", "Shot", "the original's artillery", "",
      act([](Client& c) { c.launcher.select(0U); })},
@@ -151,8 +187,8 @@ constexpr Action kActions[] = {
     // view
     {"camera", "C", "View", "next camera: orbit, follow, side", "", act([](Client& c) { c.next_camera(); })},
     {"fit", "Home", "View", "looks at everything", "", act([](Client& c) { c.fit_view(); })},
-    {"zoom-in", "PageUp", "View", "nearer", "", act([](Client& c) { c.camera.zoom(0.8); })},
-    {"zoom-out", "PageDown", "View", "farther away", "", act([](Client& c) { c.camera.zoom(1.25); })},
+    {"zoom-in", "PageUp", "View", "nearer", "", act([](Client& c) { zoom(c, 0.8); })},
+    {"zoom-out", "PageDown", "View", "farther away", "", act([](Client& c) { zoom(c, 1.25); })},
     {"select", "Tab", "View", "selects the next projectile", "", act([](Client& c) { c.select_next(); })},
     {"trails", "T", "View", "trails", "", kToggle<&Shown::trails>},
     {"vectors", "V", "View", "velocity, acceleration and forces of the selected one", "", kToggle<&Shown::vectors>},
@@ -163,6 +199,8 @@ constexpr Action kActions[] = {
      })},
     {"prediction", "A", "View", "predicted path of the next shot", "", kToggle<&Shown::prediction>},
     {"marks", "K", "View", "marks of apex and impact, hits on things, and their names", "", kToggle<&Shown::marks>},
+    {"drop-lines", "Ctrl+L", "View", "lines down to the ground, and the ways over it", "", kToggle<&Shown::depth>},
+    {"theme", "Ctrl+T", "View", "next light and colours: day, dusk, chart, night", "NAME", choose_theme},
     {"clear", "X", "View", "forgets those that have left", "", act([](Client& c) { c.session.clear_tracks(); })},
     // panels
     {"settings", "F2", "Panels", "settings of the next shot", "", kToggle<&Shown::settings>},
@@ -204,7 +242,9 @@ constexpr Action kActions[] = {
     {"wall", "I", "Tools", "puts up a wall: left clicks set its two ends", "X Z X Z", wall},
     {"target", "O", "Tools", "puts up a target: a left click on a path or the ground", "X Y Z", target},
     {"material", "", "", "what the next wall or target is made of", "NAME", choose_material},
-    {"undo", "Ctrl+Z", "Tools", "takes away what was put up last", "", act([](Client& c) { return c.undo_placing(); })},
+    {"undo", "Ctrl+Z", "Tools", "takes back the last change of setting, aim, curve, thing or environment", "",
+     undo},
+    {"redo", "Ctrl+Y Ctrl+Shift+Z", "Tools", "changes again what was taken back", "", redo},
     {"fire-compared", "F6", "Tools", "fires the next shot on all rungs of the comparison", "",
      act([](Client& c) { return c.fire_compared(); })},
     {"fire-scenario", "", "Tools", "fires all shots of the scenario", "",
@@ -273,15 +313,19 @@ std::string actions_table() {
 namespace {
 
 void run_at_once(Client& client, const Action& action, const std::string& argument) {
-  if (Status status = action.run(client, argument); !status) client.complain(status.error());
+  // Scripts say which of the two they mean.
+  const Status status = action.name == "fire" ? client.fire_by_hand() : action.run(client, argument);
+  if (!status) client.complain(status.error());
+  client.note_changes();
 }
 
 /// What would be lost, for people; empty where nothing would.
 std::string loss_of(const Client& client, const Action& action, const std::string& argument) {
   if (action.loss == Loss::none) return "";
   if (action.loss == Loss::file) {
+    if (action.name == "save-as" && argument.empty()) return "";  // a file is chosen first
     const bool replaces = !argument.empty() && argument != client.file() && std::filesystem::exists(argument);
-    return replaces ? argument + " is there already, and would be replaced." : "";
+    return replaces ? argument + " is there already, and would be replaced." : client.loss_of_saving(argument);
   }
   if (action.name == "open" && argument.empty()) return "";  // a file is chosen first
   std::string lost;

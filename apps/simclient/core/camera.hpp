@@ -3,6 +3,7 @@
 
 #include <array>
 #include <optional>
+#include <span>
 
 #include "physim/math.hpp"
 
@@ -27,6 +28,17 @@ enum class CameraMode {
 /// Column-major, as OpenGL reads it.
 using Mat4 = std::array<float, 16>;
 
+/// Where a camera that stays shows points: for many of them.
+class Projector {
+ public:
+  [[nodiscard]] std::optional<Pixel> project(const Vec3d& point) const;
+
+ private:
+  friend class Camera;
+  Vec3d target_, eye_, forward_, right_, up_;
+  double stretch_ = 1, near_ = 0, focal_ = 1, x_ = 0, y_ = 0;
+};
+
 class Camera {
  public:
   CameraMode mode = CameraMode::orbit;
@@ -43,8 +55,12 @@ class Camera {
   void orbit(double right, double down);  // [rad]
   void zoom(double factor);
   void pan(double right, double up);  // [pixels]
-  /// Looks at all of a box.
-  void fit(const Vec3d& low, const Vec3d& high);
+  /// Looks at all of these places, so that they cover two thirds of the view's width or height.
+  void fit(std::span<const Vec3d> places);
+  /// The part of the view's width or height, whichever is larger, that places cover.
+  [[nodiscard]] double cover(std::span<const Vec3d> places) const;
+  /// Raises the eye, by a steeper look, if it is not above a height.
+  void stay_above(double height);
 
   /// Where a point is drawn: its height is stretched.
   [[nodiscard]] Vec3d shown(const Vec3d& point) const;
@@ -56,6 +72,7 @@ class Camera {
   [[nodiscard]] Vec3d up() const;
   /// Where a point is seen; nothing behind the eye.
   [[nodiscard]] std::optional<Pixel> project(const Vec3d& point) const;
+  [[nodiscard]] Projector projector() const;
   /// Among the points as they are drawn.
   [[nodiscard]] Ray ray(const Pixel& pixel) const;
   /// Where a pixel meets a height, within sight.
@@ -69,6 +86,8 @@ class Camera {
   [[nodiscard]] double near_plane() const;
 
  private:
+  double centre(std::span<const Vec3d> places, double fill);
+
   double width_ = 1280, height_ = 720;
 };
 

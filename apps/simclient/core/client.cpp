@@ -6,6 +6,7 @@
 #include <iterator>
 
 #include "math/angles.hpp"
+#include "model/ladder.hpp"
 #include "physim/files.hpp"
 #include "report/file.hpp"
 #include "report/format.hpp"
@@ -17,6 +18,7 @@
 #include "scenario/text_file.hpp"
 #include "simclient/core/original_tests.hpp"
 #include "simclient/core/scene.hpp"
+#include "simclient/core/subject.hpp"
 
 namespace physim::client {
 namespace {
@@ -76,7 +78,49 @@ Client::Client(Session s, const std::string& file)
     : session(std::move(s)), launcher(session.scenario()), plots(*parse_plots("y/range y speed acceleration")) {
   study.asked = session.scenario().study;
   take_file(file);
+  history_.start(launcher, session.scenario(), content_);
   fit_view();
+}
+
+void Client::note_changes() {
+  constexpr double kGoesOn = 0.8;  // between changes of the aim that belong together [s]
+  const Versions before{launcher.version(), contents_};
+  if (noted_ == before) return;
+  noted_ = before;
+  history_.note(launcher, session.scenario(), content_, since_change_ < kGoesOn);
+  since_change_ = 0;
+}
+
+Status Client::bring_back(const Moment* moment, const char* how) {
+  if (moment == nullptr) return Error{"nothing was changed by hand", how, ""};
+  if (session.is_replay()) return Error{"a replay cannot be changed", how, "come back from it first: replay"};
+  const Scenario& then = *moment->scenario;
+  Status status;
+  if (moment->content.environment != content_.environment) status = session.set_environment(then.environment);
+  if (status && moment->content.scene != content_.scene) status = session.set_scene(then);
+  if (status && moment->content.emitters != content_.emitters) status = session.set_emitters(then.emitters);
+  if (!status) return status;
+  if (moment->content != content_) ++session_version_;
+  content_ = moment->content;
+  launcher.bring_back(moment->launcher);
+  history_.adopt(launcher.version());
+  noted_ = {launcher.version(), contents_};
+  unsaved_ = true;
+  return {};
+}
+
+const ScenarioShot& Client::next_shot() {
+  if (next_at_ == versions()) return next_;
+  next_at_ = versions();
+  next_ = launcher.shot();
+  if (launcher.raised() == 0) return next_;
+  Launch& launch = next_.launch;
+  const Result<double> zero = zero_elevation(next_.projectile, launch, session.scenario().environment,
+                                             next_.projectile.fidelity, launch.sight.zero_range);
+  if (!zero) return next_;  // the prediction tells why
+  launch.elevation = *zero + launcher.raised();
+  launch.sight.zero_range = 0;
+  return next_;
 }
 
 /// Remembers which file the session is of. That of a scenario is come back to from a replay.
@@ -94,11 +138,17 @@ void Client::take_file(const std::string& file) {
 }
 
 void Client::advance(double real_dt, double patience) {
+  note_changes();
+  since_change_ += real_dt;
   session.advance(real_dt, patience);
   study.run.advance(patience == std::numeric_limits<double>::infinity());
   for (Message& message : messages_) message.shown += real_dt;
   while (!messages_.empty() && messages_.front().shown > kMessageTime) messages_.pop_front();
   follow();
+}
+
+bool Client::is_changing() const {
+  return session.is_moving() || study.run.state() == StudyRun::State::running || !pictures.empty();
 }
 
 Status Client::open(const std::string& file) {
@@ -117,8 +167,8 @@ Status Client::use_session(Result<Session> opened) {
   tape = {};
   tool = Tool::fire;
   wall_from.reset();
-  placed_.clear();
   ++session_version_;
+  history_.start(launcher, session.scenario(), content_);
   fit_view();
   return {};
 }
@@ -130,9 +180,10 @@ Status Client::restart() {
 }
 
 Status Client::fire() {
-  const Result<ProjectileId> fired = session.fire(launcher.shot());
+  const Result<ProjectileId> fired = session.fire(next_shot());
   if (!fired) return fired.error();
-  selected = *fired;
+  selected = fired_ = *fired;
+  fired_at_ = versions();
   return {};
 }
 
@@ -141,11 +192,23 @@ Status Client::fire_whole() {
     return Error{"its shots fly in a world", "fire-whole", "fire it into the world, as its scenario does"};
   if (!session.scenario().things.empty())
     return Error{"whole flights know no things", "fire-whole", "fire it, or take away what was put up: Ctrl+Z"};
-  const ScenarioShot& shot = launcher.shot();
+  const ScenarioShot& shot = next_shot();
   const Result<ProjectileId> played = session.play(shot, fly_shot(session.scenario(), shot));
   if (!played) return played.error();
-  selected = *played;
+  selected = fired_ = *played;
+  fired_at_ = versions();
   return {};
+}
+
+const Track* Client::last_of_this_shot() const {
+  return show.trails && fired_at_ == versions() ? session.track(fired_) : nullptr;
+}
+
+Status Client::fire_by_hand() {
+  const Scenario& scenario = session.scenario();
+  const bool is_of_flights = !scenario.world.given && scenario.things.empty() && !scenario.shots.empty();
+  const bool flies_whole = is_of_flights && !session.is_replay() && !session.is_recording();
+  return flies_whole ? fire_whole() : fire();
 }
 
 Status Client::fire_scenario() {
@@ -158,7 +221,7 @@ Status Client::fire_scenario() {
 }
 
 Status Client::fire_compared() {
-  ScenarioShot shot = launcher.shot();
+  ScenarioShot shot = next_shot();
   shot.cheapest_within.reset();
   for (const ComparedRung& rung : comparison()) {
     shot.projectile.fidelity = rung.asked;
@@ -173,7 +236,7 @@ Status Client::fire_compared() {
 
 const std::vector<ComparedRung>& Client::comparison() {
   const bool is_new = compared_at_ != versions() || compared_presets_ != compared;
-  if (is_new && !session.is_replay()) comparison_ = compare_rungs(session, launcher.shot(), compared, costs_);
+  if (is_new && !session.is_replay()) comparison_ = compare_rungs(session, next_shot(), compared, costs_);
   compared_at_ = versions();
   compared_presets_ = compared;
   return comparison_;
@@ -198,10 +261,27 @@ Scenario Client::with_next_shot() const {
   return becomes_world ? with_world(scenario) : scenario;
 }
 
+std::string Client::path_to_save(const std::string& file) const {
+  const std::string own = scenario_file_.empty() ? free_name("scenario", ".toml") : scenario_file_;
+  return file.empty() ? own : file;
+}
+
+/// A file that cannot be revised is written anew, by what is set alone.
+std::string Client::loss_of_saving(const std::string& file) const {
+  const std::string path = path_to_save(file);
+  if (session.is_replay() || text_.empty() || !is_same_file(path, scenario_file_)) return "";
+  const Scenario changed = with_next_shot();
+  const std::size_t expected = session.scenario().expect.size();
+  std::string lost;
+  if (!revised_text(text_, path, changed)) lost = "its comments and its own units";
+  if (changed.expect.size() < expected)
+    lost += (lost.empty() ? "" : ", and ") + formatted("its %zu expectations", expected);
+  return lost.empty() ? "" : path + " would be written anew, as a world: " + lost + " would be lost. ";
+}
+
 Status Client::save(const std::string& file) {
   if (session.is_replay()) return Error{"a replay has no scenario", "save", "come back from it first: replay"};
-  const std::string own = scenario_file_.empty() ? free_name("scenario", ".toml") : scenario_file_;
-  const std::string path = file.empty() ? own : file;
+  const std::string path = path_to_save(file);
   Scenario scenario = with_next_shot();
   const auto text_of = [&] {
     const auto revised = text_.empty() ? std::nullopt : revised_text(text_, path, scenario);
@@ -224,6 +304,7 @@ Status Client::save(const std::string& file) {
   }
   const auto is_next = [&](const ScenarioShot& s) { return s.projectile.name == launcher.shot().projectile.name; };
   if (std::ranges::none_of(scenario.shots, is_next)) left_out = ", but for the next shot: its world would fire it";
+  if (launcher.raised() != 0) left_out += ", but for the aim off the zero";
   const bool is_own_file = is_same_file(path, scenario_file_) || is_same_file(path, own_scenario.file);
   if (Status status = is_own_file ? Status() : check_output(path); !status) return status;
   if (Status status = report::write_file(path, text); !status) return status;
@@ -313,21 +394,28 @@ Status Client::set_emitters(const std::vector<ScenarioEmitter>& emitters) {
   selected = {};
   unsaved_ = true;
   ++session_version_;
+  content_.emitters = ++contents_;
+  note_changes();
   return {};
 }
 
 Status Client::use(const Scenario& scenario, const ScenarioShot& shot) {
   launcher.set_shot(shot);
   unsaved_ = true;
-  if (scenario.environment == session.scenario().environment) return {};
-  ++session_version_;
-  return session.set_environment(scenario.environment);
+  Status status;
+  if (!(scenario.environment == session.scenario().environment)) {
+    ++session_version_;
+    status = session.set_environment(scenario.environment);
+    if (status) content_.environment = ++contents_;
+  }
+  note_changes();
+  return status;
 }
 
 const Prediction& Client::prediction() {
   if (predicted_at_ == versions()) return prediction_;
   if (!predicted_at_ || predicted_at_->second != session_version_) predictor_.forget_world();
-  if (!session.is_replay()) prediction_ = predictor_.predict(session, launcher.shot());
+  if (!session.is_replay()) prediction_ = predictor_.predict(session, next_shot());
   predicted_at_ = versions();
   return prediction_;
 }
@@ -360,11 +448,25 @@ std::optional<Client::Arrow> Client::arrow() {
 std::optional<Client::Probe> Client::probe(const Pixel& pixel) {
   std::optional<Probe> best;
   double nearest = kReach;
+  const Projector view = camera.projector();
   const auto look = [&](const Track* track, const std::vector<TrackSample>& samples) {
-    for (const TrackSample& s : samples) {
-      const auto seen = camera.project(s.position);
-      const double away = seen ? std::hypot(seen->x - pixel.x, seen->y - pixel.y) : nearest;
-      if (away < nearest) nearest = away, best = Probe{track, s};
+    std::optional<Pixel> last;
+    for (std::size_t i = 0; i < samples.size(); ++i) {
+      const std::optional<Pixel> seen = view.project(samples[i].position);
+      if (!seen) {
+        last.reset();
+        continue;
+      }
+      const Pixel from = i > 0 && last ? *last : *seen;
+      const double x = seen->x - from.x, y = seen->y - from.y, size = x * x + y * y;
+      const double along = (pixel.x - from.x) * x + (pixel.y - from.y) * y;
+      const double part = size > 0 ? std::clamp(along / size, 0.0, 1.0) : 1;
+      const double away = std::hypot(from.x + part * x - pixel.x, from.y + part * y - pixel.y);
+      if (away < nearest) {
+        nearest = away;
+        best = Probe{track, part < 1 ? between(samples[i - 1], samples[i], part) : samples[i]};
+      }
+      last = seen;
     }
   };
   for (const Track& track : session.tracks()) look(&track, track.samples);
@@ -372,36 +474,65 @@ std::optional<Client::Probe> Client::probe(const Pixel& pixel) {
   return best;
 }
 
+std::vector<Vec3d> Client::subject() {
+  const Scenario& scenario = session.scenario();
+  if (run_at_ != session_version_) {
+    run_places_ = session.is_replay() ? std::vector<Vec3d>() : places_of_run(scenario);
+    run_at_ = session_version_;
+  }
+  if (flight_at_ != versions() && run_places_.empty() && !session.is_replay()) {
+    flight_places_ = places_of_flight(scenario, next_shot(), {prediction().path, prediction().is_cut});
+    flight_at_ = versions();
+  }
+  std::vector<Vec3d> places = run_places_;  // what it fires is among them
+  if (places.empty()) {
+    if (!session.is_replay()) {
+      places = flight_places_;
+      places.push_back(launcher.shot().launch.position);
+    }
+    for (const Track& track : session.tracks())
+      for (const TrackSample& s : track.samples) places.push_back(s.position);
+  }
+  return subject_of(std::move(places), scenery(), session.ground());
+}
+
 void Client::fit_view() {
-  Vec3d low = launcher.shot().launch.position, high = low;
-  const auto include = [&](const Vec3d& p) {
-    low = {std::min(low.x, p.x), std::min(low.y, p.y), std::min(low.z, p.z)};
-    high = {std::max(high.x, p.x), std::max(high.y, p.y), std::max(high.z, p.z)};
-  };
-  // What lies among things is small beside paths that go on for long after the end of the run.
-  const Scenery& things = scenery();
-  const double end = things.is_empty() ? kInfinity : session.scenario().world.duration;
-  for (const TrackSample& s : prediction().path)
-    if (s.time <= end) include(s.position);
-  for (const Track& track : session.tracks())
-    for (const TrackSample& s : track.samples)
-      if (s.time <= end) include(s.position);
-  constexpr double kMuchLarger = 3;  // than the paths: things that large are looked at from among them
-  const double of_paths = length(high - low);
-  if (things.has_size && (length(things.high - things.low) < kMuchLarger * of_paths || of_paths < 1e-3))
-    include(things.low), include(things.high);
-  if (const auto height = session.ground()) include({low.x, *height, low.z});
+  fits_ = true;
+  fitted_to_ = {camera.width(), camera.height(), launcher.type(), session_version_};
+  const std::vector<Vec3d> places = subject();
+  const bool has_things = !scenery().is_empty();
   if (camera.mode == CameraMode::side) {
     camera.yaw = launcher.azimuth() - kRightAngle;
     camera.pitch = 0.05;
-    const double across = std::hypot(high.x - low.x, high.z - low.z), upward = high.y - low.y;
-    camera.stretch = upward > 0 ? std::clamp(scale_step(across / upward, 5), 1.0, 1000.0) : 1;
+    const double steepness = height_over_length(places);
+    camera.stretch = steepness > 0 ? std::clamp(scale_step(1 / steepness, 5), 1.0, 1000.0) : 1;
   } else {
+    // Flat flights are seen more from the side, and things stand one behind the other.
+    constexpr double kFromBehind = 0.35, kFromAside = 1.1, kOfThings = 0.8;  // [rad]
+    const double flatness = std::clamp(1 - 4 * height_over_length(places), 0.0, 1.0);
     camera.stretch = 1;
-    camera.yaw = launcher.azimuth() - (things.is_empty() ? 0.35 : 0.8);  // things stand one behind the other
-    camera.pitch = things.is_empty() ? 0.22 : 0.3;
+    camera.yaw = launcher.azimuth() - (has_things ? kOfThings : std::lerp(kFromBehind, kFromAside, flatness));
+    camera.pitch = has_things ? 0.3 : 0.22;
   }
-  camera.fit(low, high);
+  camera.fit(places);
+}
+
+/// A projectile that flies, in a view that looks at all.
+bool Client::is_out_of_view() const {
+  const Projector view = camera.projector();
+  return std::ranges::any_of(session.tracks(), [&](const Track& track) {
+    const auto at = view.project(track.samples.back().position);
+    const bool is_seen = at && at->x >= 0 && at->y >= 0 && at->x <= camera.width() && at->y <= camera.height();
+    return track.is_flying() && !is_seen;
+  });
+}
+
+void Client::keep_view() {
+  const FittedTo now{camera.width(), camera.height(), launcher.type(), session_version_};
+  const bool is_due = now != fitted_to_ || (run_places_.empty() && is_out_of_view());
+  if (fits_ && camera.mode != CameraMode::follow && is_due) fit_view();
+  const bool is_round = row(launcher.shot().projectile.fidelity.earth).shape != EarthShape::flat;
+  if (const auto ground = session.ground(); ground && !is_round) camera.stay_above(*ground);
 }
 
 void Client::next_camera() {

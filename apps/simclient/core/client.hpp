@@ -9,6 +9,7 @@
 #include "report/picture.hpp"
 #include "simclient/core/camera.hpp"
 #include "simclient/core/compare.hpp"
+#include "simclient/core/history.hpp"
 #include "simclient/core/launcher.hpp"
 #include "simclient/core/placing.hpp"
 #include "simclient/core/plot_data.hpp"
@@ -18,6 +19,7 @@
 #include "simclient/core/session.hpp"
 #include "simclient/core/setting_rows.hpp"
 #include "simclient/core/study_desk.hpp"
+#include "simclient/core/theme.hpp"
 
 namespace physim::client {
 
@@ -32,6 +34,7 @@ struct Shown {
   bool vectors = false;
   bool forces_add_up = false;  // each force begins where the one before ends
   bool prediction = true;
+  bool depth = true;  // drop lines, and the ways of projectiles over the ground
   bool marks = true;  // apex, impact, hits on things, and what these are called
 };
 
@@ -85,6 +88,7 @@ class Client {
   Launcher launcher;
   Camera camera;
   Shown show;
+  const Theme* theme = &themes()[0];
   Tool tool = Tool::fire;
   Tape tape;
   Placing placing;
@@ -106,12 +110,27 @@ class Client {
 
   /// Time has passed on the screen [s]. `patience`: what the steps in it may take [s of the machine's clock].
   void advance(double real_dt, double patience = std::numeric_limits<double>::infinity());
+  /// The picture changes by itself: something moves, a study counts on, or a picture was asked for.
+  [[nodiscard]] bool is_changing() const;
   /// Another scenario or recording instead of this one; what was there stays where it cannot be.
   [[nodiscard]] Status open(const std::string& file);
   [[nodiscard]] Status restart();
   [[nodiscard]] Status fire();
+  /// The shot that is fired next: with a zero range and a barrel that is raised above it, at the elevation of both.
+  [[nodiscard]] const ScenarioShot& next_shot();
+  /// Takes back the last change by hand, and brings back what was taken back.
+  [[nodiscard]] Status undo() { return bring_back(history_.undo(), "undo"); }
+  [[nodiscard]] Status redo() { return bring_back(history_.redo(), "redo"); }
+  [[nodiscard]] const History& history() const { return history_; }
+  /// Notes what was changed by hand since the last call, for undo().
+  void note_changes();
   /// Computes the flight of the next shot whole, as `physim run` does, and plays it.
   [[nodiscard]] Status fire_whole();
+  /// As the scenario says, by a hand: the shots of a scenario without a world and without things are flown whole, to
+  /// the end that it sets; others into the world.
+  [[nodiscard]] Status fire_by_hand();
+  /// The last one that was fired by hand, if the next shot is the same; null: there is none, or its trail is not shown.
+  [[nodiscard]] const Track* last_of_this_shot() const;
   /// All shots of the scenario at once.
   [[nodiscard]] Status fire_scenario();
   /// The next shot on every rung of the comparison at once: where the scenario has no world, the flights that were
@@ -122,6 +141,8 @@ class Client {
   /// Saves the scenario with the next shot, into the file that it came from where none is named. Nothing is written
   /// that could not be read again.
   [[nodiscard]] Status save(const std::string& file);
+  /// What saving into a file would lose of what stands there, for people; empty: nothing.
+  [[nodiscard]] std::string loss_of_saving(const std::string& file) const;
   /// Where the scenario stands; empty where it is of no file.
   [[nodiscard]] const std::string& file() const { return scenario_file_; }
   /// Settings were changed by hand, and not saved.
@@ -169,8 +190,6 @@ class Client {
   [[nodiscard]] Status place_target(const Vec3d& middle);
   /// Where a target would stand for a click: on a path, or with its lower edge on what is there.
   [[nodiscard]] std::optional<Vec3d> target_under(const Pixel& pixel);
-  /// Takes away what was placed last.
-  [[nodiscard]] Status undo_placing();
   /// The things of the scene as they are drawn.
   [[nodiscard]] const Scenery& scenery();
   /// The nearest moment of a path under the mouse, within 12 pixels.
@@ -179,7 +198,15 @@ class Client {
     TrackSample sample;
   };
   [[nodiscard]] std::optional<Probe> probe(const Pixel& pixel);
+  /// Looks at what the scenario is about. It does so again where the view's size or the type of shot changes and where
+  /// a projectile leaves the view, until the view is moved by hand.
   void fit_view();
+  /// The view was moved by hand, and stays.
+  void has_moved_view() { fits_ = false; }
+  /// Once a frame: fits the view again if that is due, and keeps the eye above the ground.
+  void keep_view();
+  /// Places of what the scenario is about.
+  [[nodiscard]] std::vector<Vec3d> subject();
   void next_camera();
 
   void say(const std::string& text);
@@ -188,6 +215,7 @@ class Client {
 
  private:
   void follow();
+  [[nodiscard]] bool is_out_of_view() const;
   void take_file(const std::string& file);
   [[nodiscard]] Scenario with_next_shot() const;
   [[nodiscard]] Status use_session(Result<Session> opened);
@@ -195,8 +223,17 @@ class Client {
   [[nodiscard]] std::optional<Vec3d> point_under(const Pixel& pixel);
   [[nodiscard]] Status place(const Result<Placed>& placed);
 
+  [[nodiscard]] Status bring_back(const Moment* moment, const char* how);
+  [[nodiscard]] std::string path_to_save(const std::string& file) const;
+
   SceneryMaker scenery_;
-  std::vector<bool> placed_;  // what was placed by hand, and whether it brought a material along
+  History history_;
+  ContentVersions content_;
+  std::uint64_t contents_ = 0;  // versions of content that there were
+  double since_change_ = 1e9;   // of the screen [s]
+  ScenarioShot next_;
+  std::optional<Versions> next_at_, noted_, fired_at_;
+  ProjectileId fired_;  // by hand, the last one
   Predictor predictor_;
   Prediction prediction_;
   std::vector<ComparedRung> comparison_;
@@ -209,6 +246,17 @@ class Client {
   bool meets_things_ = false;                           // its file is of flights, and has things
   std::string recorded_;                                // file of the last recording
   std::uint64_t session_version_ = 0;
+  std::vector<Vec3d> run_places_, flight_places_;  // of the subject
+  std::optional<std::uint64_t> run_at_;            // versions at which they were found; none: never
+  std::optional<Versions> flight_at_;
+  bool fits_ = true;  // the view, by itself
+  struct FittedTo {
+    double width = 0, height = 0;
+    std::size_t type = 0;
+    std::uint64_t restarts = 0;
+    bool operator==(const FittedTo&) const = default;
+  };
+  FittedTo fitted_to_;
   std::deque<Message> messages_;
 };
 

@@ -17,7 +17,7 @@ void Client::use_tool(Tool wanted) {
 
 void Client::click(const Pixel& pixel) {
   if (tool == Tool::fire) {
-    if (Status status = fire(); !status) complain(status.error());
+    if (Status status = fire_by_hand(); !status) complain(status.error());
     return;
   }
   const std::optional<Vec3d> point = tool == Tool::wall     ? surface_under(pixel)
@@ -80,21 +80,12 @@ Status Client::place_target(const Vec3d& middle) {
 Status Client::place(const Result<Placed>& placed) {
   if (!placed) return placed.error();
   if (Status status = session.set_scene(placed->scenario); !status) return status;
-  placed_.push_back(placed->brings_material);
   unsaved_ = true;
   ++session_version_;
+  content_.scene = ++contents_;
+  note_changes();
   const std::string of = placing.material.empty() ? "" : " of " + placing.material;
   return say(placed->name + of + "; Ctrl+Z takes it away"), Status();
-}
-
-Status Client::undo_placing() {
-  if (placed_.empty()) return Error{"nothing was placed by hand", "undo", "wall and target place things"};
-  const std::string name = session.scenario().things.back().name;
-  if (Status status = session.set_scene(without_last(session.scenario(), placed_.back())); !status) return status;
-  placed_.pop_back();
-  unsaved_ = true;
-  ++session_version_;
-  return say("took away " + name), Status();
 }
 
 const Scenery& Client::scenery() {

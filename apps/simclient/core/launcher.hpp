@@ -63,8 +63,13 @@ class Launcher {
   void cycle_motion();
   void cycle_gravity();
   void cycle_drag();
-  /// Turns the barrel, and keeps the speed [rad].
+  /// Turns the barrel, and keeps the speed [rad]. A zero range stays: the barrel is raised above where that puts it.
   void turn(double right, double up);
+  /// How far the barrel is raised above where the zero range puts it [rad].
+  [[nodiscard]] double raised() const { return is_zeroed() ? raised_ : 0; }
+  [[nodiscard]] bool is_zeroed() const { return shot_.launch.sight.zero_range > 0; }
+  /// Takes the place of another launcher, as of its next version.
+  void bring_back(const Launcher& from);
 
   /// "e = 2 (5.7 deg)" or "10.0 deg".
   [[nodiscard]] std::string elevation_text() const;
@@ -97,6 +102,7 @@ class Launcher {
   Motion motion_ = Motion::velocity;
   OriginalEffect gravity_ = OriginalEffect::constant, drag_ = OriginalEffect::constant;
   ScenarioShot shot_;
+  double raised_ = 0;
   std::uint64_t version_ = 0;
 };
 

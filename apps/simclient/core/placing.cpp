@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "base/assert.hpp"
 #include "math/angles.hpp"
 #include "scenario/published_materials.hpp"
 #include "scenario/suggest.hpp"
@@ -49,7 +48,7 @@ Result<Placed> placed(Scenario scenario, const std::string& what, ShapeDef shape
   of_thing.shape = std::move(shape);
   scenario.shapes.push_back(std::move(of_thing));
   scenario.things.push_back(thing);
-  return Placed{std::move(scenario), thing.name, published.has_value()};
+  return Placed{std::move(scenario), thing.name};
 }
 
 }  // namespace
@@ -92,15 +91,6 @@ Result<Placed> with_target(const Scenario& scenario, const Vec3d& middle, const 
       rounded_angle(std::remainder(std::atan2(middle.z - shot_from.z, middle.x - shot_from.x) - kRightAngle, 2 * kPi));
   thing.rotation.roll = kRightAngle;
   return placed(scenario, "target", CylinderShape{placing.radius, placing.thickness / 10}, thing, placing.material);
-}
-
-Scenario without_last(const Scenario& scenario, bool brought_material) {
-  PHYSIM_ASSERT(!scenario.things.empty() && scenario.shapes.back().name == scenario.things.back().shape);
-  Scenario out = scenario;
-  out.things.pop_back();
-  out.shapes.pop_back();
-  if (brought_material) out.materials.pop_back();
-  return out;
 }
 
 }  // namespace physim::client

@@ -25,8 +25,7 @@ void fit_sizes(Placing& placing, double distance);
 /// A scenario with something more in it.
 struct Placed {
   Scenario scenario;
-  std::string name;              // of the thing
-  bool brings_material = false;  // a published one, which nothing else was made of
+  std::string name;  // of the thing
 };
 /// A wall that stands between two feet, upright, as high above the lower of them as it was asked for. An error for one
 /// that has no size.
@@ -35,7 +34,4 @@ struct Placed {
 /// A round target about a place, upright, facing where it is shot from.
 [[nodiscard]] Result<Placed> with_target(const Scenario& scenario, const Vec3d& middle, const Vec3d& shot_from,
                                          const Placing& placing);
-/// Without what was placed last, and what it brought along.
-[[nodiscard]] Scenario without_last(const Scenario& scenario, bool brought_material);
-
 }  // namespace physim::client

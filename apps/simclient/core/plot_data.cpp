@@ -7,6 +7,7 @@
 #include "scenario/suggest.hpp"
 #include "scenario/units.hpp"
 #include "simclient/core/scene.hpp"
+#include "simclient/core/stroke.hpp"
 
 namespace physim::client {
 namespace {
@@ -56,6 +57,21 @@ Result<std::size_t> find_quantity(std::string_view name) {
 
 std::string label_of(const PlotQuantity& quantity) {
   return std::string(quantity.name) + " [" + std::string(quantity.unit) + "]";
+}
+
+/// What a plot on a large screen cannot show of a curve.
+void leave_out_unseen(PlotCurve& curve, const Extent& across, const Extent& upward) {
+  constexpr std::size_t kFew = 800;
+  constexpr double kWide = 1600, kHigh = 800;  // [pixels]
+  std::vector<PlotPoint>& points = curve.points;
+  if (points.size() <= kFew) return;
+  const double x = kWide / std::max(across.high - across.low, 1e-300);
+  const double y = kHigh / std::max(upward.high - upward.low, 1e-300);
+  const auto kept = points_of_stroke(points.size(), [&](std::size_t i) -> std::optional<Pixel> {
+    return Pixel{(points[i].x - across.low) * x, (points[i].y - upward.low) * y};
+  });
+  for (std::size_t i = 0; i < kept.size(); ++i) points[i] = points[kept[i]];
+  points.resize(kept.size());
 }
 
 /// What the scenario says should come out, where time is below.
@@ -145,11 +161,10 @@ Plot make_plot(const PlotSpec& spec, std::span<const Track> tracks, const Track*
       curve.points.push_back({x.of(track, sample), y.of(track, sample)});
       across.add(curve.points.back().x), upward.add(curve.points.back().y);
     };
-    const std::size_t stride = track.samples.size() / 800 + 1;  // a plot is not wider than that
-    for (std::size_t i = 0; i + 1 < track.samples.size(); i += stride) add(track.samples[i]);
-    add(track.samples.back());
+    for (const TrackSample& sample : track.samples) add(sample);
     plot.curves.push_back(std::move(curve));
   }
+  for (PlotCurve& curve : plot.curves) leave_out_unseen(curve, across, upward);
   plot.expected = expected_points(spec, tracks, alone, scenario);
   for (const PlotMark& mark : plot.expected) across.add(mark.point.x), upward.add(mark.point.y);
   plot.x = make_axis(across.low, across.high, wanted_x);
@@ -163,9 +178,16 @@ std::optional<PlotHit> nearest_point(const Plot& plot, const PlotPoint& place, d
   std::optional<PlotHit> best;
   double nearest = reach;
   for (const PlotCurve& curve : plot.curves)
-    for (const PlotPoint& point : curve.points) {
-      const double away = std::hypot((plot.x.part(point.x) - place.x) * aspect, plot.y.part(point.y) - place.y);
-      if (away < nearest) nearest = away, best = PlotHit{curve.track, point};
+    for (std::size_t i = 0; i < curve.points.size(); ++i) {
+      const PlotPoint &from = curve.points[i > 0 ? i - 1 : 0], &to = curve.points[i];
+      const double x = (plot.x.part(from.x) - place.x) * aspect, y = plot.y.part(from.y) - place.y;
+      const double to_x = (plot.x.part(to.x) - place.x) * aspect - x, to_y = plot.y.part(to.y) - place.y - y;
+      const double size = to_x * to_x + to_y * to_y;
+      const double part = size > 0 ? std::clamp(-(x * to_x + y * to_y) / size, 0.0, 1.0) : 1;
+      const double away = std::hypot(x + part * to_x, y + part * to_y);
+      if (away >= nearest) continue;
+      nearest = away;
+      best = PlotHit{curve.track, {from.x + part * (to.x - from.x), from.y + part * (to.y - from.y)}};
     }
   return best;
 }

@@ -22,6 +22,7 @@ void fly(World& world, ProjectileId id, std::uint64_t limit, Prediction& predict
   const ProjectileView projectile = world[id];
   const double start = world.time();
   int hits = 0;
+  prediction.is_cut = false;
   for (std::uint64_t i = 0; i < limit && projectile.is_alive() && !projectile.is_asleep() && hits < kMostHits; ++i) {
     world.step(world.def().step);
     bool has_hit = false;  // once a step: what slides along a thing touches it all the time
@@ -36,6 +37,7 @@ void fly(World& world, ProjectileId id, std::uint64_t limit, Prediction& predict
     if (projectile.is_alive()) prediction.path.push_back(sample_of(projectile, projectile.age()));
     if (projectile.status() == LifeStatus::landed) return;  // where it is, it stays
   }
+  prediction.is_cut = projectile.is_alive() && !projectile.is_asleep() && hits < kMostHits;
 }
 
 }  // namespace

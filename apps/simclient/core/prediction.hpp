@@ -14,6 +14,7 @@ struct Prediction {
   Vec3d muzzle, velocity;      // at launch
   FidelityInUse granted;
   std::vector<TrackSample> path;  // one for each step, up to the end or the limit
+  bool is_cut = false;            // by the limit: it flies on
 };
 
 /// Predicts the shots of one session.

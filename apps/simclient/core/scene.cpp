@@ -3,11 +3,17 @@
 #include <algorithm>
 #include <cmath>
 
+#include "model/ladder.hpp"
+#include "physim/environment.hpp"
+#include "simclient/core/stroke.hpp"
+
 namespace physim::client {
 
 void Scene::clear() {
   lines.clear();
+  on_top.clear();
   balls.clear();
+  discs.clear();
   crowd.clear();
   sprites.clear();
   drawn.clear();
@@ -22,22 +28,56 @@ void Scene::ball(const Vec3d& at, Colour colour, double pixels, double radius) {
   balls.push_back({at, colour, static_cast<float>(radius), static_cast<float>(pixels)});
 }
 
-void Scene::polyline(const std::vector<TrackSample>& samples, Colour colour, double width) {
-  const std::size_t stride = samples.size() / 800 + 1;  // more than the screen can show
-  std::size_t last = 0;
-  for (std::size_t i = stride; i < samples.size(); last = i, i += stride)
-    line(samples[last].position, samples[i].position, colour, width);
-  if (!samples.empty() && last + 1 < samples.size())
-    line(samples[last].position, samples.back().position, colour, width);
+namespace {
+
+/// The cubic through two samples with their velocities, at a part of the way; nothing where they do not belong to one
+/// smooth curve, as at a hit.
+std::optional<Vec3d> on_curve(const TrackSample& a, const TrackSample& b, double part) {
+  const double time = b.time - a.time;
+  const Vec3d way = b.position - a.position;
+  const double off = length(way - (a.velocity + b.velocity) * (0.5 * time));
+  if (!(off < 0.1 * length(way))) return std::nullopt;
+  const double t = part, u = 1 - part;
+  return a.position * (u * u * (1 + 2 * t)) + b.position * (t * t * (1 + 2 * u)) + a.velocity * (time * t * u * u) -
+         b.velocity * (time * t * t * u);
+}
+
+/// Points of a path so near on the screen that lines between them are as smooth as it is.
+std::vector<Vec3d> points_of(const std::vector<TrackSample>& samples, const Projector& view) {
+  constexpr double kApart = 14, kMostBetween = 32;  // [pixels]; points between two samples
+  std::vector<Vec3d> points;
+  points.reserve(samples.size());
+  std::optional<Pixel> last;
+  for (std::size_t i = 0; i < samples.size(); ++i) {
+    const std::optional<Pixel> at = view.project(samples[i].position);
+    const double apart = at && last ? std::hypot(at->x - last->x, at->y - last->y) : 0;
+    const double count = std::min(std::floor(apart / kApart), kMostBetween);
+    for (double k = 1; k <= count; ++k)
+      if (const auto point = on_curve(samples[i - 1], samples[i], k / (count + 1))) points.push_back(*point);
+    points.push_back(samples[i].position);
+    last = at;
+  }
+  return points;
+}
+
+}  // namespace
+
+void Scene::polyline(const std::vector<TrackSample>& samples, const Camera& camera, Colour colour, double width,
+                     double fog) {
+  const Projector view = camera.projector();
+  const std::vector<Vec3d> points = points_of(samples, view);
+  const auto kept = points_of_stroke(points.size(), [&](std::size_t i) { return view.project(points[i]); });
+  for (std::size_t i = 1; i < kept.size(); ++i) line(points[kept[i - 1]], points[kept[i]], colour, width, fog);
 }
 
 /// Dots of equal distance on the screen, so that a path is dotted near and far.
 void Scene::dots(const std::vector<TrackSample>& samples, const Camera& camera, Colour colour, double scale) {
   const double gap = 9 * scale;  // [pixels]
+  const Projector view = camera.projector();
   double way = 0;
   for (std::size_t i = 1; i < samples.size(); ++i) {
     const Vec3d a = samples[i - 1].position, b = samples[i].position;
-    const auto from = camera.project(a), to = camera.project(b);
+    const auto from = view.project(a), to = view.project(b);
     if (!from || !to) continue;
     const double length = std::hypot(to->x - from->x, to->y - from->y);
     if (length > 4 * camera.width()) continue;
@@ -55,9 +95,9 @@ void Scene::arrow(const Vec3d& from, const Vec3d& to, Colour colour, double widt
   if (length(across) < 1e-6) across = camera.right();
   across = normalized(across);
   const double head = std::min(size * 0.35, camera.pixel_size(to) * 6 * width);
-  line(from, to, colour, width);
+  line(from, to, colour, width, kCased);
   for (const double side : {-0.5, 0.5})
-    line(to, to + camera.drawn_as(across * (head * side) - along * head), colour, width);
+    line(to, to + camera.drawn_as(across * (head * side) - along * head), colour, width, kCased);
 }
 
 void Scene::label(const Vec3d& at, const std::string& text, Colour colour, double line) {
@@ -77,13 +117,55 @@ std::string distance_text(double metres) {
   return formatted(far ? "%.6g km" : "%.6g m", far ? metres / 1000 : metres);
 }
 
+namespace {
+
+/// From so far away the Earth is round.
+constexpr double kGlobeDistance = 30e3;  // [m]
+
+std::optional<SceneGlobe> globe_of(const Client& client) {
+  const EarthModel earth = client.launcher.shot().projectile.fidelity.earth;
+  if (row(earth).shape == EarthShape::flat || client.camera.distance < kGlobeDistance) return std::nullopt;
+  const EarthFrames frames(client.session.scenario().environment, earth);
+  const Vec3d origin = frames.earth_fixed({}, {}).position;
+  SceneGlobe globe;
+  globe.centre = frames.from_earth_fixed({}).position;
+  globe.radius = length(origin) - frames.geodetic({}).height;
+  std::size_t i = 0;
+  for (const Vec3d& axis : {Vec3d{1, 0, 0}, Vec3d{0, 1, 0}, Vec3d{0, 0, 1}}) {
+    constexpr double kFar = 1e6;  // [m]
+    const Vec3d way = (frames.earth_fixed(axis * kFar, {}).position - origin) * (1 / kFar);
+    for (const double x : {way.x, way.y, way.z}) globe.to_geographic[i++] = x;
+  }
+  return globe;
+}
+
+/// The next shot goes farther than up or down, among no things: distances stand at the height of its muzzle then.
+bool flies_level(Client& client) {
+  if (client.session.is_replay() || client.session.world().scene() != nullptr) return false;
+  const auto& path = client.prediction().path;
+  if (path.empty()) return false;
+  double low = path[0].position.y, high = low, far = 0;
+  for (const TrackSample& s : path) {
+    low = std::min(low, s.position.y), high = std::max(high, s.position.y);
+    far = std::max(far, std::hypot(s.position.x - path[0].position.x, s.position.z - path[0].position.z));
+  }
+  return far > 2 * (high - low);
+}
+
+}  // namespace
+
 void build_scene(Client& client, double scale, Scene& scene) {
   scene.clear();
+  scene.theme = client.theme;
+  scene.globe = globe_of(client);
   scene.ground = client.session.ground().value_or(0);
   scene.has_ground = client.session.ground().has_value();
+  scene.has_scale = scene.has_ground || flies_level(client);
+  scene.contour_step = scale_step(client.camera.distance, 20);
   build_ground(client, scale, scene);
   build_things(client, scale, scene);
   build_particles(client, scale, scene);
+  if (client.show.depth) build_depth(client, scale, scene);
   build_projectiles(client, scale, scene);
   if (client.bottom == BottomPanel::compare) build_comparison(client, scale, scene);
   build_aim(client, scale, scene);

@@ -1,20 +1,26 @@
 // Scene: what is to be drawn in the world, as lines, balls and labels; the renderer only draws it.
 #pragma once
 
+#include <array>
+#include <optional>
 #include <set>
 #include <string>
 #include <vector>
 
 #include "base/text.hpp"
 #include "simclient/core/client.hpp"
+#include "simclient/core/theme.hpp"
 
 namespace physim::client {
+
+/// `fog` of lines with a dark casing, which are seen on any ground.
+inline constexpr double kCased = -1;
 
 struct SceneLine {
   Vec3d a, b;
   Colour colour = 0xFFFFFFFF;
   float width = 1;  // [pixels]
-  float fog = 0;    // > 0: fades with distance
+  float fog = 0;    // > 0: fades with distance; kCased: has a casing
 };
 
 struct SceneBall {
@@ -47,9 +53,18 @@ struct SceneLabel {
   double line = 0;  // below the first, where several labels share a place
 };
 
+/// The Earth as a ball.
+struct SceneGlobe {
+  Vec3d centre;
+  double radius = 0;                      // [m]
+  std::array<double, 9> to_geographic{};  // by columns: takes ways in W to those in E
+};
+
 struct Scene {
-  std::vector<SceneLine> lines;
+  const Theme* theme = &themes()[0];
+  std::vector<SceneLine> lines, on_top;  // on_top: over balls
   std::vector<SceneBall> balls;
+  std::vector<SceneBall> discs;  // that lie on the ground
   std::vector<SceneDot> crowd;
   std::vector<SceneSprite> sprites;  // from far to near
   std::set<ProjectileId> drawn;      // those that emitters fired
@@ -58,11 +73,18 @@ struct Scene {
   float crowd_size = 3;              // of each of the crowd [pixels]
   double ground = 0;                 // [m]
   bool has_ground = true;            // there is one to land on
+  bool has_scale = true;             // distances stand along the line of fire
+  Vec3d grid_origin;                 // of the grid on the ground
+  double grid_step = 1;              // between its lines [m]
+  double contour_step = 1;           // between lines of equal height on terrain [m]
+  std::optional<SceneGlobe> globe;   // in the place of a ground, seen from far away
 
   void clear();
   void line(const Vec3d& a, const Vec3d& b, Colour colour, double width, double fog = 0);
   void ball(const Vec3d& at, Colour colour, double pixels, double radius = 0);
-  void polyline(const std::vector<TrackSample>& samples, Colour colour, double width);
+  /// A path as the camera sees it, smooth from near and far.
+  void polyline(const std::vector<TrackSample>& samples, const Camera& camera, Colour colour, double width,
+                double fog = kCased);
   void dots(const std::vector<TrackSample>& samples, const Camera& camera, Colour colour, double scale);
   void arrow(const Vec3d& from, const Vec3d& to, Colour colour, double width, const Camera& camera);
   void label(const Vec3d& at, const std::string& text, Colour colour, double line = 0);
@@ -73,6 +95,7 @@ void build_scene(Client& client, double scale, Scene& scene);
 
 // Its parts.
 void build_ground(const Client& client, double scale, Scene& scene);
+void build_depth(const Client& client, double scale, Scene& scene);
 void build_comparison(Client& client, double scale, Scene& scene);
 void build_aim(Client& client, double scale, Scene& scene);
 void build_particles(const Client& client, double scale, Scene& scene);

@@ -15,7 +15,7 @@ void cross(Scene& scene, const Camera& camera, double scale, const Vec3d& at, co
   const double size = 5 * scale * camera.pixel_size(at);
   for (const Vec3d& way : {one, other}) {
     const Vec3d arm = camera.drawn_as(way * size);
-    scene.line(at - arm, at + arm, colour, 2 * scale);
+    scene.line(at - arm, at + arm, colour, 2 * scale, kCased);
   }
 }
 
@@ -42,12 +42,20 @@ void mark(Scene& scene, const Session& session, const Camera& camera, double sca
     const double height = reach_of(session, track, at, at).height;
     scene.label(at, formatted("apex %.2f m, %.2f s", height, track.apex->time), track.colour, -2);
   }
+  if (track.whole && track.status == LifeStatus::expired) {  // at the end that its scenario sets
+    const Sample end = track.whole->end();
+    cross(scene, camera, scale, end.position, right + up, right - up, track.colour);
+    scene.label(end.position, distance_text(std::round(1000 * end.range) / 1000) + formatted(" in %.3f s", end.time),
+                track.colour, 1);
+    scene.label(end.position, formatted("drop %.3f m, windage %.3f m", end.drop, end.windage), track.colour, 2);
+  }
   if (track.impact) {
     const Vec3d at = track.impact->position;
     cross(scene, camera, scale, at, right + up, right - up, track.colour);
     const Reach reach = reach_of(session, track, track.samples.front().position, at);
     const double range = std::round(100 * reach.distance) / 100;
-    scene.label(at, distance_text(range) + formatted(" in %.2f s", track.impact->time), track.colour, 1);
+    if (range > 0)  // what fell where it was says nothing
+      scene.label(at, distance_text(range) + formatted(" in %.2f s", track.impact->time), track.colour, 1);
   }
 }
 
@@ -73,16 +81,16 @@ struct ShownForce {
   const char* name;
   Vec3d Accelerations::*effect;
 };
-constexpr ShownForce kForces[] = {{"gravity", &Accelerations::gravity},
-                                  {"drag", &Accelerations::drag},
-                                  {"Magnus", &Accelerations::lift},
-                                  {"body", &Accelerations::body},
-                                  {"thrust", &Accelerations::thrust},
-                                  {"Coriolis", &Accelerations::coriolis},
-                                  {"centrifugal", &Accelerations::centrifugal},
-                                  {"applied", &Accelerations::applied},
-                                  {"constraint", &Accelerations::constraint}};
-static_assert(std::size(kForces) + 1 == kMemberCount<Accelerations>, "each effect has its arrow, and the total");
+constexpr ShownForce kShownForces[] = {{"gravity", &Accelerations::gravity},
+                                       {"drag", &Accelerations::drag},
+                                       {"Magnus", &Accelerations::lift},
+                                       {"body", &Accelerations::body},
+                                       {"thrust", &Accelerations::thrust},
+                                       {"Coriolis", &Accelerations::coriolis},
+                                       {"centrifugal", &Accelerations::centrifugal},
+                                       {"applied", &Accelerations::applied},
+                                       {"constraint", &Accelerations::constraint}};
+static_assert(std::size(kShownForces) + 1 == kMemberCount<Accelerations>, "each effect has its arrow, and the total");
 
 }  // namespace
 
@@ -91,13 +99,38 @@ void build_projectiles(const Client& client, double scale, Scene& scene) {
   const Track* selected = client.selected_track();
   for (const Track& track : client.session.tracks()) {
     const double width = (&track == selected ? 2.5 : 1.8) * scale;
-    if (client.show.trails) scene.polyline(track.samples, faded(track.colour, track.is_flying() ? 0.9 : 0.6), width);
+    if (client.show.trails)
+      scene.polyline(track.samples, client.camera, faded(track.colour, track.is_flying() ? 0.9 : 0.6), width);
     if (client.show.marks) mark(scene, client.session, client.camera, scale, track);
     if (!track.is_flying()) continue;
     const Vec3d at = client.session.shown(track).position;
-    if (client.show.trails) scene.line(track.samples.back().position, at, faded(track.colour, 0.9), width);
+    if (client.show.trails) scene.line(track.samples.back().position, at, faded(track.colour, 0.9), width, kCased);
     scene.ball(at, track.colour, (&track == selected ? 6.5 : 5.5) * scale, track.radius);
     scene.label(at, "#" + std::to_string(track.number), track.colour, -1);
+  }
+}
+
+/// How high things fly and over what: the way over the ground, a line down to it from where a projectile is and from
+/// its apex, and a shadow. Over things there is no one ground.
+void build_depth(const Client& client, double scale, Scene& scene) {
+  const Camera& camera = client.camera;
+  if (!scene.has_ground || scene.globe || client.session.world().scene() != nullptr) return;
+  constexpr Colour kShade = 0x0A0E12A0;
+  std::vector<TrackSample> below;
+  for (const Track& track : client.session.tracks()) {
+    const auto foot = [&](const Vec3d& at) { return Vec3d{at.x, scene.ground, at.z}; };
+    below = track.samples;
+    for (TrackSample& s : below) s.position.y = scene.ground, s.velocity.y = 0;
+    const bool is_flying = track.is_flying();
+    const Vec3d at = is_flying ? client.session.shown(track).position : track.samples.back().position;
+    if (is_flying) below.push_back({.time = below.back().time, .position = foot(at)});
+    if (client.show.trails) scene.polyline(below, camera, kShade, 1.6 * scale, 0);
+    if (track.apex && client.show.marks)
+      scene.line(track.apex->position, foot(track.apex->position), faded(track.colour, 0.45), scale);
+    if (!is_flying) continue;
+    scene.line(at, foot(at), faded(track.colour, 0.6), 1.2 * scale);
+    scene.discs.push_back(
+        {foot(at), 0x06080A90, static_cast<float>(1.2 * track.radius), static_cast<float>(7 * scale)});
   }
 }
 
@@ -105,7 +138,7 @@ void build_comparison(Client& client, double scale, Scene& scene) {
   int line = 0;
   for (const ComparedRung& rung : client.comparison()) {
     if (rung.path.empty()) continue;
-    scene.polyline(rung.path, rung.colour, (rung.is_truth ? 3 : 2) * scale);
+    scene.polyline(rung.path, client.camera, rung.colour, (rung.is_truth ? 3 : 2) * scale);
     scene.label(rung.path.back().position, rung.name, rung.colour, line++);
   }
 }
@@ -114,9 +147,19 @@ void build_aim(Client& client, double scale, Scene& scene) {
   if (client.session.is_replay()) return;
   const Prediction& prediction = client.prediction();
   if (prediction.error) return;
-  if (client.show.prediction) scene.dots(prediction.path, client.camera, faded(colours::kText, 0.75), scale);
+  if (client.show.prediction) {
+    std::vector<TrackSample> ahead = prediction.path;
+    if (const Track* last = client.last_of_this_shot())  // its trail shows the rest
+      std::erase_if(ahead, [last](const TrackSample& s) { return s.time <= last->samples.back().time; });
+    scene.dots(ahead, client.camera, faded(colours::kText, 0.75), scale);
+  }
   scene.ball(prediction.muzzle, colours::kArrow, 3 * scale);
-  if (const auto arrow = client.arrow()) scene.arrow(arrow->from, arrow->to, colours::kArrow, 3 * scale, client.camera);
+  const auto arrow = client.arrow();
+  if (!arrow) return;
+  const auto before = static_cast<std::ptrdiff_t>(scene.lines.size());
+  scene.arrow(arrow->from, arrow->to, colours::kArrow, 3 * scale, client.camera);
+  scene.on_top.assign(scene.lines.begin() + before, scene.lines.end());
+  scene.lines.resize(static_cast<std::size_t>(before));
 }
 
 void build_vectors(const Client& client, double scale, Scene& scene) {
@@ -141,11 +184,11 @@ void build_vectors(const Client& client, double scale, Scene& scene) {
   if (by_loop && f.drag == DragModel::damping) a.drag = {};  // it acts on the velocity, and is no force there
   const double mass = now.mass;
   double strongest = length(a.total);
-  for (const ShownForce& each : kForces) strongest = std::max(strongest, length(a.*each.effect));
+  for (const ShownForce& each : kShownForces) strongest = std::max(strongest, length(a.*each.effect));
   if (!(strongest > 0) || !std::isfinite(mass)) return;
   const double unit = longest * 0.8 / strongest;  // of all of them, so that they can be added by eye
   Vec3d from = at;
-  for (const ShownForce& each : kForces) {
+  for (const ShownForce& each : kShownForces) {
     const Vec3d& effect = a.*each.effect;
     if (!(length(effect) > 0)) continue;
     const bool is_seen = length(effect) >= 0.02 * strongest;

@@ -45,29 +45,26 @@ void build_ground(const Client& client, double scale, Scene& scene) {
   const Camera& camera = client.camera;
   const Vec3d muzzle = client.launcher.shot().launch.position;
   const Vec3d along = main_axis(client.launcher.azimuth()), across = {-along.z, 0, along.x};
-  const Vec3d origin = {muzzle.x, scene.ground, muzzle.z};
+  const Vec3d origin = {muzzle.x, scene.has_ground ? scene.ground : muzzle.y, muzzle.z};
   const double seen = camera.distance * 1.6;
   const double step = scale_step(seen, 10);
-  const Vec3d away = camera.target - origin;
-  const double middle = std::round(dot(away, along) / step), side = std::round(dot(away, across) / step);
-  constexpr int kLines = 24;
-  const double reach = kLines * step;
-  for (int i = -kLines; i <= kLines; ++i) {
-    const double x = (middle + i) * step, z = (side + i) * step;
-    const bool is_axis = std::lround(side) + i == 0;
-    const Vec3d a = origin + along * x + across * (side * step), b = origin + across * z + along * (middle * step);
-    scene.line(a - across * reach, a + across * reach, colours::kGrid, scale, reach);
-    scene.line(b - along * reach, b + along * reach, is_axis ? colours::kDim : colours::kGrid,
-               is_axis ? 2 * scale : scale, reach);
+  scene.grid_origin = origin;
+  scene.grid_step = step;
+  if (scene.globe || !scene.has_scale) return;
+  const double middle = std::round(dot(camera.target - origin, along) / step);
+  constexpr int kMarks = 14;
+  const double reach = 24 * step;
+  scene.line(origin + along * (middle * step - reach), origin + along * (middle * step + reach), colours::kText,
+             1.5 * scale, reach);
+  for (int i = -kMarks; i <= kMarks; ++i) {
     // Distances from the muzzle stand on the line of fire, with a thick mark.
-    const Vec3d mark = origin + along * x;
-    if (std::abs(i) > 14) continue;
-    const Vec3d half = across * (step * 0.18);
+    const double x = (middle + i) * step;
+    const Vec3d mark = origin + along * x, half = across * (step * 0.12);
     scene.line(mark - half, mark + half, colours::kText, 2.5 * scale, reach);
     if (!is_hidden(client, mark))
-      scene.labels.push_back({mark + across * (step * 0.24), distance_text(x), colours::kText, false, 0});
+      scene.labels.push_back({mark + across * (step * 0.16), distance_text(x), colours::kText, false, 0});
   }
-  build_wall(client, scale, step, scene);
+  if (scene.has_ground) build_wall(client, scale, step, scene);
 }
 
 }  // namespace physim::client

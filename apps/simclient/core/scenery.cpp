@@ -14,7 +14,8 @@ namespace {
 constexpr double kSmooth = 0.8;         // cosine of the largest angle between faces that are one round surface
 constexpr std::size_t kMostNames = 40;  // more would hide each other
 constexpr std::size_t kMostEdges = 4000;
-constexpr double kAnyReach = 0;  // without planes nothing depends on it
+constexpr Colour kTerrain = 254;  // opacity of what has lines of equal height
+constexpr double kAnyReach = 0;   // without planes nothing depends on it
 
 struct Face {
   Vec3d corners[3], normal;
@@ -91,6 +92,8 @@ class Gatherer final : public SceneCanvas {
         high = {std::max(high.x, p.x), std::max(high.y, p.y), std::max(high.z, p.z)};
       }
     if (!is_plane) include(low, high);
+    if (is_terrain())
+      for (Face& face : faces_) face.colour = (face.colour & ~0xFFU) | kTerrain;
     const Vec3d top = is_plane ? thing_->transform.position : Vec3d{(low.x + high.x) / 2, high.y, (low.z + high.z) / 2};
     if (!thing_->name.empty() && into_.names.size() < kMostNames) into_.names.push_back({top, thing_->name});
     add_faces();
@@ -101,6 +104,13 @@ class Gatherer final : public SceneCanvas {
     if (std::holds_alternative<AtRest>(thing_->motion)) return;
     parts_.push_back(part);
     of_sensors_.push_back(is_sensor_);
+  }
+
+  /// Many faces that all look up: a height field or a mesh of one.
+  [[nodiscard]] bool is_terrain() const {
+    constexpr std::size_t kMany = 50;
+    return !is_sensor_ && faces_.size() > kMany &&
+           std::ranges::all_of(faces_, [](const Face& face) { return std::abs(face.normal.y) > 0.1; });
   }
 
   static Colour darker(Colour colour) {

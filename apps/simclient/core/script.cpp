@@ -67,6 +67,7 @@ Status Script::run(Client& client) {
       if (error.place.empty()) error.place = "script: " + std::string(step.action->name);
       return error;
     }
+    client.note_changes();
   }
   return {};
 }

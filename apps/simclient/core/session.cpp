@@ -4,17 +4,21 @@
 #include <chrono>
 #include <cmath>
 
+#include "base/assert.hpp"
+#include "simclient/core/thinning.hpp"
+
 namespace physim::client {
 namespace {
 
 constexpr std::size_t kMaxTracks = 64;
 constexpr std::size_t kMaxTracksOfRun = 24, kMaxTracksOfCrowd = 5;  // of what the scenario fires by itself
-constexpr std::size_t kMaxSamples = 20000;
-constexpr double kMostAtOnce = 8.0 / 60;           // of the screen's time [s]
-constexpr double kPaceTime = 0.5;                  // over which the pace is averaged [s]
+constexpr double kMostAtOnce = 8.0 / 60;                            // of the screen's time [s]
+constexpr double kPaceTime = 0.5;                                   // over which the pace is averaged [s]
 constexpr double kMomentTime = 1.0 / 60;           // moments that can be gone back to are no nearer [s]
 constexpr std::size_t kMomentMemory = 256u << 20;  // for all moments that can be gone back to [bytes]
-constexpr double kInstant = 1e-9;                  // times nearer than this are the same [s]
+constexpr std::size_t kLeastMoments = 4, kMostMoments = 3600;
+constexpr std::size_t kRunMemory = 4096;  // of a run's own counts, about [bytes]
+constexpr double kInstant = 1e-9;         // times nearer than this are the same [s]
 
 double seconds_since(std::chrono::steady_clock::time_point start) {
   return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
@@ -30,16 +34,7 @@ TrackSample within_step(const Track& track, double time, const Vec3d& position, 
 }
 
 void add_later(Track& track, const TrackSample& sample) {
-  if (sample.time > track.samples.back().time + kInstant) track.samples.push_back(sample);
-}
-
-/// And the last.
-void keep_every_second(std::vector<TrackSample>& samples) {
-  const TrackSample last = samples.back();
-  std::size_t kept = 0;
-  for (std::size_t i = 0; i < samples.size(); i += 2) samples[kept++] = samples[i];
-  samples.resize(kept);
-  if (samples.back() != last) samples.push_back(last);
+  if (sample.time > track.samples.back().time + kInstant) add_sample(track, sample);
 }
 
 std::uint64_t launches(const Scenario& scenario) {
@@ -110,7 +105,7 @@ Status Session::start(const std::string& recording) {
   run_ = std::move(*run);
   tracks_.clear();
   hits_.clear();
-  moments_.clear();
+  forget_moments();
   step_ = fired_ = by_hand_ = 0;
   leftover_ = 0;
   cost_ = {};
@@ -186,6 +181,13 @@ bool Session::replay_step() {
   return false;
 }
 
+bool Session::is_moving() const {
+  if (paused_ || over_) return false;
+  const physim::Scene* scene = world().scene();
+  return cost_.moved > 0 || (scene != nullptr && scene->has_motion()) ||
+         std::ranges::any_of(tracks_, [](const Track& track) { return track.whole && track.is_flying(); });
+}
+
 void Session::single_step() {
   paused_ = true;
   leftover_ = 0;
@@ -203,7 +205,7 @@ bool Session::step_back() {
     while (step_ < target && !over_) take_step();
     return true;
   }
-  while (!moments_.empty() && moments_.back().step > target) moments_.pop_back();
+  while (!moments_.empty() && moments_.back().step > target) forget_moment(false);
   if (moments_.empty()) return false;
   run_->restore(moments_.back().run);
   for (step_ = moments_.back().step; step_ < target; ++step_) run_->step();
@@ -212,15 +214,35 @@ bool Session::step_back() {
 }
 
 void Session::remember_moment(bool changed) {
-  constexpr std::size_t kOfEach = 160;  // about so much of a projectile is in a snapshot [bytes]
-  const std::size_t memory = std::max<std::size_t>(kOfEach * run_->world().size(), 1 << 14);
+  const std::size_t last = moments_.empty() ? 0 : moments_.back().memory;
   const double steps_apart = std::clamp(std::round(kMomentTime / step_length()), 1.0, 1e6);
-  const std::uint64_t every = std::clamp<std::uint64_t>(memory >> 16, 1, 60) * static_cast<std::uint64_t>(steps_apart);
+  constexpr double kStillApart = 60;  // steps in which nothing moves are soon taken again
+  const double apart = std::clamp(static_cast<double>(last >> 18), cost_.moved > 0 ? 1.0 : kStillApart, kStillApart);
+  const auto every = static_cast<std::uint64_t>(apart * steps_apart);
   const bool is_soon = !moments_.empty() && step_ > moments_.back().step && step_ - moments_.back().step < every;
   if (is_soon && !changed) return;
-  if (!moments_.empty() && moments_.back().step == step_) moments_.pop_back();
-  moments_.push_back({step_, run_->snapshot()});
-  if (moments_.size() > std::clamp<std::size_t>(kMomentMemory / memory, 4, 3600)) moments_.pop_front();
+  if (!moments_.empty() && moments_.back().step == step_) forget_moment(false);
+  // A copy of the world's state is no larger than the world, and that of the run is small beside it.
+  const std::size_t memory = run_->world().memory() + sizeof(Moment) + kRunMemory;
+  moments_.push_back({step_, run_->snapshot(), memory});
+  moment_memory_ += memory;
+  while (moments_.size() > kLeastMoments && (moment_memory_ > kMomentMemory || moments_.size() > kMostMoments))
+    forget_moment(true);
+}
+
+/// The first or the last one.
+void Session::forget_moment(bool first) {
+  PHYSIM_ASSERT(!moments_.empty() && moment_memory_ >= moments_.front().memory);
+  moment_memory_ -= first ? moments_.front().memory : moments_.back().memory;
+  if (first)
+    moments_.pop_front();
+  else
+    moments_.pop_back();
+}
+
+void Session::forget_moments() {
+  moments_.clear();
+  moment_memory_ = 0;
 }
 
 // -------------------------------------------------------------------------------------------------------------- firing
@@ -248,7 +270,7 @@ void Session::edited(ProjectileId id) {
   if (Track* track = find(id)) {
     track->edited = true;
     track->granted = world()[id].fidelity_in_use();
-    track->samples.push_back(sample(*track));
+    add_sample(*track, sample(*track));
   }
   remember_moment(true);
 }
@@ -275,7 +297,7 @@ Status Session::set_scene(const Scenario& changed) {
   scenario_.shapes = changed.shapes;
   scenario_.things = changed.things;
   hits_.forget_gone(world.scene());
-  moments_.clear();
+  forget_moments();
   remember_moment(true);
   return {};
 }
@@ -393,7 +415,6 @@ void Session::look() {
       continue;
     }
     add_later(track, sample(track));
-    if (track.samples.size() > kMaxSamples) keep_every_second(track.samples);
   }
   if (tracks_.size() >= most_tracks_of_run_ || world().size() > 4096) return;
   for (const ProjectileId id : world().ids()) follow_new(id);
@@ -454,6 +475,24 @@ Colour Session::colour_of(const Hit& hit) const {
   return found != nullptr ? found->colour : hit.colour;
 }
 
+std::string Session::fate_of(const Track& track) const {
+  if (track.is_flying()) return !track.whole && world()[track.id].is_asleep() ? "at rest" : "in flight";
+  const auto& hits = hits_.hits();
+  const auto last = std::find_if(hits.rbegin(), hits.rend(), [&](const Hit& hit) { return hit.id == track.id; });
+  const bool has_stopped = last != hits.rend() && last->outcome == EventKind::stopped;
+  if (has_stopped && track.born + track.samples.back().time < last->time + 2 * step_length())
+    return "stopped by " + last->thing;
+  switch (track.status) {
+    case LifeStatus::landed: return "landed";
+    case LifeStatus::expired: return track.whole ? "at its end" : "expired";
+    case LifeStatus::retired: return "taken out";
+    case LifeStatus::unknown: return track.impact ? "hit" : "gone";
+    case LifeStatus::pending:
+    case LifeStatus::in_flight: break;
+  }
+  return "waits";
+}
+
 void Session::forget_after(double time) {
   const double late = time + kInstant;
   hits_.forget_after(late);
@@ -461,13 +500,18 @@ void Session::forget_after(double time) {
   for (Track& track : tracks_) {
     const auto is_late = [&](const TrackSample& s) { return track.born + s.time > late; };
     while (track.samples.size() > 1 && is_late(track.samples.back())) track.samples.pop_back();
+    track.thinned = std::min(track.thinned, track.samples.size() - 1);
     if (track.apex && is_late(*track.apex)) track.apex.reset();
     if (track.impact && is_late(*track.impact)) track.impact.reset();
-    if (!track.whole)
+    if (!track.whole) {
       track.status = world()[track.id].status();
-    else if (late < track.born + track.whole->duration())
+      if (track.is_flying()) add_later(track, sample(track));  // it may have been thinned out
+    } else if (late < track.born + track.whole->duration()) {
       track.status = LifeStatus::in_flight;
+      while (track.passed > 1 && is_late(track.path[track.passed - 1])) --track.passed;
+    }
   }
+  follow_flights();
 }
 
 void Session::clear_tracks() {

@@ -64,6 +64,9 @@ class Session {
   [[nodiscard]] double time_scale_reached() const { return time_scale_ * kept_; }
   [[nodiscard]] double time() const { return world().time(); }
   [[nodiscard]] std::uint64_t step() const { return step_; }
+  /// The next moments look different from this one: the clock runs, and something moved in the last step, moves by
+  /// itself or is played.
+  [[nodiscard]] bool is_moving() const;
   [[nodiscard]] double step_length() const { return world().def().step; }
 
   // --------------------------------------------------------------------------------------------------------- firing
@@ -92,6 +95,8 @@ class Session {
   /// "bullet #3", or its name alone where it is no track.
   [[nodiscard]] std::string title_of(const Hit& hit) const;
   [[nodiscard]] Colour colour_of(const Hit& hit) const;
+  /// What has become of a projectile, for people: "in flight", "at rest", "landed", "stopped by hill".
+  [[nodiscard]] std::string fate_of(const Track& track) const;
   [[nodiscard]] std::optional<double> ground() const;
   /// The time of what is shown: the world's, and what is left over since the last step [s].
   [[nodiscard]] double shown_time() const { return world().time() + leftover_; }
@@ -111,6 +116,8 @@ class Session {
   [[nodiscard]] bool is_recording() const { return !is_replay() && run_->world().is_recording(); }
   /// Shots fired and projectiles changed by hand since the start.
   [[nodiscard]] std::uint64_t changes_by_hand() const { return by_hand_; }
+  /// What the moments that can be gone back to take [bytes].
+  [[nodiscard]] std::size_t way_back_memory() const { return moment_memory_; }
   [[nodiscard]] bool is_over() const { return over_; }  // of a replay: its end, or its first difference
   [[nodiscard]] const ReplayReport* replay_report() const { return replay_ ? &replay_->report() : nullptr; }
 
@@ -133,6 +140,7 @@ class Session {
   struct Moment {
     std::uint64_t step = 0;
     RunSnapshot run;
+    std::size_t memory = 0;  // [bytes]
   };
 
   Session() = default;
@@ -149,6 +157,8 @@ class Session {
   void begin_track(ProjectileId id, const std::string& name, Colour colour, bool by_hand);
   void add_track(Track track);
   void remember_moment(bool changed);
+  void forget_moment(bool first);
+  void forget_moments();
   void forget_after(double time);
   void edited(ProjectileId id);
   [[nodiscard]] static Error cannot_change();
@@ -163,6 +173,7 @@ class Session {
   std::vector<Track> tracks_;
   HitLog hits_;
   std::deque<Moment> moments_;
+  std::size_t moment_memory_ = 0;  // of all of them [bytes]
   std::size_t most_tracks_of_run_ = 0;
   std::uint64_t step_ = 0, fired_ = 0, by_hand_ = 0;
   double leftover_ = 0;  // of the screen's time, less than a step [s]

@@ -2,19 +2,21 @@
 #include <algorithm>
 
 #include "simclient/core/session.hpp"
+#include "simclient/core/thinning.hpp"
 
 namespace physim::client {
 namespace {
 
 constexpr std::uint32_t kNoSlot = 0xFFFFFFFF;  // of the world: ids of played flights name nothing in it
-constexpr double kSamplesOfTrail = 800;        // of a whole flight, however fast it is played
 
 /// Up to an age [s]: its trail, what happened on the way, and whether it has ended.
 void follow(Track& track, double age) {
   const Flight& flight = *track.whole;
-  const double now = std::clamp(age, 0.0, flight.duration()), gap = flight.duration() / kSamplesOfTrail;
-  for (double next = track.samples.back().time + gap; next < now; next += gap)
-    track.samples.push_back(sample_of(flight, next));
+  const double now = std::clamp(age, 0.0, flight.duration());
+  // The last one is where it was drawn, between two samples of the path.
+  while (track.samples.size() > 1 && track.samples.size() > track.passed) track.samples.pop_back();
+  for (; track.passed < track.path.size() && track.path[track.passed].time <= now; ++track.passed)
+    track.samples.push_back(track.path[track.passed]);
   if (now > track.samples.back().time) track.samples.push_back(sample_of(flight, now));
   for (const Event& event : flight.events())
     if (event.kind == EventKind::apex && event.time <= now && !track.apex) track.apex = sample_of(flight, event.time);
@@ -37,7 +39,8 @@ Result<ProjectileId> Session::play(const ScenarioShot& shot, const Flight& fligh
   track.born = world().time();
   track.granted = flight.fidelity_in_use();
   track.whole = flight;
-  track.samples.push_back(sample_of(flight, 0));
+  track.path = samples_of(flight);
+  track.samples.push_back(track.path.front());
   const ProjectileId id = track.id;
   add_track(std::move(track));
   return id;

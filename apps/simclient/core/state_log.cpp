@@ -119,6 +119,7 @@ std::string state_line(Client& client, std::uint64_t frame) {
                {"time_scale", client.session.time_scale()},
                {"time_scale_reached", client.session.time_scale_reached()},
                {"alive", client.session.world().size()},
+               {"subject", client.camera.cover(client.subject())},
                {"shot", shot_state(client)},
                {"tracks", Json::array()}};
   for (const Track& track : client.session.tracks()) line["tracks"].push_back(track_state(client, track));

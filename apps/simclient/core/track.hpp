@@ -26,6 +26,15 @@ struct TrackSample {
   bool operator==(const TrackSample&) const = default;
 };
 
+/// On the straight line in time between two samples, at a part of it.
+[[nodiscard]] inline TrackSample between(const TrackSample& a, const TrackSample& b, double part) {
+  const auto mix = [part](const auto& x, const auto& y) { return x + (y - x) * part; };
+  return {mix(a.time, b.time),         mix(a.position, b.position),
+          mix(a.velocity, b.velocity), mix(a.acceleration, b.acceleration),
+          mix(a.mach, b.mach),         mix(a.mass, b.mass),
+          mix(a.jerk, b.jerk)};
+}
+
 /// A projectile as it is now, so long after its launch.
 [[nodiscard]] inline TrackSample sample_of(const ProjectileView& projectile, double time) {
   const BodyState at = projectile.state();
@@ -49,14 +58,18 @@ struct Track {
   std::uint64_t number = 0;  // of its launch in this session, from 1
   std::string name;
   Colour colour = 0xFFFFFFFF;
-  double radius = 0;      // [m]
-  double born = 0;        // [s] of the world
-  FidelityInUse granted;  // as it was at launch
-  std::vector<TrackSample> samples;
+  double radius = 0;                 // [m]
+  double born = 0;                   // [s] of the world
+  FidelityInUse granted;             // as it was at launch
+  std::vector<TrackSample> samples;  // see thinning.hpp
+  std::size_t thinned = 0;           // the number of the last one that has been thinned out
+  double coarseness = 1;             // of that, from 1
   std::optional<TrackSample> apex, impact;
   LifeStatus status = LifeStatus::in_flight;
-  bool edited = false;          // something about it was changed while it flew
-  std::optional<Flight> whole;  // computed before it is shown, and played; nothing: it flies in the world
+  bool edited = false;            // something about it was changed while it flew
+  std::optional<Flight> whole;    // computed before it is shown, and played; nothing: it flies in the world
+  std::vector<TrackSample> path;  // of that, to its end
+  std::size_t passed = 1;         // samples of the path that it has passed
 
   [[nodiscard]] bool is_flying() const { return status == LifeStatus::in_flight; }
   /// "artillery #3".

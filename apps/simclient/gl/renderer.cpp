@@ -8,8 +8,7 @@
 namespace physim::client {
 namespace {
 
-constexpr float kSky[3] = {0.075F, 0.086F, 0.105F};
-constexpr float kNear[3] = {0.135F, 0.150F, 0.160F}, kFar[3] = {0.085F, 0.096F, 0.115F};
+constexpr float kCasing = 1.3F;  // about lines [pixels]
 constexpr float kSquare[8] = {-1, -1, 1, -1, -1, 1, 1, 1}, kStrip[8] = {0, -1, 1, -1, 0, 1, 1, 1};
 
 // Instances as the shaders read them; positions are relative to the eye.
@@ -90,29 +89,43 @@ GLsizei upload(const Pass& pass, const std::vector<Thing>& things, const Fill& f
   return static_cast<GLsizei>(data.size());
 }
 
-void draw_ground(const Pass& pass, const SceneryPass& scenery, const Scene& scene, const Camera& camera,
-                 const Mat4& matrix) {
-  const Shader& shader = pass.shader;
-  begin(pass, camera, matrix);
-  scenery.hand_shadows(shader, scene.scenery != nullptr);
-  glUniform1f(shader.uniform("height"), static_cast<float>(camera.shown({0, scene.ground, 0}).y - camera.eye().y));
-  glUniform1f(shader.uniform("reach"), static_cast<float>(camera.distance * 100));
-  glUniform3fv(shader.uniform("near_colour"), 1, kNear);
-  glUniform3fv(shader.uniform("far_colour"), 1, kFar);
-  glDrawArrays(GL_TRIANGLE_STRIP, 0, 4);
-}
-
-void draw_lines(const Pass& pass, const Scene& scene, const Camera& camera, const Mat4& matrix, float part) {
-  begin(pass, camera, matrix);
-  glUniform1f(pass.shader.uniform("part"), part);
-  glUniform1f(pass.shader.uniform("near"), static_cast<float>(camera.near_plane()));
-  const auto fill = [&camera, eye = camera.eye()](const SceneLine& line, LineInstance& out) {
+GLsizei upload_lines(const Pass& pass, const Scene& scene, const std::vector<SceneLine>& lines, const Camera& camera) {
+  const auto fill = [&camera, &scene, eye = camera.eye()](const SceneLine& line, LineInstance& out) {
     relative(line.a, camera, eye, out.a);
     relative(line.b, camera, eye, out.b);
-    bytes(line.colour, out.colour);
+    bytes(ink(*scene.theme, line.colour), out.colour);
     out.width = line.width, out.fog = line.fog;
   };
-  glDrawArraysInstanced(GL_TRIANGLE_STRIP, 0, 4, upload<LineInstance>(pass, scene.lines, fill));
+  return upload<LineInstance>(pass, lines, fill);
+}
+
+/// Casings of all lines first, so that none lies over another line.
+void draw_lines(const Pass& pass, const Scene& scene, const std::vector<SceneLine>& lines, const Camera& camera,
+                const Mat4& matrix, float part) {
+  const Shader& shader = pass.shader;
+  begin(pass, camera, matrix);
+  glUniform1f(shader.uniform("part"), part);
+  glUniform1f(shader.uniform("near"), static_cast<float>(camera.near_plane()));
+  const auto of_casing = [&](int shift) { return static_cast<float>(scene.theme->casing >> shift & 0xFFU) / 255; };
+  glUniform4f(shader.uniform("casing"), of_casing(24), of_casing(16), of_casing(8), of_casing(0));
+  const GLsizei count = upload_lines(pass, scene, lines, camera);
+  for (const float casing : {kCasing, 0.0F}) {
+    if (casing > 0 && part < 1) continue;
+    glUniform1f(shader.uniform("casing_width"), casing);
+    glDrawArraysInstanced(GL_TRIANGLE_STRIP, 0, 4, count);
+  }
+}
+
+void draw_discs(const Pass& pass, const Scene& scene, const Camera& camera, const Mat4& matrix) {
+  if (scene.discs.empty()) return;
+  begin(pass, camera, matrix);
+  glUniform1f(pass.shader.uniform("focal"), static_cast<float>(camera.focal()));
+  const auto fill = [&camera, eye = camera.eye()](const SceneBall& disc, BallInstance& out) {
+    relative(disc.at, camera, eye, out.at);
+    bytes(disc.colour, out.colour);
+    out.radius = disc.radius, out.pixels = disc.pixels;
+  };
+  glDrawArraysInstanced(GL_TRIANGLE_STRIP, 0, 4, upload<BallInstance>(pass, scene.discs, fill));
 }
 
 /// Opaque squares of a few pixels: software rendering draws them many times as fast as anything rounder.
@@ -120,20 +133,23 @@ void draw_crowd(const Pass& pass, const Scene& scene, const Camera& camera, cons
   if (scene.crowd.empty()) return;
   begin(pass, camera, matrix);
   glUniform1f(pass.shader.uniform("pixels"), scene.crowd_size);
+  glUniform1f(pass.shader.uniform("middle"), static_cast<float>(camera.distance));
+  glUniform1f(pass.shader.uniform("haze"), static_cast<float>(haze_of(camera)));
+  hand_colour(pass.shader, "horizon", scene.theme->horizon);
   glEnable(GL_PROGRAM_POINT_SIZE);
   glDisable(GL_BLEND);
-  const auto fill = [&camera, eye = camera.eye()](const SceneDot& dot, DotInstance& out) {
+  const auto fill = [&camera, &scene, eye = camera.eye()](const SceneDot& dot, DotInstance& out) {
     relative(dot.at, camera, eye, out.at);
-    bytes(dot.colour, out.colour);
+    bytes(scene.theme->is_light ? ink(*scene.theme, dot.colour) : dot.colour, out.colour);
   };
   glDrawArrays(GL_POINTS, 0, upload<DotInstance>(pass, scene.crowd, fill));
   glEnable(GL_BLEND);
 }
 
 GLsizei upload_balls(const Pass& pass, const Scene& scene, const Camera& camera) {
-  const auto fill = [&camera, eye = camera.eye()](const SceneBall& ball, BallInstance& out) {
+  const auto fill = [&camera, &scene, eye = camera.eye()](const SceneBall& ball, BallInstance& out) {
     relative(ball.at, camera, eye, out.at);
-    bytes(ball.colour, out.colour);
+    bytes(ink(*scene.theme, ball.colour), out.colour);
     out.radius = ball.radius, out.pixels = ball.pixels;
   };
   return upload<BallInstance>(pass, scene.balls, fill);
@@ -172,20 +188,21 @@ Status Renderer::make() {
   const struct {
     const char *name, *vertex, *fragment;
     Pass& pass;
-  } passes[] = {{"ground", kGroundVertex, kGroundFragment, ground_},
-                {"line", kLineVertex, kLineFragment, line_},
+  } passes[] = {{"line", kLineVertex, kLineFragment, line_},
                 {"ball", kBallVertex, kBallFragment, ball_},
                 {"crowd", kCrowdVertex, kCrowdFragment, crowd_},
+                {"disc", kDiscVertex, kDiscFragment, disc_},
                 {"sprite", kSpriteVertex, kSpriteFragment, sprite_},
                 {"ball shadow", kBallShadowVertex, kBallShadowFragment, ball_shadow_}};
   for (const auto& each : passes)
     if (Status status = each.pass.shader.make(each.name, each.vertex, each.fragment); !status) return status;
-  make_arrays(ground_, &kSquare, {});
+  make_arrays(disc_, &kSquare, {3, 4, 2});
   make_arrays(line_, &kStrip, {3, 3, 4, 2});
   make_arrays(ball_, &kSquare, {3, 4, 2});
   make_arrays(crowd_, nullptr, {3, 4});
   make_arrays(sprite_, &kSquare, {3, 4, 2, 2});
   make_arrays(ball_shadow_, &kSquare, {3, 4, 2});
+  if (Status status = world_.make(); !status) return status;
   return scenery_.make();
 }
 
@@ -193,7 +210,7 @@ Status Renderer::make() {
 void Renderer::draw_shadows(const Scene& scene, const Camera& camera) {
   GLint target = 0;
   glGetIntegerv(GL_DRAW_FRAMEBUFFER_BINDING, &target);
-  scenery_.begin_shadows(*scene.scenery, camera);
+  scenery_.begin_shadows(*scene.scenery, camera, scene.theme->to_sun());
   begin(ball_shadow_, camera, camera.matrix());
   const Shader& shader = ball_shadow_.shader;
   const ShadowMap& map = scenery_.shadows();
@@ -201,46 +218,62 @@ void Renderer::draw_shadows(const Scene& scene, const Camera& camera) {
   glUniform1f(shader.uniform("focal"), static_cast<float>(camera.focal()));
   glUniform1f(shader.uniform("metres"), static_cast<float>(map.metres));
   Scene with_size;
+  with_size.theme = scene.theme;
   for (const SceneBall& ball : scene.balls)
     if (ball.radius > 0) with_size.balls.push_back(ball);
   glDrawArraysInstanced(GL_TRIANGLE_STRIP, 0, 4, upload_balls(ball_shadow_, with_size, camera));
   scenery_.end_shadows(static_cast<GLuint>(target));
 }
 
-void Renderer::draw(const Scene& scene, const Camera& camera, const Viewport& viewport) {
-  const bool has_things = scene.scenery != nullptr;
-  if (has_things) draw_shadows(scene, camera);
-  glViewport(viewport.x, viewport.y, viewport.width, viewport.height);
-  glScissor(viewport.x, viewport.y, viewport.width, viewport.height);
-  glEnable(GL_SCISSOR_TEST);
-  glClearColor(kSky[0], kSky[1], kSky[2], 1);
+/// Without things nothing hides anything, but for a globe.
+void Renderer::draw_in(const Scene& scene, const Camera& camera) {
+  const bool has_things = scene.scenery != nullptr, has_depth = has_things || scene.globe;
   glDepthMask(GL_TRUE);
   glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
   glDisable(GL_DEPTH_TEST);
   glEnable(GL_BLEND);
   glBlendFuncSeparate(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
   const Mat4 matrix = camera.matrix();
-  if (has_things) glEnable(GL_DEPTH_TEST), glDepthFunc(GL_LEQUAL);
-  glEnable(GL_POLYGON_OFFSET_FILL);
-  glPolygonOffset(2, 8);  // the grid lies on the ground, and things that stand on it are seen to their feet
-  if (scene.has_ground) draw_ground(ground_, scenery_, scene, camera, matrix);
-  glDisable(GL_POLYGON_OFFSET_FILL);
-  if (has_things) scenery_.draw(*scene.scenery, camera);
+  if (has_depth) glEnable(GL_DEPTH_TEST), glDepthFunc(GL_LEQUAL);
+  glDisable(GL_BLEND);
+  world_.draw(scene, camera, scenery_, has_depth);
+  glEnable(GL_BLEND);
+  if (has_things) scenery_.draw(scene, camera, haze_of(camera));
   glDepthMask(GL_FALSE);
+  draw_discs(disc_, scene, camera, matrix);
   draw_crowd(crowd_, scene, camera, matrix);
   draw_sprites(sprite_, scene, camera, matrix);
-  if (has_things) {
+  if (has_depth) {
     constexpr float kShowsThrough = 0.25F;
     glDepthFunc(GL_GREATER);
-    draw_lines(line_, scene, camera, matrix, kShowsThrough);
+    draw_lines(line_, scene, scene.lines, camera, matrix, kShowsThrough);
     draw_balls(ball_, scene, camera, matrix, kShowsThrough);
     glDepthFunc(GL_LEQUAL);
   }
-  draw_lines(line_, scene, camera, matrix, 1);
+  draw_lines(line_, scene, scene.lines, camera, matrix, 1);
   draw_balls(ball_, scene, camera, matrix, 1);
+  draw_lines(line_, scene, scene.on_top, camera, matrix, 1);
   glDepthMask(GL_TRUE);
   glDisable(GL_DEPTH_TEST);
   glBindVertexArray(0);
+}
+
+void Renderer::draw(const Scene& scene, const Camera& camera, const Viewport& viewport) {
+  if (scene.scenery != nullptr) draw_shadows(scene, camera);
+  GLint target = 0;
+  glGetIntegerv(GL_DRAW_FRAMEBUFFER_BINDING, &target);
+  // Lines and balls have smooth edges of their own.
+  const bool is_smoothed = scene.scenery != nullptr && canvas_.bind(viewport.width, viewport.height);
+  if (is_smoothed) {
+    glViewport(0, 0, viewport.width, viewport.height);
+    draw_in(scene, camera);
+    canvas_.put_into(static_cast<GLuint>(target), viewport.x, viewport.y);
+    return;
+  }
+  glViewport(viewport.x, viewport.y, viewport.width, viewport.height);
+  glScissor(viewport.x, viewport.y, viewport.width, viewport.height);
+  glEnable(GL_SCISSOR_TEST);
+  draw_in(scene, camera);
   glDisable(GL_SCISSOR_TEST);
 }
 

@@ -3,8 +3,10 @@
 #pragma once
 
 #include "simclient/core/scene.hpp"
+#include "simclient/gl/canvas.hpp"
 #include "simclient/gl/scenery_pass.hpp"
 #include "simclient/gl/shader.hpp"
+#include "simclient/gl/world_pass.hpp"
 
 namespace physim::client {
 
@@ -29,9 +31,12 @@ class Renderer {
 
  private:
   void draw_shadows(const Scene& scene, const Camera& camera);
+  void draw_in(const Scene& scene, const Camera& camera);
 
-  Pass ground_, line_, ball_, crowd_, sprite_, ball_shadow_;
+  Pass line_, ball_, crowd_, sprite_, disc_, ball_shadow_;
+  WorldPass world_;
   SceneryPass scenery_;
+  Canvas canvas_;
 };
 
 }  // namespace physim::client

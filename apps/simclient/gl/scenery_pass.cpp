@@ -8,14 +8,13 @@
 namespace physim::client {
 namespace {
 
-constexpr Vec3d kToSun{-0.58, 0.7, -0.42};
 constexpr double kShadowReach = 1.4;  // half of the map's width, in distances of the eye from its target
 
 GLsizei count_of(std::size_t vertices) { return static_cast<GLsizei>(vertices); }
 
 /// From places relative to the eye to the sun's map, about the camera's target.
-Mat4 sun_matrix(const Scenery& scenery, const Camera& camera, double reach) {
-  const Vec3d sun = normalized(kToSun), right = normalized(cross(Vec3d{0, 1, 0}, sun)), up = cross(sun, right);
+Mat4 sun_matrix(const Scenery& scenery, const Camera& camera, const Vec3d& sun, double reach) {
+  const Vec3d right = normalized(cross(Vec3d{0, 1, 0}, sun)), up = cross(sun, right);
   // Whole pixels of the map stay where they are in the world, so that edges of shadows do not crawl as the eye moves.
   const double pixel = 2 * reach / SceneryPass::kMapSize;
   const auto snapped = [&](const Vec3d& axis) {
@@ -86,10 +85,10 @@ void SceneryPass::place(const Shader& shader, const Scenery& scenery, const Came
   glUniform1f(shader.uniform("stretch"), static_cast<float>(camera.stretch));
 }
 
-void SceneryPass::begin_shadows(const Scenery& scenery, const Camera& camera) {
+void SceneryPass::begin_shadows(const Scenery& scenery, const Camera& camera, const Vec3d& to_sun) {
   upload(scenery);
   const double reach = kShadowReach * camera.distance;
-  map_.matrix = sun_matrix(scenery, camera, reach);
+  map_.matrix = sun_matrix(scenery, camera, to_sun, reach);
   map_.metres = 2 * reach;
   glBindFramebuffer(GL_FRAMEBUFFER, map_.framebuffer);
   glFramebufferTexture2D(GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, GL_TEXTURE_2D, map_.texture, 0);
@@ -123,14 +122,26 @@ void SceneryPass::hand_shadows(const Shader& shader, bool are_there) const {
   glBindTexture(GL_TEXTURE_2D, are_there ? map_.texture : 0);
 }
 
-void SceneryPass::draw(const Scenery& scenery, const Camera& camera) const {
+void SceneryPass::draw(const Scene& scene, const Camera& camera, double haze) const {
+  const Scenery& scenery = *scene.scenery;
+  const Theme& theme = *scene.theme;
   lit_.use();
   glUniformMatrix4fv(lit_.uniform("matrix"), 1, GL_FALSE, camera.matrix().data());
   place(lit_, scenery, camera);
-  const Vec3d sun = normalized(kToSun);
+  const Vec3d sun = theme.to_sun();
   glUniform3f(lit_.uniform("to_sun"), static_cast<float>(sun.x), static_cast<float>(sun.y), static_cast<float>(sun.z));
+  for (const auto& [name, colour] : {std::pair{"sunlight_colour", theme.sunlight},
+                                     {"skylight", theme.skylight},
+                                     {"earthlight", theme.earthlight},
+                                     {"horizon", theme.horizon}})
+    hand_colour(lit_, name, colour);
   glUniform1f(lit_.uniform("map_pixel"), static_cast<float>(map_.metres / kMapSize));
-  glUniform1f(lit_.uniform("haze"), static_cast<float>(camera.distance * 25));
+  glUniform1f(lit_.uniform("haze"), static_cast<float>(haze));
+  // Heights are measured from the ground or the origin, as they are drawn.
+  const double contour = scene.contour_step * camera.stretch;
+  const double eye = camera.eye().y - camera.shown({0, scene.ground, 0}).y;
+  glUniform1f(lit_.uniform("contour_step"), static_cast<float>(contour));
+  glUniform1f(lit_.uniform("contour_at"), static_cast<float>(std::fmod(eye / contour, 1.0)));
   hand_shadows(lit_, true);
   glBindVertexArray(array_);
   glEnable(GL_POLYGON_OFFSET_FILL);

@@ -23,11 +23,12 @@ class SceneryPass {
   ~SceneryPass();
   [[nodiscard]] Status make();
   /// Begins the shadow map: things first; who draws more into it does so before end_shadows().
-  void begin_shadows(const Scenery& scenery, const Camera& camera);
+  /// `to_sun`: of length one.
+  void begin_shadows(const Scenery& scenery, const Camera& camera, const Vec3d& to_sun);
   /// `framebuffer`: to draw into from now on.
   void end_shadows(GLuint framebuffer) const;
-  /// Draws the things themselves.
-  void draw(const Scenery& scenery, const Camera& camera) const;
+  /// Draws the things themselves. `haze`: where half of their colour is left [m].
+  void draw(const Scene& scene, const Camera& camera, double haze) const;
   /// For shaders with the uniforms of kShadowLookup: where shadows fall, or that none do.
   void hand_shadows(const Shader& shader, bool are_there) const;
   [[nodiscard]] const ShadowMap& shadows() const { return map_; }

@@ -4,14 +4,15 @@
 
 namespace physim::client {
 
-Status Shader::make(const char* name, const char* vertex, const char* fragment) {
+Status Shader::make(const char* name, const char* vertex, const char* fragment, const char* head) {
   constexpr const char* kHint = "OpenGL 3.3 is needed";
   char log[1024] = "";
   GLint good = 0;
   program_ = glCreateProgram();
   for (const auto& [kind, source] : {std::pair{GL_VERTEX_SHADER, vertex}, {GL_FRAGMENT_SHADER, fragment}}) {
     const GLuint shader = glCreateShader(static_cast<GLenum>(kind));
-    glShaderSource(shader, 1, &source, nullptr);
+    const char* const parts[] = {kind == GL_FRAGMENT_SHADER ? head : "", source};
+    glShaderSource(shader, 2, parts, nullptr);
     glCompileShader(shader);
     glGetShaderiv(shader, GL_COMPILE_STATUS, &good);
     glGetShaderInfoLog(shader, sizeof log, nullptr, log);
@@ -24,6 +25,13 @@ Status Shader::make(const char* name, const char* vertex, const char* fragment) 
   if (good != 0) return {};
   glGetProgramInfoLog(program_, sizeof log, nullptr, log);
   return Error{std::string("a shader does not link: ") + log, name, kHint};
+}
+
+void hand_colour(const Shader& shader, const char* name, Colour colour, double part) {
+  const auto channel = [&](int shift) {
+    return static_cast<float>(part * static_cast<double>(colour >> shift & 0xFFU) / 255);
+  };
+  glUniform3f(shader.uniform(name), channel(24), channel(16), channel(8));
 }
 
 }  // namespace physim::client

@@ -4,6 +4,7 @@
 #include <epoxy/gl.h>
 
 #include "physim/result.hpp"
+#include "simclient/core/palette.hpp"
 
 namespace physim::client {
 
@@ -15,7 +16,8 @@ class Shader {
   ~Shader() {
     if (program_ != 0) glDeleteProgram(program_);
   }
-  [[nodiscard]] Status make(const char* name, const char* vertex, const char* fragment);
+  /// `head`: lines before those of the fragment's shader.
+  [[nodiscard]] Status make(const char* name, const char* vertex, const char* fragment, const char* head = "");
 
   void use() const { glUseProgram(program_); }
   [[nodiscard]] GLint uniform(const char* name) const { return glGetUniformLocation(program_, name); }
@@ -23,5 +25,8 @@ class Shader {
  private:
   GLuint program_ = 0;
 };
+
+/// A uniform of three numbers: part of a colour's red, green and blue, from 0 to 1.
+void hand_colour(const Shader& shader, const char* name, Colour colour, double part = 1);
 
 }  // namespace physim::client

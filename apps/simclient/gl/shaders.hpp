@@ -3,15 +3,15 @@
 
 namespace physim::client {
 
-inline constexpr const char* kGroundVertex = R"(#version 330 core
+inline constexpr const char* kWorldVertex = R"(#version 330 core
 layout(location = 0) in vec2 corner;
-uniform mat4 matrix;
-uniform float height;  // of the ground above the eye
-uniform float reach;
-out vec3 place;
+uniform vec3 forward, right, up;  // of the eye; right and up reach to the rims of the view
+uniform vec2 part;                // of the view from below: where it begins, and how much of it
+out vec3 way;
 void main() {
-  place = vec3(corner.x * reach, height, corner.y * reach);
-  gl_Position = matrix * vec4(place, 1.0);
+  vec2 at = vec2(corner.x, mix(-1.0, 1.0, part.x + part.y * (corner.y * 0.5 + 0.5)));
+  way = forward + right * at.x + up * at.y;
+  gl_Position = vec4(at, 0.0, 1.0);
 }
 )";
 
@@ -33,15 +33,96 @@ void main() {
   "  return mix(light * 0.25, 1.0, max(rim.x, rim.y));\n"                            \
   "}\n"
 
-inline constexpr const char* kGroundFragment = "#version 330 core\n" PHYSIM_SHADOW_LOOKUP R"(
-in vec3 place;
-uniform vec3 near_colour, far_colour;
-uniform float reach;
+// Sky, ground or globe: what each pixel's line of sight meets. Software rendering computes both sides of an `if`, so
+// each is a program of its own, by the names that its head defines.
+inline constexpr const char* kSkyHead = "#version 330 core\n";
+inline constexpr const char* kGroundHead = "#version 330 core\n#define GROUND\n";
+inline constexpr const char* kShadowedGroundHead = "#version 330 core\n#define GROUND\n#define DEPTH\n";
+inline constexpr const char* kGlobeHead = "#version 330 core\n#define GLOBE\n#define DEPTH\n";
+inline constexpr const char* kWorldFragment = PHYSIM_SHADOW_LOOKUP R"(
+in vec3 way;
+uniform vec3 zenith, horizon, below, glow, to_sun;
+uniform float air;          // what is left of it about the eye
+uniform float height;       // of the ground above the eye
+uniform vec3 ground, sea;
+uniform vec4 grid;
+uniform vec2 grid_at;       // of the eye, in steps of the grid
+uniform float grid_step;
+uniform float haze;         // where half of the ground's colour is left
+uniform float grain, shadow_left;
+uniform sampler2D unevenness;
+uniform float globe;        // its radius
+uniform vec3 centre;        // of the globe
+uniform float beyond;       // square of the centre's distance, less that of the radius
+uniform mat3 to_geographic;
+uniform mat4 matrix;
 out vec4 colour;
+
+vec3 with_glow(vec3 c, vec3 d) {
+  float s = max(dot(d, to_sun), 0.0);
+  float near = s * s;
+  near *= near, near *= near;
+  float nearer = near * near;
+  nearer *= nearer, nearer *= nearer;
+  return mix(c, glow, 0.22 * near + 0.30 * nearer);
+}
+
+vec3 sky(vec3 d) {
+  vec3 c = mix(horizon, zenith, 1.0 - exp2(-max(d.y, 0.0) * 4.5));
+  c = mix(c, below, 1.0 - exp2(-max(-d.y, 0.0) * 8.0));
+  float disc = smoothstep(0.99980, 0.99992, dot(d, to_sun)) * step(0.2, glow.r + glow.g);
+  return mix(with_glow(c, d), vec3(1.0, 0.98, 0.94), disc);
+}
+
+float lines(vec2 p, vec2 pixel, float wide) {
+  vec2 on = clamp(wide * 0.5 + 0.5 - abs(fract(p - 0.5) - 0.5) / pixel, 0.0, 1.0);
+  on *= clamp(1.4 - 3.1 * pixel, 0.0, 1.0);  // so dense that they are one grey
+  return max(on.x, on.y);
+}
+
 void main() {
-  float away = clamp(length(place.xz) / reach * 4.0, 0.0, 1.0);
-  colour = vec4(mix(near_colour, far_colour, sqrt(away)), 1.0);
-  if (has_shadows != 0) colour.rgb *= 0.55 + 0.45 * sunlight(place);
+  vec3 d = normalize(way);
+#if defined(GROUND)
+  float far = height / min(d.y, -1e-6);
+  vec3 place = d * far;
+  vec2 p = grid_at + place.xz / grid_step, pixel = max(fwidth(p), vec2(1e-9));
+  vec3 c = ground * (1.0 + grain * (texture(unevenness, p / 20.0).r - 0.5));
+  #if defined(DEPTH)
+  c *= shadow_left + (1.0 - shadow_left) * sunlight(place);
+  #endif
+  c = mix(c, grid.rgb, grid.a * max(lines(p, pixel, 1.3), 0.35 * lines(p * 5.0, pixel * 5.0, 1.0)));
+  vec3 seen = mix(with_glow(horizon, vec3(d.x, 0.0, d.z)), c, exp2(-length(place.xz) / haze));
+#elif defined(GLOBE)
+  // Beside the globe all is computed at its rim, so that differences between pixels are small there.
+  float b = dot(d, centre), q = b * b - beyond, far = beyond / (max(b, 0.0) + sqrt(max(q, 0.0)) + 1e-6);
+  vec3 n = normalize(d * far - centre), g = to_geographic * n;
+  vec2 at = vec2(atan(g.y, g.x), asin(clamp(g.z, -1.0, 1.0))) * 57.29578;
+  vec2 pixel = max(vec2(min(fwidth(at.x), fwidth(mod(at.x + 360.0, 360.0))), fwidth(at.y)), vec2(1e-9));
+  vec2 thin = clamp(1.0 - abs(fract(at / 10.0 - 0.5) - 0.5) * 10.0 / pixel, 0.0, 1.0);
+  vec2 thick = clamp(1.5 - abs(at) / pixel, 0.0, 1.0);
+  vec2 dense = 1.0 - smoothstep(vec2(0.8), vec2(3.0), pixel);
+  thin *= dense, thick *= dense;
+  float day = 0.42 + 0.58 * smoothstep(-0.15, 0.5, dot(n, to_sun));
+  vec3 sphere = mix(sea * day, grid.rgb * day, max(max(thin.x, thin.y) * grid.a, max(thick.x, thick.y) * 0.8));
+  float rim = 1.0 - clamp(dot(n, -d), 0.0, 1.0);
+  sphere = mix(sphere, horizon, 0.55 * rim * rim * rim);
+  float above = sqrt(max(dot(centre, centre) - b * b, 0.0)) - globe;
+  float halo = b > 0.0 ? exp2(-max(above, 0.0) / 25000.0) : 0.0;
+  vec3 space = mix(mix(below * 0.06, sky(d), air), horizon, 0.75 * halo);
+  bool hits = b > 0.0 && q > 0.0;
+  vec3 seen = hits ? sphere : space;
+  if (!hits) far = 0.0;
+#else
+  vec3 seen = sky(d);
+#endif
+  colour = vec4(seen, 1.0);
+#if defined(DEPTH)
+  gl_FragDepth = 1.0;
+  if (far > 0.0) {  // a little farther: what lies on it is seen
+    vec4 at = matrix * vec4(d * (far * 1.001), 1.0);
+    gl_FragDepth = clamp(at.z / at.w * 0.5 + 0.5, 0.0, 1.0);
+  }
+#endif
 }
 )";
 
@@ -67,20 +148,26 @@ inline constexpr const char* kThingFragment = "#version 330 core\n" PHYSIM_SHADO
 in vec3 place;
 in vec3 facing;
 in vec4 shade;
-uniform vec3 to_sun;
+uniform vec3 to_sun, sunlight_colour, skylight, earthlight, horizon;
 uniform float map_pixel;  // of the shadow map [m]
-uniform float haze;       // what is that far away is as the sky
+uniform float haze;       // where half of the colour is left
+uniform float contour_step, contour_at;  // between lines of equal height on terrain; height of the eye in them
 out vec4 colour;
 void main() {
   vec3 n = normalize(facing);
   if (dot(n, place) > 0.0) n = -n;  // sheets are seen from both sides
   float sun_on_it = max(dot(n, to_sun), 0.0);
   if (sun_on_it > 0.0) sun_on_it *= sunlight(place + n * (map_pixel * 1.5));
-  float sky = 0.5 + 0.5 * n.y;
-  vec3 light = mix(vec3(0.20, 0.19, 0.18), vec3(0.36, 0.40, 0.46), sky) + vec3(0.80, 0.76, 0.68) * sun_on_it;
+  vec3 light = mix(earthlight, skylight, 0.5 + 0.5 * n.y) + sunlight_colour * sun_on_it;
   vec3 seen = shade.rgb * light;
-  float away = clamp(length(place) / haze, 0.0, 1.0);
-  colour = vec4(mix(seen, vec3(0.075, 0.086, 0.105), away * away), shade.a);
+  float alpha = shade.a;
+  if (abs(shade.a * 255.0 - 254.0) < 0.5) {  // terrain
+    alpha = 1.0;
+    float p = place.y / contour_step + contour_at, pixel = max(fwidth(p), 1e-9);
+    float on = clamp(1.1 - abs(fract(p - 0.5) - 0.5) / pixel, 0.0, 1.0) * (1.0 - smoothstep(0.15, 0.5, pixel));
+    seen *= 1.0 - 0.32 * on;
+  }
+  colour = vec4(mix(horizon, seen, exp2(-length(place) / haze)), alpha);
 }
 )";
 
@@ -122,6 +209,7 @@ layout(location = 4) in vec2 width_fog;
 uniform mat4 matrix;
 uniform vec2 size;   // of the viewport in pixels
 uniform float near;  // what is nearer is cut off
+uniform float casing_width;  // > 0: the casings of those that have one are drawn
 out vec4 shade;
 out vec3 place;
 noperspective out float across;  // on the screen, where the quad has the same width everywhere
@@ -129,6 +217,7 @@ flat out float half_width;
 flat out float fog;
 void main() {
   vec4 from = matrix * vec4(a, 1.0), to = matrix * vec4(b, 1.0);
+  if (casing_width > 0.0 && width_fog.y >= 0.0) { gl_Position = vec4(2.0, 2.0, 2.0, 1.0); return; }
   float s = 0.0, e = 1.0;
   if (from.w < near && to.w < near) { gl_Position = vec4(2.0, 2.0, 2.0, 1.0); return; }
   if (from.w < near) s = (near - from.w) / (to.w - from.w);
@@ -137,7 +226,7 @@ void main() {
   vec2 p = start.xy / start.w * size, q = end.xy / end.w * size;
   vec2 along = q - p;
   along = length(along) > 1e-6 ? normalize(along) : vec2(1.0, 0.0);
-  half_width = width_fog.x * 0.5;
+  half_width = width_fog.x * 0.5 + casing_width;
   across = corner.y * (half_width + 1.0);
   vec4 at = corner.x < 0.5 ? start : end;
   vec2 offset = vec2(-along.y, along.x) * across + along * (corner.x < 0.5 ? -0.5 : 0.5);
@@ -155,13 +244,15 @@ noperspective in float across;
 flat in float half_width;
 flat in float fog;
 uniform float part;  // of its opacity: what is hidden by things shows through
+uniform float casing_width;
+uniform vec4 casing;
 out vec4 colour;
 void main() {
   if (fog > 0.0 && part < 1.0) discard;  // the grid does not
   float cover = clamp(half_width + 0.5 - abs(across), 0.0, 1.0) * part;
   if (fog > 0.0) cover *= clamp(1.0 - length(place) / fog, 0.0, 1.0);
   if (cover <= 0.003) discard;
-  colour = vec4(shade.rgb, shade.a * cover);
+  colour = casing_width > 0.0 ? vec4(casing.rgb, casing.a * shade.a * cover) : vec4(shade.rgb, shade.a * cover);
 }
 )";
 
@@ -202,7 +293,38 @@ void main() {
   if (cover <= 0.0) discard;
   float up = sqrt(max(0.0, 1.0 - away * away));
   float light = pixels < 3.0 ? 1.0 : 0.62 + 0.38 * clamp(dot(vec3(spot, up), vec3(-0.35, 0.6, 0.72)), 0.0, 1.0);
+  if (pixels >= 3.0) light *= 1.0 - 0.5 * smoothstep(0.72, 1.0, away);  // its rim stands out from any ground
   colour = vec4(shade.rgb * light, shade.a * cover);
+}
+)";
+
+// A shadow on the ground, straight below: a soft disc that lies there.
+inline constexpr const char* kDiscVertex = R"(#version 330 core
+layout(location = 0) in vec2 corner;
+layout(location = 1) in vec3 at;
+layout(location = 2) in vec4 disc_colour;
+layout(location = 3) in vec2 radius_pixels;
+uniform mat4 matrix;
+uniform float focal;
+out vec4 shade;
+out vec2 spot;
+void main() {
+  vec4 centre = matrix * vec4(at, 1.0);
+  float radius = max(radius_pixels.x, radius_pixels.y * max(centre.w, 1e-4) / focal);
+  spot = corner;
+  shade = disc_colour;
+  gl_Position = matrix * vec4(at + vec3(corner.x * radius, 0.0, corner.y * radius), 1.0);
+}
+)";
+
+inline constexpr const char* kDiscFragment = R"(#version 330 core
+in vec4 shade;
+in vec2 spot;
+out vec4 colour;
+void main() {
+  float soft = 1.0 - dot(spot, spot);
+  if (soft <= 0.0) discard;
+  colour = vec4(shade.rgb, shade.a * smoothstep(0.0, 0.6, soft));
 }
 )";
 
@@ -210,12 +332,16 @@ inline constexpr const char* kCrowdVertex = R"(#version 330 core
 layout(location = 0) in vec3 at;
 layout(location = 1) in vec4 dot_colour;
 uniform mat4 matrix;
-uniform float pixels;
+uniform float pixels;   // at the distance of what is looked at
+uniform float middle;   // that distance
+uniform float haze;     // where half of the colour is left
+uniform vec3 horizon;
 out vec4 shade;
 void main() {
   gl_Position = matrix * vec4(at, 1.0);
-  gl_PointSize = pixels;
-  shade = dot_colour;
+  float away = max(gl_Position.w, 1e-4);
+  gl_PointSize = clamp(pixels * middle / away, 1.0, 2.0 * pixels);
+  shade = vec4(mix(horizon, dot_colour.rgb, exp2(-away / haze)), dot_colour.a);
 }
 )";
 

@@ -14,11 +14,11 @@ ImU32 packed(std::uint32_t rgba) {
 }
 
 void draw_grid(ImDrawList* list, const ImVec2& corner, const ImVec2& size) {
-  list->AddRectFilled(corner, {corner.x + size.x, corner.y + size.y}, IM_COL32(16, 19, 24, 255), 3);
+  list->AddRectFilled(corner, {corner.x + size.x, corner.y + size.y}, exact(theme_in_use().plot), 3);
   for (int i = 0; i <= 4; ++i) {
     const float x = corner.x + size.x * static_cast<float>(i) / 4, y = corner.y + size.y * static_cast<float>(i) / 4;
-    list->AddLine({x, corner.y}, {x, corner.y + size.y}, IM_COL32(90, 100, 112, 70));
-    list->AddLine({corner.x, y}, {corner.x + size.x, y}, IM_COL32(90, 100, 112, 70));
+    list->AddLine({x, corner.y}, {x, corner.y + size.y}, exact(theme_in_use().plot_lines));
+    list->AddLine({corner.x, y}, {corner.x + size.x, y}, exact(theme_in_use().plot_lines));
   }
 }
 
@@ -130,7 +130,7 @@ bool EmitterPanel::draw_curve(Curve& curve, float scale) {
   for (std::size_t i = 0; i < curve.size(); ++i) {
     const ImVec2 at = frame.at(curve[i].at, curve[i].value);
     list->AddCircleFilled(at, kGrip * scale * 0.8F, shade(held_ == i ? colours::kForce : colours::kArrow));
-    list->AddCircle(at, kGrip * scale * 0.8F, IM_COL32(16, 19, 24, 255), 0, 1.5F * scale);
+    list->AddCircle(at, kGrip * scale * 0.8F, exact(theme_in_use().plot), 0, 1.5F * scale);
   }
   list->PopClipRect();
   const std::optional<std::size_t> told = chosen_ && *chosen_ < curve.size() ? chosen_ : std::nullopt;

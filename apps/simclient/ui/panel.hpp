@@ -10,9 +10,17 @@
 
 namespace physim::client {
 
-void set_theme(float scale);
+void load_fonts(float scale);
+/// Colours and sizes of all panels from now on.
+void use_theme(const Theme& theme, float scale);
+/// The theme in use.
+[[nodiscard]] const Theme& theme_in_use();
+/// A colour of letters and curves, as the theme in use writes it.
 [[nodiscard]] ImU32 shade(Colour colour);
 [[nodiscard]] ImVec4 tint(Colour colour);
+/// A colour as it is: of grounds, and of what a theme says itself.
+[[nodiscard]] ImU32 exact(Colour colour);
+[[nodiscard]] ImVec4 exact_tint(Colour colour);
 
 /// A panel that fills a box, with a title.
 bool begin_panel(const char* title, const Box& box, bool has_title = true);

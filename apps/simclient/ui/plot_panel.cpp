@@ -25,7 +25,7 @@ void draw_x_ticks(ImDrawList& list, const PlotFrame& frame, float gap) {
   for (const double tick : plot.x.ticks()) {
     const float x = frame.place({tick, plot.y.low}).x;
     const std::string text = plot.x.text(tick);
-    list.AddLine({x, frame.low.y}, {x, frame.high.y}, shade(0x2C333CFF));
+    list.AddLine({x, frame.low.y}, {x, frame.high.y}, exact(theme_in_use().plot_lines));
     const float width = ImGui::CalcTextSize(text.c_str()).x;
     const float left = std::min(x - width / 2, frame.high.x + ImGui::GetFontSize() - width);  // within its plot
     if (left < taken) continue;
@@ -37,16 +37,16 @@ void draw_x_ticks(ImDrawList& list, const PlotFrame& frame, float gap) {
 void draw_axes(ImDrawList& list, const PlotFrame& frame) {
   const Plot& plot = *frame.plot;
   const float gap = ImGui::GetFontSize() * 0.3F;
-  list.AddRectFilled(frame.low, frame.high, shade(0x12151AFF));
+  list.AddRectFilled(frame.low, frame.high, exact(theme_in_use().plot));
   draw_x_ticks(list, frame, gap);
   for (const double tick : plot.y.ticks()) {
     const float y = frame.place({plot.x.low, tick}).y;
     const std::string text = plot.y.text(tick);
     const ImVec2 size = ImGui::CalcTextSize(text.c_str());
-    list.AddLine({frame.low.x, y}, {frame.high.x, y}, shade(0x2C333CFF));
+    list.AddLine({frame.low.x, y}, {frame.high.x, y}, exact(theme_in_use().plot_lines));
     list.AddText({frame.low.x - size.x - gap, y - size.y / 2}, shade(colours::kDim), text.c_str());
   }
-  list.AddRect(frame.low, frame.high, shade(colours::kGrid));
+  list.AddRect(frame.low, frame.high, exact(theme_in_use().separator));
   const ImVec2 size = ImGui::CalcTextSize(plot.x.label.c_str());
   list.AddText({(frame.low.x + frame.high.x - size.x) / 2, frame.high.y + gap + size.y}, shade(colours::kText),
                plot.x.label.c_str());

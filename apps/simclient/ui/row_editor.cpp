@@ -36,21 +36,38 @@ std::optional<std::string> RowEditor::draw(const SettingRow& row, const std::str
   tooltip(row.tooltip());
   if (ImGui::CalcTextSize(row.name.c_str()).x < label - ImGui::GetFontSize() * 0.5F) ImGui::SameLine(label);
   ImGui::SetNextItemWidth(-1);
+  const bool is_refused = refused_ == row.path;
+  if (is_refused) {
+    ImGui::PushStyleVar(ImGuiStyleVar_FrameBorderSize, 2);
+    ImGui::PushStyleColor(ImGuiCol_Border, tint(colours::kAcceleration));
+    ImGui::PushStyleColor(ImGuiCol_Text, tint(colours::kAcceleration));
+  }
   const auto entered = row.kind == SettingRow::Kind::choice    ? draw_choice(row, value)
                        : row.kind == SettingRow::Kind::boolean ? draw_box(value)
                                                                : draw_text(row, value);
-  tooltip(row.tooltip());
+  if (is_refused) {
+    ImGui::PopStyleColor(2);
+    ImGui::PopStyleVar();
+  }
+  tooltip(is_refused ? why_ + "\n\n" + row.tooltip() : row.tooltip());
   return entered;
 }
 
+void RowEditor::refuse(const SettingRow& row, const std::string& entered, const Error& why) {
+  refused_ = row.path, entered_ = entered;
+  why_ = why.message + (why.hint.empty() ? "" : "; " + why.hint);
+}
+
 std::optional<std::string> RowEditor::draw_text(const SettingRow& row, const std::string& value) {
-  std::string shown = editing_ == row.path ? typed_ : value;
+  const std::string& at_rest = refused_ == row.path ? entered_ : value;
+  std::string shown = editing_ == row.path ? typed_ : at_rest;
   ImGui::InputText("##value", &shown);
   if (ImGui::IsItemActivated()) editing_ = row.path;
   if (editing_ == row.path) typed_ = shown;
   if (!ImGui::IsItemDeactivated() || editing_ != row.path) return std::nullopt;
   editing_.clear();
-  return typed_ != value ? std::optional(typed_) : std::nullopt;
+  if (typed_ == value) refused_.clear();  // as it was
+  return typed_ != at_rest && typed_ != value ? std::optional(typed_) : std::nullopt;
 }
 
 }  // namespace physim::client

@@ -73,6 +73,7 @@ void SettingsPanel::draw_sheet(Client& client, Sheet& sheet, bool is_shot) {
   const Launcher& launcher = client.launcher;
   if (sheet.version != launcher.version()) {
     sheet.version = launcher.version();
+    editor_.accept();
     sheet.values.clear();
     sheet.usual.clear();
     for (const SettingRow& row : sheet.rows) {
@@ -84,7 +85,6 @@ void SettingsPanel::draw_sheet(Client& client, Sheet& sheet, bool is_shot) {
   }
   ImGui::SetNextItemWidth(-1);
   ImGui::InputTextWithHint("##filter", "search settings", &filter_);
-  if (!changed_) coloured_text(colours::kWarning, changed_.error().text());
   if (ImGui::BeginChild("rows")) {
     std::vector<std::string> groups;
     for (const SettingRow& row : sheet.rows)
@@ -114,7 +114,12 @@ void SettingsPanel::draw_group(Client& client, const Sheet& sheet, const std::st
 
 void SettingsPanel::draw_row(Client& client, const SettingRow& row, const std::string& value, bool is_changed) {
   ImGui::PushID(row.path.c_str());
-  if (const auto entered = editor_.draw(row, value, is_changed)) changed_ = client.set(row, *entered);
+  if (const auto entered = editor_.draw(row, value, is_changed)) {
+    if (Status status = client.set(row, *entered); !status)
+      editor_.refuse(row, *entered, status.error()), client.complain(status.error());
+    else
+      editor_.accept();
+  }
   const FidelityNote* note = row.group == "fidelity" ? note_of(client.prediction(), row.name) : nullptr;
   if (note != nullptr) coloured_text(colours::kWarning, "granted " + note->granted + ": " + note->reason);
   ImGui::PopID();

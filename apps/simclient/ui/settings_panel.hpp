@@ -35,7 +35,6 @@ class SettingsPanel {
   FlightEditor flight_;
   std::string filter_;
   RowEditor editor_;
-  Status changed_;  // the last change; an error where it was refused
 };
 
 }  // namespace physim::client

@@ -32,7 +32,7 @@ void draw_track(Client& client, const Track& track, bool is_selected) {
   ImGui::PushID(static_cast<int>(track.number));
   ImGui::PushStyleColor(ImGuiCol_Text, tint(track.colour));
   const std::string title = formatted("%s   %s%s   %.2f s###title", track.title().c_str(),
-                                      std::string(name(track.status)).c_str(), track.edited ? ", edited" : "", s.time);
+                                      client.session.fate_of(track).c_str(), track.edited ? ", edited" : "", s.time);
   if (ImGui::Selectable(title.c_str(), is_selected)) client.selected = track.id;
   if (ImGui::BeginTable("numbers", 5, ImGuiTableFlags_SizingStretchProp)) {
     for (const float width : {1.1F, 1.2F, 1.2F, 1.2F, 0.7F})

@@ -15,8 +15,12 @@
 namespace physim::client {
 namespace {
 
-constexpr Colour kGround = 0x12151AFF, kLines = 0x2C333CFF, kFace = 0xF1ECE222, kRim = 0xC9BCA0FF;
+constexpr Colour kFace = 0xF1ECE222, kRim = 0xC9BCA0FF;
 constexpr Colour kHitInk = 0x56B4E9FF, kMissInk = 0xD55E00FF, kCells = 0x56B4E955;
+
+/// Colours of bars with letters on them.
+Colour study_bar() { return theme_in_use().is_light ? 0xA8CBE6FF : 0x2F6F97FF; }
+Colour done_bar() { return theme_in_use().is_light ? 0xA5D6BDFF : 0x2E7D5BFF; }
 
 /// Where something is drawn: upper left and lower right corner.
 struct Frame {
@@ -42,14 +46,14 @@ void draw_y_ticks(ImDrawList& list, const Frame& frame, const PlotAxis& axis) {
     const float y = frame.at_parts(0, axis.part(tick)).y;
     const std::string text = axis.text(tick);
     const ImVec2 size = ImGui::CalcTextSize(text.c_str());
-    list.AddLine({frame.low.x, y}, {frame.high.x, y}, shade(kLines));
+    list.AddLine({frame.low.x, y}, {frame.high.x, y}, exact(theme_in_use().plot_lines));
     text_at(list, {frame.low.x - size.x - letter() * 0.3F, y - size.y / 2}, colours::kDim, text);
   }
 }
 
 /// A number under its line, where there is room beside the one before.
 void draw_x_tick(ImDrawList& list, const Frame& frame, float x, const std::string& text, float& taken) {
-  list.AddLine({x, frame.low.y}, {x, frame.high.y}, shade(kLines));
+  list.AddLine({x, frame.low.y}, {x, frame.high.y}, exact(theme_in_use().plot_lines));
   const float wide = ImGui::CalcTextSize(text.c_str()).x;
   const float left = std::min(x - wide / 2, frame.high.x + letter() * 0.5F - wide);
   if (left < taken) return;
@@ -120,14 +124,15 @@ void draw_impacts(ImDrawList& list, const Frame& frame, const StudyFace& face, c
     const std::string text = std::to_string(i + 1) + "\u03c3";
     const ImVec2 at = frame.at(face.ellipses[i].front()), size = ImGui::CalcTextSize(text.c_str());
     const ImVec2 corner{at.x - size.x / 2, at.y - size.y / 2};
-    list.AddRectFilled({corner.x - 2, corner.y}, {corner.x + size.x + 2, corner.y + size.y}, shade(0x12151AD0), 3);
+    list.AddRectFilled({corner.x - 2, corner.y}, {corner.x + size.x + 2, corner.y + size.y},
+                       exact(faded(theme_in_use().plot, 0.8)), 3);
     text_at(list, corner, colours::kText, text);
   }
   const ImVec2 aim = frame.at(face.aim);
   const float arm = 7 * scale;
-  for (const auto& [colour, thick] : {std::pair{kGround, 4.5F}, {colours::kForce, 2.0F}}) {
-    list.AddLine({aim.x - arm, aim.y}, {aim.x + arm, aim.y}, shade(colour), thick * scale);
-    list.AddLine({aim.x, aim.y - arm}, {aim.x, aim.y + arm}, shade(colour), thick * scale);
+  for (const auto& [colour, thick] : {std::pair{exact(theme_in_use().plot), 4.5F}, {shade(colours::kForce), 2.0F}}) {
+    list.AddLine({aim.x - arm, aim.y}, {aim.x + arm, aim.y}, colour, thick * scale);
+    list.AddLine({aim.x, aim.y - arm}, {aim.x, aim.y + arm}, colour, thick * scale);
   }
 }
 
@@ -163,7 +168,7 @@ void draw_face(const StudyTold& told, float width) {
     const StudyFace face = face_of(told.study, told.result, static_cast<double>(frame.width()) / frame.height());
     frame.x = &face.across, frame.y = &face.up;
     ImDrawList& list = *ImGui::GetWindowDrawList();
-    list.AddRectFilled(frame.low, frame.high, shade(kGround));
+    list.AddRectFilled(frame.low, frame.high, exact(theme_in_use().plot));
     draw_y_ticks(list, frame, face.up);
     float taken = frame.low.x - letter() * 2;
     for (const double tick : face.across.ticks())
@@ -174,7 +179,7 @@ void draw_face(const StudyTold& told, float width) {
     else
       draw_impacts(list, frame, face, told);
     list.PopClipRect();
-    list.AddRect(frame.low, frame.high, shade(colours::kGrid));
+    list.AddRect(frame.low, frame.high, exact(theme_in_use().separator));
     text_at(list, {at.x + letter() * 0.3F, at.y}, colours::kText, face.up.label);
     const ImVec2 size = ImGui::CalcTextSize(face.across.label.c_str());
     text_at(list, {(frame.low.x + frame.high.x - size.x) / 2, frame.high.y + letter() * 1.3F}, colours::kText,
@@ -220,7 +225,7 @@ void draw_settling(const Settling& settling, const ImVec2& size) {
                     {at.x + size.x - letter() * 1.2F, at.y + size.y - letter() * 2.3F}};
   if (frame.width() < letter() * 4 || frame.height() < letter() * 2) return;
   ImDrawList& list = *ImGui::GetWindowDrawList();
-  list.AddRectFilled(frame.low, frame.high, shade(kGround));
+  list.AddRectFilled(frame.low, frame.high, exact(theme_in_use().plot));
   draw_y_ticks(list, frame, settling.value);
   float taken = frame.low.x - letter() * 2;
   for (double power = 1; power <= settling.shots.high; power *= 10)
@@ -230,7 +235,7 @@ void draw_settling(const Settling& settling, const ImVec2& size) {
         draw_x_tick(list, frame, frame.at_parts(settling.part(count), 0).x, count_text(count), taken);
     }
   draw_band(list, frame, settling);
-  list.AddRect(frame.low, frame.high, shade(colours::kGrid));
+  list.AddRect(frame.low, frame.high, exact(theme_in_use().separator));
   text_at(list, {frame.low.x, at.y}, colours::kText, settling.label);
   text_at(list, {frame.low.x, frame.high.y + letter() * 1.2F}, colours::kDim, "shots, with the 95 % interval");
 }
@@ -291,7 +296,7 @@ void draw_inputs(const StudyTold& told) {
         continue;
       }
       const std::string text = row.effect[q] + "  " + report::readable(100 * row.share[q], 2) + " %";
-      ImGui::PushStyleColor(ImGuiCol_PlotHistogram, tint(0x2F6F97FF));
+      ImGui::PushStyleColor(ImGuiCol_PlotHistogram, exact_tint(study_bar()));
       ImGui::ProgressBar(static_cast<float>(std::clamp(row.share[q], 0.0, 1.0)), {-1, letter() * 1.1F}, "");
       ImGui::PopStyleColor();
       const ImVec2 low = ImGui::GetItemRectMin();
@@ -399,7 +404,7 @@ void draw_buttons(Client& client) {
   const double done = run.result() ? static_cast<double>(run.result()->shards) : 0;
   const auto all = static_cast<double>(std::max<std::uint64_t>(run.plan()->shards(), 1));
   const bool is_done = run.state() == StudyRun::State::done;
-  ImGui::PushStyleColor(ImGuiCol_PlotHistogram, tint(is_done ? 0x2E7D5BFF : 0x2F6F97FF));
+  ImGui::PushStyleColor(ImGuiCol_PlotHistogram, exact_tint(is_done ? done_bar() : study_bar()));
   ImGui::ProgressBar(is_done ? 1 : static_cast<float>(done / all), {letter() * 9, 0},
                      is_done ? "done" : formatted("%.0f %%", 100 * done / all).c_str());
   ImGui::PopStyleColor();

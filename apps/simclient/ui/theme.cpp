@@ -10,6 +10,8 @@ namespace {
 constexpr const char* kFonts[] = {"/usr/share/fonts/truetype/dejavu/DejaVuSans.ttf",
                                   "/usr/share/fonts/TTF/DejaVuSans.ttf", "/usr/share/fonts/dejavu/DejaVuSans.ttf"};
 
+const Theme* in_use = &themes()[0];
+
 void load_font(float size) {
   static constexpr ImWchar kRanges[] = {0x20, 0xFF, 0x370, 0x3FF, 0x2010, 0x2027, 0x2190, 0x21FF, 0x2200, 0x22FF, 0};
   ImGuiIO& io = ImGui::GetIO();
@@ -22,13 +24,26 @@ void load_font(float size) {
 
 }  // namespace
 
-ImVec4 tint(Colour colour) { return ImGui::ColorConvertU32ToFloat4(shade(colour)); }
+void load_fonts(float scale) { load_font(15 * scale); }
 
-ImU32 shade(Colour colour) { return IM_COL32(colour >> 24, (colour >> 16) & 255, (colour >> 8) & 255, colour & 255); }
+const Theme& theme_in_use() { return *in_use; }
 
-void set_theme(float scale) {
-  ImGui::StyleColorsDark();
+ImU32 exact(Colour colour) { return IM_COL32(colour >> 24, (colour >> 16) & 255, (colour >> 8) & 255, colour & 255); }
+
+ImVec4 exact_tint(Colour colour) { return ImGui::ColorConvertU32ToFloat4(exact(colour)); }
+
+ImU32 shade(Colour colour) { return exact(letters(*in_use, colour)); }
+
+ImVec4 tint(Colour colour) { return exact_tint(letters(*in_use, colour)); }
+
+void use_theme(const Theme& theme, float scale) {
+  in_use = &theme;
   ImGuiStyle& style = ImGui::GetStyle();
+  style = ImGuiStyle();
+  if (theme.is_light)
+    ImGui::StyleColorsLight();
+  else
+    ImGui::StyleColorsDark();
   style.WindowRounding = style.ChildRounding = 0;
   style.FrameRounding = style.GrabRounding = style.PopupRounding = 3;
   style.WindowBorderSize = 0;
@@ -36,22 +51,33 @@ void set_theme(float scale) {
   style.FramePadding = {6, 3};
   style.ItemSpacing = {6, 4};
   style.CellPadding = {4, 2};
-  const std::pair<int, Colour> colours[] = {
-      {ImGuiCol_WindowBg, 0x1A1E24FF},        {ImGuiCol_PopupBg, 0x20252DFF},
-      {ImGuiCol_MenuBarBg, 0x14171CFF},       {ImGuiCol_Text, colours::kText},
-      {ImGuiCol_TextDisabled, colours::kDim}, {ImGuiCol_FrameBg, 0x2A313AFF},
-      {ImGuiCol_FrameBgHovered, 0x36404CFF},  {ImGuiCol_FrameBgActive, 0x41505FFF},
-      {ImGuiCol_Button, 0x2F3945FF},          {ImGuiCol_ButtonHovered, 0x3D4C5DFF},
-      {ImGuiCol_ButtonActive, 0x4B6078FF},    {ImGuiCol_Header, 0x2C3743FF},
-      {ImGuiCol_HeaderHovered, 0x3A4A5BFF},   {ImGuiCol_HeaderActive, 0x46596EFF},
-      {ImGuiCol_TitleBg, 0x14171CFF},         {ImGuiCol_TitleBgActive, 0x14171CFF},
-      {ImGuiCol_CheckMark, 0x56B4E9FF},       {ImGuiCol_SliderGrab, 0x56B4E9FF},
-      {ImGuiCol_NavHighlight, 0xE69F00FF},    {ImGuiCol_Separator, 0x38414CFF},
-      {ImGuiCol_TableRowBgAlt, 0xFFFFFF08},   {ImGuiCol_Tab, 0x242B33FF},
-      {ImGuiCol_TabHovered, 0x3D4C5DFF},      {ImGuiCol_TabActive, 0x35506BFF}};
-  for (const auto& [slot, colour] : colours) style.Colors[slot] = tint(colour);
+  const Colour faint = theme.is_light ? 0x00000008 : 0xFFFFFF08;
+  const std::pair<int, Colour> colours[] = {{ImGuiCol_WindowBg, theme.panel},
+                                            {ImGuiCol_PopupBg, theme.popup},
+                                            {ImGuiCol_MenuBarBg, theme.bar},
+                                            {ImGuiCol_Text, letters(theme, colours::kText)},
+                                            {ImGuiCol_TextDisabled, letters(theme, colours::kDim)},
+                                            {ImGuiCol_FrameBg, theme.field},
+                                            {ImGuiCol_FrameBgHovered, theme.hovered},
+                                            {ImGuiCol_FrameBgActive, theme.active},
+                                            {ImGuiCol_Button, theme.button},
+                                            {ImGuiCol_ButtonHovered, theme.hovered},
+                                            {ImGuiCol_ButtonActive, theme.active},
+                                            {ImGuiCol_Header, theme.field},
+                                            {ImGuiCol_HeaderHovered, theme.hovered},
+                                            {ImGuiCol_HeaderActive, theme.active},
+                                            {ImGuiCol_TitleBg, theme.bar},
+                                            {ImGuiCol_TitleBgActive, theme.bar},
+                                            {ImGuiCol_CheckMark, theme.accent},
+                                            {ImGuiCol_SliderGrab, theme.accent},
+                                            {ImGuiCol_NavHighlight, letters(theme, colours::kWarning)},
+                                            {ImGuiCol_Separator, theme.separator},
+                                            {ImGuiCol_TableRowBgAlt, faint},
+                                            {ImGuiCol_Tab, theme.field},
+                                            {ImGuiCol_TabHovered, theme.hovered},
+                                            {ImGuiCol_TabActive, theme.active}};
+  for (const auto& [slot, colour] : colours) style.Colors[slot] = exact_tint(colour);
   style.ScaleAllSizes(scale);
-  load_font(15 * scale);
 }
 
 bool begin_panel(const char* title, const Box& box, bool has_title) {

@@ -29,9 +29,21 @@ void action_item(Client& client, const char* name, const char* label) {
   if (ImGui::MenuItem(label, std::string(action->keys).c_str())) run_action(client, *action);
 }
 
+/// What an action does, in the menu: those that take back say what.
+std::string help_of(const Client& client, const Action& action) {
+  const bool undoes = action.name == "undo", redoes = action.name == "redo";
+  const std::string what = undoes   ? client.history().undo_text()
+                           : redoes ? client.history().redo_text()
+                                    : std::string();
+  return what.empty() ? std::string(action.help) : (undoes ? "takes back: " : "changes again: ") + what;
+}
+
 }  // namespace
 
-Ui::Ui(float scale) : scale_(scale) { set_theme(scale); }
+Ui::Ui(float scale) : scale_(scale) {
+  load_fonts(scale);
+  use_theme(themes().front(), scale);
+}
 
 void Ui::draw(Client& client, const Scene& scene) {
   const ImVec2 size = ImGui::GetIO().DisplaySize;
@@ -86,7 +98,7 @@ void Ui::draw_menu_bar(Client& client) {
   for (const char* menu : {"File", "Shot", "Time", "View", "Panels", "Tools", "Help"}) {
     if (!ImGui::BeginMenu(menu)) continue;
     for (const Action& action : actions())
-      if (action.menu == menu) action_item(client, action.name.data(), std::string(action.help).c_str());
+      if (action.menu == menu) action_item(client, action.name.data(), help_of(client, action).c_str());
     if (std::string_view(menu) == "Tools") draw_tests_menu(client);
     if (std::string_view(menu) == "File") draw_recent_menu(client);
     ImGui::EndMenu();
@@ -292,7 +304,8 @@ void Ui::draw_labels(const Client& client, const Scene& scene) {
   const auto width_of = [](const std::string& text) { return ImGui::CalcTextSize(text.c_str()).x; };
   for (const PlacedLabel& each : place_labels(scene.labels, client.camera, s, line, scale_, width_of)) {
     const std::string& text = each.label->text;
-    list->AddRectFilled({each.x - 2, each.y}, {each.x + width_of(text) + 2, each.y + line}, IM_COL32(16, 19, 24, 150));
+    list->AddRectFilled({each.x - 2, each.y}, {each.x + width_of(text) + 2, each.y + line},
+                        exact(theme_in_use().label));
     list->AddText({each.x, each.y}, shade(each.label->colour), text.c_str());
   }
   list->PopClipRect();
