@@ -140,7 +140,7 @@ TEST(Settings, HaveTheDefaultsOfTheLibrary) {
   EXPECT_EQ(by_path.at("environment.gravity.radius").default_value, "6356766 m");
   EXPECT_EQ(by_path.at("environment.atmosphere.humidity").range, "0 .. 1");
   EXPECT_EQ(by_path.at("environment.wind.velocity").default_value, R"(["0 m/s", "0 m/s", "0 m/s"])");
-  EXPECT_EQ(by_path.at("environment.wind.profile").range, "0 .. 32");
+  EXPECT_EQ(by_path.at("environment.wind.profile").range, "0 .. 256");
   EXPECT_EQ(by_path.at("until.ground").default_value, "0 m");
   EXPECT_EQ(by_path.at("until.events.value").unit, "of the kind");
   EXPECT_EQ(by_path.at("shot.fidelity.preset").default_value, "");
