@@ -10,7 +10,7 @@ namespace physim::client {
 namespace {
 
 constexpr int kGrains = 128;  // of the texture of unevenness, along each side
-constexpr float kSquare[8] = {-1, -1, 1, -1, -1, 1, 1, 1};
+constexpr float kWholeView[8] = {-1, -1, 1, -1, -1, 1, 1, 1};
 
 float f(double x) { return static_cast<float>(x); }
 
@@ -78,7 +78,7 @@ Status WorldPass::make() {
   glBindVertexArray(array_);
   glGenBuffers(1, &corners_);
   glBindBuffer(GL_ARRAY_BUFFER, corners_);
-  glBufferData(GL_ARRAY_BUFFER, sizeof kSquare, kSquare, GL_STATIC_DRAW);
+  glBufferData(GL_ARRAY_BUFFER, sizeof kWholeView, kWholeView, GL_STATIC_DRAW);
   glEnableVertexAttribArray(0);
   glVertexAttribPointer(0, 2, GL_FLOAT, GL_FALSE, 0, nullptr);
   glBindVertexArray(0);
