@@ -80,7 +80,7 @@ void App::wait_for_frame() {
   } while (!has_to_draw() || glfwGetTime() < last_drawn_ + kShortestFrame);
 }
 
-/// Where something moved it is to be seen, also where it came to rest.
+/// Advances the clock. A frame follows if something moved in this time, or came to rest.
 void App::pass_time() {
   const bool was_changing = client_.is_changing();
   client_.advance(frame_time(), options_.hidden ? std::numeric_limits<double>::infinity() : kPatience);

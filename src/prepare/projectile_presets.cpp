@@ -60,9 +60,11 @@ constexpr GolfRow kGolf[] = {
     {88.1, {{0.247, 0.1276}, {0.2538, 0.1464}, {0.2605, 0.1582}, {0.2673, 0.1791}, {0.274, 0.2}}},
 };
 
+constexpr double kGolfDiameter = 42.67_mm;  // the least that the rules of golf allow [m]
+
 struct GolfCoefficients {
-  double cd;
-  double cl;
+  double cd;  // [-]
+  double cl;  // [-]
 };
 
 /// Linear between points, held outside of them.
@@ -78,9 +80,10 @@ double on_line(const double (&points)[N][2], double x) {
 /// Balls of today at little spin: the mean of two sets of measurements on flying balls. B. Lieberman et al., US patent
 /// 6 186 002 (2001), the indoor range of the USGA: regressions over Re 0.8e5 to 2e5 and S 0.04 to 0.22. B. Lyu et al.,
 /// "Aerodynamics of golf balls in still air", Proceedings 2 (2018) 238, fig. 3a and 4a: the mean of 13 models, read
-/// off, with the growth of Cd with S of the former.
+/// off, with the growth of Cd with S of the former. By speed [m/s] and spin parameter.
 GolfCoefficients golf_ball_of_today(double speed, double parameter) {
-  const double s = parameter, re = speed * 42.67_mm / 1.5e-5 / 1e5;
+  constexpr double kViscosity = 1.5e-5;  // kinematic, of air [m^2/s]
+  const double s = parameter, re = speed * kGolfDiameter / kViscosity / 1e5;
   constexpr double kDrag[][2] = {{0.5, 0.477}, {0.75, 0.302}, {1, 0.215},   {1.26, 0.205},
                                  {1.5, 0.196}, {1.75, 0.199}, {2.2, 0.199}, {2.5, 0.21}};
   constexpr double kLift[][2] = {{0, 0}, {0.045, 0.1}, {0.075, 0.13}, {0.105, 0.17}, {0.185, 0.25}, {0.32, 0.315}};
@@ -97,9 +100,10 @@ void add_golf_table(MagnusDef& m) {
       const auto at = static_cast<int>(place);
       const auto& [cd, cl] = row.at[at];
       const auto& [cd_next, cl_next] = row.at[std::min(at + 1, 4)];
-      const double parameter = rpm * kRpm * (42.67_mm / 2) / row.speed;
+      const double parameter = rpm * kRpm * (kGolfDiameter / 2) / row.speed;
       const auto [cd_today, cl_today] = golf_ball_of_today(row.speed, parameter);
-      const double today = row.speed < 28 ? 0 : clamp((0.15 - parameter) / 0.05, 0.0, 1.0);
+      constexpr double kSlowest = 28;  // Re 80 000 [m/s]
+      const double today = row.speed < kSlowest ? 0 : clamp((0.15 - parameter) / 0.05, 0.0, 1.0);
       const double drag = cd + part * (cd_next - cd), lift = (cl + part * (cl_next - cl)) * min(rpm / 2000, 1.0);
       m.table.push_back({row.speed, rpm * kRpm, drag + today * (cd_today - drag), lift + today * (cl_today - lift)});
     }
@@ -252,7 +256,7 @@ ProjectilePreset tennis_ball() {
 ProjectilePreset golf_ball() {
   const IeeeMode mode;
   ProjectilePreset p;
-  p.projectile = {.name = "golf_ball", .mass = 45.93_g, .diameter = 42.67_mm, .drag = {.coefficient = 0.25}};
+  p.projectile = {.name = "golf_ball", .mass = 45.93_g, .diameter = kGolfDiameter, .drag = {.coefficient = 0.25}};
   MagnusDef& m = p.projectile.magnus;
   add_golf_table(m);
   m.decay_time = 24;

@@ -48,7 +48,7 @@ double Camera::centre(std::span<const Vec3d> places, double fill) {
   constexpr int kTurns = 10;
   const double room_up = std::tan(kHalfView) * fill, room_aside = room_up * width_ / height_;
   const Vec3d aside = right(), upward = up(), ahead = forward();
-  /// What is seen farthest to one side, and how far away that is.
+  /// The outermost point on one side of the view, and its depth [m].
   struct Rim {
     double at = 0, depth = 1;
   };

@@ -28,7 +28,7 @@ enum class CameraMode {
 /// Column-major, as OpenGL reads it.
 using Mat4 = std::array<float, 16>;
 
-/// Where a camera that stays shows points: for many of them.
+/// Projects many points through one camera, whose directions are computed once.
 class Projector {
  public:
   [[nodiscard]] std::optional<Pixel> project(const Vec3d& point) const;

@@ -117,7 +117,7 @@ const ScenarioShot& Client::next_shot() {
   Launch& launch = next_.launch;
   const Result<double> zero = zero_elevation(next_.projectile, launch, session.scenario().environment,
                                              next_.projectile.fidelity, launch.sight.zero_range);
-  if (!zero) return next_;  // the prediction tells why
+  if (!zero) return next_;  // the prediction shows the error
   launch.elevation = *zero + launcher.raised();
   launch.sight.zero_range = 0;
   return next_;

@@ -141,9 +141,9 @@ class Client {
   /// Saves the scenario with the next shot, into the file that it came from where none is named. Nothing is written
   /// that could not be read again.
   [[nodiscard]] Status save(const std::string& file);
-  /// What saving into a file would lose of what stands there, for people; empty: nothing.
+  /// Comments, units and expectations of a file that saving would lose, as a sentence; empty if it loses nothing.
   [[nodiscard]] std::string loss_of_saving(const std::string& file) const;
-  /// Where the scenario stands; empty where it is of no file.
+  /// The file of the scenario; empty if it has none.
   [[nodiscard]] const std::string& file() const { return scenario_file_; }
   /// Settings were changed by hand, and not saved.
   [[nodiscard]] bool has_unsaved_settings() const { return unsaved_; }

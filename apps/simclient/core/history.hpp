@@ -31,7 +31,7 @@ class History {
   /// Notes what is different since the last call. Changes of the aim that follow one another are one step as long as
   /// `goes_on`.
   void note(const Launcher& launcher, const Scenario& scenario, const ContentVersions& content, bool goes_on);
-  /// What the next undo or redo is about, "aim" or "mass"; empty: there is nothing.
+  /// The subject of the next undo or redo, such as "aim" or "mass"; empty if there is none.
   [[nodiscard]] std::string undo_text() const { return undo_.empty() ? "" : undo_.back().what; }
   [[nodiscard]] std::string redo_text() const { return redo_.empty() ? "" : redo_.back().what; }
   /// The moment before the last change, or behind the change that was undone last; null: there is none. It becomes the
@@ -49,7 +49,7 @@ class History {
   std::uint64_t noted_ = 0;  // version of the launcher
 };
 
-/// What differs between two shots, in one word or two: "aim", "mass", "drag, motion"; empty: nothing that is known.
+/// The settings in which two shots differ, in one word or two: "aim", "mass", "drag, motion"; empty if none is known.
 [[nodiscard]] std::string difference(const Launcher& before, const Launcher& now);
 
 }  // namespace physim::client

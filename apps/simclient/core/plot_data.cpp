@@ -59,7 +59,7 @@ std::string label_of(const PlotQuantity& quantity) {
   return std::string(quantity.name) + " [" + std::string(quantity.unit) + "]";
 }
 
-/// What a plot on a large screen cannot show of a curve.
+/// Removes samples of a curve that a plot on a large screen cannot show.
 void leave_out_unseen(PlotCurve& curve, const Extent& across, const Extent& upward) {
   constexpr std::size_t kFew = 800;
   constexpr double kWide = 1600, kHigh = 800;  // [pixels]

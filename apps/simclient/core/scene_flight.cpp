@@ -110,8 +110,8 @@ void build_projectiles(const Client& client, double scale, Scene& scene) {
   }
 }
 
-/// How high things fly and over what: the way over the ground, a line down to it from where a projectile is and from
-/// its apex, and a shadow. Over things there is no one ground.
+/// Cues of height: the path over the ground, lines down to it from each projectile and from its apex, and shadows.
+/// Over things there is no one ground, and none of these.
 void build_depth(const Client& client, double scale, Scene& scene) {
   const Camera& camera = client.camera;
   if (!scene.has_ground || scene.globe || client.session.world().scene() != nullptr) return;
