@@ -16,6 +16,10 @@ void for_movers(const SceneContent& scene, double from, double to, const VisitTr
   for (const std::uint32_t index : scene.movers) visit(index);
 }
 
+/// The place of a thing that is nearest to a point; none: it is farther than `within`, or not asked about.
+[[nodiscard]] SceneNearest nearest_thing(const SceneContent& scene, std::uint32_t index, const Vec3d& point,
+                                         double within, const SceneFilter& filter, double time);
+
 /// Which things are asked about.
 enum class Which { all, resting, moving };
 [[nodiscard]] inline bool is_of(Which which, const SceneContent::InstanceSlot& slot) {

@@ -3,6 +3,8 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <span>
+#include <vector>
 
 #include "collide/path_cast.hpp"
 #include "collide/seen_hit.hpp"
@@ -10,6 +12,7 @@
 #include "math/vec3.hpp"
 #include "model/body.hpp"
 #include "model/contact.hpp"
+#include "model/pair_contact.hpp"
 #include "physim/event.hpp"
 #include "physim/scene.hpp"
 
@@ -32,6 +35,21 @@ inline constexpr double kLongestPart = 1.0 / 30;
 /// What a surface and what touches it are to each other.
 [[nodiscard]] inline Surface surface_between(double restitution, double friction, const Surface& own) {
   return {restitution * own.restitution, friction * own.friction, own.rolling_resistance};
+}
+
+/// The motion of a ball, or of a point, behind a moment at which it meets several surfaces.
+[[nodiscard]] inline BallMotion met_together(const BallMotion& came, const Ball& ball, std::span<const SceneHit> hits,
+                                             std::span<const Surface> on) {
+  PHYSIM_ASSERT(hits.size() == on.size() && hits.size() > 1);
+  PairBody body{came.velocity, came.spin, {1, 1, 1}, ball.radius, 0, ball.turns};
+  if (ball.radius > 0) body.turnability = 1 / (ball.inertia * ball.radius * ball.radius);
+  std::vector<PairBody> walls;
+  for (const SceneHit& hit : hits) walls.push_back({hit.velocity, {}, {}, 0, 0});
+  std::vector<PairTouch> touches;
+  for (std::size_t i = 0; i < hits.size(); ++i)
+    touches.push_back({body, walls[i], hits[i].normal, {on[i].restitution, on[i].friction}});
+  meet(touches);
+  return {body.velocity, body.spin};
 }
 
 /// True if a hit ends the flight.

@@ -1,6 +1,9 @@
 #include "collide/scene_by_motion.hpp"
 
 #include <algorithm>
+#include <vector>
+
+#include "collide/cast.hpp"
 
 namespace physim {
 
@@ -12,6 +15,24 @@ bool SceneByMotion::has_boundless_movers() const {
 void SceneByMotion::add_boxes_of_movers(std::vector<collide::Bounds>& boxes) const {
   for (const std::uint32_t index : content_.movers)
     boxes.push_back(content_.moving.box(content_.instances[index].leaf));
+}
+
+void SceneByMotion::each_beside(const Vec3d& point, double within, const SceneFilter& filter, double time,
+                                const std::function<void(const SceneNearest&)>& f) const {
+  if (!collide::is_near(point) || !(within >= 0) || !collide::is_soon(time)) return;
+  std::vector<SceneNearest> found;
+  const auto look_at = [&](std::uint32_t index, double&) {
+    if (const SceneNearest near = collide::nearest_thing(content_, index, point, within, filter, time))
+      found.push_back(near);
+  };
+  double reach = within;
+  for (const std::uint32_t index : content_.unbounded) look_at(index, reach);
+  content_.resting.around(point, reach, look_at);
+  collide::for_movers(
+      content_, time, time, [&](const collide::Tree& tree) { tree.around(point, reach, look_at); },
+      [&](std::uint32_t index) { look_at(index, reach); });
+  std::ranges::sort(found, {}, [](const SceneNearest& near) { return near.instance.index; });
+  for (const SceneNearest& near : found) f(near);
 }
 
 bool SceneByMotion::rests(std::uint32_t index) const {

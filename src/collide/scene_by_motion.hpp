@@ -2,6 +2,7 @@
 // other in every step.
 #pragma once
 
+#include <functional>
 #include <optional>
 #include <span>
 #include <vector>
@@ -25,6 +26,11 @@ class SceneByMotion {
   void clear_parts(std::span<collide::ClearQuery> queries) const;
   /// Whether a segment meets anything that moves.
   [[nodiscard]] bool meets_mover(const SceneSegment& segment, const SceneFilter& filter) const;
+
+  /// Calls f with the place of each thing that is nearest to a point, if it is no farther than `within`, in order of
+  /// the things.
+  void each_beside(const Vec3d& point, double within, const SceneFilter& filter, double time,
+                   const std::function<void(const SceneNearest&)>& f) const;
 
   /// Whether something moves that no box holds.
   [[nodiscard]] bool has_boundless_movers() const;

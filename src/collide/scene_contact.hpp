@@ -8,6 +8,7 @@
 #include <limits>
 #include <optional>
 #include <utility>
+#include <vector>
 
 #include "collide/contact_rules.hpp"
 #include "collide/path_cast.hpp"
@@ -133,9 +134,48 @@ class SceneContacts {
   /// strikes it. So a contact lasts from step to step, without gaps and new hits. None if the projectile flies.
   [[nodiscard]] std::optional<Support> lies_on(const State<double>& s, double passed) const {
     if (const OnHit does = collision().on_hit; does == OnHit::pass || ends_flights(does)) return std::nullopt;
-    const double time = r_.scene_time() + passed, within = 4 * gap_at(s.x), radius = collision().radius;
-    const SceneNearest near = scene_->nearest(s.x, radius + within, solids_, time);
-    if (!near || near.away == Vec3d{} || near.distance < radius - within) return std::nullopt;
+    const double within = 4 * gap_at(s.x), reach = collision().radius + within;
+    const SceneNearest near = scene_->nearest(s.x, reach, solids_, r_.scene_time() + passed);
+    if (!near) return std::nullopt;
+    if (const auto on = supported_by(near, s, passed, within)) return on;
+    // The nearest one may be a wall beside what it lies on.
+    std::optional<Support> found;
+    SceneByMotion(*scene_).each_beside(s.x, reach, solids_, r_.scene_time() + passed, [&](const SceneNearest& other) {
+      if (!found && other.instance != near.instance) found = supported_by(other, s, passed, within);
+    });
+    return found;
+  }
+  /// The motion that follows along the support that lies_on() found.
+  [[nodiscard]] After goes_along(const State<double>& at, const Support& on, double passed) {
+    PHYSIM_ASSERT(length(on.hit.normal) > 0);
+    note_touched(at, passed);
+    above_ = on.above;
+    State<double> s = at;
+    SceneHit hit = on.hit;
+    const Vec3d n = hit.normal, relative = s.v - hit.velocity;
+    const BallMotion motion{relative - n * dot(relative, n), spin(passed)};
+    const Vec3d a = acceleration_on(s, hit, passed, pressed_for(s, hit, passed));
+    const std::optional<After> after = moves_along(s, hit, passed, motion, a);
+    return followed(after, s, hit, passed);
+  }
+
+  /// What a projectile that lies on something touches beside that goes on being touched: it is no new hit.
+  void note_touched(const State<double>& s, double passed) {
+    touched_.clear();
+    const double time = r_.scene_time() + passed, within = collision().radius + 4 * gap_at(s.x);
+    SceneByMotion(*scene_).each_beside(s.x, within, solids_, time,
+                                       [&](const SceneNearest& near) { touched_.push_back(near.instance); });
+  }
+
+  /// It lies on what moves: it has no rest.
+  [[nodiscard]] bool is_carried() const { return carried_; }
+
+ private:
+  /// The contact with a thing that the projectile touches by no more than `within`, if it lasts.
+  [[nodiscard]] std::optional<Support> supported_by(const SceneNearest& near, const State<double>& s, double passed,
+                                                    double within) const {
+    const double time = r_.scene_time() + passed, radius = collision().radius;
+    if (near.away == Vec3d{} || near.distance < radius - within) return std::nullopt;
     SceneHit hit{.position = s.x,
                  .normal = near.away,
                  .time = time,
@@ -148,27 +188,12 @@ class SceneContacts {
     const double pressure = pressure_on(s, hit, passed, 0), rate = dot(s.v - hit.velocity, hit.normal);
     const double epsilon =
         is_float32() ? double{std::numeric_limits<float>::epsilon()} : std::numeric_limits<double>::epsilon();
-    const double rounding = 8 * epsilon * (length(s.v) + length(hit.velocity));
+    double rounding = 8 * epsilon * (length(s.v) + length(hit.velocity));
+    if (is_ball()) rounding += 4 * spacing(s.x) / radius * length(s.v - hit.velocity);  // of the normal about an edge
     if (!(pressure > 0) || rate > rounding || rate < -rounding - std::sqrt(2 * pressure * within)) return std::nullopt;
     return Support{hit, near.distance - radius};
   }
-  /// The motion that follows along the support that lies_on() found.
-  [[nodiscard]] After goes_along(const State<double>& at, const Support& on, double passed) {
-    PHYSIM_ASSERT(length(on.hit.normal) > 0);
-    above_ = on.above;
-    State<double> s = at;
-    SceneHit hit = on.hit;
-    const Vec3d n = hit.normal, relative = s.v - hit.velocity;
-    const BallMotion motion{relative - n * dot(relative, n), spin(passed)};
-    const Vec3d a = acceleration_on(s, hit, passed, pressed_for(s, hit, passed));
-    const std::optional<After> after = moves_along(s, hit, passed, motion, a);
-    return followed(after, s, hit, passed);
-  }
 
-  /// It lies on what moves: it has no rest.
-  [[nodiscard]] bool is_carried() const { return carried_; }
-
- private:
   /// Resolves contacts, one after the other, until none follows at once.
   [[nodiscard]] After followed(std::optional<After> after, State<double> s, SceneHit hit, double passed) {
     while (!after) after = contact(s, hit, passed);
@@ -247,7 +272,7 @@ class SceneContacts {
     const bool leaves = !inside && dot(s.v - hit.velocity, hit.normal) >= 0;
     if (!inside && !leaves && !is_ball() && ++hits_ <= kMostHits && grazes(s, hit, passed))
       return After{Then::flies_on, s, passed};
-    const bool lay = !inside && !leaves && lay_there(s, hit, passed);
+    const bool lay = !inside && !leaves && (lay_there(s, hit, passed) || is_touched(s, hit, passed));
     HitAnswer does{.then = lay ? OnHit::bounce : collision().on_hit};
     if (!leaves && !is_known(does, s, hit, passed)) return After{Then::asks, s, passed};
     const OnHit action = does.then;
@@ -393,6 +418,13 @@ class SceneContacts {
     const double pressure = -dot(r_.acceleration_at(s, passed), hit.normal), fell = 0.2 * scene_->skin();
     return pressure > 0 && dot(s.v - hit.velocity, hit.normal) >= -std::sqrt(2 * pressure * fell);
   }
+  /// True if the projectile touched the thing when the step began, and comes back to it no faster than it is pressed
+  /// on.
+  [[nodiscard]] bool is_touched(const State<double>& s, const SceneHit& hit, double passed) const {
+    const double pressure = std::max(-dot(r_.acceleration_at(s, passed), hit.normal), 0.0);
+    return std::ranges::find(touched_, hit.instance) != touched_.end() &&
+           dot(s.v - hit.velocity, hit.normal) >= -pressure * frame() - 1e-9 * length(s.v);
+  }
   /// Mean acceleration by all effects but the contact, in the frame of the thing, over a time that follows [m/s^2].
   [[nodiscard]] Vec3d acceleration_on(const State<double>& s, const SceneHit& hit, double passed, double time) const {
     const Vec3d a = r_.acceleration_at(s, passed);
@@ -429,9 +461,57 @@ class SceneContacts {
     return free;
   }
 
+  /// Whether something stands in a way at once: it is as near as what is put beside a surface lies off it.
+  [[nodiscard]] bool is_at_once(const SceneHit& next, const Vec3d& x, const Vec3d& way, double time) const {
+    if (!next || next.starts_inside || next.part * time <= 1e-6 * frame()) return bool(next);
+    return next.part * std::abs(dot(way - next.velocity * time, next.normal)) <= 4 * gap_at(x);
+  }
+
   [[nodiscard]] Surface surface(const SceneHit& hit) const {
     const Material& material = scene_->material(hit.material);
     return surface_between(material.restitution, material.friction, r_.surface());
+  }
+
+  /// Further surfaces that it meets at the moment at which it meets one: what stands in the rest of its way at once.
+  [[nodiscard]] std::vector<SceneHit> met_at_once(const State<double>& s, const SceneHit& first, double passed) const {
+    std::vector<SceneHit> all{first};
+    constexpr std::size_t kMostAtOnce = 4;  // more walls than that seldom meet in a corner
+    const double near = 4 * gap_at(s.x);
+    while (all.size() < kMostAtOnce) {
+      Vec3d along = s.v - first.velocity;
+      for (int turn = 0; turn < 4; ++turn)
+        for (const SceneHit& hit : all) along -= hit.normal * min(dot(along, hit.normal), 0.0);
+      if (!(length(along) > 1e-9 * length(s.v - first.velocity))) break;
+      SceneHit next = cast(s.x, s.x + normalized(along) * near, passed, 0);
+      if (!next || next.starts_inside) break;
+      constrain(next);
+      const auto is_known = [&](const SceneHit& hit) { return dot(hit.normal, next.normal) > 1 - 1e-6; };
+      if (std::ranges::any_of(all, is_known) || !(dot(s.v - next.velocity, next.normal) < 0)) break;
+      all.push_back(next);
+    }
+    return all;
+  }
+  /// It meets several surfaces at one moment and leaves all of them: their impulses are found together, so that none
+  /// comes first. Nothing if it meets one, or stays on some.
+  [[nodiscard]] std::optional<After> leaves_together(State<double>& s, const SceneHit& first, double passed) {
+    const std::vector<SceneHit> all = met_at_once(s, first, passed);
+    if (all.size() == 1) return std::nullopt;
+    std::vector<Surface> on;
+    for (const SceneHit& hit : all) on.push_back(surface(hit));
+    const BallMotion came{s.v, spin(passed)}, gone = met_together(came, ball(), all, on);
+    const Vec3d v = r_.kept(gone.velocity), a = r_.acceleration_at(s, passed);
+    for (const SceneHit& hit : all)
+      if (!lifts_off(dot(v - hit.velocity, hit.normal), dot(a, hit.normal), frame())) return std::nullopt;
+    for (const SceneHit& hit : all)
+      if (&hit != &all.front()) r_.tell(EventKind::hit, Reason::none, passed, s, hit);
+    s.v = v;
+    if (is_ball()) r_.put_spin(gone.spin, passed);
+    for (const SceneHit& hit : all) {
+      const double lost =
+          energy_of({came.velocity - hit.velocity, came.spin}) - energy_of({v - hit.velocity, gone.spin});
+      r_.tell(EventKind::bounced, Reason::none, passed, s, hit, 0, &hit == &all.front() ? lost : 0);
+    }
+    return After{Then::flies_on, s, passed};
   }
 
   /// Bounces, or lies on what it met. All in the frame of the surface. `own`: with that velocity, by whoever said so.
@@ -454,6 +534,8 @@ class SceneContacts {
       if (is_ball()) r_.put_spin(motion.spin, passed);
     };
     const double grip = scene_->material(hit.material).grip_restitution;
+    if (!own && grip == 0)
+      if (auto after = leaves_together(s, hit, passed)) return after;
     bounce(grip);
     const Vec3d a = acceleration_on(s, hit, passed, pressed_for(s, hit, passed));
     if (lifts_off(dot(motion.velocity, n), dot(a, n), frame()) || dot(a, n) > 0) {
@@ -469,6 +551,52 @@ class SceneContacts {
     return moves_along(s, hit, passed, motion, a);
   }
 
+  /// Its way along a plane surface.
+  [[nodiscard]] BallWay ball_way(const BallMotion& motion, const Vec3d& a, const SceneHit& hit, const Surface& on,
+                                 double time) const {
+    BallWay way = slid_or_rolled(motion, a, hit.normal, ball(), {on.friction, on.rolling_resistance}, time);
+    way.way = r_.kept(way.way);
+    way.motion.velocity = r_.kept(way.motion.velocity);
+    return way;
+  }
+  /// What a ball turns about at the end of its way, if the surface falls away there from the plane on which it goes: an
+  /// edge, or what is round.
+  struct Turn {
+    SceneNearest about;
+    bool leaves = false;  // it is too fast to turn
+  };
+  /// The way is cut to where it turns by little; where the ball leaves, to less.
+  [[nodiscard]] Turn find_turn(const Vec3d& x, const BallMotion& motion, const Vec3d& a, const SceneHit& hit,
+                               const Surface& on, double passed, BallWay& way) const {
+    constexpr double kLittle = 0.02, kFine = 1e-3;  // of the radius
+    const double radius = collision().radius, flat = 8 * gap_at(x);
+    for (;;) {
+      const double far = length(way.way), time = r_.scene_time() + passed + way.time;
+      if (!(far > 0)) return {};
+      const SceneNearest below = scene_->nearest(x + way.way, radius + far, solids_, time);
+      if (!below || below.away == Vec3d{} || below.distance <= radius + flat) return {};
+      double part = 0.9 * kLittle * radius / far;
+      if (far <= kLittle * radius) {
+        if (dot(below.away, hit.normal) < 0.5 || holds_on(x, a, below, way)) return {below};
+        if (far <= kFine * radius) return {{}, true};
+        part = 0.3;
+      }
+      PHYSIM_ASSERT(part > 0 && part < 1);
+      way = ball_way(motion, a, hit, on, way.time * part);
+    }
+  }
+  /// Where it is beside the surface that it turns about.
+  [[nodiscard]] Vec3d turned_place(const SceneNearest& about, const Vec3d& x) const {
+    return held(about.position + about.away * (collision().radius + gap_at(x)));
+  }
+  /// Whether what presses it on turns its way as fast as the surface falls away.
+  [[nodiscard]] bool holds_on(const Vec3d& x, const Vec3d& a, const SceneNearest& about, const BallWay& way) const {
+    const Vec3d to = x + way.way;
+    const double bend = length_squared(way.way) / (2 * (about.distance - collision().radius));  // radius of its way
+    const BallMotion after = turned_about(way.motion, a, turned_place(about, to) - to, about.away, ball());
+    return length_squared(after.velocity) <= bend * -dot(a, about.away);
+  }
+
   /// Slides or rolls along what it lies on, up to what stands in its way.
   [[nodiscard]] std::optional<After> moves_along(State<double>& s, SceneHit& hit, double& passed,
                                                  const BallMotion& motion, const Vec3d& a) {
@@ -476,10 +604,10 @@ class SceneContacts {
     const Surface on = surface(hit);
     const double left = pressed_for(s, hit, passed);
     BallWay way{};
+    Turn turn;
     if (is_ball()) {
-      way = slid_or_rolled(motion, a, hit.normal, ball(), {on.friction, on.rolling_resistance}, left);
-      way.way = r_.kept(way.way);
-      way.motion.velocity = r_.kept(way.motion.velocity);
+      way = ball_way(motion, a, hit, on, left);
+      if (!moves(hit)) turn = find_turn(s.x, motion, a, hit, on, passed, way);
     } else {
       const Rolled on_it = rolled(motion.velocity, a, hit.normal, on, left);
       way = {left, on_it.way, {on_it.velocity, motion.spin}};
@@ -499,6 +627,12 @@ class SceneContacts {
         to = outside(there - hit.normal * *above_, hit.normal, passed + way.time);
       above_.reset();
     }
+    if (turn.about) {
+      over += hit.normal * (0.5 * (turn.about.distance - collision().radius));  // the chord lies below the arc
+      to = turned_place(turn.about, to);
+      way.motion = turned_about(way.motion, a, to - there, turn.about.away, ball());
+      way.motion.velocity = r_.kept(way.motion.velocity);
+    }
     const SceneHit next = cast(s.x + over, to + over, passed, way.time);
     const double part = next && !next.starts_inside ? next.part : 1.0;
     const State<double> began = s;
@@ -510,12 +644,13 @@ class SceneContacts {
     s = {part < 1 ? next.position - over : to, then(motion.velocity, way.motion.velocity) + then(u, then_at)};
     if (is_ball()) r_.put_spin(then(motion.spin, way.motion.spin), passed);
     went(began, begin, s, passed);
-    // It slid until it rolls.
+    if (part == 1 && turn.leaves) return After{Then::flies_on, s, passed};
+    if (part == 1 && turn.about) hit.normal = turn.about.away, constrain(hit);
     if (part == 1 && way.time < left && ++hits_ <= kMostHits) return moves_along(s, hit, passed, way.motion, a);
     if (part == 1) return After{passed < r_.step_length() ? Then::flies_on : Then::lies, s, passed};
+    const bool goes_on = !is_at_once(next, began.x, to - began.x, way.time);
     const SceneHit below = std::exchange(hit, next);
     s.x = outside(s.x, hit.normal, passed);
-    const bool goes_on = part * way.time > 1e-6 * frame();
     if (!goes_on) return lies_between(s, below, hit, passed, a);
     if (dot(s.v - hit.velocity, hit.normal) < 0 && ++hits_ <= kMostHits) return std::nullopt;
     return rests(s.x, hit.velocity, passed);
@@ -526,7 +661,7 @@ class SceneContacts {
     const double left = longest_way(passed);
     const State<double> s{x, velocity};
     const SceneHit next = velocity == Vec3d{} ? SceneHit{} : cast(x, x + velocity * left, passed, left);
-    const bool is_held = next.starts_inside || (next && next.part * left <= 1e-6 * frame());
+    const bool is_held = is_at_once(next, x, velocity * left, left);
     return along(s, is_held ? Vec3d{} : velocity * left, velocity, is_held ? SceneHit{} : next, passed);
   }
   /// Moves straight by `way`, to the velocity at its end, up to the next obstacle.
@@ -561,7 +696,7 @@ class SceneContacts {
     const Vec3d way = on.way + u * left;
     carried_ = carried_ || u != Vec3d{};
     const SceneHit next = cast(s.x, s.x + way, passed, left);
-    if (next && next.part * left <= 1e-6 * frame()) return rests(s.x, u, passed);
+    if (is_at_once(next, s.x, way, left)) return rests(s.x, u, passed);
     return along({s.x, before + u}, way, on.velocity + u, next, passed);
   }
 
@@ -657,8 +792,9 @@ class SceneContacts {
   collide::TubeCasts casts_;  // about the way that was looked at last
   int hits_ = 0;
   bool carried_ = false;
-  std::optional<double> above_;  // what it goes along, to begin with [m]
-  bool came_through_ = false;    // something, in this step
+  std::optional<double> above_;      // what it goes along, to begin with [m]
+  std::vector<InstanceId> touched_;  // when the step began, by what lay there
+  bool came_through_ = false;        // something, in this step
 };
 
 }  // namespace physim

@@ -89,26 +89,34 @@ void Scene::first_hits(std::span<const SceneSegment> segments, std::span<SceneHi
   impl_->engine->first_hits(segments.first(count), filter.layers, into.first(count));
 }
 
+SceneNearest collide::nearest_thing(const SceneContent& scene, std::uint32_t index, const Vec3d& point, double within,
+                                    const SceneFilter& filter, double time) {
+  const SceneContent::InstanceSlot& slot = scene.instances[index];
+  if (!slot.is_asked(filter)) return {};
+  const Placement placement = slot.placement_at(time);
+  double own = within / placement.scale();
+  const auto near = nearest_of(*slot.shape, placement.inside(point), own);
+  if (!near) return {};
+  const double distance = own * placement.scale();
+  return {distance,
+          distance == 0 ? point : placement.outside(near->position),
+          {index, slot.generation},
+          near->primitive,
+          material_of(*slot.shape, near->primitive, near->triangle).value_or(slot.def.material),
+          placement.turned(near->away)};
+}
+
 SceneNearest Scene::nearest(const Vec3d& point, double within, const SceneFilter& filter, double time) const {
   const IeeeMode mode;
   SceneNearest found;
   if (!collide::is_near(point) || !(within >= 0) || !collide::is_soon(time)) return found;
   const auto look_at = [&](std::uint32_t index, double& least) {
-    const Impl::InstanceSlot& slot = impl_->instances[index];
-    if (!slot.is_asked(filter)) return;
-    const collide::Placement placement = slot.placement_at(time);
-    double own = least / placement.scale();
-    const auto near = nearest_of(*slot.shape, placement.inside(point), own);
-    const double distance = own * placement.scale();
-    if (!near || (found && (distance > found.distance || (distance == found.distance && index > found.instance.index))))
+    const SceneNearest near = collide::nearest_thing(*impl_, index, point, least, filter, time);
+    if (!near || (found && (near.distance > found.distance ||
+                            (near.distance == found.distance && index > found.instance.index))))
       return;
-    found = {distance,
-             distance == 0 ? point : placement.outside(near->position),
-             {index, slot.generation},
-             near->primitive,
-             material_of(*slot.shape, near->primitive, near->triangle).value_or(slot.def.material),
-             placement.turned(near->away)};
-    least = distance;
+    found = near;
+    least = near.distance;
   };
   for (const std::uint32_t index : impl_->unbounded) look_at(index, within);
   impl_->resting.around(point, within, look_at);

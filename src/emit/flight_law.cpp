@@ -47,9 +47,9 @@ bool FlightLaw::is_drag_by_age() const {
 }
 
 template <std::size_t N>
-void FlightLaw::accelerate(const FlightPack<N>& p, const ParticleKernel* kernel,
-                           typename FlightPack<N>::Vectors& sum) const {
-  typename FlightPack<N>::Column x, speed{}, k;
+void FlightLaw::accelerate(const FlightPack<N>& p, const ParticleKernel* kernel, typename FlightPack<N>::Vectors& sum,
+                           typename FlightPack<N>::Column& drag_rate) const {
+  typename FlightPack<N>::Column x, speed{}, k, rate{};
   typename FlightPack<N>::Vectors a{};  // apart from what is read: compilers see that nothing overlaps
   for (std::size_t i = 0; i < N; ++i) x[i] = part_of_life(p.time[i], p.birth[i], p.span[i]);
   const bool reads_speed = fast_ > 0 || !limit_.is(kInfinity);
@@ -62,12 +62,15 @@ void FlightLaw::accelerate(const FlightPack<N>& p, const ParticleKernel* kernel,
       for (std::size_t i = 0; i < N; ++i) k[i] *= drag_by_speed_(std::min(speed[i] / fast_, 1.0));
     for (int axis = 0; axis < 3; ++axis)
       for (std::size_t i = 0; i < N; ++i) a[axis][i] -= p.v[axis][i] * k[i];
+    rate = k;
   }
   if (!limit_.is(kInfinity)) {
     draw_each(limit_, x, k, chance, FlightDraw::limit);
     for (int axis = 0; axis < 3; ++axis)
       for (std::size_t i = 0; i < N; ++i)
         if (speed[i] > k[i]) a[axis][i] -= p.v[axis][i] * (limit_rate_ * (1 - k[i] / speed[i]));
+    for (std::size_t i = 0; i < N; ++i)
+      if (speed[i] > k[i]) rate[i] += limit_rate_ * (1 - k[i] / speed[i]);
   }
   if (scales_gravity()) {
     draw_each(gravity_, x, k, chance, FlightDraw::gravity);
@@ -90,10 +93,12 @@ void FlightLaw::accelerate(const FlightPack<N>& p, const ParticleKernel* kernel,
     }
   }
   sum = a;
+  drag_rate = rate;
 }
 
-void FlightLaw::accelerations(const FlightPack<kPack>& pack, FlightPack<kPack>::Vectors& a) const {
-  accelerate(pack, &particle_kernel(), a);
+void FlightLaw::accelerations(const FlightPack<kPack>& pack, FlightPack<kPack>::Vectors& a,
+                              FlightPack<kPack>::Column& drag_rate) const {
+  accelerate(pack, &particle_kernel(), a, drag_rate);
 }
 
 void FlightLaw::drag_rates(const ParticleKernel& kernel, const std::uint64_t* number, const double* birth,
@@ -108,13 +113,15 @@ void FlightLaw::drag_rates(const ParticleKernel& kernel, const std::uint64_t* nu
   kernel.number(drag_.job(x.data(), chance.words(FlightDraw::drag).data(), rate));
 }
 
-Vec3d FlightLaw::acceleration(const InFlight& particle, double time, const FlightState& s) const {
+Vec3d FlightLaw::acceleration(const InFlight& particle, double time, const FlightState& s, double* drag_rate) const {
   PHYSIM_ASSERT(s.mass > 0);
   const auto alone = [](const Vec3d& v) { return FlightPack<1>::Vectors{{{v.x}, {v.y}, {v.z}}}; };
   const FlightPack<1> pack{{particle.number}, {particle.birth}, {particle.span},  {time},
                            alone(s.x),        alone(s.v),       alone(s.gravity), {s.mass}};
   FlightPack<1>::Vectors a;
-  accelerate(pack, nullptr, a);
+  FlightPack<1>::Column rate;
+  accelerate(pack, nullptr, a, rate);
+  if (drag_rate) *drag_rate = rate[0];
   return {a[0][0], a[1][0], a[2][0]};
 }
 

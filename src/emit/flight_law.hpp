@@ -4,9 +4,9 @@
 //   age that is in the particle's own whatever else changes that, a speed limit that what is above it falls to, and
 //   swirls in space (model/curl_noise.hpp) with a strength that follows age.
 // When it is wrong: it is what looks are made of. Drag of air grows with the square of the speed (a curve over the
-// speed
-//   can say so up to `fast`), and air has no limits. Rates k are felt by explicit steps of length h: those above 1/h
-//   are overshot, those above 2/h blow up.
+//   speed can say so up to `fast`), and air has no limits. Rates k are felt by explicit steps of length h: methods of a
+//   higher order than one overshoot those above 1/h, and blow up by those above 2/h or 3/h; steps of order one are
+//   braked by them (model/ledger.hpp).
 // Symbols: n(x) a number of ParticleFlight at the part x = age / span of its life; v velocity [m/s], s = |v|; k drag
 //   [1/s], q(s) its part by speed [-]; g gravity felt [m/s^2], p its part [-]; F force [N], m mass [kg]; L
 //   limit [m/s], c its rate [1/s]; u velocity added [m/s]; w noise of mean square 1 [-], N its strength [m/s^2].
@@ -72,10 +72,12 @@ class FlightLaw {
   /// Whether drag with a rate that follows age is all that acts.
   [[nodiscard]] bool is_drag_by_age() const;
 
-  /// All but what is of adds_velocity() [m/s^2].
-  [[nodiscard]] Vec3d acceleration(const InFlight& particle, double time, const FlightState& state) const;
-  /// Those of a pack [m/s^2].
-  void accelerations(const FlightPack<kPack>& pack, FlightPack<kPack>::Vectors& a) const;
+  /// All but what is of adds_velocity() [m/s^2], and the rate of the drag in it [1/s].
+  [[nodiscard]] Vec3d acceleration(const InFlight& particle, double time, const FlightState& state,
+                                   double* drag_rate = nullptr) const;
+  /// Those of a pack [m/s^2], [1/s].
+  void accelerations(const FlightPack<kPack>& pack, FlightPack<kPack>::Vectors& a,
+                     FlightPack<kPack>::Column& drag_rate) const;
   /// Rates of such drag at a time, of kPack particles; their numbers, births and spans lie in columns [1/s].
   void drag_rates(const ParticleKernel& kernel, const std::uint64_t* number, const double* birth, const double* span,
                   double time, double* rate) const;
@@ -90,7 +92,8 @@ class FlightLaw {
     [[nodiscard]] bool are_zero() const { return x.is(0) && y.is(0) && z.is(0); }
   };
   template <std::size_t N>
-  void accelerate(const FlightPack<N>& pack, const ParticleKernel* kernel, typename FlightPack<N>::Vectors& a) const;
+  void accelerate(const FlightPack<N>& pack, const ParticleKernel* kernel, typename FlightPack<N>::Vectors& a,
+                  typename FlightPack<N>::Column& drag_rate) const;
 
   std::uint64_t seed_;
   EmitNumber drag_, gravity_, limit_, noise_;

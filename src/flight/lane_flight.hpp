@@ -233,6 +233,7 @@ class LaneFlight {
     t_start_ = clock_at(frames_, frame);
     t_end_ = clock_behind(frames_, frame);
     is_relaunched_ = false;
+    steps_of_.reset();
     parts_ = {frames_.dt, frames_.in_parts};
     push_at_start_ = push_at_end_ = {};
     const double steps = static_cast<double>(frames_.run_steps + static_cast<std::uint64_t>(frame));
@@ -266,9 +267,14 @@ class LaneFlight {
     path_.note_times(lane().step.t, begins_ + passed, limit,
                      parts_.is_last() ? end_of(frames_, frame) : begins_ + parts_.end());
     march_.restart(limit, h);
+    if (steps_of_) march_.restagger(*std::exchange(steps_of_, h), h);
     path_.starts_frame();
     met_ = false;
     while (!march_.arrived() && !ended_ && !met_) step();
+    if (steps_of_ && !ended_ && !met_ && parts_.is_last()) {
+      march_.restagger(h, static_cast<S>(StepParts::first(frames_.dt, frames_.in_parts)));
+      if (stagger(fidelity()) != 0) path_.keep_jump();
+    }
     count_work();
   }
 
@@ -287,10 +293,12 @@ class LaneFlight {
       lane().body = own;
       State<double> wide;
       cast_numbers(at, wide);
-      path_.push = from.pushes->at(place, wide);
-      (place == 0 ? push_at_start_ : push_at_end_) = path_.push;
-      if (place == 0 && record_.path.pushes.size() < 2) record_.path.pushes.assign(1, path_.push);
-      add_push(c, t, vec_cast<S>(path_.push), from.has_own_force, lane().body);
+      const Pushed<double> push = from.pushes->at(place, wide);
+      (place == 0 ? push_at_start_ : push_at_end_) = push;
+      path_.push = push.a;
+      if (place == 0 && record_.path.pushes.size() < 2) record_.path.pushes.assign(1, push.a);
+      add_push(c, t, vec_cast<S>(push.a), from.has_own_force, lane().body);
+      lane().drag_rate = static_cast<S>(push.drag_rate);
     };
     const Integrator integrator = fidelity().integrator;
     if (is_classic(fidelity())) s.slope[0].x = s.start.v;
@@ -319,14 +327,17 @@ class LaneFlight {
     path_.own_body.reset();
     lane().body.applied = own.applied;
     lane().body.applied_until = own.applied_until;
+    lane().drag_rate = S(0);
   }
   /// True if the projectile lies on a thing at the start of the frame; it moves along the thing then.
   [[nodiscard]] bool stays_pushed() {
     if (!contacts_) return false;
     const Body<S> felt = lane().body;
+    const S felt_rate = lane().drag_rate;
     feel_push(0);
     if (stays(0)) return true;
     lane().body = felt;
+    lane().drag_rate = felt_rate;
     return false;
   }
   void judge_pushed() {
@@ -365,7 +376,7 @@ class LaneFlight {
     met_ = true;
     const double clock = j_->at.time(met.theta);
     const double passed = std::min(clock + into_step_, parts_.end());
-    State<double> s = drifted(j_->at.at_time(clock), clock);
+    State<double> s = drifted(j_->at.moving_at_time(clock, met.hit.normal), clock);
     s.x = met.hit.position;
     if (turns(fidelity())) cast_numbers(j_->at.turn_at_time(clock), lane().step.turn->start);
     begin_contact(passed);
@@ -431,6 +442,7 @@ class LaneFlight {
   void put(const State<double>& s, double passed) {
     Lanes<S>& l = lane();
     l.step.start = {vec_cast<S>(s.x), vec_cast<S>(s.v)};
+    steps_of_ = S(0);
     host_.put_clock(t_start_);
     if (fidelity().motion != Motion::closed_form) return;
     const double along = dot(s.x - vec_cast<double>(l.body.launch.x), vec_cast<double>(l.body.sight));
@@ -453,7 +465,9 @@ class LaneFlight {
   void feel_push(double passed) {
     if (!path_.own_body) return;
     const double part = passed / frames_.dt;
-    path_.push = push_at_start_ + (push_at_end_ - push_at_start_) * part;
+    const Pushed<double> push = push_at_start_ + (push_at_end_ - push_at_start_) * part;
+    path_.push = push.a;
+    lane().drag_rate = static_cast<S>(push.drag_rate);
     Body<S>& body = lane().body;
     body.applied = path_.own_body->applied;
     body.applied_until = path_.own_body->applied_until;
@@ -524,11 +538,12 @@ class LaneFlight {
   bool is_relaunched_ = false;  // a closed form, in this frame
   bool ends_at_rest_ = false;
   StepParts parts_{0, false};                  // of the frame, or the flight
+  std::optional<S> steps_of_;                  // as in world/settle.cpp, since a contact in the frame
   S t_start_{}, t_end_{};                      // of the frame, on the march's clock
   double into_step_ = 0;                       // from the march's clock to the time into the contacts' step [s]
   double passed_range_ = 0, passed_time_ = 0;  // where closed forms were relaunched [m], [s]
   double counts_from_ = 0;                     // hits, where no frame does [s]
-  Vec3d push_at_start_{}, push_at_end_{};
+  Pushed<double> push_at_start_{}, push_at_end_{};
   double begins_ = 0;  // the frame at hand, since the flight began [s]
 };
 

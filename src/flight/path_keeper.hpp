@@ -113,11 +113,13 @@ class PathKeeper {
     for_parts(fidelity(), keep, lane_.step, record_.path);
   }
 
-  /// Where a stop makes the acceleration jump, the next step starts from its own node, after a step of no length.
+  /// Where a stop makes the acceleration jump, or a contact in the last frame left a velocity of other steps, the next
+  /// step starts from its own node, after a step of no length.
   void keep_jump() {
     PHYSIM_ASSERT(!record_.path.nodes.empty());
     const Node& last = record_.path.nodes.back();
-    if (vec_cast<double>(lane_.step.slope[0].v) == last.a) return;
+    const bool is_same_speed = stagger(fidelity()) == 0 || vec_cast<double>(lane_.step.start.v) == last.y.v;
+    if (is_same_speed && vec_cast<double>(lane_.step.slope[0].v) == last.a) return;
     keep_start(last.t);
     pad();
   }

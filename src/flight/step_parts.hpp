@@ -1,6 +1,7 @@
 // A step that is flown in parts: it restarts at each contact, and takes short parts near what was touched.
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 #include <optional>
 #include <utility>
@@ -15,6 +16,12 @@ class StepParts {
  public:
   /// `short_ones`: from the start, and not only once something was touched.
   StepParts(double length, bool short_ones) : length_(length), short_ones_(short_ones) { PHYSIM_ASSERT(length >= 0); }
+
+  /// The length of the first part of such a step, if nothing is touched before.
+  [[nodiscard]] static double first(double length, bool short_ones) {
+    PHYSIM_ASSERT(length >= 0);
+    return short_ones ? length / std::max(std::ceil(length / kLongestPart - 1e-9), 1.0) : length;
+  }
 
   /// Where the part at hand ends; before the first one, where that begins.
   [[nodiscard]] double end() const { return end_; }

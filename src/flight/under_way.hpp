@@ -16,8 +16,8 @@ class Pushes {
   virtual ~Pushes() = default;
   /// Whether one acts in a frame from now; asked for each frame in order. `mass`: at its start [kg].
   virtual bool begin_frame(std::int64_t frame, double mass) = 0;
-  /// Acceleration at a place 0..1 of that frame [m/s^2].
-  [[nodiscard]] virtual Vec3d at(double place, const State<double>& state) = 0;
+  /// At a place 0..1 of that frame.
+  [[nodiscard]] virtual Pushed<double> at(double place, const State<double>& state) = 0;
 };
 
 /// Things that a flight meets, and how.

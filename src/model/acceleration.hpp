@@ -104,9 +104,15 @@ struct PointInAir {
   PHYSIM_INLINE void add_air(const Conditions<S>& c, const Body<R>& b, const R& t, const State<R>& s,
                              AnySum& sum) const {
     if (c.fidelity.drag == DragModel::off) return;
-    if (!spins(c.fidelity)) return sum.add(&Accelerations::drag, drag_now(c, b, t, drag(c, b, t, s)));
+    const Vec3<R> u = air_velocity(c, b, t, s);
+    if (!spins(c.fidelity)) {
+      const Vec3<R> d = drag_now(c, b, t, drag_at(c, b, s.x, u));
+      sum.note_drag(u, d);
+      return sum.add(&Accelerations::drag, d);
+    }
     SpinningAir<R> air;
     spinning_air(c, b, t, s, air);
+    sum.note_drag(u, drag_now(c, b, t, air.drag));
     sum.add(&Accelerations::drag, drag_now(c, b, t, air.drag + air.lift));
     sum.tell_apart(&Accelerations::drag, &Accelerations::lift, drag_now(c, b, t, air.lift));
   }
@@ -158,7 +164,9 @@ struct ShellInAir {
   PHYSIM_INLINE void add_air(const Conditions<S>& c, const Body<R>& b, const R& t, const State<R>& s, AnySum& sum) {
     u = air_velocity(c, b, t, s);
     air = air_state(c, b, s.x);
-    sum.add(&Accelerations::drag, drag_now_in(c, b, t, air, u));
+    const Vec3<R> d = drag_now_in(c, b, t, air, u);
+    sum.note_drag(u, d);
+    sum.add(&Accelerations::drag, d);
   }
   template <class S>
   PHYSIM_INLINE Vec3<R> nose(const Conditions<S>&, const Body<R>& b, const R&, const State<R>&) const {
@@ -178,7 +186,9 @@ struct BodyInAir {
     if (!c.has_aero && c.fidelity.drag == DragModel::off) return;
     const Vec3<R> u = air_velocity(c, b, t, s);
     const AirState<R> air = air_state(c, b, s.x);  // simple drag does not need it, and is not worth a copy of all this
-    sum.add(&Accelerations::drag, drag_now_in(c, b, t, air, u));
+    const Vec3<R> d = drag_now_in(c, b, t, air, u);
+    sum.note_drag(u, d);
+    sum.add(&Accelerations::drag, d);
     if (!c.has_aero) return;
     const AeroLoad<R> load = body_aero(c, rotor, air, u, turn);
     sum.add(&Accelerations::body, c.has_motor ? load.acceleration * lighter(c, b, t) : load.acceleration);
@@ -241,6 +251,28 @@ PHYSIM_INLINE void sum_effects(const Conditions<S>& c, const Body<R>& b, const R
 }
 
 // ------------------------------------------------------------------------------------------- what is asked for
+/// Whether drag, its own or that of generators, may brake the steps of what flies (BrakedSum): those of order one but
+/// the original loop's.
+template <class S>
+PHYSIM_INLINE bool is_braked(const Conditions<S>& c) {
+  const Fidelity& f = c.fidelity;
+  const bool is_first_order =
+      f.integrator == Integrator::explicit_euler || f.integrator == Integrator::semi_implicit_euler;
+  return is_first_order && f.motion != Motion::closed_form && (f.drag != DragModel::off || c.has_applied);
+}
+
+/// How long a step is that an acceleration is asked for, and the rate of drag that generators give beside it.
+template <class R>
+struct StepAsked {
+  R h;     // 0: no step [s]
+  R rate;  // [1/s]
+};
+/// No step: the acceleration itself.
+template <class R>
+PHYSIM_INLINE StepAsked<R> no_step() {
+  return {R(ScalarOf<R>(0)), R(ScalarOf<R>(0))};
+}
+
 /// The acceleration of a point mass.
 template <class R, class S>
 PHYSIM_INLINE Vec3<R> acceleration(const Conditions<S>& c, const Body<R>& b, const R& t, const State<R>& s) {
@@ -258,26 +290,37 @@ PHYSIM_INLINE Vec3<R> acceleration(const Conditions<S>& c, const Body<R>& b, con
   return sum.total;
 }
 
-/// As acceleration(), behind one call, so that twelve stages do not become twelve copies of all models.
+/// The acceleration of a point mass over a step: of rungs that drag brakes, what of it is left.
+template <class R, class S>
+PHYSIM_INLINE Vec3<R> acceleration_over(const Conditions<S>& c, const Body<R>& b, const R& t, const State<R>& s,
+                                        const StepAsked<R>& step) {
+  BrakedSum<R> sum;
+  sum_effects(c, b, t, s, PointInAir{}, sum);
+  return is_braked(c) ? sum.over(step.h, step.rate) : sum.total;
+}
+
+/// As acceleration_over(), behind one call, so that twelve stages do not become twelve copies of all models.
 template <class R, class S>
 PHYSIM_FLAT PHYSIM_NOINLINE void evaluate(const Conditions<S>& c, const Body<R>& b, const R& t, const State<R>& s,
-                                          Vec3<R>& a) {
-  a = acceleration(c, b, t, s);
+                                          const StepAsked<R>& step, Vec3<R>& a) {
+  a = acceleration_over(c, b, t, s, step);
 }
+/// The acceleration itself.
 template <class R, class S>
 PHYSIM_INLINE_ALWAYS Vec3<R> evaluated(const Conditions<S>& c, const Body<R>& b, const R& t, const State<R>& s) {
   Vec3<R> a;
-  evaluate(c, b, t, s, a);
+  evaluate(c, b, t, s, no_step<R>(), a);
   return a;
 }
 
 /// The acceleration of what turns, behind one call.
 template <class R, class S>
 PHYSIM_FLAT PHYSIM_NOINLINE void evaluate(const Conditions<S>& c, const Body<R>& b, const Rotor<R>& rotor, const R& t,
-                                          const State<R>& s, const Turn<R>& turn, Vec3<R>& a, Turn<R>& slope) {
-  Sum<R> sum;
+                                          const State<R>& s, const Turn<R>& turn, const StepAsked<R>& step, Vec3<R>& a,
+                                          Turn<R>& slope) {
+  BrakedSum<R> sum;
   sum_effects(c, b, rotor, t, s, turn, slope, sum);
-  a = sum.total;
+  a = is_braked(c) ? sum.over(step.h, step.rate) : sum.total;
 }
 
 /// The slopes at a time and state of what turns: that of its Turn, and the acceleration by value.
@@ -285,7 +328,7 @@ template <class R, class S>
 PHYSIM_INLINE_ALWAYS Vec3<R> evaluated(const Conditions<S>& c, const Body<R>& b, const Rotor<R>& rotor, const R& t,
                                        const State<R>& y, const Turn<R>& turn, Turn<R>& slope) {
   Vec3<R> a;
-  evaluate(c, b, rotor, t, y, turn, a, slope);
+  evaluate(c, b, rotor, t, y, turn, no_step<R>(), a, slope);
   return a;
 }
 

@@ -67,4 +67,17 @@ inline BallWay slid_or_rolled(const BallMotion& from, const Vec3d& a, const Vec3
       taken, from.velocity * taken + dv * (0.5 * taken * taken), {from.velocity + dv * taken, from.spin + dw * taken}};
 }
 
+/// A motion along a surface that bends: where the surface has another normal, and what moves along it came there by
+/// `way` from the plane on which it went on until then. It keeps its energy, as does what rolls.
+inline BallMotion turned_about(const BallMotion& motion, const Vec3d& a, const Vec3d& way, const Vec3d& normal,
+                               const Ball& ball) {
+  PHYSIM_ASSERT(!(abs(length_squared(normal) - 1) > 1e-6) && ball.inertia > 0);
+  const double before = length(motion.velocity);
+  const Vec3d along = motion.velocity - normal * dot(motion.velocity, normal);
+  if (!(length(along) > 0)) return motion;
+  const bool rolls = length(motion.spin) * ball.radius > 0.5 * before;
+  const double speed = sqrt(max(before * before + 2 * dot(a, way) / (rolls ? 1 + ball.inertia : 1), 0.0));
+  return {along * (speed / length(along)), motion.spin * (speed / before)};
+}
+
 }  // namespace physim

@@ -140,12 +140,16 @@ PHYSIM_INLINE Vec3<R> simple_drag(const Conditions<S>& c, const Body<R>& b, cons
   return {R(S(0)), R(S(0)), R(S(0))};
 }
 
+/// Acceleration by drag at a place, of a velocity through the air u [m/s^2].
+template <class R, class S>
+PHYSIM_INLINE Vec3<R> drag_at(const Conditions<S>& c, const Body<R>& b, const Vec3<R>& x, const Vec3<R>& u) {
+  if (c.fidelity.drag == DragModel::equation) return drag_equation(c, b, air_state(c, b, x), u);
+  return simple_drag(c, b, u);
+}
 /// Acceleration by drag [m/s^2].
 template <class R, class S>
 PHYSIM_INLINE Vec3<R> drag(const Conditions<S>& c, const Body<R>& b, const R& t, const State<R>& s) {
-  const Vec3<R> u = air_velocity(c, b, t, s);
-  if (c.fidelity.drag == DragModel::equation) return drag_equation(c, b, air_state(c, b, s.x), u);
-  return simple_drag(c, b, u);
+  return drag_at(c, b, s.x, air_velocity(c, b, t, s));
 }
 
 PHYSIM_ISA_END

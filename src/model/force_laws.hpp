@@ -84,11 +84,15 @@ template <class Law>
   return q * q * (3 - 2 * q);
 }
 
+/// Part of a projectile of a diameter that a liquid covers [-].
+[[nodiscard]] inline double submerged(const Buoyancy& law, double diameter, const Vec3d& x) {
+  const double below = law.surface - x.y;
+  return law.depth > 0 ? submerged_box(below, law.depth) : submerged_sphere(below, diameter / 2);
+}
 /// On a projectile of a diameter [N].
 [[nodiscard]] inline Vec3d buoyancy_force(const Buoyancy& law, double diameter, const State<double>& s) {
   constexpr double kSixthOfPi = 0.52359877559829887308;
-  const double below = law.surface - s.x.y;
-  const double part = law.depth > 0 ? submerged_box(below, law.depth) : submerged_sphere(below, diameter / 2);
+  const double part = submerged(law, diameter, s.x);
   const double volume = law.volume > 0 ? law.volume : kSixthOfPi * diameter * diameter * diameter;
   return Vec3d{0, law.density * volume * law.gravity * part, 0} - s.v * (law.damping * part);
 }
@@ -151,6 +155,19 @@ template <class Law>
   return attractor_force(law, p.mass(), p.position());
 }
 [[nodiscard]] Vec3d force_on(const Explosion& law, const auto& p) { return explosion_force(law, p.position()); }
+
+// Rates of the drag in them, times the mass [kg/s]: steps of order one are braked by it (model/ledger.hpp).
+[[nodiscard]] double drag_rate_on(const LinearQuadraticDragForce& law, const auto& p) {
+  return law.k1 + law.k2 * length(p.velocity() - law.wind);
+}
+[[nodiscard]] double drag_rate_on(const Buoyancy& law, const auto& p) {
+  return law.damping * submerged(law, p.diameter(), p.position());
+}
+/// That of drag of a force F on what moves through air at a velocity u [kg/s].
+[[nodiscard]] inline double drag_rate_of(const Vec3d& force, const Vec3d& u) {
+  const double square = length_squared(u);
+  return square > 0 ? max(-dot(force, u) / square, 0.0) : 0;
+}
 
 // ------------------------------------------------------------------------------------------------- the table of laws
 /// Which values a member of a law may have.

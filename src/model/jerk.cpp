@@ -46,7 +46,7 @@ class Nearby {
     if (turns(c_.fidelity)) {
       Turn<double> slope, turn = turn_ + turn_slope_ * h;
       if (!is_in_repose(c_.fidelity)) turn = on_unit_length(c_.fidelity, turn);
-      evaluate(c_, b_, rotor_, t, s, turn, a, slope);
+      evaluate(c_, b_, rotor_, t, s, turn, no_step<double>(), a, slope);
     } else {
       a = is_classic(c_.fidelity) ? evaluated_original(c_, b_, t, s) : acceleration(c_, b_, t, s);
     }

@@ -28,6 +28,8 @@ struct Sum {
   PHYSIM_INLINE void tell_apart(Effect, Effect, const Vec3<R>&) {}
   /// An effect that a step brings about by other means than the sum.
   PHYSIM_INLINE void tell(Effect, const Vec3<R>&) {}
+  /// Drag `d` on a velocity `u` through the air, which was added.
+  PHYSIM_INLINE void note_drag(const Vec3<R>&, const Vec3<R>&) {}
   /// Ends the sum of what acts at once.
   template <class S>
   PHYSIM_INLINE void constrain(const Conditions<S>& c, const Body<R>& b) {
@@ -40,12 +42,29 @@ struct Sum {
   }
 };
 
+/// The sum alone, for steps of order one. A step of length h that takes drag from where it starts turns a velocity u
+/// around where the rate k of the drag exceeds 1/h, and grows without end where k exceeds 2/h. The step that takes drag
+/// from where it ends, at the same rate, does neither: u' = (u + a h) / (1 + k h), with a all other accelerations. It
+/// is the first step with the sum of all accelerations over 1 + k h; both rest at the same terminal velocity.
+template <class R>
+struct BrakedSum : Sum<R> {
+  Vec3<R> through_air{}, drag{};
+
+  PHYSIM_INLINE void note_drag(const Vec3<R>& u, const Vec3<R>& d) { through_air = u, drag = d; }
+  /// The sum over 1 + (k + rate) h: `rate` is that of further drag, which others gave.
+  PHYSIM_INLINE Vec3<R> over(const R& h, const R& rate) const {
+    const R square = dot(through_air, through_air) + constant<R>(1e-30);  // at rest there is nothing to brake
+    return this->total * (square / (square - h * dot(drag, through_air) + h * rate * square));
+  }
+};
+
 /// Each effect alone, and the sum.
 struct Ledger : Accelerations {
   void begin(Effect effect, const Vec3d& a) { this->*effect = total = a; }
   void add(Effect effect, const Vec3d& a) { this->*effect += a, total += a; }
   void tell_apart(Effect whole, Effect part, const Vec3d& a) { this->*whole -= a, this->*part += a; }
   void tell(Effect effect, const Vec3d& a) { add(effect, a); }
+  void note_drag(const Vec3d&, const Vec3d&) {}
   void constrain(const Conditions<double>& c, const Body<double>& b) {
     const Vec3d free = total;
     total = constrained(c, b, free);

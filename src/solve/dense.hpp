@@ -2,8 +2,9 @@
 //
 // The classic loop: straight lines. Methods with an interpolant in their tableau: that one. The others: the quintic
 // through position, velocity and acceleration at both ends, and the cubic through velocity and acceleration: no less
-// accurate than the methods themselves. Computed in double at every precision, so that fly() and fly_batch() share it;
-// there, packs of steps at once.
+// accurate than the methods themselves. Positions of steps of order one move with another velocity than theirs
+// (stagger() in solve/take_step.hpp): that one is interpolated. Computed in double at every precision, so that fly()
+// and fly_batch() share it; there, packs of steps at once.
 //
 // Sources: see solve/explicit_runge_kutta.hpp; the form of DOP853's is Hairer, Norsett and Wanner (1993), sec. II.6.
 #pragma once
@@ -147,6 +148,32 @@ PHYSIM_INLINE Turn<W> hermite(const TurnNodeOf<W>& n0, const TurnNodeOf<W>& n1, 
   return n0.y + (n1.y - n0.y) * (t2 * (3 - 2 * theta)) + n0.slope * (h * theta * (u * u)) - n1.slope * (h * t2 * u);
 }
 
+/// By how much what moves in a step of order one is faster than its velocity says.
+template <class W>
+PHYSIM_INLINE Vec3<W> ahead(double stagger, const NodeOf<W>& n0, const NodeOf<W>& n1, const W& theta) {
+  return (n0.a + (n1.a - n0.a) * theta) * ((n1.t - n0.t) * W(stagger));
+}
+/// Gives a state the velocity of its motion, if it comes to a surface fast beside what `ahead` changes.
+template <class W>
+PHYSIM_INLINE void move_on(const Vec3<W>& ahead, const Vec3<W>& normal, State<W>& s) {
+  const MaskOf<W> comes = dot(s.v, normal) < abs(dot(ahead, normal)) * W(-4.0);
+  s.v = select(comes, s.v + ahead, s.v);
+}
+/// Hermite interpolation of a step of order one: between places, with the velocities that they move with.
+template <class W>
+PHYSIM_INLINE State<W> staggered_hermite(double stagger, const NodeOf<W>& n0, const NodeOf<W>& n1, const W& theta) {
+  NodeOf<W> m0 = n0, m1 = n1;
+  m0.y.v += ahead(stagger, n0, n1, W(0.0));
+  m1.y.v += ahead(stagger, n0, n1, W(1.0));
+  State<W> s = hermite(m0, m1, theta);
+  s.v -= ahead(stagger, n0, n1, theta);
+  return s;
+}
+template <class W>
+PHYSIM_INLINE Turn<W> staggered_hermite(double, const TurnNodeOf<W>& n0, const TurnNodeOf<W>& n1, const W& theta) {
+  return hermite(n0, n1, theta);
+}
+
 /// The state or the Turn inside a step, 0 < theta < 1.
 template <template <class> class AnyNode, template <class> class Y, class W>
 PHYSIM_INLINE Y<W> state_inside(Integrator integrator, const AnyNode<W>& n0, const AnyNode<W>& n1, const Y<W>* c,
@@ -164,6 +191,8 @@ PHYSIM_INLINE Y<W> state_inside(Integrator integrator, const AnyNode<W>& n0, con
              (c[0] + (c[1] + (c[2] + (c[3] + (c[4] + (c[5] + c[6] * theta) * u) * theta) * u) * theta) * u) * theta;
     } else if constexpr (std::is_same_v<Method, ClassicLoop>) {
       return n0.y + (n1.y - n0.y) * theta;  // it knew frames only, and its damping is no slope
+    } else if constexpr (stagger_of<Method> != 0) {
+      return staggered_hermite(stagger_of<Method>, n0, n1, theta);
     } else {
       return hermite(n0, n1, theta);
     }

@@ -105,6 +105,7 @@ PHYSIM_INLINE void copy_start(const Course<S>& course, const Lanes<R>& from, int
   };
   for_parts(f, copy_part, from.step, into.step);
   copy(from.control, into.control);
+  if (is_braked(*course.conditions)) copy(from.step.h, into.step.h);  // its slope is that of a step so long
   if (course.corners) {
     copy(from.regime, into.regime);
     copy(from.jerk, into.jerk);

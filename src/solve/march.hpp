@@ -40,15 +40,9 @@ class March {
   using Mask = MaskOf<R>;
 
  public:
-  PHYSIM_INLINE March() {
-    lanes.body = {};
-    lanes.step.slope[0] = {};
-  }
+  PHYSIM_INLINE March() : March(Body<R>{}) {}
   PHYSIM_INLINE explicit March(const Course<S>& course) : March() { set_course(course); }
-  PHYSIM_INLINE March(const Course<S>& course, const Body<R>& body) : course_(&course) {
-    lanes.body = body;
-    lanes.step.slope[0] = {};
-  }
+  PHYSIM_INLINE March(const Course<S>& course, const Body<R>& body) : March(body) { set_course(course); }
 
   /// Before a launch or a restart nothing is set but the body and the first slope, which closed forms started by frames
   /// keep at zero.
@@ -68,6 +62,7 @@ class March {
     if (has_stops(c)) pass_stops(c, zero, zero == zero, l.step.start, l.body);
     for_rotors(
         c.fidelity, [&](const auto& rotor) { l.step.turn->start = rotor.launch; }, l);
+    if (is_braked(c)) l.step.h = R(course_->plan.step);
     set_slope(c, l, 0);
     if (is_classic(c.fidelity)) l.step.slope[0].v = {zero, zero, zero};
     l.control = {zero, first_length()};
@@ -85,6 +80,7 @@ class March {
     if (has_stops(c)) pass_stops(c, l.step.t, zero == zero, l.step.start, l.body);
     PHYSIM_ASSERT(course_->plan.step == S(0));  // a frame is one step of its length
     PHYSIM_ASSERT(!any(frame < zero) && !any(limit < l.step.t));
+    l.step.h = frame;
     begin_frame();
     l.control = {zero, frame};
     note_regime();
@@ -106,6 +102,17 @@ class March {
     note_regime();
     l.cut = zero;
     framed_ = false;
+  }
+
+  /// Takes the velocity where a step starts from one of steps of a length to one of steps of another. Length 0: the
+  /// velocity of the motion itself, which contacts read and leave (stagger()). The slope there is known.
+  PHYSIM_INLINE void restagger(const R& from, const R& to) {
+    const double part = stagger(conditions().fidelity);
+    if (part == 0) return;
+    PHYSIM_ASSERT(!any(from < R(S(0))) && !any(to < R(S(0))));
+    Step<R>& s = lanes.step;
+    s.start.v += s.slope[0].v * (constant<R>(part) * (from - to));
+    s.slope[0].x = s.start.v;
   }
 
   /// Tries one step in each of some marches side by side, by what takes steps as take_steps() does; says in which lanes
@@ -235,11 +242,17 @@ class March {
 
   /// The coming step: as long as its control wants it, or what is left of a whole one, or up to a stop or a kink.
   PHYSIM_INLINE void set_step(const Conditions<S>& c) {
+    if (!is_braked(conditions())) return set_length(c);
+    const R before = lanes.step.h;
     set_length(c);
+    if (any(lanes.step.h != before)) set_slope(c, lanes, 0);  // that of a step as long as the one before stays the same
+  }
+  PHYSIM_INLINE void set_length(const Conditions<S>& c) {
+    set_length_before_kinks(c);
     if (course_->corners && expects_kinks(c)) end_behind_kinks(*course_, lanes);
   }
   /// Fixed steps count, so that time does not gather rounding errors.
-  PHYSIM_INLINE void set_length(const Conditions<S>& c) {
+  PHYSIM_INLINE void set_length_before_kinks(const Conditions<S>& c) {
     Lanes<R>& l = lanes;
     const bool counted = !steps_itself(c.fidelity);
     if (!framed_ && !has_stops(c)) {
@@ -301,6 +314,12 @@ class March {
     for_parts(c.fidelity, keep, l.step);
     if (c.has_rail) l.regime.rail = l.body.rail_phase;  // without rails the regime knows none
     return whole;
+  }
+
+  PHYSIM_INLINE explicit March(const Body<R>& body) {
+    lanes.body = body;
+    lanes.drag_rate = R(S(0));
+    lanes.step.slope[0] = {};
   }
 
   const Course<S>* course_ = nullptr;

@@ -35,12 +35,24 @@ struct Step {
   Unset<TurnStep<R>> turn;                // of rungs that turn
 };
 
+/// What others than its own models do to a projectile.
+template <class R>
+struct Pushed {
+  Vec3<R> a;    // [m/s^2]
+  R drag_rate;  // of the drag in it [1/s]
+
+  PHYSIM_INLINE_ALWAYS Pushed operator+(const Pushed& b) const { return {a + b.a, drag_rate + b.drag_rate}; }
+  PHYSIM_INLINE_ALWAYS Pushed operator-(const Pushed& b) const { return {a - b.a, drag_rate - b.drag_rate}; }
+  PHYSIM_INLINE_ALWAYS Pushed operator*(const R& s) const { return {a * s, drag_rate * s}; }
+};
+
 /// What the models read of a projectile, and its step under way. R is a number, or a pack: one projectile per lane.
 template <class R>
 struct Flyer {
   PHYSIM_INLINE_ALWAYS Flyer() = default;  // a call would be code that kernels share
 
   Body<R> body;
+  R drag_rate;            // of drag that generators give; read by rungs that drag brakes [1/s]
   Unset<Rotor<R>> rotor;  // of rungs that turn
   Step<R> step;
 };

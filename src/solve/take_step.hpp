@@ -27,6 +27,18 @@ PHYSIM_NOINLINE void classic_frame(const Conditions<S>& c, const Body<R>& b, Ste
   s.slope[1] = {s.end.v, evaluated_original(c, b, s.t, s.start)};
 }
 
+/// Steps of order one move straight, with the velocity at one of their ends: the path through their places has another
+/// velocity, by this part of what a step changes theirs [-]. A velocity v of steps of length h moves with v + part a h.
+/// The original loop's are taken as they are.
+template <class Method>
+inline constexpr double stagger_of = std::is_same_v<Method, SemiImplicitEuler> ? 0.5
+                                     : std::is_same_v<Method, ExplicitEuler>   ? -0.5
+                                                                               : 0;
+PHYSIM_INLINE double stagger(const Fidelity& granted) {
+  if (granted.motion == Motion::closed_form) return 0;
+  return with_method(granted.integrator, [](auto method) PHYSIM_INLINE_LAMBDA { return stagger_of<decltype(method)>; });
+}
+
 /// Semi-implicit Euler: positions move with the new velocity.
 template <class R>
 PHYSIM_INLINE_ALWAYS void semi_implicit_end(Step<R>& s) {
@@ -150,7 +162,7 @@ template <class R, class S>
 PHYSIM_NOINLINE void reach_turning_ends(const Conditions<S>& c, const FlyerSet<R>& w) {
   PHYSIM_ASSERT(c.fidelity.motion == Motion::force && w.count > 0);
   const auto f = [&](int i, const R& t, const State<R>& y, const Turn<R>& turn, Vec3<R>& a, Turn<R>& slope) {
-    evaluate(c, w.flyer[i]->body, *w.flyer[i]->rotor, t, y, turn, a, slope);
+    evaluate(c, w.flyer[i]->body, *w.flyer[i]->rotor, t, y, turn, no_step<R>(), a, slope);
   };
   with_method(c.fidelity.integrator, [&](auto method) PHYSIM_INLINE_LAMBDA {
     using Method = decltype(method);
@@ -175,7 +187,9 @@ PHYSIM_INLINE_ALWAYS void reach_ends(const Conditions<S>& c, const FlyerSet<R>& 
     for (int i = 0; i < w.count; ++i) w.steps[i]->end = closed_form(c, w.flyer[i]->body, w.steps[i]->t_end);
     return;
   }
-  const auto f = [&](int i, const R& t, const State<R>& y, Vec3<R>& a) { evaluate(c, w.flyer[i]->body, t, y, a); };
+  const auto f = [&](int i, const R& t, const State<R>& y, Vec3<R>& a) {
+    evaluate(c, w.flyer[i]->body, t, y, no_step<R>(), a);
+  };
   with_method(c.fidelity.integrator, [&](auto method) PHYSIM_INLINE_LAMBDA {
     using Method = decltype(method);
     if constexpr (RungeKutta<Method>) {
@@ -189,18 +203,20 @@ PHYSIM_INLINE_ALWAYS void reach_ends(const Conditions<S>& c, const FlyerSet<R>& 
   });
 }
 
-/// The slope at a time, as slope[place]: place 0 where the step starts, else at the state that it has reached.
+/// The slope at a time, as slope[place]: place 0 where the step starts, else at the state that it has reached. Rungs
+/// that drag brakes ask for the length of the step first.
 template <class R, class S>
 PHYSIM_INLINE_ALWAYS void set_slope(const Conditions<S>& c, Flyer<R>& l, int place, const R& t) {
   PHYSIM_ASSERT(place >= 0 && place < kMaxSlopes);
   Step<R>& s = l.step;
   const State<R>& y = place == 0 ? s.start : s.end;
   s.slope[place].x = y.v;
+  const StepAsked<R> step = is_braked(c) ? StepAsked<R>{s.h, l.drag_rate} : no_step<R>();
   if (turns(c.fidelity)) {
     const Turn<R>& turn = place == 0 ? s.turn->start : s.turn->end;
-    evaluate(c, l.body, *l.rotor, t, y, turn, s.slope[place].v, s.turn->slope[place]);
+    evaluate(c, l.body, *l.rotor, t, y, turn, step, s.slope[place].v, s.turn->slope[place]);
   } else {
-    evaluate(c, l.body, t, y, s.slope[place].v);
+    evaluate(c, l.body, t, y, step, s.slope[place].v);
   }
 }
 template <class R, class S>

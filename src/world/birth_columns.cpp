@@ -126,7 +126,9 @@ void put_pushes(const FlightLaw& law, const BirthColumns& b, const SettleContext
     }
   }
   FlightPack<FlightLaw::kPack>::Vectors a;
-  law.accelerations(pack, a);
+  FlightPack<FlightLaw::kPack>::Column rate;
+  law.accelerations(pack, a, rate);
+  for (std::size_t i = 0; i < FlightLaw::kPack; ++i) flights.drag_rate[i] = S(0) + static_cast<S>(rate[i]);
   for (std::size_t axis = 0; axis < 3; ++axis)
     for (std::size_t i = 0; i < FlightLaw::kPack; ++i)
       flights.push[axis][i] = S(0) + static_cast<S>(a[axis][i]);  // beside nothing else

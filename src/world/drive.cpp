@@ -37,14 +37,15 @@ void Drive::begin_step(Integrator integrator, double time, double dt) {
   });
 }
 
-Vec3d Drive::at(double time, const State<double>& s) const {
+Pushed<double> Drive::at(double time, const State<double>& s) const {
   PHYSIM_ASSERT(law_ && mass_ > 0);
   FlightState felt{.x = s.x, .v = s.v};
   if (conditions_) felt.gravity = gravity(*conditions_, s.x) * gravity_scale_;
   felt.mass = mass_;
-  Vec3d a = law_->acceleration(particle_, time, felt);
-  if (law_->adds_velocity()) a += law_->velocity_rate(particle_, time) + gap_;
-  return a;
+  Pushed<double> pushed{};
+  pushed.a = law_->acceleration(particle_, time, felt, &pushed.drag_rate);
+  if (law_->adds_velocity()) pushed.a += law_->velocity_rate(particle_, time) + gap_;
+  return pushed;
 }
 
 }  // namespace physim

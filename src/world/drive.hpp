@@ -2,6 +2,7 @@
 #pragma once
 
 #include "emit/flight_law.hpp"
+#include "solve/step.hpp"
 #include "world/state.hpp"
 
 namespace physim {
@@ -18,8 +19,8 @@ class Drive {
   explicit operator bool() const { return law_ != nullptr; }
   /// Before a step of an integrator, from a time of the world on and of a length [s].
   void begin_step(Integrator integrator, double time, double dt);
-  /// Acceleration in a stage at a time of the world [m/s^2].
-  [[nodiscard]] Vec3d at(double time, const State<double>& s) const;
+  /// In a stage at a time of the world.
+  [[nodiscard]] Pushed<double> at(double time, const State<double>& s) const;
 
  private:
   void find(const Registry& registry, const WorldState& state, std::uint32_t slot);

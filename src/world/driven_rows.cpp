@@ -142,7 +142,9 @@ void DrivenRows::push(const Registry& registry, const WorldState& state, double 
     }
     put_felt(registry, state, law, block, lanes, pack);
     FlightPack<kMost>::Vectors a;
-    law.accelerations(pack, a);
+    BlockColumn rate;
+    law.accelerations(pack, a, rate);
+    for (std::size_t i = 0; i < count; ++i) block.drag_rate[lanes[i]] += rate[i];
     for (std::size_t axis = 0; axis < 3; ++axis) {
       for (std::size_t i = 0; i < kMost && all; ++i) block.a[axis][i] += a[axis][i];
       for (std::size_t i = 0; i < count && !all; ++i) block.a[axis][lanes[i]] += a[axis][i];

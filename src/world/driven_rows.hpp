@@ -18,7 +18,8 @@ struct DrivenBlock {
   std::uint16_t cohort = 0;
   std::uint32_t first = 0, count = 0;
   Vectors x, v;
-  Vectors a;  // to which what emitters do is added [m/s^2]
+  Vectors a;                            // to which what emitters do is added [m/s^2]
+  FlightPack<kMost>::Column drag_rate;  // of the drag in it, is added to [1/s]
 };
 
 class DrivenRows {

@@ -5,6 +5,7 @@
 #include <unordered_map>
 
 #include "base/append.hpp"
+#include "world/held_forces.hpp"
 #include "world/world_impl.hpp"
 
 namespace physim {
@@ -31,24 +32,6 @@ std::optional<bool> thrown_off(const Event& event) {
 
 bool waits_for(const EmitterDef& def, SubEvent on) {
   return std::ranges::any_of(def.subs, [on](const SubEmitter& sub) { return sub.on == on; });
-}
-
-/// Calls f with what a row of a slot is settled in; one that is forced feels generators as they are, held.
-template <class F>
-auto with_held_forces(const WorldImpl& world, const SettleContext& context, const Slot& slot, const F& f) {
-  const WorldCohort& cohort = world.registry.cohort(slot.cohort);
-  if (!cohort.key.forced) return f(context);
-  const std::uint32_t index = world.state.slots.index_of(slot);
-  const Vec3d push =
-      world.generator_force(index, world.state.state_of(slot)) * (1 / world.registry.kind(slot.kind).flown.mass);
-  SettleContext held = context;
-  const auto with = [&]<class S>(TakenStep<S> taken) {
-    taken.push[0] = taken.push[1] = vec_cast<S>(push);
-    taken.own_force = cohort.key.features.has_applied;
-    held.taken = &taken;
-    return f(held);
-  };
-  return cohort.layout.float32 ? with(TakenStep<float>{}) : with(TakenStep<double>{});
 }
 
 /// It was where it is, and is there now.

@@ -46,7 +46,11 @@ class Evaluation {
   /// Laws that one projectile alone decides.
   template <class Law>
   bool operator()(const Law& law) const {
-    return each([&](std::uint32_t row) { return force_on(law, Member{stage_, row}); });
+    return each([&](std::uint32_t row) {
+      const Member member{stage_, row};
+      if constexpr (requires { drag_rate_on(law, member); }) stage_.drag_rate[row] += drag_rate_on(law, member);
+      return force_on(law, member);
+    });
   }
   bool operator()(const Spring& law) const {
     return between(law.other, [&](const Vec3d& d, const Vec3d& v_rel) { return spring_force(law, d, v_rel); });
@@ -63,7 +67,10 @@ class Evaluation {
       // The zone's air takes the place of the air around it, so the own drag is taken back, once.
       stage_.in_zone[row] = 1;
       const Vec3d u = stage_.velocity[row] - zone.velocity;
-      return surroundings_.drag_equation(row, zone.density, u) - surroundings_.own_drag(row);
+      const Vec3d force = surroundings_.drag_equation(row, zone.density, u);
+      const Surroundings::OwnDrag own = surroundings_.own_drag(row);
+      stage_.drag_rate[row] += drag_rate_of(force, u) - own.rate;
+      return force - own.force;
     });
   }
   bool operator()(const Thrust& law) const {
@@ -130,7 +137,7 @@ class Evaluation {
 bool add_force(const ForceLaw& law, const ForceClock& clock, std::span<const std::uint32_t> members,
                const Surroundings& surroundings, ForceStage& stage, ForceScratch& scratch) {
   PHYSIM_ASSERT(stage.position.size() == stage.force.size() && stage.velocity.size() == stage.force.size() &&
-                stage.mass.size() == stage.force.size());
+                stage.mass.size() == stage.force.size() && stage.drag_rate.size() == stage.force.size());
   return std::visit(Evaluation(clock, members, surroundings, stage, scratch), law);
 }
 

@@ -30,8 +30,12 @@ class Surroundings {
   [[nodiscard]] virtual Partner partner(ProjectileId id) const = 0;
   /// The drag equation for a row's own area and Cd, at a velocity u through air of a density [N]; see KindDrag.
   [[nodiscard]] virtual Vec3d drag_equation(std::uint32_t row, double density, const Vec3d& u) const = 0;
-  /// What the row's own drag model gives at its state in the stage [N]; zero where drag is off.
-  [[nodiscard]] virtual Vec3d own_drag(std::uint32_t row) const = 0;
+  /// What the row's own drag model gives at its state in the stage; zero where drag is off.
+  struct OwnDrag {
+    Vec3d force;  // [N]
+    double rate;  // times the mass [kg/s]
+  };
+  [[nodiscard]] virtual OwnDrag own_drag(std::uint32_t row) const = 0;
 
  protected:
   ~Surroundings() = default;
@@ -48,6 +52,7 @@ struct ForceStage {
   std::span<const ProjectileDef* const> def;  // read by buoyancy alone
   std::span<std::uint8_t> in_zone;  // zeros at the start of a stage: the first zone of wind that holds a row takes it
   std::span<Vec3d> force;           // is added to [N]
+  std::span<double> drag_rate;      // of the drag in it, times the mass; is added to [kg/s]
 };
 
 /// What the clock of a generator says.

@@ -142,6 +142,7 @@ void ForceField::evaluate(double place) {
   place_ = place;
   const double time = time_ + place * dt_;
   rows_.force.assign(rows_.id.size(), Vec3d{});
+  rows_.drag_rate.assign(rows_.id.size(), 0.0);
   if (has_zones_) rows_.in_zone.assign(rows_.id.size(), 0);
   if (has_ages_) {
     rows_.age.resize(rows_.id.size());
@@ -149,7 +150,7 @@ void ForceField::evaluate(double place) {
       rows_.age[row] = time - state_.slots.birth(rows_.id[row].index);
   }
   ForceStage stage{time,      rows_.id,  rows_.position, rows_.velocity, rows_.mass,
-                   rows_.age, rows_.def, rows_.in_zone,  rows_.force};
+                   rows_.age, rows_.def, rows_.in_zone,  rows_.force,    rows_.drag_rate};
   for (const Push& push : rows_.pushes) {
     const Generator& g = state_.generators[push.generator];
     if (!acts(g, time_, dt_, place)) continue;
@@ -208,7 +209,7 @@ Vec3d ForceField::drag_equation(std::uint32_t row, double density, const Vec3d& 
   return zones_.drag->force(known->second, rows_.mass[row], density, u);
 }
 
-Vec3d ForceField::own_drag(std::uint32_t row) const {
+Surroundings::OwnDrag ForceField::own_drag(std::uint32_t row) const {
   const Slot& slot = state_.slots[rows_.id[row].index];
   const Conditions<double>& c = registry_.cohort(slot.cohort).conditions;
   Body<double> body = registry_.kind(slot.kind).rungs[slot.rung].body;
@@ -216,9 +217,9 @@ Vec3d ForceField::own_drag(std::uint32_t row) const {
   rows.read_fields(slot.row, body);
   const State<double> s{rows_.position[row], rows_.velocity[row]};
   const double t = rows.layout().clocked ? state_.row_clock(slot) + place_ * dt_ : 0;  // as the stage knows it
-  Sum<double> air{};
+  BrakedSum<double> air{};
   PointInAir{}.add_air(c, body, t, s, air);
-  return air.total * rows_.mass[row];
+  return {air.total * rows_.mass[row], drag_rate_of(air.drag, air.through_air) * rows_.mass[row]};
 }
 
 }  // namespace physim

@@ -43,7 +43,8 @@ struct ForceRows {
   std::vector<const ProjectileDef*> def;
   std::vector<Vec3d> position;
   std::vector<Vec3d> velocity;
-  std::vector<Vec3d> force;  // [N]
+  std::vector<Vec3d> force;       // [N]
+  std::vector<double> drag_rate;  // of the drag in it, times the mass [kg/s]
   std::vector<std::uint8_t> in_zone;
   std::vector<std::uint32_t> members;
   std::vector<std::uint32_t> sound_members;
@@ -74,12 +75,12 @@ class ForceField final : public Surroundings {
   void begin_step(double time, double dt);
   /// Whether one does.
   [[nodiscard]] bool is_felt() const { return !rows_.pushes.empty(); }
-  /// Fills rows.force, from positions and velocities at a place 0..1 of the step.
+  /// Fills rows.force and rows.drag_rate, from positions and velocities at a place 0..1 of the step.
   void evaluate(double place);
 
   [[nodiscard]] Partner partner(ProjectileId id) const override;
   [[nodiscard]] Vec3d drag_equation(std::uint32_t row, double density, const Vec3d& u) const override;
-  [[nodiscard]] Vec3d own_drag(std::uint32_t row) const override;
+  [[nodiscard]] OwnDrag own_drag(std::uint32_t row) const override;
 
  private:
   void list(std::uint32_t generator);

@@ -11,7 +11,9 @@ enum ForcedColumn : unsigned {
   kStageVelocity = 3,
   kPush = 6,       // acceleration by generators in the stage
   kFirstPush = 9,  // acceleration by generators in the first stage
-  kSlopes = 12,    // of stage i from 6 i on: velocity, acceleration
+  kPushRate = 12,  // of the drag in them [1/s]
+  kFirstPushRate = 13,
+  kSlopes = 14,  // of stage i from 6 i on: velocity, acceleration
 };
 
 /// Rungs that turn have further columns behind the slopes: the Turn of the stage, at last that of the end, then its

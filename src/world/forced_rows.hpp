@@ -33,6 +33,14 @@ PHYSIM_INLINE Vec3<R> first_push(const ForcedJob<S>& job, std::uint32_t row) {
   return push;
 }
 
+/// The rate of the drag in it.
+template <class R, class S>
+PHYSIM_INLINE R first_drag_rate(const ForcedJob<S>& job, std::uint32_t row) {
+  if (job.drag_rate == nullptr) return load<R>(job.column(kFirstPushRate), row);
+  using W = Cast<double, R>;
+  return cast<S>(W::load(job.drag_rate + (row - job.rows.first)));
+}
+
 /// The slope of the stage at hand, then the state of the next one, or the end of the step.
 template <class R, class S>
 PHYSIM_INLINE void advance_rows(const ForcedJob<S>& job, const Conditions<S>& c, std::uint32_t row, Flyer<R>& l) {
@@ -42,9 +50,14 @@ PHYSIM_INLINE void advance_rows(const ForcedJob<S>& job, const Conditions<S>& c,
   Vec3<R> push;
   if (stage == 0) {
     push = first_push<R>(job, row);
-    if (job.drag_rate != nullptr) store_scratch(job, kFirstPush, row, push);
+    l.drag_rate = first_drag_rate<R>(job, row);
+    if (job.drag_rate != nullptr) {
+      store_scratch(job, kFirstPush, row, push);
+      l.drag_rate.store(job.column(kFirstPushRate) + row);
+    }
   } else {
     load_scratch(job, kPush, row, push);
+    l.drag_rate = load<R>(job.column(kPushRate), row);
   }
   add_push(c, stage_time(f.integrator, stage, s), push, job.own_force, l.body);
   const auto load_part = [&](auto& part) {
@@ -121,7 +134,8 @@ struct PushedRung {
     Moved<R> m;
     m.start = load_state<R>(job.rows, row);
     const Conditions<S> c = known(given);
-    const Vec3<R> a = acceleration(c, b, R(S(0)), m.start);
+    const R rate = first_drag_rate<R>(job, row);
+    const Vec3<R> a = acceleration_over(c, b, R(S(0)), m.start, {h, rate});
     m.end.v = m.start.v + a * h;
     m.end.x = m.start.x + m.end.v * h;
     MaskOf<R> found = plainly_noteworthy(job.rows.watchdog, c, m) | further_noteworthy(job.rows, c, m, row);
@@ -134,6 +148,7 @@ struct PushedRung {
     const unsigned bits = lane_bits(found) & filled_lanes<R>(job.rows.last - row);
     if (bits != 0) {
       store_scratch(job, kFirstPush, row, b.applied);
+      rate.store(job.column(kFirstPushRate) + row);
       store_scratch(job, kStagePosition, row, m.end);
       store_scratch(job, kSlopes, row, State<R>{m.start.v, a});
       m.end = select(found, State<R>{load_vector<R>(job.rows.columns.previous, row), m.start.v}, m.end);

@@ -229,6 +229,7 @@ class ForcedStep {
     const double time = context_.time + place * context_.dt;
     const unsigned first = stage == 0 ? kFirstPush : kPush;
     S* const to[3] = {j.column(first), j.column(first + 1), j.column(first + 2)};
+    S* const to_rate = j.column(stage == 0 ? kFirstPushRate : kPushRate);
     constexpr std::uint32_t kBlock = DrivenBlock::kMost;
     DrivenBlock block{.cohort = r.cohort};
     const Part part = part_of(r);
@@ -246,15 +247,19 @@ class ForcedStep {
       }
       for (std::size_t axis = 0; axis < 3; ++axis)
         for (std::uint32_t i = 0; i < kBlock; ++i) to[axis][row + i] = static_cast<S>(block.a[axis][i]);
+      for (std::uint32_t i = 0; i < kBlock; ++i) to_rate[row + i] = static_cast<S>(block.drag_rate[i]);
     }
   }
   /// What generators do.
   void put_generators(const ForcedRun& r, DrivenBlock& block) const {
     for (auto& axis : block.a) axis.fill(0);
+    block.drag_rate.fill(0);
     for (std::uint32_t i = 0; i < block.count && has_generators_; ++i) {
       const std::uint32_t at = r.first + block.first + i;
-      const Vec3d a = rows_.force[at] * (1 / rows_.mass[at]);
+      const double per_mass = 1 / rows_.mass[at];
+      const Vec3d a = rows_.force[at] * per_mass;
       block.a[0][i] = a.x, block.a[1][i] = a.y, block.a[2][i] = a.z;
+      block.drag_rate[i] = rows_.drag_rate[at] * per_mass;
     }
   }
   /// What emitters do, row by row.
@@ -266,8 +271,9 @@ class ForcedStep {
       Drive drive(*context_.registry, *context_.state, rows_of(r).slot(row));
       if (!drive) continue;
       drive.begin_step(integrator, context_.time, context_.dt);
-      const Vec3d a = drive.at(time, states[row]);
+      const auto [a, drag_rate] = drive.at(time, states[row]);
       block.a[0][i] += a.x, block.a[1][i] += a.y, block.a[2][i] += a.z;
+      block.drag_rate[i] += drag_rate;
     }
   }
 
@@ -356,10 +362,14 @@ class ForcedStep {
                {c.velocity[0][row], c.velocity[1][row], c.velocity[2][row]}};
     if (original) s.slope[0] = {s.start.v, {c.carried[0][row], c.carried[1][row], c.carried[2][row]}};
     if (rows_of(r).layout().turning) Rows::get(c.turn, row, s.turn->start);
-    read(kFirstPush, taken.push[0]);
+    const auto read_push = [&](unsigned push, unsigned rate, Pushed<S>& into) {
+      read(push, into.a);
+      into.drag_rate = j.column(rate)[row];
+    };
+    read_push(kFirstPush, kFirstPushRate, taken.push[0]);
     taken.push[1] = taken.push[0];
-    if (!original) read(kPush, taken.push[1]);
-    if (!is_finite(State<S>{taken.push[1], {}})) taken.push[1] = taken.push[0];  // for the next step to find
+    if (!original) read_push(kPush, kPushRate, taken.push[1]);
+    if (!is_finite(State<S>{taken.push[1].a, {}})) taken.push[1] = taken.push[0];  // for the next step to find
     taken.driven = drives_;
     taken.pushed = has_generators_;
     return taken;

@@ -22,7 +22,8 @@ struct DenseHeight {
   }
   /// As dense_state().
   PHYSIM_INLINE State<double> operator()(double theta) const {
-    const State<double> inside = hermite(n0, n1, theta);
+    const double part = stagger(whole.conditions->fidelity);
+    const State<double> inside = part != 0 ? staggered_hermite(part, n0, n1, theta) : hermite(n0, n1, theta);
     State<double> s{};
     s.x.y = select(theta == 0.0, n0.y.x.y, select(theta == 1.0, n1.y.x.y, inside.x.y));
     s.v.y = select(theta == 0.0, n0.y.v.y, select(theta == 1.0, n1.y.v.y, inside.v.y));

@@ -22,6 +22,9 @@
 // are many and is as stiff as a short one. Which cables pull follows from block pivoting (Judice & Pires 1994,
 // Computers Ops Res. 21, 587-596); its last resort is Murty's rule. Rows that others imply already take no part.
 //
+// A light body between rods that hold a heavy one swings across them fast: such steps are taken in parts that are short
+// beside that (1000 kg on ten links of a gram: some hundreds of parts of 1/60 s).
+//
 // Error: of order h^2 in place and time over a fixed span. Wrong: where a net turns by a quarter of a turn or more
 // within a step. Then, where the rounds do not suffice, and where the net would gain more than a fiftieth of the energy
 // of its motion in a step, lengths are put right without a speed: springs are not felt in that step, and energy is

@@ -28,9 +28,10 @@ struct ShortStep : KnownRung<drag, wind, air> {
   }
   /// After `h`; the launch is forgotten.
   template <class R, class S>
-  PHYSIM_INLINE static State<R> end(const Conditions<S>& c, const Body<R>& b, const State<R>& start, const R& h) {
+  PHYSIM_INLINE static State<R> end(const Conditions<S>& c, const Body<R>& b, const State<R>& start, const R& h,
+                                    const R& rate) {
     State<R> end;
-    end.v = start.v + acceleration(c, b, R(S(0)), start) * h;
+    end.v = start.v + acceleration_over(c, b, R(S(0)), start, {h, rate}) * h;
     end.x = start.x + end.v * h;
     return end;
   }
@@ -69,9 +70,9 @@ struct AnyShortStep {
     return b;
   }
   template <class R, class S>
-  static State<R> end(const Conditions<S>& c, const Body<R>& b, const State<R>& start, const R& h) {
+  static State<R> end(const Conditions<S>& c, const Body<R>& b, const State<R>& start, const R& h, const R& rate) {
     Vec3<R> a;
-    evaluate(c, b, R(S(0)), start, a);
+    evaluate(c, b, R(S(0)), start, {h, rate}, a);
     State<R> end;
     end.v = start.v + a * h;
     end.x = start.x + (c.fidelity.integrator == Integrator::explicit_euler ? start.v : end.v) * h;
@@ -100,7 +101,7 @@ struct ShortFall : KnownFall {
     return b;
   }
   template <class R, class S>
-  static State<R> end(const Conditions<S>& c, const Body<R>& b, const State<R>&, const R& t) {
+  static State<R> end(const Conditions<S>& c, const Body<R>& b, const State<R>&, const R& t, const R&) {
     return closed_form_of_free(c, b, t);
   }
   /// As settling reads a row's clock: what is flown of a step begins with its start.
@@ -135,13 +136,13 @@ MaskOf<R> touches_between(const Conditions<S>& c, const State<R>& start, const S
 
 /// The effect of the emitter on a row that starts at `start`, `from` into the step, for `length`; none: no effect.
 template <class S>
-std::optional<Vec3<S>> push_of(const SettleContext& context, std::uint16_t cohort, std::uint32_t row, double from,
-                               S length, const State<S>& start) {
+std::optional<Pushed<S>> push_of(const SettleContext& context, std::uint16_t cohort, std::uint32_t row, double from,
+                                 S length, const State<S>& start) {
   Drive drive(*context.registry, *context.state, context.state->rows[cohort].slot(row));
   if (!drive) return std::nullopt;
   drive.begin_step(Integrator::semi_implicit_euler, context.time + from, static_cast<double>(length));
-  const Vec3d a = drive.at(context.time + from, {vec_cast<double>(start.x), vec_cast<double>(start.v)});
-  return Vec3<S>{} + vec_cast<S>(a);  // beside nothing else
+  const Pushed<double> p = drive.at(context.time + from, {vec_cast<double>(start.x), vec_cast<double>(start.v)});
+  return Pushed<S>{} + Pushed<S>{vec_cast<S>(p.a), static_cast<S>(p.drag_rate)};  // beside nothing else
 }
 
 }  // namespace
@@ -157,12 +158,14 @@ std::optional<State<double>> KnownFlights::fly_alone(const Cohort& cohort, const
   Body<S> b = Rung::body_of(c, start, [&](unsigned field) { return columns.field[field][row]; });
   const S length =
       part.born ? static_cast<S>(part.until - *part.born) : Rung::length_of(columns, context, row, part.until);
+  S rate = 0;
   if constexpr (Rung::kPushed) {
     const auto push = push_of(context, part.cohort, row, part.born.value_or(0), length, start);
     if (!push) return std::nullopt;
-    put_push(*push, b);
+    put_push(push->a, b);
+    rate = push->drag_rate;
   }
-  const State<S> end = Rung::end(c, b, start, length);
+  const State<S> end = Rung::end(c, b, start, length, rate);
   const S floor = static_cast<S>(cohort.floor), slowest = static_cast<S>(cohort.slowest);
   // As noteworthy() checks for a whole step; and a row may begin below the ground.
   const bool is_high = height(c, start.x) > floor && height(c, end.x) > floor;
@@ -191,8 +194,9 @@ void KnownFlights::fly_together(const Cohort& cohort, const SettleContext& conte
       b = Rung::body_of(start);
     else
       b = Rung::body_of(c, start, [number](unsigned field) { return static_cast<S>(number[field]); });
-    if constexpr (Rung::kPushed) put_push(load(n.push), b);
-    const State<R> end = Rung::end(c, b, start, R::load(n.length.data() + i));
+    R rate(S(0));
+    if constexpr (Rung::kPushed) put_push(load(n.push), b), rate = R::load(n.drag_rate.data() + i);
+    const State<R> end = Rung::end(c, b, start, R::load(n.length.data() + i), rate);
     for (std::size_t axis = 0; axis < 3; ++axis) {
       end.x[axis].store(n.end_x[axis].data() + i);
       end.v[axis].store(n.end_v[axis].data() + i);

@@ -24,6 +24,7 @@ struct NewbornFlights {
   std::array<Column, 3> x, v;          // where they start
   Column length;                       // how long they fly, above 0 [s]
   std::array<Column, 3> push;          // that their emitter gives them where they start; read where rows are forced
+  Column drag_rate;                    // of the drag in it
   std::array<Column, 3> end_x, end_v;  // where they get to
   std::uint32_t known = 0;             // a bit for each lane: nothing happens to it on its way
 };

@@ -2,15 +2,18 @@
 
 #include <algorithm>
 #include <cmath>
+#include <deque>
 #include <limits>
 #include <map>
 #include <queue>
 #include <set>
 #include <tuple>
+#include <utility>
 
 #include "base/assert.hpp"
 #include "collide/scene_contact.hpp"
 #include "model/pair_contact.hpp"
+#include "world/held_forces.hpp"
 #include "world/pair_sweep.hpp"
 #include "world/world_impl.hpp"
 
@@ -20,10 +23,12 @@ namespace {
 using collide::Knot;
 using collide::Touch;
 
-/// Meetings of one projectile in a step; who has more lies on what it meets.
-constexpr int kMostMeetings = 1000;
+/// Meetings of one projectile in a step; one that has had more lies on what it meets, and meets nothing more in the step.
+constexpr int kMostMeetings = 100;
 /// Part of a step within which meetings fall on one moment.
 constexpr double kAtOnce = 1e-9;
+/// Slower it does not move for having passed on a blow [m/s].
+constexpr double kUnmoved = 1e-12;
 
 [[nodiscard]] bool meets_others(const Slot& slot, const Kind& kind) {
   return kind.body.collision.others != 0 && slot.is(kAlive) && !slot.is(kPending);
@@ -96,19 +101,29 @@ class PairStep {
     const Rows& rows = context_.state->rows[c.cohort];
     const double dt = context_.dt;
     PHYSIM_ASSERT(!c.flies || s_.before[c.cohort].has_value());
+    if (flew_as_packs_do(c)) c.traces.clear();
     if (!c.flies) {
       c.path = {{0, rows.position(c.row), {}}, {dt, rows.position(c.row), {}}};
     } else if (c.traces.empty()) {
       const Rows& before = *s_.before[c.cohort];
       c.path = {{0, before.position(c.row), before.velocity(c.row)}, {dt, rows.position(c.row), rows.velocity(c.row)}};
+      c.ahead = (c.path[1].v - c.path[0].v) * stagger(w_.registry.cohort(c.cohort).key.fidelity);
+      for (Knot& k : c.path) k.v += c.ahead;
     } else {
       follow_traces(c, std::binary_search(leaving_.begin(), leaving_.end(), c.slot));
     }
     look_how_far(c);
   }
+  /// Whether a row that was settled took one whole step, as rows of packs do: its path has the same bits as theirs, so
+  /// that it does not matter which rows are looked at.
+  [[nodiscard]] bool flew_as_packs_do(const Collider& c) const {
+    return c.traces.size() == 2 && c.traces[0].passed == 0 && c.traces[1].passed >= context_.dt &&
+           c.traces[1].ahead != Vec3d{};
+  }
   void follow_traces(Collider& c, bool leaves) {
     c.path.clear();
     for (const Trace& t : c.traces) c.path.push_back({t.passed, t.state.x, t.state.v});
+    c.ahead = c.traces.back().ahead;
     c.is_gone = leaves && c.path.back().time < context_.dt;
     if (c.is_gone || c.path.back().time >= context_.dt) return;
     const Vec3d rests = c.path.back().x;
@@ -138,6 +153,10 @@ class PairStep {
   [[nodiscard]] static Knot at(const Collider& c, double time) {
     return collide::leg_of(c.path, collide::leg_at(c.path, time)).at(time);
   }
+  /// Without others that it lies on.
+  [[nodiscard]] static Vec3d free_acceleration(const Collider& c, double time) {
+    return c.free ? *c.free : acceleration(c, time);
+  }
   /// Over the leg of its path: within one, steps of low order may bend to and fro.
   [[nodiscard]] static Vec3d acceleration(const Collider& c, double time) {
     const collide::Leg leg = collide::leg_of(c.path, collide::leg_at(c.path, time));
@@ -149,6 +168,7 @@ class PairStep {
   void look(std::uint32_t i, std::uint32_t j, double from) {
     const Collider &a = all_[i], &b = all_[j];
     if ((!may_move(a) && !may_move(b)) || !want_each_other(a, b)) return;
+    if (std::max(a.hits, b.hits) > kMostMeetings) return;
     const double radius = reach(a) + reach(b);
     from = std::max({from, a.since, b.since});
     const double to = std::min(a.path.empty() ? -1 : a.path.back().time, b.path.empty() ? -1 : b.path.back().time);
@@ -170,7 +190,8 @@ class PairStep {
     const double slack = this->slack(a, b);
     if (apart > radius + slack) return note(first(a, b, radius, Touch::comes_near, from), EventKind::hit);
     const double speed = dot(on_a.v - on_b.v, on_a.x - on_b.x);
-    if (speed < -rounding_of_speed(a, b, on_a, on_b) * apart) return note(from, EventKind::hit);
+    const double put = 4 * slack / context_.dt;  // so fast it may look that was put beside another one
+    if (speed < -(put + rounding_of_speed(a, b, on_a, on_b)) * apart) return note(from, EventKind::hit);
     // They touch, and part or stay: what counts is where they come nearer than that.
     note(first(a, b, std::min(radius, apart) - slack, Touch::comes_near, from), EventKind::hit);
   }
@@ -258,7 +279,8 @@ class PairStep {
     for (const Meeting& m : meetings)
       for (const std::uint32_t i : {m.a, m.b}) now_[i] = {at(all_[i], time)};
     for (const Meeting& m : meetings) touches_.push_back(touch_of(m, time));
-    for (const auto& [i, body] : now_) forget_after(all_[i], time);
+    find_who_lies_on_those(time);
+    find_what_passes_on(time);
     for (const TouchNow& t : touches_) {
       if (!t.strikes) continue;
       const Reason reason = t.inside ? Reason::inside : Reason::none;
@@ -266,6 +288,10 @@ class PairStep {
       tell(EventKind::hit, all_[t.b], all_[t.a], now_[t.b].knot, -t.n, reason);
     }
     part();
+    for (const TouchNow& t : touches_)
+      if (t.lies && dot(moved(t.a) - moved(t.b), t.n) > kUnmoved && !is_held(t)) lies_on_.erase({t.a, t.b});
+    std::erase_if(now_, [](const auto& each) { return each.second.is_still(); });
+    for (const auto& [i, body] : now_) forget_after(all_[i], time);
     for (const auto& [i, body] : now_) go_on(i, body);
     for (const auto& [i, body] : now_) look_around(i, time);
   }
@@ -275,12 +301,23 @@ class PairStep {
     PairBody moves{};
     Vec3d came{};                 // its spin before
     std::optional<Vec3d> spin{};  // afterwards, if it is another one
+    bool meets = true;            // false: it only lies at those that meet
+
+    /// It passed on what it was given, and nothing of it changed.
+    [[nodiscard]] bool is_still() const { return !meets && !spin && length(moves.velocity - knot.v) <= kUnmoved; }
   };
   struct TouchNow {
     std::uint32_t a, b;  // a < b
     Vec3d n;             // from b to a
     PairSurface surface;
-    bool nears, strikes, inside;
+    bool nears, strikes, inside, lies;
+  };
+  /// A surface that one of those that meet lies at.
+  struct WallNow {
+    std::uint32_t body;
+    PairBody wall;
+    Vec3d n;  // towards the body
+    PairSurface surface;
   };
   [[nodiscard]] TouchNow touch_of(const Meeting& m, double time) {
     PHYSIM_ASSERT(m.a < m.b && m.b < all_.size());
@@ -292,20 +329,116 @@ class PairStep {
     const double frame = frame_of_contact(context_.dt);
     const BodyDef &body_a = a.kind->body, &body_b = b.kind->body;
     PairSurface surface{body_a.restitution * body_b.restitution, body_a.friction * body_b.friction};
-    // As on the ground: a bounce that would be over within this step does not lift it any more.
-    const bool lies = (pull < 0 && -surface.restitution * before <= -pull * (0.5 * frame)) ||
-                      std::max(++a.hits, ++b.hits) > kMostMeetings;
+    const bool lies = is_low(surface, before, pull, frame) || std::max(++a.hits, ++b.hits) > kMostMeetings;
     const bool strikes = !lies || is_strike(before, pull, frame);
     if (lies) surface.restitution = 0, lies_on_.insert({m.a, m.b});
     const bool inside = time == 0 && length(on_a.x - on_b.x) < reach(a) + reach(b) - slack(a, b);
-    return {m.a, m.b, n, surface, before < 0, strikes, inside};
+    return {m.a, m.b, n, surface, before < 0, strikes, inside, lies};
+  }
+
+  /// As on the ground: a bounce that would be over within this step does not lift it any more.
+  [[nodiscard]] static bool is_low(const PairSurface& surface, double before, double pull, double frame) {
+    return pull < 0 && -surface.restitution * before <= -pull * (0.5 * frame);
+  }
+  /// One that lies does not fall with those that lie on it, if they meet at the same moment.
+  void find_who_lies_on_those(double time) {
+    const double frame = frame_of_contact(context_.dt);
+    const auto pulled = [&](std::uint32_t i) {
+      Vec3d pull = acceleration(all_[i], time);
+      for (const TouchNow& t : touches_) {
+        if (!t.lies || (t.a != i && t.b != i)) continue;
+        const Vec3d n = t.a == i ? t.n : -t.n;
+        pull -= n * min(dot(pull, n), 0.0);
+      }
+      return pull;
+    };
+    for (bool again = true; std::exchange(again, false);)
+      for (TouchNow& t : touches_) {
+        const double before = dot(now_[t.a].knot.v - now_[t.b].knot.v, t.n);
+        if (t.lies || !t.nears) continue;
+        const double pull = dot(pulled(t.a) - pulled(t.b), t.n);
+        if (!is_low(t.surface, before, pull, frame)) continue;
+        t.lies = again = true;
+        t.strikes = is_strike(before, pull, frame);
+        t.surface.restitution = 0;
+        lies_on_.insert({t.a, t.b});
+      }
+  }
+
+  /// What lies at those that lie feels the same moment: the weight of a pile goes through to the floor. A blow goes
+  /// from one to the next, as in a row of hard balls a little apart; what lay at one that is struck may meet it anew.
+  void find_what_passes_on(double time) {
+    walls_.clear();
+    PHYSIM_ASSERT(!touches_.empty() && !now_.empty());
+    if (std::ranges::any_of(touches_, [](const TouchNow& t) { return t.strikes; })) {
+      std::erase_if(lies_on_,
+                    [this](const auto& pair) { return now_.contains(pair.first) || now_.contains(pair.second); });
+      return;
+    }
+    std::vector<std::uint32_t> asked;
+    for (const auto& [i, body] : now_) asked.push_back(i);
+    for (std::size_t k = 0; k < asked.size(); ++k) {
+      const std::uint32_t i = asked[k];
+      if (!may_move(all_[i])) continue;
+      find_walls(i);
+      sweep_->each_beside(i, [&](std::uint32_t j) {
+        const auto is_known = [&](const TouchNow& t) { return (t.a == i && t.b == j) || (t.a == j && t.b == i); };
+        if (std::ranges::any_of(touches_, is_known)) return;
+        const auto touch = touch_at_rest(std::min(i, j), std::max(i, j), time);
+        if (!touch) return;
+        touches_.push_back(*touch);
+        if (now_.contains(j)) return;
+        now_[j] = {.knot = at(all_[j], time), .meets = false};
+        asked.push_back(j);
+      });
+    }
+  }
+  /// Two that touch and do not part.
+  [[nodiscard]] std::optional<TouchNow> touch_at_rest(std::uint32_t i, std::uint32_t j, double time) const {
+    const Collider &a = all_[i], &b = all_[j];
+    if ((!may_move(a) && !may_move(b)) || !want_each_other(a, b) || passes(a) || passes(b)) return std::nullopt;
+    for (const Collider* c : {&a, &b})
+      if (c->path.size() < 2 || time < c->since || time > c->path.back().time) return std::nullopt;
+    const Knot on_a = at(a, time), on_b = at(b, time);
+    const bool lies = lies_on_.contains({i, j});
+    if (length(on_a.x - on_b.x) > reach(a) + reach(b) + 4 * slack(a, b)) return std::nullopt;
+    const Vec3d n = normal_between(on_a, on_b);
+    const double put = 4 * slack(a, b) / context_.dt;
+    if (dot(on_a.v - on_b.v, n) > put + rounding_of_speed(a, b, on_a, on_b)) return std::nullopt;
+    const BodyDef &body_a = a.kind->body, &body_b = b.kind->body;
+    const double restitution = lies ? 0 : body_a.restitution * body_b.restitution;
+    return TouchNow{i, j, n, {restitution, body_a.friction * body_b.friction}, true, false, false, lies};
+  }
+  /// The surfaces that it touches and does not part from.
+  void find_walls(std::uint32_t i) {
+    PHYSIM_ASSERT(now_.contains(i));
+    const Collider& c = all_[i];
+    const Knot& now = now_[i].knot;
+    const CollisionDef& of = c.kind->body.collision;
+    if (!context_.scene || of.layers == 0 || !(of.radius > 0)) return;
+    const double time = context_.time + now.time, within = of.radius + 4e-10 + 16 * c.spacing;
+    const auto add = [&](const SceneNearest& near) {
+      if (near.away == Vec3d{}) return;
+      const Vec3d u = velocity_at(*context_.scene->state(near.instance, time), near.position);
+      const double put = (within - of.radius) / context_.dt;  // so fast it may look that was put beside the surface
+      if (dot(now.v - u, near.away) > put + 8 * epsilon_of(c) * (length(now.v) + length(u))) return;
+      const Material& material = context_.scene->material(near.material);
+      const BodyDef& body = c.kind->body;
+      walls_.push_back({i,
+                        {.velocity = u},
+                        near.away,
+                        {material.restitution * body.restitution, material.friction * body.friction}});
+    };
+    SceneByMotion(*context_.scene).each_beside(now.x, within, {.layers = of.layers, .sensors = false}, time, add);
   }
 
   /// The impulses that they give each other.
   void part() {
     for (auto& [i, body] : now_) {
       const auto rubs = [i = i](const TouchNow& t) { return (t.a == i || t.b == i) && t.surface.friction > 0; };
-      body.moves = body_of(all_[i], body.knot, std::ranges::any_of(touches_, rubs));
+      const auto wall_rubs = [i = i](const WallNow& w) { return w.body == i && w.surface.friction > 0; };
+      const bool any = std::ranges::any_of(touches_, rubs) || std::ranges::any_of(walls_, wall_rubs);
+      body.moves = body_of(all_[i], body.knot, any);
       body.came = body.moves.spin;
     }
     std::vector<PairTouch> touches;
@@ -313,11 +446,10 @@ class PairStep {
       PHYSIM_ASSERT(may_move(all_[t.a]) || may_move(all_[t.b]));
       if (t.nears) touches.push_back({now_[t.a].moves, now_[t.b].moves, t.n, t.surface});
     }
+    for (WallNow& w : walls_) touches.push_back({now_[w.body].moves, w.wall, w.n, w.surface});
     meet(touches);
-    for (auto& [i, body] : now_) {
-      body.knot.v = body.moves.velocity;
+    for (auto& [i, body] : now_)
       if (body.moves.spin != body.came) body.spin = body.moves.spin;
-    }
   }
   [[nodiscard]] PairBody body_of(const Collider& c, const Knot& now, bool rubs) {
     const CollisionDef& ball = c.kind->body.collision;
@@ -351,7 +483,9 @@ class PairStep {
     PHYSIM_ASSERT(c.flies && s_.before[c.cohort].has_value());
     context_.state->rows[c.cohort].put_back(c.row, *s_.before[c.cohort]);
     s_.chunk.cohort = c.cohort;
-    if (w_.registry.cohort(c.cohort).key.forced)
+    if (c.is_roused)
+      with_held_forces(w_, context_, context_.state->slots[c.slot], f);
+    else if (w_.registry.cohort(c.cohort).key.forced)
       with_taken_step(context_, w_.forced_scratch, c.cohort, c.row, f);
     else
       f(context_);
@@ -374,7 +508,9 @@ class PairStep {
   void go_on(std::uint32_t i, const BodyNow& body) {
     Collider& c = all_[i];
     if (!may_move(c)) return;
-    const Knot& now = body.knot;
+    Knot now = body.knot;
+    now.v = body.moves.velocity;
+    const std::optional<Vec3d> pulled = pulled_at_rest(i, now.time);
     OnHit on_hit = OnHit::bounce;
     for (const TouchNow& t : touches_) {
       if ((t.a != i && t.b != i) || !t.strikes) continue;
@@ -385,11 +521,62 @@ class PairStep {
     ++c.version;
     PHYSIM_ASSERT(now.time >= c.since);  // meetings come in order of time
     c.since = now.time;
-    if (c.sleeps)
-      slide(c, now, body.spin, on_hit);
-    else
-      fly_on(c, {now.time, last_trace(c, now.time), {now.x, now.v}, body.spin, then(on_hit)});
+    if (c.sleeps) rouse(c);
+    Parting parting{now.time, last_trace(c, now.time), {now.x, now.v}, body.spin, then(on_hit), {}};
+    const bool lies = pulled && parting.then == Parting::Then::flies_on;
+    if (lies) parting.then = Parting::Then::lies, parting.pull = *pulled;
+    const Vec3d free = free_acceleration(c, now.time);
+    fly_on(c, parting);
+    c.free = lies ? std::optional(free) : std::nullopt;
     look_how_far(c);
+  }
+  /// Whether one of two that lie on each other goes on lying there.
+  [[nodiscard]] bool is_held(const TouchNow& t) const {
+    const double time = now_.at(t.a).knot.time;
+    const Collider &a = all_[t.a], &b = all_[t.b];
+    const double above = dot(free_acceleration(a, time) - acceleration(b, time), t.n);
+    const double below = dot(acceleration(a, time) - free_acceleration(b, time), t.n);
+    return !lifts_off(dot(moved(t.a) - moved(t.b), t.n), std::min(above, below), frame_of_contact(context_.dt));
+  }
+  /// What is left of the acceleration of one that lies on others, and goes on lying there; none: it flies.
+  [[nodiscard]] std::optional<Vec3d> pulled_at_rest(std::uint32_t i, double time) const {
+    const Vec3d free = free_acceleration(all_[i], time);
+    const double frame = frame_of_contact(context_.dt);
+    std::vector<Vec3d> held;
+    for (const TouchNow& t : touches_) {
+      if (!t.lies || (t.a != i && t.b != i)) continue;
+      const Vec3d n = t.a == i ? t.n : -t.n;
+      const double pull = dot(free, n), leaves = dot(moved(t.a) - moved(t.b), t.n);
+      if (pull < 0 && !lifts_off(leaves, pull, frame)) held.push_back(n);
+    }
+    if (held.empty()) return std::nullopt;
+    Vec3d pull = free;
+    constexpr int kTurns = 16;
+    for (int turn = 0; turn < kTurns; ++turn)
+      for (const Vec3d& n : held) pull -= n * min(dot(pull, n), 0.0);
+    return pull;
+  }
+  /// Its velocity behind the moment at hand.
+  [[nodiscard]] Vec3d moved(std::uint32_t i) const {
+    const auto found = now_.find(i);
+    return found == now_.end() ? Vec3d{} : found->second.moves.velocity;
+  }
+  /// One that slept takes part from now on: its row is one of those that fly, as it was when the step began.
+  void rouse(Collider& c) {
+    w_.wake(c.slot, context_.time + c.since);
+    const Slot& slot = context_.state->slots[c.slot];
+    PHYSIM_ASSERT(c.sleeps && !slot.is(kStill));
+    c.cohort = slot.cohort, c.row = slot.row;
+    c.sleeps = false, c.flies = c.is_roused = true;
+    s_.before.resize(std::max(s_.before.size(), context_.state->rows.size()));
+    Rows& rows = context_.state->rows[c.cohort];
+    std::optional<Rows>& before = s_.before[c.cohort];
+    if (before) {
+      before->push_copy(rows, c.row);
+    } else {
+      rows.swap_positions();  // as swap_rows() did with the others
+      before = rows;
+    }
   }
   [[nodiscard]] static Parting::Then then(OnHit on_hit) {
     if (on_hit == OnHit::stop) return Parting::Then::stops;
@@ -404,19 +591,6 @@ class PairStep {
     };
     follow_traces(c, std::ranges::any_of(s_.chunk.changes, leaves));
   }
-  /// One that slept goes straight to the end of the step, and wakes there.
-  void slide(Collider& c, const Knot& now, const std::optional<Vec3d>& spin, OnHit on_hit) {
-    const bool ends = ends_flights(on_hit);
-    const Vec3d v = ends ? Vec3d{} : now.v;
-    c.path = {{now.time, now.x, v}, {context_.dt, now.x + v * (context_.dt - now.time), v}};
-    c.is_gone = on_hit == OnHit::stop;
-    if (c.is_gone) c.path.clear();
-    if (spin && !ends)
-      s_.chunk.changes.push_back({c.slot, Change::Kind::spin, LifeStatus::in_flight, Reason::none, *spin});
-    if (!ends) return;
-    const auto kind = c.is_gone ? Change::Kind::remove : Change::Kind::stick;
-    s_.chunk.changes.push_back({c.slot, kind, LifeStatus::landed, Reason::none, {}});
-  }
 
   // ------------------------------------------------------------------------------------------- the end
   /// What lies on another one stays outside of it, and does not press into it.
@@ -426,25 +600,60 @@ class PairStep {
     for (std::uint32_t i = 0; i < all_.size(); ++i) {
       if (all_[i].is_gone || all_[i].path.empty()) continue;
       end[i] = all_[i].path.back();
-      if (all_[i].sleeps && all_[i].is_new) moved.push_back(i);
     }
-    constexpr int kPasses = 16;  // more of them change little in what lies one on the other
-    for (int turn = 0; turn < kPasses; ++turn)
+    const std::vector<Beside> walls = beside_those_that_lie(end);
+    constexpr int kPasses = 200;  // enough for piles of ten
+    bool pushes = true;
+    for (int turn = 0; turn < kPasses && pushes; ++turn) {
+      pushes = false;
       for (const auto& [i, j] : lies_on_) {
         const Collider &a = all_[i], &b = all_[j];
         if (a.is_gone || b.is_gone || !push_apart(a, b, end[i], end[j])) continue;
         moved.push_back(i), moved.push_back(j);
+        pushes = true;
       }
+      for (const Beside& w : walls) {
+        const double deep = reach(all_[w.body]) - dot(end[w.body].x - w.place, w.n);
+        if (!(deep > 1e-9 * reach(all_[w.body]))) continue;
+        end[w.body].x += w.n * deep;
+        end[w.body].v -= w.n * min(dot(end[w.body].v - w.velocity, w.n), 0.0);
+      }
+    }
     std::sort(moved.begin(), moved.end());
     moved.erase(std::unique(moved.begin(), moved.end()), moved.end());
     for (const std::uint32_t i : moved)
-      if (may_move(all_[i])) s_.put.push_back({all_[i].slot, {end[i].x, end[i].v}});
+      if (may_move(all_[i])) s_.put.push_back({all_[i].slot, {end[i].x, end[i].v - all_[i].ahead}});
+  }
+  /// The surfaces beside which those are that lie on others: they are not pushed into them.
+  struct Beside {
+    std::uint32_t body;
+    Vec3d n, place, velocity;
+  };
+  [[nodiscard]] std::vector<Beside> beside_those_that_lie(const std::vector<Knot>& end) const {
+    std::vector<Beside> walls;
+    if (!context_.scene) return walls;
+    std::set<std::uint32_t> bodies;
+    for (const auto& [i, j] : lies_on_) bodies.insert(i), bodies.insert(j);
+    const double time = context_.time + context_.dt;
+    for (const std::uint32_t i : bodies) {
+      const Collider& c = all_[i];
+      const CollisionDef& of = c.kind->body.collision;
+      if (c.is_gone || !may_move(c) || of.layers == 0) continue;
+      const auto add = [&](const SceneNearest& near) {
+        if (near.away == Vec3d{}) return;
+        const Vec3d u = velocity_at(*context_.scene->state(near.instance, time), near.position);
+        walls.push_back({i, near.away, near.position, u});
+      };
+      SceneByMotion(*context_.scene)
+          .each_beside(end[i].x, 1.1 * of.radius, {.layers = of.layers, .sensors = false}, time, add);
+    }
+    return walls;
   }
   [[nodiscard]] static bool push_apart(const Collider& a, const Collider& b, Knot& on_a, Knot& on_b) {
     const Vec3d n = normal_between(on_a, on_b);
     const double give = dot(component_product(a.mobility + b.mobility, n), n);
     const double deep = reach(a) + reach(b) - length(on_a.x - on_b.x);
-    if (!(deep > 0) || !(give > 0)) return false;
+    if (!(deep > slack(a, b)) || !(give > 0)) return false;
     const Vec3d push = n * (deep / give);
     on_a.x += component_product(a.mobility, push);
     on_b.x -= component_product(b.mobility, push);
@@ -489,6 +698,7 @@ class PairStep {
   std::map<std::pair<std::uint32_t, std::uint32_t>, bool> inside_;  // of those that pass: what was told last
   std::vector<std::pair<std::uint32_t, double>> cuts_;              // slots, and until when what they told holds
   std::vector<TouchNow> touches_;                                   // of the moment at hand
+  std::deque<WallNow> walls_;                                       // at which bodies lie then
   std::map<std::uint32_t, BodyNow> now_;
 };
 

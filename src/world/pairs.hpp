@@ -27,17 +27,20 @@ struct Collider {
   double spacing = 0;        // of its row's numbers, times their size [-]
   std::vector<collide::Knot> path;
   std::vector<Trace> traces;  // where its step was settled
+  Vec3d ahead{};              // by how much it moves faster at the end of the path than its row says [m/s]
   collide::Bounds box;        // of its path, as wide as the projectile
   double since = 0;           // its path counts from then on [s into the step]
   std::uint32_t version = 0;  // of its path
   int hits = 0;
   bool sleeps = false;
-  bool flies = false;    // its row is stepped
-  bool is_gone = false;  // at the end of its path
-  bool is_new = false;   // its path is another one than it flew alone
+  bool flies = false;           // its row is stepped
+  bool is_roused = false;       // it slept when the step began
+  std::optional<Vec3d> free{};  // of one that lies on others: its acceleration without them [m/s^2]
+  bool is_gone = false;         // at the end of its path
+  bool is_new = false;          // its path is another one than it flew alone
 };
 
-/// How a projectile is put after a step, for what lies on it or slept until it was hit.
+/// How a projectile is put after a step, for what lies on it.
 struct PutAfter {
   std::uint32_t slot;
   BodyState state;

@@ -37,12 +37,13 @@ class WorldPushes final : public Pushes {
     if (drive_) drive_.begin_step(integrator_, time_, then.dt);
     return field_.is_felt() || drive_;
   }
-  Vec3d at(double place, const State<double>& s) override {
+  Pushed<double> at(double place, const State<double>& s) override {
     rows_.position[0] = s.x;
     rows_.velocity[0] = s.v;
     rows_.sound = finite(s.x) && finite(s.v);
     field_.evaluate(place);
-    const Vec3d pushed = rows_.force[0] * (1 / rows_.mass[0]);
+    const double per_mass = 1 / rows_.mass[0];
+    const Pushed<double> pushed{rows_.force[0] * per_mass, rows_.drag_rate[0] * per_mass};
     return drive_ ? pushed + drive_.at(time_ + place * clock_.dt, s) : pushed;
   }
 

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
+#include <utility>
 
 #include "world/ground_contact.hpp"
 #include "world/height_crossings.hpp"
@@ -51,8 +53,13 @@ class Settling {
   void run_after(const Parting& parting) {
     r_.go_to(parting);
     if (parting.spin) r_.put_spin(*parting.spin, parting.passed);
-    r_.put(parting.state, parting.passed);
-    if (parting.then != Parting::Then::flies_on) {
+    put(parting.state, parting.passed);
+    if (parting.then == Parting::Then::lies) {
+      const auto& [x, v] = parting.state;
+      const double left = r_.step_length() - parting.passed;
+      lies_on_others_ = true;
+      roll(parting.state, {x + v * left + parting.pull * (0.5 * left * left), v + parting.pull * left}, parting.passed);
+    } else if (parting.then != Parting::Then::flies_on) {
       stay(parting.state, parting.then == Parting::Then::sticks);
     } else {
       parts_.come_near(parting.passed);
@@ -84,7 +91,7 @@ class Settling {
   }
   void follow_rules() {
     if (r_.gone()) return;
-    RowRules<S>(context_, r_).follow(scene_.is_carried());
+    RowRules<S>(context_, r_).follow(scene_.is_carried() || lies_on_others_);
     r_.write();
     if (r_.meets()) look_around();
   }
@@ -124,17 +131,25 @@ class Settling {
     const double clock = passed - static_cast<double>(s.t);  // from the march's clock to time into the step
     const S limit = whole && r_.is_clocked() ? r_.t_end() : s.t + h;
     march.restart(limit, h);
+    if (steps_of_) march.restagger(*std::exchange(steps_of_, h), h);
     while (!march.arrived()) {
       const bool accepted = r_.is_driven() || march.try_step();
       if (r_.is_driven()) r_.take_driven_step(passed, limit, h);
       if (!r_.outlives(accepted)) return;
       if (!accepted) continue;
       if (look(clock)) return;
-      march.accept(true);
+      move_on();
       // The march's clock is rounded to the row's precision.
       const double now = march.arrived() ? parts_.end() : static_cast<double>(s.t) + clock;
-      r_.trace(std::min(now, parts_.end()), r_.here());
+      r_.trace_moving(std::min(now, parts_.end()));
     }
+    // The next step is one of the length of all.
+    if (steps_of_ && parts_.is_last()) march.restagger(h, static_cast<S>(plain_step(*context_.def, context_.dt)));
+  }
+  /// Accepts the step just taken. Others see with which velocities it moved.
+  void move_on() {
+    r_.tell_last_trace_moves();
+    r_.march.accept(true);
   }
 
   /// The step was taken together with others, whole.
@@ -143,8 +158,8 @@ class Settling {
     r_.put_taken();
     if (!r_.ends_finite()) return r_.retire(Reason::non_finite);
     if (look(-static_cast<double>(r_.march.lanes.step.t))) return;
-    r_.march.accept(true);
-    r_.trace(context_.dt, r_.here());
+    move_on();
+    r_.trace_moving(context_.dt);
   }
 
   /// Looks for events in the step just taken; true where one of them ends it.
@@ -163,7 +178,7 @@ class Settling {
       const double t = at.time(crossings.found[i].theta);
       const State<double> s = at.at_time(t);
       const Watched& watched = course_.watch.item[crossings.found[i].index];
-      if (watched.outcome == Outcome::landed) return land(s, t, clock), true;
+      if (watched.outcome == Outcome::landed) return land(at.moving_at_time(t, ground_.up_at(s.x)), t, clock), true;
       if (watched.outcome == Outcome::left_domain) return r_.retire(Reason::left_domain), true;
       r_.tell(watched.spec.kind, Reason::none, t + clock, s);
     }
@@ -177,6 +192,7 @@ class Settling {
   /// Came to the ground inside a step.
   void land(const State<double>& s, double t, double clock) {
     const double passed = passed_at(t, clock);
+    r_.tell_last_trace_moves();
     stop_at(t, passed);
     touch_ground(s, passed);
   }
@@ -184,9 +200,10 @@ class Settling {
   void strike(const collide::PathHit& met, double clock) {
     const double t = judgement_->at.time(met.theta);
     const double passed = passed_at(t, clock);
-    const State<double> s{met.hit.position, judgement_->at.at_time(t).v};
+    const State<double> s{met.hit.position, judgement_->at.moving_at_time(t, met.hit.normal).v};
+    r_.tell_last_trace_moves();
     r_.trace(passed, s);
-    r_.put(s, passed);
+    put(s, passed);
     stop_at(t, passed);
     touch_thing(s, met.hit, passed);
   }
@@ -218,7 +235,7 @@ class Settling {
     if (!met) return lie(to, r_.step_length());
     const State<double> s{met->hit.position, path(met->theta).v};
     const double at = std::min(passed + met->theta * left, r_.step_length());
-    r_.put(s, at);
+    put(s, at);
     touch_thing(s, met->hit, at);
   }
 
@@ -254,8 +271,13 @@ class Settling {
 
   // ------------------------------------------------------------------------------------------- what follows
   void go_on(const State<double>& s, double passed) {
-    r_.put(s, passed);
+    put(s, passed);
     parts_.go_on(passed);
+  }
+  /// A contact leaves the velocity of the motion itself.
+  void put(const State<double>& s, double passed) {
+    r_.put(s, passed);
+    steps_of_ = S(0);
   }
   /// Nothing more happens in this step.
   void lie(const State<double>& s, double passed) {
@@ -272,8 +294,10 @@ class Settling {
 
   const SettleContext& context_;
   SettledRow<S>& r_;
-  RowsAhead* waiting_;    // who look ahead together; null: it looks at once
-  bool touched_ = false;  // a thing, in this step
+  RowsAhead* waiting_;           // who look ahead together; null: it looks at once
+  bool touched_ = false;         // a thing, in this step
+  bool lies_on_others_ = false;  // which may leave: it does not sleep
+  std::optional<S> steps_of_;  // since a contact: of steps of which length its velocity is, see March::restagger() [s]
   const Course<S>& course_;
   StepParts parts_;
   GroundContacts<SettledRow<S>> ground_;

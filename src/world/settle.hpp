@@ -5,6 +5,7 @@
 #include <optional>
 #include <vector>
 
+#include "flight/step_parts.hpp"
 #include "world/hit_asking.hpp"
 #include "world/restless.hpp"
 #include "world/state.hpp"
@@ -31,16 +32,18 @@ struct Trace {
   State<double> state{};
   Vec3d spin{};         // [rad/s]
   Turn<double> turn{};  // of rungs that turn
+  Vec3d ahead{};        // by how much `state` is faster than the velocity of its row [m/s]
 };
 
 /// How a row continues from a meeting with another one.
 struct Parting {
-  enum class Then : std::uint8_t { flies_on, stops, sticks };
+  enum class Then : std::uint8_t { flies_on, lies, stops, sticks };
   double passed = 0;            // into the step [s]
   const Trace* from = nullptr;  // the last moment before, where the step was settled; null: it flew from its start
   State<double> state{};        // after it
   std::optional<Vec3d> spin{};  // that it has then; none: as it was [rad/s]
   Then then = Then::flies_on;
+  Vec3d pull{};  // of one that lies on others: its acceleration until the end of the step [m/s^2]
 };
 
 /// Rows of one cohort that one thread steps.
@@ -89,7 +92,7 @@ struct SettleContext {
 template <class S>
 struct TakenStep {
   Step<S> step;         // start, end, and the slopes but that at the end
-  Vec3<S> push[2];      // acceleration by generators at its start and end
+  Pushed<S> push[2];    // by generators at its start and end
   bool own_force;       // some row of the cohort has a ProjectileDef::force
   bool driven = false;  // `push` has what an emitter does to a particle, too
   bool pushed = true;   // there are generators
@@ -103,6 +106,11 @@ template <class S>
 inline constexpr double kLongestBouncingStep = 0.1;  // [s]
 [[nodiscard]] inline bool flies_in_parts(const WorldDef& def, double dt) {
   return def.ground.mode == GroundMode::bounce && dt > kLongestBouncingStep;
+}
+
+/// The length of the steps that velocities of rows are of, see March::restagger() [s].
+[[nodiscard]] inline double plain_step(const WorldDef& def, double dt) {
+  return StepParts::first(dt, flies_in_parts(def, dt));
 }
 
 /// Steps one row that was left where it was, and writes where it is after the step, unless a hit of it is left open.

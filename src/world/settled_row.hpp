@@ -46,7 +46,7 @@ class SettledRow final : public ContactHost {
   [[nodiscard]] const State<double>& at_start() const { return start_; }
   /// It is somewhere, and what generators give it there is a number.
   [[nodiscard]] bool is_sound() const {
-    return is_finite(now()) && (!taken_ || is_finite(State<S>{taken_->push[0], {}}));
+    return is_finite(now()) && (!taken_ || is_finite(State<S>{taken_->push[0].a, {}}));
   }
   [[nodiscard]] bool ends_finite() const { return physim::ends_finite(cohort_.key.fidelity, march.lanes.step); }
   [[nodiscard]] bool gone() const { return gone_; }
@@ -131,7 +131,7 @@ class SettledRow final : public ContactHost {
   [[nodiscard]] Vec3d acceleration_at(const State<double>& s, double after) const override {
     const Vec3d a =
         acceleration_of_lane(conditions(), march.lanes, march.course().body, static_cast<double>(t_start_) + after, s);
-    return driven_ ? a + kept(driven_->by.at(context_.time + after, s) - driven_->felt) : a;
+    return driven_ ? a + kept(driven_->by.at(context_.time + after, s).a - driven_->felt.a) : a;
   }
 
   /// What constraints leave of a velocity or a way.
@@ -258,8 +258,23 @@ class SettledRow final : public ContactHost {
   /// Keeps a moment for others that it may meet.
   void trace(double passed, const State<double>& s) {
     if (!is_traced_) return;
-    Trace& moment = chunk_.traces.emplace_back(Trace{slot_index_, passed, s, spin(passed), {}});
+    Trace& moment = chunk_.traces.emplace_back(Trace{slot_index_, passed, s, spin(passed), {}, {}});
     if (turning()) cast_numbers(march.lanes.step.turn->start, moment.turn);
+  }
+  /// The moment at which an accepted step ended, with the velocity that it moves with.
+  void trace_moving(double passed) {
+    trace(passed, here());
+    tell_last_trace_moves();
+  }
+  /// The last moment is where the step at hand starts: with the velocity that it moves with there.
+  void tell_last_trace_moves() {
+    const Step<S>& s = march.lanes.step;
+    const double part = stagger(conditions().fidelity);
+    if (!is_traced_ || part == 0 || chunk_.traces.empty()) return;
+    Trace& last = chunk_.traces.back();
+    const Vec3d a = vec_cast<double>(s.slope[0].v) * part;
+    last.state.v = here().v + a * static_cast<double>(s.h);
+    last.ahead = a * plain_step(*context_.def, context_.dt);  // its row is put for such steps
   }
 
   void write() {
@@ -309,17 +324,21 @@ class SettledRow final : public ContactHost {
     }
     if (taken_) feel(taken_->push[0], t_start_);
   }
-  /// From now on the models feel that acceleration by generators.
-  void feel(const Vec3<S>& push, S t) {
+  /// From now on the models feel that by generators.
+  void feel(const Pushed<S>& push, S t) {
     march.lanes.body = *from_row_;
-    add_push(*march.course().conditions, t, push, taken_->own_force, march.lanes.body);
+    add_push(*march.course().conditions, t, push.a, taken_->own_force, march.lanes.body);
+    march.lanes.drag_rate = push.drag_rate;
+  }
+  [[nodiscard]] static Pushed<S> narrow(const Pushed<double>& push) {
+    return {vec_cast<S>(push.a), static_cast<S>(push.drag_rate)};
   }
   /// From now on they feel generators, held, and what its emitter does to it there.
   void feel_drive(double passed, const State<S>& at, S t) {
     const S part = static_cast<S>(passed / context_.dt);
-    const Vec3<S>* const held = driven_->held;
+    const Pushed<S>* const held = driven_->held;
     driven_->felt = driven_->by.at(context_.time + passed, {vec_cast<double>(at.x), vec_cast<double>(at.v)});
-    feel(held[0] + (held[1] - held[0]) * part + vec_cast<S>(driven_->felt), t);
+    feel(held[0] + (held[1] - held[0]) * part + narrow(driven_->felt), t);
   }
   /// Whether its emitter acts on it; and what generators alone gave it then.
   void find_drive() {
@@ -333,9 +352,9 @@ class SettledRow final : public ContactHost {
     d.felt = d.by.at(context_.time, start_);
     if (!taken_->pushed) return;
     const State<S>& end = taken_->step.end;
-    const Vec3d then = d.by.at(context_.time + context_.dt, {vec_cast<double>(end.x), vec_cast<double>(end.v)});
-    d.held[0] = d.held[0] - vec_cast<S>(d.felt);
-    d.held[1] = d.held[1] - vec_cast<S>(then);
+    const State<double> there{vec_cast<double>(end.x), vec_cast<double>(end.v)};
+    d.held[0] = d.held[0] - narrow(d.felt);
+    d.held[1] = d.held[1] - narrow(d.by.at(context_.time + context_.dt, there));
   }
   /// Closed forms know only their launch: after a bounce it is where they bounced, and their clock starts there.
   void relaunch(double passed) {
@@ -379,8 +398,8 @@ class SettledRow final : public ContactHost {
   /// Where its emitter acts on its flight.
   struct Driven {
     Drive by;
-    Vec3<S> held[2];  // by generators at the start and the end of the step
-    Vec3d felt;       // what it feels of its emitter now
+    Pushed<S> held[2];    // by generators at the start and the end of the step
+    Pushed<double> felt;  // what it feels of its emitter now
   };
   std::optional<Driven> driven_;
   bool is_traced_;  // it meets others

@@ -380,6 +380,8 @@ struct KnownRung {
   template <class S>
   PHYSIM_INLINE static Conditions<S> known(const Conditions<S>& c) {
     Conditions<S> k;
+    k.fidelity.motion = Motion::force;
+    k.fidelity.integrator = Integrator::semi_implicit_euler;
     k.fidelity.gravity = GravityModel::constant;
     k.fidelity.earth = EarthModel::flat;
     k.fidelity.drag = drag;
@@ -416,7 +418,7 @@ struct KnownRung {
       m.start = load_state<R>(job, row);
       // Made again wherever it is read and just before, or compilers forget what is known.
       const Conditions<S> c = known(given);
-      m.end.v = m.start.v + acceleration(c, b, R(S(0)), m.start) * h;
+      m.end.v = m.start.v + acceleration_over(c, b, R(S(0)), m.start, {h, R(S(0))}) * h;
       m.end.x = m.start.x + m.end.v * h;
       m.lost = h != h;
       return m;

@@ -20,7 +20,13 @@ struct StrikePath {
     return dense_state(Integrator::semi_implicit_euler, n0, n1, static_cast<const State<W>*>(nullptr), theta);
   }
   PHYSIM_INLINE W time(const W& theta) const { return n0.t + theta * (n1.t - n0.t); }
-  PHYSIM_INLINE State<W> at_time(const W& t) const { return (*this)(place_between(n0, n1, t)); }
+  /// As DenseLanes gives it.
+  PHYSIM_INLINE State<W> moving_at_time(const W& t) const {
+    const W theta = place_between(n0, n1, t);
+    State<W> s = (*this)(theta);
+    move_on(ahead(stagger_of<SemiImplicitEuler>, n0, n1, theta), Vec3<W>{W(0.0), W(1.0), W(0.0)}, s);
+    return s;
+  }
 };
 
 /// Where in their steps lanes come down to a height, as CrossingFinder finds it; `from` and `to` are how high above it
@@ -38,9 +44,9 @@ template <class W>
 /// The acceleration on a known rung. Behind a call: a step asks four times.
 template <class Rung, class R, class S>
 [[gnu::noinline]] void find_slope(const Conditions<S>& given, const Body<R>& b, const R& t, const State<R>& s,
-                                  Vec3<R>& a) {
+                                  const R& h, Vec3<R>& a) {
   const Conditions<S> c = Rung::known(given);
-  a = acceleration(c, b, t, s);
+  a = acceleration_over(c, b, t, s, {h, R(ScalarOf<R>(0))});
 }
 
 /// A pack of rows on its way through a step. R are numbers of rows, W as many in double.
@@ -66,10 +72,10 @@ class Strike {
     if (!any(struck)) return;
     StrikePath<W> path;
     path.n0 = node(part.t, part.start, part.slope);
-    path.n1 = node(part.t_end, part.end, slope(part.t_end, part.end));
+    path.n1 = node(part.t_end, part.end, slope(part.t_end, part.end, part.h));
     MaskOf<W> plain = cast_mask<double, R>(struck) & (path.n0.y.x.y > W(job_.ground));
     const W t = path.time(place_on_ground(path, part, plain));
-    State<W> s = path.at_time(t);
+    State<W> s = path.moving_at_time(t);
     const W passed = min(t, W(job_.dt));
     plain = plain & (passed > W(0.0));
     const Vec3<W> up{W(0.0), W(1.0), W(0.0)};
@@ -93,20 +99,28 @@ class Strike {
   }
   static constexpr NumberRuns kBody = parts_read(rung(), Features{}).runs();
 
-  PHYSIM_INLINE Vec3<R> slope(const R& t, const State<R>& s) const {
+  /// The slope that a step of length h takes.
+  PHYSIM_INLINE Vec3<R> slope(const R& t, const State<R>& s, const R& h) const {
     Vec3<R> a;
-    find_slope<Rung>(*course_.conditions, body_, t, s, a);
+    find_slope<Rung>(*course_.conditions, body_, t, s, h, a);
     return a;
   }
   PHYSIM_INLINE Vec3<W> wide_slope(const W& t, const State<W>& s) const {
     Vec3<W> a;
-    find_slope<Rung>(*course_.conditions_double, wide_body_, t, s, a);
+    find_slope<Rung>(*course_.conditions_double, wide_body_, t, s, W(0.0), a);
     return a;
   }
   PHYSIM_INLINE void take(Part& p) const {
-    p.slope = slope(p.t, p.start);
+    p.slope = slope(p.t, p.start, p.h);
+    go(p);
+  }
+  PHYSIM_INLINE static void go(Part& p) {
     p.end.v = p.start.v + p.slope * p.h;
     p.end.x = p.start.x + p.end.v * p.h;
+  }
+  /// As March::restagger().
+  PHYSIM_INLINE static void restagger(const R& from, const R& to, const Vec3<R>& slope, Vec3<R>& v) {
+    v += slope * (constant<R>(stagger_of<SemiImplicitEuler>) * (from - to));
   }
   PHYSIM_INLINE static NodeOf<W> node(const R& t, const State<R>& s, const Vec3<R>& a) {
     NodeOf<W> n;
@@ -166,10 +180,13 @@ class Strike {
     part.h = cast<S>(W(job_.dt) - passed);
     part.t_end = part.t + part.h;
     cast_numbers(s, part.start);
-    take(part);
+    part.slope = slope(part.t, part.start, part.h);
+    restagger(R(S(0)), part.h, part.slope, part.start.v);
+    go(part);
     const Watching ground = watched(course_.watch.item[0].spec, part);
     const MaskOf<R> quiet = (part.t_end > part.t) & is_finite(part.start) & is_finite(part.end) & !ground.once &
                             !ground.twice & !crosses_other(part);
+    restagger(part.h, R(job_.rows.h), slope(part.t_end, part.end, part.h), part.end.v);
     State<W> end;
     cast_numbers(part.end, end);
     const W speed = length(end.v);

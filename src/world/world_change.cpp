@@ -79,14 +79,14 @@ bool WorldImpl::put_to_sleep(std::uint32_t index) {
   return true;
 }
 
-bool WorldImpl::wake(std::uint32_t index) {
+bool WorldImpl::wake(std::uint32_t index, std::optional<double> moment) {
   Slot& slot = state.slots[index];
   state.slots.rest(index) = {};
   if (!slot.is(kAsleep | kStuck)) return false;
   slot.set(kAsleep | kStuck, false);
   slot.set_status(LifeStatus::in_flight);
   placement.relocate(index);
-  tell(EventKind::woke, index);
+  tell(EventKind::woke, index, Reason::none, moment);
   return true;
 }
 

@@ -219,7 +219,8 @@ std::size_t World::felt_by(ForceId force) const {
 }
 
 // --------------------------------------------------------------------------------------------------- in a step
-Vec3d WorldImpl::generator_force(std::uint32_t index, const BodyState& there) const {
+Vec3d WorldImpl::generator_force(std::uint32_t index, const BodyState& there, double* drag_rate) const {
+  if (drag_rate) *drag_rate = 0;
   if (!is_target(index)) return {};
   ForceRows rows;
   rows.add(registry, state, index);
@@ -231,6 +232,7 @@ Vec3d WorldImpl::generator_force(std::uint32_t index, const BodyState& there) co
   rows.position[0] = there.position;
   rows.velocity[0] = there.velocity;
   field.evaluate(0);
+  if (drag_rate) *drag_rate = rows.drag_rate[0];
   return rows.force[0];
 }
 
@@ -240,7 +242,7 @@ Vec3d WorldImpl::emitter_push(std::uint32_t index) const {
   const Slot& slot = state.slots[index];
   drive.begin_step(registry.cohort(slot.cohort).key.fidelity.integrator, state.clock.time(), state.clock.dt);
   const BodyState now = state.state_of(slot);
-  return drive.at(state.clock.time(), {now.position, now.velocity});
+  return drive.at(state.clock.time(), {now.position, now.velocity}).a;
 }
 
 void WorldImpl::step_forced(double dt) {

@@ -118,7 +118,7 @@ struct WorldImpl : Gate {
   /// A projectile comes, launched `age` ago [s]; if its motor has no delay, it is ignited by its launch.
   void tell_launch(std::uint32_t slot, const Coming& coming);
   bool put_to_sleep(std::uint32_t slot);
-  bool wake(std::uint32_t slot);
+  bool wake(std::uint32_t slot, std::optional<double> moment = {});
   Status change_state(ProjectileId id, const BodyState& to);
   Status set_flag(ProjectileId id, std::uint32_t flag, bool on);
   Status change_own(std::uint32_t slot, const Own& to);
@@ -168,8 +168,8 @@ struct WorldImpl : Gate {
   [[nodiscard]] Status refuses(const ForceDef& force) const;
   [[nodiscard]] std::size_t felt_by(const Generator& generator) const;
   Status remove_target(ForceId force, ProjectileId id);
-  /// By all generators on one projectile now, were it there [N].
-  [[nodiscard]] Vec3d generator_force(std::uint32_t slot, const BodyState& there) const;
+  /// By all generators on one projectile now, were it there [N], and the rate of the drag in it, times its mass [kg/s].
+  [[nodiscard]] Vec3d generator_force(std::uint32_t slot, const BodyState& there, double* drag_rate = nullptr) const;
   /// By its emitter on the flight of a particle now [m/s^2].
   [[nodiscard]] Vec3d emitter_push(std::uint32_t slot) const;
 

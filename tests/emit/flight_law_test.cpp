@@ -142,6 +142,17 @@ TEST(FlightLaw, whatever_acts_beside_drag_by_age_is_told) {
   EXPECT_FALSE(alone([](ParticleFlight& f) { f.force_z = {1e-3}; }));
 }
 
+TEST(FlightLaw, tells_the_rate_of_its_drag) {
+  const auto rate = [](const ParticleFlight& def) {
+    double of = -1;
+    (void)FlightLaw(def, 5).acceleration({0, 10, 4}, 12, {.x = {}, .v = {3, 0, -4}}, &of);
+    return of;
+  };
+  EXPECT_EQ(rate({.gravity = {3}}), 0);
+  EXPECT_EQ(rate({.drag = {2, {}, kFalling}}), 1);
+  EXPECT_EQ(rate({.drag = {2}, .limit = {4}, .limit_rate = 10}), 2 + 10 * (1 - 4.0 / 5));
+}
+
 TEST(FlightLaw, of_a_pack_is_that_of_each) {
   constexpr std::size_t kPack = FlightLaw::kPack;
   test::Random r(3);
@@ -156,11 +167,14 @@ TEST(FlightLaw, of_a_pack_is_that_of_each) {
     }
     FlightPack<kPack>::Vectors a;
     pack.time.fill(12);
-    law.accelerations(pack, a);
+    FlightPack<kPack>::Column drag_rate;
+    law.accelerations(pack, a, drag_rate);
     for (std::size_t i = 0; i < kPack; ++i) {
       const auto vector = [i](const FlightPack<kPack>::Vectors& of) { return Vec3d{of[0][i], of[1][i], of[2][i]}; };
       const FlightState alone{vector(pack.x), vector(pack.v), vector(pack.gravity), pack.mass[i]};
-      EXPECT_EQ(vector(a), law.acceleration({pack.number[i], pack.birth[i], pack.span[i]}, 12, alone)) << i;
+      double rate = -1;
+      EXPECT_EQ(vector(a), law.acceleration({pack.number[i], pack.birth[i], pack.span[i]}, 12, alone, &rate)) << i;
+      EXPECT_EQ(drag_rate[i], rate) << i;
     }
   }
 }

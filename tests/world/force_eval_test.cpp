@@ -22,7 +22,7 @@ using test::same_bits;
 struct Batch final : Surroundings {
   std::vector<ProjectileId> id;
   std::vector<Vec3d> position, velocity, force;
-  std::vector<double> mass, age;
+  std::vector<double> mass, age, drag_rate;
   std::vector<const ProjectileDef*> def;
   std::vector<std::uint8_t> in_zone;
   std::map<std::uint32_t, State<double>> outside;
@@ -46,7 +46,8 @@ struct Batch final : Surroundings {
     force.push_back({});
   }
   bool push(const ForceLaw& law, std::span<const std::uint32_t> members, const ForceClock& clock = {}) {
-    ForceStage stage{time, id, position, velocity, mass, age, def, in_zone, force};
+    drag_rate.resize(id.size());
+    ForceStage stage{time, id, position, velocity, mass, age, def, in_zone, force, drag_rate};
     return add_force(law, clock, members, *this, stage, scratch);
   }
   bool push(const ForceLaw& law, std::initializer_list<std::uint32_t> members, const ForceClock& clock = {}) {
@@ -67,7 +68,9 @@ struct Batch final : Surroundings {
   [[nodiscard]] Vec3d drag_equation(std::uint32_t, double density, const Vec3d& u) const override {
     return u * (-density * drag_per_speed);
   }
-  [[nodiscard]] Vec3d own_drag(std::uint32_t row) const override { return velocity[row] * -own_drag_per_speed; }
+  [[nodiscard]] OwnDrag own_drag(std::uint32_t row) const override {
+    return {velocity[row] * -own_drag_per_speed, own_drag_per_speed};
+  }
 };
 
 /// Five projectiles with nothing round about them.
@@ -276,6 +279,7 @@ TEST(ForceEval, the_air_of_a_zone_takes_the_place_of_the_air_around) {
   for (const std::size_t row : {0, 2}) {
     const Vec3d& v = b.velocity[row];
     EXPECT_TRUE(near(b.force[row], (v - zone.velocity) * -0.6 + v * 0.3, 1e-14));
+    EXPECT_NEAR(b.drag_rate[row], 0.6 - 0.3, 1e-12);
   }
   for (const std::size_t row : {1, 3, 4}) EXPECT_EQ(b.force[row], (Vec3d{})) << "outside";
 

@@ -38,9 +38,11 @@ TEST(ForcedStep, the_rest_of_a_step_behind_a_meeting_feels_forces_as_they_are_th
     const double rest = dt - parted[0].time;
     ASSERT_GT(rest, 0.3 * dt);
     const Vec3d pulled = (anchor - parted[0].position) * (per_second_squared * rest);
+    // Velocities of semi-implicit steps are half a step behind those of the motion, which meetings give.
+    const double behind = integrator == Integrator::semi_implicit_euler ? 0.5 * dt : 0;
+    const Vec3d moves = world[id].velocity() + (anchor - parted[0].position) * (per_second_squared * behind);
     // On the way it changes by so much.
-    EXPECT_LT(length(world[id].velocity() - parted[0].velocity - pulled), per_second_squared * 8 * rest * rest)
-        << name(integrator);
+    EXPECT_LT(length(moves - parted[0].velocity - pulled), per_second_squared * 8 * rest * rest) << name(integrator);
   }
 }
 

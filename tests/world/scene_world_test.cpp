@@ -393,7 +393,7 @@ TEST(SceneWorld, a_start_inside_of_something_is_told) {
 }
 
 TEST(SceneWorld, what_leaves_all_numbers_beside_a_thing_is_retired) {
-  // Euler steps of drag so strong turn the velocity around and let it grow, until no number holds it.
+  // Heun's steps of drag so strong turn the velocity around and let it grow, until no number holds it.
   for (const Precision precision : {Precision::float32, Precision::float64}) {
     WorldDef def;
     def.ground.mode = GroundMode::none;
@@ -401,6 +401,7 @@ TEST(SceneWorld, what_leaves_all_numbers_beside_a_thing_is_retired) {
     ASSERT_TRUE(world.set_scene(room({50, 50, 50}, {.restitution = 1, .friction = 0})));
     ProjectileDef p = stone();
     p.fidelity = Fidelity::game();
+    p.fidelity.integrator = Integrator::heun;
     p.fidelity.precision = precision;
     p.drag.k2 = 1000 * p.mass;
     BodyDef body;

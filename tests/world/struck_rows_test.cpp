@@ -185,7 +185,7 @@ TEST(StruckRows, AreThoseThatStrikeOnce) {
       {0.05, 9},           // rises
       {0.0009, -5},        // bounces early
       {0.0003, -0.01},     // too slowly: it rolls
-      {0.005, -0.9, 0},    // is slower than its rule after it
+      {0.005, -0.8, 0},    // is slower than its rule after it
       {0.08, -8.01},       // bounces at the end
       {-0.01, 3},          // comes up from below
       {std::nan(""), -9},  // is nowhere
