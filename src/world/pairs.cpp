@@ -1,6 +1,7 @@
 #include "world/pairs.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <deque>
 #include <limits>
@@ -29,6 +30,8 @@ constexpr int kMostMeetings = 100;
 constexpr double kAtOnce = 1e-9;
 /// Slower it does not move for having passed on a blow [m/s].
 constexpr double kUnmoved = 1e-12;
+/// Part of their reach by which two may lie in each other; farther, one was put inside of the other [-].
+constexpr double kDeep = 1e-3;
 
 [[nodiscard]] bool meets_others(const Slot& slot, const Kind& kind) {
   return kind.body.collision.others != 0 && slot.is(kAlive) && !slot.is(kPending);
@@ -189,6 +192,10 @@ class PairStep {
     if (lies_on_.contains({i, j})) return;
     const double slack = this->slack(a, b);
     if (apart > radius + slack) return note(first(a, b, radius, Touch::comes_near, from), EventKind::hit);
+    if (apart < radius - slack && met_inside_.contains({i, j})) {
+      const auto left = first(a, b, radius + slack, Touch::goes_away, from);
+      return left ? note(first(a, b, radius, Touch::comes_near, *left), EventKind::hit) : void();
+    }
     const double speed = dot(on_a.v - on_b.v, on_a.x - on_b.x);
     const double put = 4 * slack / context_.dt;  // so fast it may look that was put beside another one
     if (speed < -(put + rounding_of_speed(a, b, on_a, on_b)) * apart) return note(from, EventKind::hit);
@@ -202,6 +209,12 @@ class PairStep {
   /// So far two that touch may be from where they should be [m].
   [[nodiscard]] static double slack(const Collider& a, const Collider& b) {
     return 1e-9 * (reach(a) + reach(b)) + 4 * std::max(a.spacing, b.spacing);
+  }
+  /// One was put inside of the other: they meet once in a step, until they have been apart.
+  [[nodiscard]] static bool is_deep(const Collider& a, const Collider& b, const Knot& on_a, const Knot& on_b) {
+    const double radius = reach(a) + reach(b);
+    PHYSIM_ASSERT(radius >= 0);
+    return length(on_a.x - on_b.x) < (1 - kDeep) * radius;
   }
   [[nodiscard]] double rounding_of_speed(const Collider& a, const Collider& b, const Knot& on_a,
                                          const Knot& on_b) const {
@@ -310,7 +323,7 @@ class PairStep {
     std::uint32_t a, b;  // a < b
     Vec3d n;             // from b to a
     PairSurface surface;
-    bool nears, strikes, inside, lies;
+    bool nears, strikes, inside, lies, deep;
   };
   /// A surface that one of those that meet lies at.
   struct WallNow {
@@ -329,11 +342,14 @@ class PairStep {
     const double frame = frame_of_contact(context_.dt);
     const BodyDef &body_a = a.kind->body, &body_b = b.kind->body;
     PairSurface surface{body_a.restitution * body_b.restitution, body_a.friction * body_b.friction};
-    const bool lies = is_low(surface, before, pull, frame) || std::max(++a.hits, ++b.hits) > kMostMeetings;
+    ++a.hits, ++b.hits;
+    const bool lies = is_low(surface, before, pull, frame) || std::max(a.hits, b.hits) > kMostMeetings;
     const bool strikes = !lies || is_strike(before, pull, frame);
     if (lies) surface.restitution = 0, lies_on_.insert({m.a, m.b});
     const bool inside = time == 0 && length(on_a.x - on_b.x) < reach(a) + reach(b) - slack(a, b);
-    return {m.a, m.b, n, surface, before < 0, strikes, inside, lies};
+    const bool deep = is_deep(a, b, on_a, on_b);
+    if (deep) met_inside_.insert({m.a, m.b});
+    return {m.a, m.b, n, surface, before < 0, strikes, inside, lies, deep};
   }
 
   /// As on the ground: a bounce that would be over within this step does not lift it any more.
@@ -371,8 +387,10 @@ class PairStep {
     walls_.clear();
     PHYSIM_ASSERT(!touches_.empty() && !now_.empty());
     if (std::ranges::any_of(touches_, [](const TouchNow& t) { return t.strikes; })) {
-      std::erase_if(lies_on_,
-                    [this](const auto& pair) { return now_.contains(pair.first) || now_.contains(pair.second); });
+      std::erase_if(lies_on_, [this](const auto& pair) {
+        const auto meets_now = [&](const TouchNow& t) { return std::pair{t.a, t.b} == pair; };
+        return (now_.contains(pair.first) || now_.contains(pair.second)) && std::ranges::none_of(touches_, meets_now);
+      });
       return;
     }
     std::vector<std::uint32_t> asked;
@@ -401,13 +419,14 @@ class PairStep {
       if (c->path.size() < 2 || time < c->since || time > c->path.back().time) return std::nullopt;
     const Knot on_a = at(a, time), on_b = at(b, time);
     const bool lies = lies_on_.contains({i, j});
-    if (length(on_a.x - on_b.x) > reach(a) + reach(b) + 4 * slack(a, b)) return std::nullopt;
+    const double gap = length(on_a.x - on_b.x) - (reach(a) + reach(b));
+    if (gap > 4 * slack(a, b) || is_deep(a, b, on_a, on_b)) return std::nullopt;
     const Vec3d n = normal_between(on_a, on_b);
     const double put = 4 * slack(a, b) / context_.dt;
     if (dot(on_a.v - on_b.v, n) > put + rounding_of_speed(a, b, on_a, on_b)) return std::nullopt;
     const BodyDef &body_a = a.kind->body, &body_b = b.kind->body;
     const double restitution = lies ? 0 : body_a.restitution * body_b.restitution;
-    return TouchNow{i, j, n, {restitution, body_a.friction * body_b.friction}, true, false, false, lies};
+    return TouchNow{i, j, n, {restitution, body_a.friction * body_b.friction}, true, false, false, lies, false};
   }
   /// The surfaces that it touches and does not part from.
   void find_walls(std::uint32_t i) {
@@ -444,10 +463,13 @@ class PairStep {
     std::vector<PairTouch> touches;
     for (const TouchNow& t : touches_) {
       PHYSIM_ASSERT(may_move(all_[t.a]) || may_move(all_[t.b]));
-      if (t.nears) touches.push_back({now_[t.a].moves, now_[t.b].moves, t.n, t.surface});
+      if (t.nears && !t.deep) touches.push_back({now_[t.a].moves, now_[t.b].moves, t.n, t.surface});
     }
     for (WallNow& w : walls_) touches.push_back({now_[w.body].moves, w.wall, w.n, w.surface});
     meet(touches);
+    // No impulses of balls inside of each other are right together: each pair is content once.
+    for (const TouchNow& t : touches_)
+      if (t.nears && t.deep) meet(std::array{PairTouch{now_[t.a].moves, now_[t.b].moves, t.n, t.surface}});
     for (auto& [i, body] : now_)
       if (body.moves.spin != body.came) body.spin = body.moves.spin;
   }
@@ -695,6 +717,7 @@ class PairStep {
   std::optional<PairSweep> sweep_;
   std::priority_queue<Meeting> queue_;
   std::set<std::pair<std::uint32_t, std::uint32_t>> lies_on_;
+  std::set<std::pair<std::uint32_t, std::uint32_t>> met_inside_;    // of those that began inside of each other
   std::map<std::pair<std::uint32_t, std::uint32_t>, bool> inside_;  // of those that pass: what was told last
   std::vector<std::pair<std::uint32_t, double>> cuts_;              // slots, and until when what they told holds
   std::vector<TouchNow> touches_;                                   // of the moment at hand
