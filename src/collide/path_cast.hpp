@@ -30,6 +30,17 @@ template <class S>
   return largest * static_cast<double>(std::numeric_limits<S>::epsilon());
 }
 
+/// So far outside of a surface something is put that goes on [m].
+template <class S>
+[[nodiscard]] double gap_at(const Vec3d& x) {
+  return 1e-10 + 2 * spacing_at<S>(x);
+}
+/// Nearer to a surface, a contact with it lasts [m].
+template <class S>
+[[nodiscard]] double touch_at(const Vec3d& x) {
+  return 4 * gap_at<S>(x);
+}
+
 }  // namespace physim
 
 namespace physim::collide {

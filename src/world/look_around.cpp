@@ -18,6 +18,8 @@ struct Way {
         started(Rows::at(c.started, row)),
         ended(Rows::at(c.velocity, row)) {}
 
+  /// Nearer to something it may lie on it [m].
+  [[nodiscard]] double touch() const { return std::max(touch_at<S>(from), touch_at<S>(to)); }
   /// Twice as far as that cubic is from its chord [m].
   [[nodiscard]] double beside(double dt) const { return beside_chord(from, started, to, ended, dt); }
   [[nodiscard]] Vec3d at(double part, double dt) const {
@@ -116,7 +118,7 @@ namespace {
 /// ahead it mostly meets, and settling finds out.
 template <class S>
 bool may_meet(const SettleContext& context, const Way<S>& way, Ahead rest, const CollisionDef& collision) {
-  const double beside = way.beside(context.dt) + 1e-9;
+  const double beside = way.beside(context.dt) + 1e-9 + way.touch();
   const SceneSegment segment{way.from, way.to, collision.radius + beside, context.time, context.dt};
   return rest == Ahead::met || meets<S>(context, segment, rest, collision);
 }
@@ -189,7 +191,7 @@ std::size_t add_pieces(const SettleContext& context, const Way<S>& way, double r
   Vec3d from = way.from;
   for (double i = 0; i < pieces; ++i) {
     const Vec3d to = i + 1 == pieces ? way.to : way.at((i + 1) / pieces, context.dt);
-    into.push_back({from, to, radius, context.time + i / pieces * context.dt, context.dt / pieces});
+    into.push_back({from, to, radius + way.touch(), context.time + i / pieces * context.dt, context.dt / pieces});
     from = to;
   }
   return static_cast<std::size_t>(pieces);

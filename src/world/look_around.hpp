@@ -24,7 +24,7 @@ template <class S>
   const double clear = SceneByMotion(*context.scene).clearance(s.x, reach, {.layers = collision.layers});
   // What is flown of it is summed up in numbers of the row's own.
   constexpr double kSum = 2 * kSteps * static_cast<double>(std::numeric_limits<S>::epsilon());
-  const double way = context.dt * length(s.v), left = (clear - collision.radius) * (1 - kSum) - 4 * spacing_at<S>(s.x);
+  const double way = context.dt * length(s.v), left = (clear - collision.radius) * (1 - kSum) - 2 * touch_at<S>(s.x);
   return static_cast<S>(left > way ? left : -way);
 }
 

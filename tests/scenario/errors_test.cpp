@@ -71,8 +71,10 @@ INSTANTIATE_TEST_SUITE_P(
         Bad{"[[shot]]\nfrobnicate = 1\n[shot.drag]\nwidth = 1",
             "f.toml:3:1: error: unknown key \"frobnicate\" in [shot]; known keys: name, preset, mass, diameter, "
             "length, twist, "
-            "drag, force, force_duration, position, speed, elevation, azimuth, velocity, rail_length, "
-            "sight, spin, magnus, motor, inertia, aero, attitude, fidelity, body"},
+            "drag, gravity_scale, force, force_duration, position, speed, elevation, azimuth, velocity, rail_length, "
+            "sight, spin, magnus, motor, inertia, aero, attitude, fidelity, body\n"
+            "f.toml:5:1: error: unknown key \"width\" in [drag]; known keys: table, coefficient, curve, "
+            "ballistic_coefficient, bands, form_factor, damping, k1, k2"},
         Bad{"[[shot]]\nzero_range = 100",
             "f.toml:3:1: error: unknown key \"zero_range\" in [shot]; \"zero_range\" belongs into [shot.sight]"},
         Bad{"[[shot]]\n[until]\nevents = [{ kind = \"mach\", terminals = true }]",
@@ -96,7 +98,8 @@ INSTANTIATE_TEST_SUITE_P(
         Bad{"shot = [5]",
             "f.toml:2:9: error: shot: found a number; expected a table with keys out of: name, preset, mass, diameter, "
             "length, "
-            "twist, drag, force, force_duration, position, speed, elevation, azimuth, velocity, rail_length, "
+            "twist, drag, gravity_scale, force, force_duration, position, speed, elevation, azimuth, velocity, "
+            "rail_length, "
             "sight, spin, magnus, motor, inertia, aero, attitude, fidelity, body"},
         Bad{"[[shot]]\nmass = true",
             "f.toml:3:8: error: shot.mass: found a boolean; expected a mass such as \"168 gr\""},
@@ -128,9 +131,8 @@ INSTANTIATE_TEST_SUITE_P(
             "inverse_square, j2, wgs84"},
         Bad{"[[shot]]\n[[expect]]\nquantity = \"hight\"\nequals = 1\nwithin = 1",
             "f.toml:4:12: error: expect.quantity: unknown value \"hight\"; known values: drop, windage, range, speed, "
-            "time, x, y, z, vx, vy, vz, mach, energy, mass, thrust, latitude, longitude, altitude, elevation, yaw, "
-            "pitch, "
-            "roll, spin_rate, angle_of_attack, gyroscopic_stability, spawned, refused, landed, bounces, slept, ..."},
+            "time, x, y, z, vx, vy, vz, ax, ay, az, mach, energy, mass, thrust, latitude, longitude, altitude, "
+            "elevation, yaw, pitch, roll, spin_rate, angle_of_attack, gyroscopic_stability, spawned, refused, ..."},
         Bad{"[[shot]]\n[[expect]]\nquantity = \"drop\"\nequals = \"1 m/s\"\nwithin = 1",
             "f.toml:5:10: error: expect.equals: \"1 m/s\" is a speed; expected a length such as \"7.82 mm\""},
         Bad{"[[shot]]\n[until]\nevents = [{ kind = \"speed\", value = \"3 m\" }]",
