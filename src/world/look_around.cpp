@@ -186,12 +186,13 @@ std::size_t add_pieces(const SettleContext& context, const Way<S>& way, double r
                        std::vector<SceneSegment>& into) {
   constexpr double kMostPieces = 16;
   PHYSIM_ASSERT(context.dt > 0 && radius >= 0);
+  const double reach = radius > 0 ? radius + way.touch() : 0;  // a point asks for a ray
   const double pieces = std::max(std::ceil(std::sqrt(way.beside(context.dt) / context.scene->skin())), 1.0);
   if (!(pieces <= kMostPieces)) return 0;
   Vec3d from = way.from;
   for (double i = 0; i < pieces; ++i) {
     const Vec3d to = i + 1 == pieces ? way.to : way.at((i + 1) / pieces, context.dt);
-    into.push_back({from, to, radius + way.touch(), context.time + i / pieces * context.dt, context.dt / pieces});
+    into.push_back({from, to, reach, context.time + i / pieces * context.dt, context.dt / pieces});
     from = to;
   }
   return static_cast<std::size_t>(pieces);

@@ -125,13 +125,19 @@ double error_after(Integrator integrator, int steps) {
 }
 
 TEST(Motor, integrators_keep_their_order_over_a_burn) {
-  for (const auto& [integrator, order] : {std::pair{Integrator::explicit_euler, 1.0},
-                                          {Integrator::semi_implicit_euler, 1.0},
-                                          {Integrator::heun, 2.0},
-                                          {Integrator::rk4, 4.0}}) {
+  struct Case {
+    Integrator integrator;
+    double order;
+    int steps;
+  };
+  // Errors of semi-implicit Euler at the launch and of its braked drag have opposite signs: long steps look better.
+  for (const auto& [integrator, order, steps] : {Case{Integrator::explicit_euler, 1.0, 220},
+                                                 {Integrator::semi_implicit_euler, 1.0, 14080},
+                                                 {Integrator::heun, 2.0, 220},
+                                                 {Integrator::rk4, 4.0, 220}}) {
     SCOPED_TRACE(text(integrator));
-    const double coarse = error_after(integrator, 220);
-    const double fine = error_after(integrator, 880);
+    const double coarse = error_after(integrator, steps);
+    const double fine = error_after(integrator, 4 * steps);
     EXPECT_NEAR(std::log(coarse / fine) / std::log(4.0), order, 0.25) << coarse << " " << fine;
   }
 }
