@@ -34,6 +34,9 @@ class Settling {
     else if (!stays(0) && r_.taken())
       look_at_taken();
     finish();
+    // Which rows are looked at follows from what they found out about things in earlier steps, and others that they
+    // may meet know nothing of that: the path of one that only flew is that of one that was not looked at.
+    if (!touched_ && !grounded_ && !r_.gone() && !flies_in_parts(*context_.def, context_.dt)) r_.forget_traces();
   }
 
   /// By itself, from the start or from its birth inside of the step.
@@ -125,6 +128,7 @@ class Settling {
     const S limit = whole && r_.is_clocked() ? r_.t_end() : s.t + h;
     march.restart(limit, h);
     while (!march.arrived()) {
+      r_.count_step();
       const bool accepted = r_.is_driven() || march.try_step();
       if (r_.is_driven()) r_.take_driven_step(passed, limit, h);
       if (!r_.outlives(accepted)) return;
@@ -197,6 +201,7 @@ class Settling {
   }
 
   void touch_ground(State<double> s, double passed) {
+    grounded_ = true;
     const Vec3d up = ground_.up_at(s.x);
     if (passed > 0) s.x = ground_.put_on(s.x);
     r_.trace(passed, s);
@@ -226,6 +231,7 @@ class Settling {
   bool stays(double passed) {
     const auto on = scene_ ? scene_.lies_on(r_.here(), passed) : std::nullopt;
     if (!on) return false;
+    r_.count_step();
     touched_ = true;
     parts_.come_near(passed);
     leave_thing(scene_.goes_along(r_.here(), *on, passed));
@@ -272,8 +278,9 @@ class Settling {
 
   const SettleContext& context_;
   SettledRow<S>& r_;
-  RowsAhead* waiting_;    // who look ahead together; null: it looks at once
-  bool touched_ = false;  // a thing, in this step
+  RowsAhead* waiting_;     // who look ahead together; null: it looks at once
+  bool touched_ = false;   // a thing, in this step
+  bool grounded_ = false;  // it touched the ground in this step
   const Course<S>& course_;
   StepParts parts_;
   GroundContacts<SettledRow<S>> ground_;

@@ -98,7 +98,7 @@ class SettledRow final : public ContactHost {
     gone_ = true;
     chunk_.events.resize(told_.events);
     chunk_.changes.resize(told_.changes);
-    chunk_.traces.resize(told_.traces);
+    forget_traces();
     chunk_.open.push_back({chunk_.cohort, row_, question});
   }
 
@@ -126,6 +126,7 @@ class SettledRow final : public ContactHost {
     from_row_->spin = march.lanes.body.spin;
     respun_ = true;
   }
+  void count_step() { ++chunk_.flown; }
   /// Where it points and how it turns, where that is flown.
   void put_turn(const Turn<double>& turn) { cast_numbers(turn, march.lanes.step.turn->start); }
   [[nodiscard]] Vec3d acceleration_at(const State<double>& s, double after) const override {
@@ -261,6 +262,10 @@ class SettledRow final : public ContactHost {
     Trace& moment = chunk_.traces.emplace_back(Trace{slot_index_, passed, s, spin(passed), {}});
     if (turning()) cast_numbers(march.lanes.step.turn->start, moment.turn);
   }
+  void forget_traces() {
+    PHYSIM_ASSERT(chunk_.traces.size() >= told_.traces);
+    chunk_.traces.resize(told_.traces);
+  }
 
   void write() {
     PHYSIM_ASSERT(!gone_);
@@ -354,9 +359,11 @@ class SettledRow final : public ContactHost {
     march.lanes.step.t = t_start_ + static_cast<S>(from);
     const S h = static_cast<S>(to - from);
     march.restart(march.lanes.step.t + h, h);
-    while (!march.arrived() && !march.is_stuck()) {
+    while (!march.arrived()) {
       if (driven_) take_driven_step(from, march.lanes.step.t + h, h);
-      march.accept(driven_ || march.try_step());
+      const bool accepted = driven_ || march.try_step();
+      if (march.is_stuck()) return;  // asked behind a step: before the first one there is no length
+      march.accept(accepted);
     }
   }
   static S& part(Vec3<S>& v, int axis) { return axis == 0 ? v.x : axis == 1 ? v.y : v.z; }
