@@ -34,9 +34,7 @@ class Settling {
     else if (!stays(0) && r_.taken())
       look_at_taken();
     finish();
-    // Which rows are looked at follows from what they found out about things in earlier steps, and others that they
-    // may meet know nothing of that: the path of one that only flew is that of one that was not looked at.
-    if (!touched_ && !grounded_ && !r_.gone() && !flies_in_parts(*context_.def, context_.dt)) r_.forget_traces();
+    if (!is_always_looked_at()) r_.forget_traces();
   }
 
   /// By itself, from the start or from its birth inside of the step.
@@ -65,6 +63,11 @@ class Settling {
   }
 
  private:
+  /// Whether any step like this one is. Which rows that only fly are looked at follows from what they found out about
+  /// things before, and others that they may meet know nothing of that: their path is that of one that was not.
+  [[nodiscard]] bool is_always_looked_at() const {
+    return touched_ || grounded_ || r_.gone() || r_.has_passed_stops() || flies_in_parts(*context_.def, context_.dt);
+  }
   /// The rest of the step.
   void finish() {
     fly();

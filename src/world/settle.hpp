@@ -24,8 +24,8 @@ struct Change {
   Vec3d spin{};  // [rad/s]
 };
 
-/// Where a row of a projectile that meets others was, at a moment of a step that was settled, in which it touched
-/// something or left.
+/// Where a row of a projectile that meets others was, at a moment of a step that was settled, and that is always:
+/// where it touched something, left, or passed a stop.
 struct Trace {
   std::uint32_t slot = 0;
   double passed = 0;  // into the step [s]

@@ -50,6 +50,12 @@ class SettledRow final : public ContactHost {
   }
   [[nodiscard]] bool ends_finite() const { return physim::ends_finite(cohort_.key.fidelity, march.lanes.step); }
   [[nodiscard]] bool gone() const { return gone_; }
+  /// Another piece of its motor's table, another phase on the rail.
+  [[nodiscard]] bool has_passed_stops() const {
+    const Body<S>& body = march.lanes.body;
+    return has_stops(conditions()) &&
+           (body.burn_piece != from_row_->burn_piece || body.rail_phase != from_row_->rail_phase);
+  }
   [[nodiscard]] const Slot& slot() const { return context_.state->slots[slot_index_]; }
   [[nodiscard]] std::uint32_t slot_index() const { return slot_index_; }
   [[nodiscard]] const WorldCohort& cohort() const { return cohort_; }
@@ -367,13 +373,6 @@ class SettledRow final : public ContactHost {
     }
   }
   static S& part(Vec3<S>& v, int axis) { return axis == 0 ? v.x : axis == 1 ? v.y : v.z; }
-
-  /// Another piece of its motor's table, another phase on the rail.
-  [[nodiscard]] bool has_passed_stops() const {
-    const Body<S>& body = march.lanes.body;
-    return has_stops(conditions()) &&
-           (body.burn_piece != from_row_->burn_piece || body.rail_phase != from_row_->rail_phase);
-  }
 
   const SettleContext& context_;
   Chunk& chunk_;
