@@ -331,8 +331,8 @@ struct EmitterCounts {
   std::uint64_t landed = 0;    ///< gone on the ground or on a thing that stopped them [-]
   std::uint64_t expired = 0;   ///< gone by other rules of DespawnRules [-]
   std::uint64_t replaced = 0;  ///< gone for a newer one [-]
-  std::uint64_t taken = 0;     ///< despawned by a call, or retired at a NaN [-]
-  std::uint64_t cut = 0;       ///< not emitted: endless sub-emitters, or over 1e6 in a step, which stops it [-]
+  std::uint64_t taken = 0;     ///< despawned by a call, or retired: at a NaN, or in a past that is cut [-]
+  std::uint64_t cut = 0;       ///< not emitted: endless sub-emitters; over 1e6 in a step or a long past stop it [-]
   std::uint32_t alive = 0;     ///< now [-]
 
   bool operator==(const EmitterCounts&) const = default;

@@ -157,7 +157,7 @@ enum class Reason : std::uint8_t {
   replaced,     ///< by a newer one in a full pool
   non_finite,   ///< its numbers were no longer numbers
   left_domain,  ///< fell below the lower end of the standard atmosphere
-  stalled,      ///< an adaptive integrator could not get through a step
+  stalled,      ///< an adaptive integrator could not get through a step, or an emitter's past took too many
   inside,       ///< of a hit: it was inside of the thing when the step began, and stays there
 };
 

@@ -569,7 +569,8 @@ class World {
   Status jump_emitter(EmitterId emitter, const Transform& to);
   /// As if it had begun to play this time ago, 0 to 1e9 s: its particles are replaced by those that would exist, as
   /// with EmitterCycle::prewarm; numbers and draws are those of the present play, so that the result is that of waiting
-  /// for this time. Rain begins now.
+  /// for this time. Rain begins now. Of the past 2^26 births and 2^24 steps of particles are flown; an emitter with a
+  /// longer one stops there, and EmitterCounts::cut counts it.
   Status seek_emitter(EmitterId emitter, double time);
   /// It fires `count` now, up to 1e6, besides what it fires on its own; returns how many were emitted.
   Result<std::size_t> emit(EmitterId emitter, std::uint32_t count);

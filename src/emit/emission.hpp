@@ -14,6 +14,8 @@ namespace physim {
 inline constexpr std::uint32_t kMostBirthsInStep = 1u << 20;
 /// The most births of a past, most of which need no flight.
 inline constexpr std::uint32_t kMostBirthsOfPast = 1u << 26;
+/// Steps that are flown at most of a past, of all of its particles together.
+inline constexpr std::uint32_t kMostStepsOfPast = 1u << 24;
 
 /// Which particle of an emitter, and when it is emitted.
 struct Birth {

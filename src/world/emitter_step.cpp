@@ -303,10 +303,12 @@ class EmitterBirths {
     return true;
   }
 
-  /// Whether it is one too many. An emitter that reaches the limit without a trigger stops.
+  /// Whether it is one too many. An emitter that reaches a limit without a trigger stops.
   bool is_cut(const Firing& firing) {
-    if (cause_of(firing)) return depth_of(firing) > kDeepest || ++s_.births > kMostBirthsInStep;
-    if (++s_.own_births[firing.emitter] <= (is_past_ ? kMostBirthsOfPast : kMostBirthsInStep)) return false;
+    const bool is_over = is_past_ && watch_.has_flown_most();
+    if (cause_of(firing)) return is_over || depth_of(firing) > kDeepest || ++s_.births > kMostBirthsInStep;
+    const std::uint32_t most = is_past_ ? kMostBirthsOfPast : kMostBirthsInStep;
+    if (!is_over && ++s_.own_births[firing.emitter] <= most) return false;
     all_[firing.emitter].plays = false;
     return true;
   }

@@ -316,21 +316,26 @@ bool EmitterWatch::fly_in_parts(std::uint32_t index, double from, double to, boo
   PHYSIM_ASSERT(to >= from);
   if (to == from) return true;
   // Fixed steps take the world's; a closed form takes none.
+  constexpr double kLongestClosed = 100;  // for one that bounces this is some thousand steps [s]
   const Slot& slot = w_.state.slots[index];
   const bool is_closed = w_.registry.cohort(slot.cohort).key.fidelity.motion == Motion::closed_form;
-  const double parts = is_closed ? 1 : std::max(std::ceil((to - from) / w_.def.step - 1e-9), 1.0);
+  const double longest = is_closed ? kLongestClosed : w_.def.step;
+  const double parts = std::max(std::ceil((to - from) / longest - 1e-9), 1.0);
   SettleContext part = context_;
   part.dt = (to - from) / parts;
   const double now = w_.state.clock.now();
   count_from(slot, now - parts);
   for (double k = 0; k < parts && !slot.is(kStill); ++k) {
+    if (has_flown_most()) return w_.retire(index, Reason::stalled), false;
     part.time = from + k * part.dt;
     part.now = now - parts + k;
     s_.chunk.cohort = slot.cohort;
+    s_.chunk.flown = 0;
     with_held_forces(w_, part, slot, [&](const SettleContext& context) {
       settle_alone(context, s_.chunk, slot.row, is_birth && k == 0 ? std::optional(0.0) : std::nullopt);
       return 0;
     });
+    flown_ += std::max<std::uint64_t>(s_.chunk.flown, 1);
     w_.state.rows_of(slot).swap_positions(slot.row);
     if (tell_chunk()) return false;
   }

@@ -35,6 +35,8 @@ class EmitterWatch {
   void fly_newborn(std::uint32_t slot, double born);
   /// Flies one emitted before the world's time, alone up to that time, by steps of the world.
   void grow_up(std::uint32_t slot, double birth, double dies);
+  /// Whether particles of the past took as many steps as they may: no more are flown.
+  [[nodiscard]] bool has_flown_most() const { return flown_ >= kMostStepsOfPast; }
   [[nodiscard]] double passed_at(double time) const { return std::clamp(time - context_.time, 0.0, context_.dt); }
 
  private:
@@ -51,7 +53,7 @@ class EmitterWatch {
   std::optional<BodyState> flown_to(std::uint32_t slot, std::optional<double> born, double time);
   std::optional<BodyState> seen_at(std::uint32_t slot, std::optional<double> born, double time);
   void trigger_age(std::uint32_t slot, const BodyState& at, double time);
-  /// Whether it is still there then.
+  /// Whether it is still there then. One for which no steps are left is retired.
   bool fly_in_parts(std::uint32_t slot, double from, double to, bool is_birth);
   void count_from(const Slot& slot, double step);
   void expire(std::uint32_t slot, const BodyState& at, double time);
@@ -64,6 +66,7 @@ class EmitterWatch {
   EmitterScratch& s_;
   double end_;               // of the step [s]
   bool is_any_led_ = false;  // an emitter may follow a particle that dies
+  std::uint64_t flown_ = 0;  // steps of the past
 };
 
 }  // namespace physim

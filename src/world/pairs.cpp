@@ -104,7 +104,6 @@ class PairStep {
     const Rows& rows = context_.state->rows[c.cohort];
     const double dt = context_.dt;
     PHYSIM_ASSERT(!c.flies || s_.before[c.cohort].has_value());
-    if (flew_as_packs_do(c)) c.traces.clear();
     if (!c.flies) {
       c.path = {{0, rows.position(c.row), {}}, {dt, rows.position(c.row), {}}};
     } else if (c.traces.empty()) {
@@ -116,12 +115,6 @@ class PairStep {
       follow_traces(c, std::binary_search(leaving_.begin(), leaving_.end(), c.slot));
     }
     look_how_far(c);
-  }
-  /// Whether a row that was settled took one whole step, as rows of packs do: its path has the same bits as theirs, so
-  /// that it does not matter which rows are looked at.
-  [[nodiscard]] bool flew_as_packs_do(const Collider& c) const {
-    return c.traces.size() == 2 && c.traces[0].passed == 0 && c.traces[1].passed >= context_.dt &&
-           c.traces[1].ahead != Vec3d{};
   }
   void follow_traces(Collider& c, bool leaves) {
     c.path.clear();

@@ -26,7 +26,7 @@ struct Collider {
   Vec3d mobility;            // one over its mass along each axis; 0 where nothing moves it [1/kg]
   double spacing = 0;        // of its row's numbers, times their size [-]
   std::vector<collide::Knot> path;
-  std::vector<Trace> traces;  // where its step was settled
+  std::vector<Trace> traces;  // of a step in which it touched something
   Vec3d ahead{};              // by how much it moves faster at the end of the path than its row says [m/s]
   collide::Bounds box;        // of its path, as wide as the projectile
   double since = 0;           // its path counts from then on [s into the step]

@@ -36,6 +36,7 @@ class Settling {
     else if (!stays(0) && r_.taken())
       look_at_taken();
     finish();
+    if (!is_always_looked_at()) r_.forget_traces();
   }
 
   /// By itself, from the start or from its birth inside of the step.
@@ -69,6 +70,11 @@ class Settling {
   }
 
  private:
+  /// Whether any step like this one is. Which rows that only fly are looked at follows from what they found out about
+  /// things before, and others that they may meet know nothing of that: their path is that of one that was not.
+  [[nodiscard]] bool is_always_looked_at() const {
+    return touched_ || grounded_ || r_.gone() || r_.has_passed_stops() || flies_in_parts(*context_.def, context_.dt);
+  }
   /// The rest of the step.
   void finish() {
     fly();
@@ -133,6 +139,7 @@ class Settling {
     march.restart(limit, h);
     if (steps_of_) march.restagger(*std::exchange(steps_of_, h), h);
     while (!march.arrived()) {
+      r_.count_step();
       const bool accepted = r_.is_driven() || march.try_step();
       if (r_.is_driven()) r_.take_driven_step(passed, limit, h);
       if (!r_.outlives(accepted)) return;
@@ -214,6 +221,7 @@ class Settling {
   }
 
   void touch_ground(State<double> s, double passed) {
+    grounded_ = true;
     const Vec3d up = ground_.up_at(s.x);
     if (passed > 0) s.x = ground_.put_on(s.x);
     r_.trace(passed, s);
@@ -243,6 +251,7 @@ class Settling {
   bool stays(double passed) {
     const auto on = scene_ ? scene_.lies_on(r_.here(), passed) : std::nullopt;
     if (!on) return false;
+    r_.count_step();
     touched_ = true;
     parts_.come_near(passed);
     leave_thing(scene_.goes_along(r_.here(), *on, passed));
@@ -296,6 +305,7 @@ class Settling {
   SettledRow<S>& r_;
   RowsAhead* waiting_;           // who look ahead together; null: it looks at once
   bool touched_ = false;         // a thing, in this step
+  bool grounded_ = false;        // it touched the ground in this step
   bool lies_on_others_ = false;  // which may leave: it does not sleep
   std::optional<S> steps_of_;  // since a contact: of steps of which length its velocity is, see March::restagger() [s]
   const Course<S>& course_;

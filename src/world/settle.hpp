@@ -25,7 +25,8 @@ struct Change {
   Vec3d spin{};  // [rad/s]
 };
 
-/// Where a row of a projectile that meets others was, at a moment of the step that was settled.
+/// Where a row of a projectile that meets others was, at a moment of a step that was settled, and that is always:
+/// where it touched something, left, or passed a stop.
 struct Trace {
   std::uint32_t slot = 0;
   double passed = 0;  // into the step [s]
@@ -39,7 +40,7 @@ struct Trace {
 struct Parting {
   enum class Then : std::uint8_t { flies_on, lies, stops, sticks };
   double passed = 0;            // into the step [s]
-  const Trace* from = nullptr;  // the last moment before, where the step was settled; null: it flew from its start
+  const Trace* from = nullptr;  // the last moment before, of a step that has traces; null: it flew from its start
   State<double> state{};        // after it
   std::optional<Vec3d> spin{};  // that it has then; none: as it was [rad/s]
   Then then = Then::flies_on;
@@ -57,6 +58,7 @@ struct Chunk {
   StepList<Told<double>> strikes;  // of rows that only struck the ground; where emitters watch, these are events
   StepList<Change> changes;
   StepList<Trace> traces;     // of those that meet others, each in order of time
+  std::uint64_t flown = 0;    // steps of single rows: one that bounces takes several in a step of the world
   std::vector<OpenHit> open;  // of rows that are left as they were until it is known what their hits do
 };
 

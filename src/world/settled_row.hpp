@@ -50,6 +50,12 @@ class SettledRow final : public ContactHost {
   }
   [[nodiscard]] bool ends_finite() const { return physim::ends_finite(cohort_.key.fidelity, march.lanes.step); }
   [[nodiscard]] bool gone() const { return gone_; }
+  /// Another piece of its motor's table, another phase on the rail.
+  [[nodiscard]] bool has_passed_stops() const {
+    const Body<S>& body = march.lanes.body;
+    return has_stops(conditions()) &&
+           (body.burn_piece != from_row_->burn_piece || body.rail_phase != from_row_->rail_phase);
+  }
   [[nodiscard]] const Slot& slot() const { return context_.state->slots[slot_index_]; }
   [[nodiscard]] std::uint32_t slot_index() const { return slot_index_; }
   [[nodiscard]] const WorldCohort& cohort() const { return cohort_; }
@@ -98,7 +104,7 @@ class SettledRow final : public ContactHost {
     gone_ = true;
     chunk_.events.resize(told_.events);
     chunk_.changes.resize(told_.changes);
-    chunk_.traces.resize(told_.traces);
+    forget_traces();
     chunk_.open.push_back({chunk_.cohort, row_, question});
   }
 
@@ -126,6 +132,7 @@ class SettledRow final : public ContactHost {
     from_row_->spin = march.lanes.body.spin;
     respun_ = true;
   }
+  void count_step() { ++chunk_.flown; }
   /// Where it points and how it turns, where that is flown.
   void put_turn(const Turn<double>& turn) { cast_numbers(turn, march.lanes.step.turn->start); }
   [[nodiscard]] Vec3d acceleration_at(const State<double>& s, double after) const override {
@@ -276,6 +283,10 @@ class SettledRow final : public ContactHost {
     last.state.v = here().v + a * static_cast<double>(s.h);
     last.ahead = a * plain_step(*context_.def, context_.dt);  // its row is put for such steps
   }
+  void forget_traces() {
+    PHYSIM_ASSERT(chunk_.traces.size() >= told_.traces);
+    chunk_.traces.resize(told_.traces);
+  }
 
   void write() {
     PHYSIM_ASSERT(!gone_);
@@ -373,19 +384,14 @@ class SettledRow final : public ContactHost {
     march.lanes.step.t = t_start_ + static_cast<S>(from);
     const S h = static_cast<S>(to - from);
     march.restart(march.lanes.step.t + h, h);
-    while (!march.arrived() && !march.is_stuck()) {
+    while (!march.arrived()) {
       if (driven_) take_driven_step(from, march.lanes.step.t + h, h);
-      march.accept(driven_ || march.try_step());
+      const bool accepted = driven_ || march.try_step();
+      if (march.is_stuck()) return;  // asked behind a step: before the first one there is no length
+      march.accept(accepted);
     }
   }
   static S& part(Vec3<S>& v, int axis) { return axis == 0 ? v.x : axis == 1 ? v.y : v.z; }
-
-  /// Another piece of its motor's table, another phase on the rail.
-  [[nodiscard]] bool has_passed_stops() const {
-    const Body<S>& body = march.lanes.body;
-    return has_stops(conditions()) &&
-           (body.burn_piece != from_row_->burn_piece || body.rail_phase != from_row_->rail_phase);
-  }
 
   const SettleContext& context_;
   Chunk& chunk_;

@@ -84,5 +84,38 @@ TEST(EmitterPast, the_past_of_a_prewarmed_one_sets_off_too) {
   for (const auto& [number, state] : now) EXPECT_LT(length(then.at(number).position - state.position), 1e-10) << number;
 }
 
+/// Particles without an end that would fly for years: by steps, or from bounce to bounce.
+TEST(EmitterPast, one_that_takes_too_many_steps_is_cut) {
+  constexpr double kYears = 1e9;
+  struct Case {
+    Motion motion;
+    GroundMode ground;
+    WhenFull when_full;
+    double time;  // [s]
+  };
+  for (const Case& c : {Case{Motion::force, GroundMode::none, WhenFull::refuse, kYears},
+                        Case{Motion::closed_form, GroundMode::bounce, WhenFull::replace_oldest, kYears},
+                        Case{Motion::closed_form, GroundMode::none, WhenFull::replace_oldest, 1000}}) {
+    World world = make_world({.ground = {.mode = c.ground, .height = -1}});
+    EmitterDef def =
+        spray(kind_of(world, spark(c.motion), {.can_sleep = false, .restitution = 1, .friction = 0}), 10, kInfinity);
+    def.maximum = 40;
+    def.when_full = c.when_full;
+    const EmitterId emitter = added(world, def);
+    ASSERT_TRUE(world.seek_emitter(emitter, c.time));
+    const EmitterCounts n = world.emitter_counts(emitter);
+    EXPECT_EQ(n.born, n.aged + n.landed + n.expired + n.replaced + n.taken + n.alive);
+    const bool is_cut = c.time == kYears;
+    EXPECT_EQ(n.cut > 0, is_cut);
+    EXPECT_EQ(n.taken, is_cut ? 1u : 0u) << "the one at hand";
+    EXPECT_EQ(world.is_playing(emitter), !is_cut);
+    if (!is_cut) EXPECT_EQ(n.alive, 40u);
+    ASSERT_TRUE(world.seek_emitter(emitter, 3)) << "it may be asked again";
+    EXPECT_EQ(world.emitter_counts(emitter).alive, 30u);
+    EXPECT_TRUE(world.is_playing(emitter));
+    EXPECT_TRUE(world.step(1.0 / 60));
+  }
+}
+
 }  // namespace world_emitter_past_test
 }  // namespace physim
