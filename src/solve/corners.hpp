@@ -149,6 +149,7 @@ PHYSIM_NOINLINE void end_behind_kinks(const Course<S>& course, Lanes<R>& l) {
       return Vec3d{double(lane_of(v.x, lane)), double(lane_of(v.y, lane)), double(lane_of(v.z, lane))};
     };
     const S t = lane_of(l.step.t, lane), h = lane_of(l.step.h, lane);
+    if (!(h > S(0))) continue;  // it is stuck, as March::is_stuck() finds
     const double part = expected_kink(*course.conditions_double, b, rotor, double(t), double(h),
                                       {vector(l.step.start.x), vector(l.step.start.v)}, vector(a), vector(l.jerk));
     if (part < kSoonestKink) continue;

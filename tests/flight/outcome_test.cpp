@@ -113,6 +113,23 @@ TEST(Outcome, stalled) {
     }
 }
 
+TEST(Outcome, stalled_at_a_drag_that_overflows) {
+  // Each try is shorter than the last one, until none is left; the bends of the wind are looked for in all of them.
+  ProjectileDef p{.mass = 0.01, .diameter = 1e140};
+  p.drag.table = DragTable::g7;
+  Environment e;
+  e.wind.profile = {{0, {1, 0, 0}}, {100, {5, 0, 0}}};
+  for (const Integrator integrator : kAdaptive) {
+    Fidelity f = Fidelity::simulation();
+    f.integrator = integrator;
+    f.wind = WindModel::profile;
+    const Flight flight = fly(p, {.position = {0, 10, 0}, .speed = 1e80, .elevation = 0.1}, e, f);
+    const bool is_over = flight.outcome() == Outcome::stalled || flight.outcome() == Outcome::non_finite;
+    EXPECT_TRUE(is_over) << text(integrator) << ' ' << int(flight.outcome());
+    EXPECT_EQ(flight.duration(), 0) << text(integrator);
+  }
+}
+
 TEST(Outcome, refused) {
   EXPECT_EQ(fly({.mass = -1}, {}, {}).outcome(), Outcome::refused);
   EXPECT_TRUE(fly({.mass = -1}, {}, {}).error());
