@@ -244,7 +244,6 @@ class SceneContacts {
     return hit;
   }
 
-  /// So far outside of a surface something is put that goes on [m].
   [[nodiscard]] double gap_at(const Vec3d& x) const {
     return is_float32() ? physim::gap_at<float>(x) : physim::gap_at<double>(x);
   }

@@ -29,8 +29,8 @@ namespace {
 Fidelity for_shot(Fidelity preset, const ScenarioShot& shot) {
   const ProjectileDef& p = shot.projectile;
   const bool off_without_table = p.fidelity.drag == DragModel::off && p.drag.table == DragTable::constant;
-  const bool by_factors = (p.fidelity.drag == DragModel::linear_quadratic || off_without_table) &&
-                          (p.drag.k1 != 0 || p.drag.k2 != 0);
+  const bool by_factors =
+      (p.fidelity.drag == DragModel::linear_quadratic || off_without_table) && (p.drag.k1 != 0 || p.drag.k2 != 0);
   if ((by_factors || p.fidelity.drag == DragModel::damping) && preset.drag != DragModel::off)
     preset.drag = p.fidelity.drag;
   return preset;

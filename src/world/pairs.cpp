@@ -24,7 +24,7 @@ namespace {
 using collide::Knot;
 using collide::Touch;
 
-/// Meetings of one projectile in a step; one that has had more lies on what it meets, and meets nothing more in the step.
+/// Meetings of one projectile in a step. One that has had more meets nothing more in the step.
 constexpr int kMostMeetings = 100;
 /// Part of a step within which meetings fall on one moment.
 constexpr double kAtOnce = 1e-9;
