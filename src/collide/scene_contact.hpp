@@ -244,9 +244,7 @@ class SceneContacts {
     return hit;
   }
 
-  [[nodiscard]] double gap_at(const Vec3d& x) const {
-    return is_float32() ? physim::gap_at<float>(x) : physim::gap_at<double>(x);
-  }
+  [[nodiscard]] double gap_at(const Vec3d& x) const { return 1e-10 + 2 * spacing(x); }  // as physim::gap_at()
 
   /// A place that its numbers can hold, from which what touches something at `x` can go on: outside of it, and of what
   /// stands beside it. It lies about a tenth of a nanometre off, or as far as those are apart.
