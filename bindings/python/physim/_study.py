@@ -110,16 +110,14 @@ class Study:
                 known = sorted(path.removeprefix("study.") for path in _paths() if path.startswith("study."))
                 raise Error(f'unknown option "{name}"', name, "known are " + ", ".join(known))
             changes[f"study.{name}"] = value
-        if inputs is not None:
-            changes["study.inputs"] = _inputs(inputs)
         if targets is not None:
             named = targets.items() if isinstance(targets, Mapping) else ()
             changes["study.targets"] = [f"{name}: {target}" for name, target in named] or list(targets)
         if range is not None:
             changes["until.range"] = range
         setup = of._setup
-        if inputs is not None and any("+-" in text or ".." in text for _, text in setup.given()):
-            changes["study.inputs"] = _with_own(setup, changes["study.inputs"])
+        if inputs is not None:
+            changes["study.inputs"] = [*setup.inputs_given, *_inputs(inputs)]
         self._setup = setup.with_settings(changes) if changes else setup
         self._shot, self._until_width = shot, until_width
         self._core = _core.Study.make(self._setup, shot, until_width)
@@ -254,14 +252,6 @@ def _inputs(inputs: Mapping[str, str] | Sequence[str]) -> list[str]:
             path = path_of(head) + dot + component
         texts.append(f"{path} = {distribution}")
     return texts
-
-
-def _with_own(setup: _core.Setup, inputs: list[str]) -> list[str]:
-    """Distributions that stand in the place of the shot's numbers became inputs before these."""
-    own = setup.settings().get("study.inputs", "[]")
-    import tomllib  # noqa: PLC0415
-
-    return [*tomllib.loads(f"inputs = {own}")["inputs"], *inputs] if own.startswith("[") else inputs
 
 
 def _recorded(value: Any) -> Any:

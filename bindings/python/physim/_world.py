@@ -13,7 +13,7 @@ from . import _core
 from ._errors import Error
 from ._flight import Flight, events_of
 from ._scenario import Scenario, Shot, _column
-from ._settings import tree_of
+from ._settings import by_path
 from ._table import Columns, Record
 
 Ids = NDArray[np.uint64]
@@ -21,10 +21,10 @@ _UNITS = {"time": "s", "position": "m", "velocity": "m/s", "age": "s", "size": "
 _LISTS = ("material", "shape", "thing")
 
 
-def _world_tree(settings: Mapping[str, Any]) -> dict[str, Any]:
+def _world_paths(settings: Mapping[str, Any]) -> dict[str, Any]:
     """Settings of a world and of its place: `step` is world.step, `environment_altitude` has its table in front."""
     known = _world_keywords()
-    return tree_of({known.get(keyword, keyword): value for keyword, value in settings.items()})
+    return by_path({known.get(keyword, keyword): value for keyword, value in settings.items()})
 
 
 def _world_keywords() -> dict[str, str]:
@@ -135,8 +135,7 @@ class Projectile:
 
     def set(self, **settings: Any) -> None:
         """Changes settings in flight: those that `physim.settings()` marks as live, and its fidelity."""
-        shot = tree_of(settings)["shot"][0]
-        self._world._core.set_projectile(self.id, shot)
+        self._world._core.set_projectile(self.id, by_path(settings))
 
     def sleep(self) -> None:
         self._world._core.change(self.id, "sleep", None)
@@ -229,9 +228,8 @@ class World:
         **settings: Any,
     ) -> None:
         lists = _as_lists({name: settings.pop(name) for name in _LISTS if name in settings})
-        tree = {**_world_tree(settings), **lists}
-        tree.setdefault("world", {})
-        self._begin(_core.Setup.from_tree(tree, "", wind_field, force_field), None)
+        paths = {"world": {}, **_world_paths(settings), **lists}
+        self._begin(_core.Setup.from_settings(paths, wind_field, force_field), None)
 
     def _begin(self, setup: _core.Setup, core: _core.World | None) -> None:
         self._setup = setup

@@ -34,5 +34,7 @@ using SetupPtr = std::shared_ptr<const Setup>;
 
 /// The value of a setting as Python gave it.
 [[nodiscard]] Value value_of_python(nb::handle object, const std::string& path);
+/// A table of a shot out of settings by path; an error for a path that is none of a shot.
+[[nodiscard]] Value shot_of_settings(const nb::dict& settings);
 
 }  // namespace physim::python

@@ -324,14 +324,14 @@ void change_projectile(PyWorld& py, std::uint64_t number, const std::string& wha
 }
 
 /// Settings of one in flight: those that the list marks as live, and its fidelity.
-void set_projectile(PyWorld& py, std::uint64_t number, const nb::dict& tree_of_changes) {
+void set_projectile(PyWorld& py, std::uint64_t number, const nb::dict& settings) {
   World& world = py.get();
   Projectile one = world[id_of<ProjectileId>(number)];
   if (one.definition() == nullptr) fail("the projectile is gone", "id");
   ScenarioShot shot{.projectile = *one.definition(), .launch = {}, .body = one.body()};
   Scenario scenario;
   scenario.world.given = true;
-  Value changes = value_of_python(tree_of_changes, "shot");
+  const Value changes = shot_of_settings(settings);
   const Scope scope{.scenario = &scenario, .shot = &shot};
   const SchemaNode* node = find_node("shot");
   {

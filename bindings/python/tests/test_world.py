@@ -170,6 +170,8 @@ def test_one_projectile_is_changed_in_flight(world, ball):
         one.set(mass=-1)
     with pytest.raises(physim.Error):
         one.set(length=2)  # not live
+    with pytest.raises(physim.Error, match="no setting of a projectile"):
+        one.set(environment_altitude=100)
     one.despawn()
     assert not one.alive and "retired" in repr(one)
 
