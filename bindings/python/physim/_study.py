@@ -151,6 +151,7 @@ class Study:
         so_far: bytes = b"",
         progress: Callable[[int, int], object] | None = None,
         shards_per_task: int | None = None,
+        seconds: float | None = None,
     ) -> StudyResult:
         """Flies what is missing and returns the result. Its bits depend neither on threads nor on the executor.
 
@@ -160,12 +161,15 @@ class Study:
             threads: 0: all of the machine; in a task of an executor there is one
             progress: called with shards done and all, in this thread's process; if it returns False, the study stops
             shards_per_task: by default so many that there are about a hundred tasks
+            seconds: it ends then, with the shards that are under way; the result says `time_was_up`. On threads only
         """
         self.so_far = so_far or self.so_far
+        if seconds is not None and not (seconds > 0 and executor is None):
+            raise Error("is no time that a study on threads ends by", "seconds", "an executor flies all of it")
         if executor is not None:
             return self._run_on(executor, progress, shards_per_task)
         after = None if progress is None else (lambda done: progress(done, self.shards) is not False)
-        answer, self.so_far = self._core.run_all(self.so_far, threads, after, _BARS)
+        answer, self.so_far = self._core.run_all(self.so_far, threads, after, _BARS, seconds)
         return StudyResult(answer, self, self.so_far)
 
     def _run_on(self, executor: Executor, progress: Callable[[int, int], object] | None, size: int | None) -> StudyResult:

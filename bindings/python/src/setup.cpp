@@ -249,6 +249,8 @@ SetupPtr Setup::make(Value document, const std::string& file, std::optional<Func
       Setup{std::move(document), std::move(scenario), std::move(scene), std::move(wind_field), std::move(force)});
 }
 
+SetupPtr Setup::plain() { return make(plain_document(), ""); }
+
 SetupPtr Setup::with(const Scenario& changed) const {
   return make(taken(parse_document(scenario_text(changed), scenario.file)), scenario.file, wind_field, force);
 }

@@ -18,6 +18,8 @@ struct Setup {
   [[nodiscard]] static std::shared_ptr<const Setup> make(Value document, const std::string& file,
                                                          std::optional<Function> wind_field = {},
                                                          std::optional<Function> force = {});
+  /// One shot with nothing but defaults.
+  [[nodiscard]] static std::shared_ptr<const Setup> plain();
   /// The setup of a scenario that was changed.
   [[nodiscard]] std::shared_ptr<const Setup> with(const Scenario& changed) const;
 
