@@ -80,8 +80,8 @@ function(physim_flags target)
   endif()
 endfunction()
 
-# For packages: what takes no time is compiled small, and kernels of base are where wider ones fly on all machines of the
-# last ten years. 30 % smaller.
+# For packages: what takes no time is compiled small, and so are the kernels of base, in whose place wider ones fly on
+# machines of the last ten years. More than half of a package is kernels, whose functions stand wherever they are called.
 option(PHYSIM_FOR_SIZE "Compile what is not hot for size" OFF)
 
 # Programs and tests that leave the work to the library: compiled with less effort, in three quarters of the time.

@@ -100,7 +100,7 @@ function(physim_add_kernels target)
       set(narrow ON)  # a better copy flies: this one is for tests, compiles in a quarter of the time and is smaller
       # At -Os g++ 12 sees variables of another branch of a loop as uninitialized.
       set(small $<$<CXX_COMPILER_ID:GNU>:$<SEMICOLON>-Wno-maybe-uninitialized>)
-      set(small $<$<CONFIG:Release,RelWithDebInfo>:$<IF:$<CXX_COMPILER_ID:Clang>,-Oz,-Os>${small}>)
+      set(small $<$<CONFIG:Release,RelWithDebInfo>:-Os${small}>)
     endif()
     add_library(${kernels} OBJECT ${ARGN})
     physim_flags(${kernels})
@@ -109,7 +109,7 @@ function(physim_add_kernels target)
     endif()
     target_compile_definitions(
       ${kernels} PRIVATE PHYSIM_ISA=${isa} PHYSIM_PACKS_ALONE=$<STREQUAL:${isa},avx512>
-                         PHYSIM_BATCH_PACKS=$<IF:$<OR:$<BOOL:${PHYSIM_SMALL_KERNELS}>,$<AND:$<BOOL:${PHYSIM_FOR_SIZE}>,$<BOOL:${narrow}>>>,2,4>
+                         PHYSIM_BATCH_PACKS=$<IF:$<BOOL:${PHYSIM_SMALL_KERNELS}>,2,4>
                          "PHYSIM_PACK_BYTES=$<IF:$<BOOL:${narrow}>,1,2> * kNativeBytes")
     if(CMAKE_CXX_COMPILER_ID MATCHES "GNU|Clang")
       # Their vectors are written out; `./dev determinism` sees to it that nothing in them is fused.
