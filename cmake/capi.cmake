@@ -14,7 +14,7 @@ target_include_directories(
   physim_c
   PUBLIC $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}/include> $<INSTALL_INTERFACE:include>
   PRIVATE src)
-target_link_libraries(physim_c PRIVATE physim_scenario)
+target_link_libraries(physim_c PRIVATE physim_report)
 if(UNIX AND NOT APPLE)  # templates of the C++ library would show otherwise
   set(shown ${PROJECT_SOURCE_DIR}/src/capi/shown.map)
   target_link_options(physim_c PRIVATE LINKER:--version-script=${shown})

@@ -80,9 +80,13 @@ function(physim_flags target)
   endif()
 endfunction()
 
+# For packages: what takes no time is compiled small, and so are the kernels of base, in whose place wider ones fly on
+# machines of the last ten years. More than half of a package is kernels, whose functions stand wherever they are called.
+option(PHYSIM_FOR_SIZE "Compile what is not hot for size" OFF)
+
 # Programs and tests that leave the work to the library: compiled with less effort, in three quarters of the time.
 function(physim_compile_sooner target)
-  target_compile_options(${target} PRIVATE $<$<CONFIG:Release>:-O1$<SEMICOLON>-g0>)
+  target_compile_options(${target} PRIVATE $<$<CONFIG:Release>:$<IF:$<BOOL:${PHYSIM_FOR_SIZE}>,-Os,-O1>$<SEMICOLON>-g0>)
 endfunction()
 
 # Tests: they compute a little themselves; and those that compute nothing, without any effort.

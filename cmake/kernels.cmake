@@ -96,10 +96,11 @@ function(physim_add_kernels target)
     set(kernels ${target}_kernels_${isa})
     set(narrow ${PHYSIM_SMALL_KERNELS})
     set(small "")
-    if(PHYSIM_ISAS STREQUAL native AND isa STREQUAL base AND NOT isas STREQUAL base)
-      set(narrow ON)  # a better copy flies here: this one is for tests, compiles in a quarter of the time and is smaller
+    if((PHYSIM_ISAS STREQUAL native OR PHYSIM_FOR_SIZE) AND isa STREQUAL base AND NOT isas STREQUAL base)
+      set(narrow ON)  # a better copy flies: this one is for tests, compiles in a quarter of the time and is smaller
       # At -Os g++ 12 sees variables of another branch of a loop as uninitialized.
-      set(small $<$<AND:$<CONFIG:Release,RelWithDebInfo>,$<CXX_COMPILER_ID:GNU>>:-Os$<SEMICOLON>-Wno-maybe-uninitialized>)
+      set(small $<$<CXX_COMPILER_ID:GNU>:$<SEMICOLON>-Wno-maybe-uninitialized>)
+      set(small $<$<CONFIG:Release,RelWithDebInfo>:-Os${small}>)
     endif()
     add_library(${kernels} OBJECT ${ARGN})
     physim_flags(${kernels})

@@ -50,7 +50,7 @@ def read(name):
 
 # ----------------------------------------------------------------------------------------------------------- includes
 INCLUDE = re.compile(r'\s*#\s*include\s*([<"])([^>"]+)[>"]')
-INTRINSICS = {"immintrin.h", "emmintrin.h", "arm_neon.h", "wasm_simd128.h"}
+INTRINSICS = {"immintrin.h", "emmintrin.h", "cpuid.h", "arm_neon.h", "wasm_simd128.h"}
 C_HEADERS = {"stdint.h", "stddef.h", "stdbool.h"}
 FILE_HEADERS = {"fstream", "iostream", "filesystem"}
 

@@ -186,7 +186,7 @@ def rows_of_numba() -> list[Row]:
 
 
 def rows_of_rockets() -> list[Row]:
-    """A rocket to its apogee: RocketPy's rigid body, and the point that PhySim makes of it."""
+    """A rocket to its apogee: a rigid body of RocketPy's and of PhySim's, and a point."""
     rocketpy = importlib.import_module("rocketpy")
     place = rocketpy.Environment(latitude=32.99, longitude=-106.97, elevation=1400)
     place.set_atmospheric_model(type="standard_atmosphere")
@@ -206,13 +206,16 @@ def rows_of_rockets() -> list[Row]:
     rocket.add_trapezoidal_fins(n=4, root_chord=0.12, tip_chord=0.06, span=0.11, position=-1.04956)
     with warnings.catch_warnings():
         warnings.simplefilter("ignore")
-        shot = physim.from_rocketpy(rocket, place, rail_length=5.2, inclination=85, until_events=[{"kind": "apex", "terminal": True}])
+        shots = [physim.from_rocketpy(rocket, place, rail_length=5.2, inclination=85, rigid=rigid,
+                                      until_events=[{"kind": "apex", "terminal": True}]) for rigid in (True, False)]  # fmt: skip
 
     def theirs() -> float:
         flown = rocketpy.Flight(rocket=rocket, environment=place, rail_length=5.2, inclination=85, heading=0, terminate_on_apogee=True)
         return float(flown.apogee) - 1400
 
-    return [Row("RocketPy, rigid body to its apogee", theirs), Row("physim, the same as a point", lambda: shot.fly().end.y)]
+    return [Row("RocketPy, rigid body to its apogee", theirs),
+            *(Row(f"physim, the same as a {name}", lambda s=shot: s.fly().end.y)
+              for name, shot in zip(("rigid body", "point"), shots))]  # fmt: skip
 
 
 # --------------------------------------------------------------------------------------------------------------- output

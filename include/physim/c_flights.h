@@ -362,6 +362,46 @@ typedef struct physim_aim_info {
 PHYSIM_API physim_result physim_aim(const physim_def* def, const char* shot, const physim_target* target,
                                     physim_aim_info* info);
 
+typedef struct physim_farthest {
+  uint32_t size;       ///< sizeof(physim_farthest) [bytes]
+  uint32_t reserved;   ///< [-]
+  double elevation;    ///< of the bore above the horizon [rad]
+  double range;        ///< along the ground, from below the muzzle [m]
+  double time;         ///< of flight [s]
+  double position[3];  ///< of impact [m]
+  double velocity[3];  ///< at impact [m/s]
+  int64_t flights;     ///< flown [-]
+} physim_farthest;
+/// Finds the elevation that carries farthest over even ground, which lies at the height `ground` [m] and rises with
+/// `slope` [rad] in the direction of fire. Refused if the shot does not come down within `time` [s]; 0: 3600.
+PHYSIM_API physim_result physim_max_range(const physim_def* def, const char* shot, double ground, double slope,
+                                          double time, physim_farthest* info);
+
+/// A motion in a straight line under constant acceleration: v = u + a t, s = u t + a t^2 / 2.
+typedef struct physim_straight {
+  double s;  ///< displacement from the start [m]
+  double u;  ///< velocity at the start [m/s]
+  double v;  ///< velocity at time t [m/s]
+  double a;  ///< acceleration [m/s^2]
+  double t;  ///< time since the start [s]
+} physim_straight;
+/// Finds the motions that have three known quantities; the other two of `given` are NaN. `into` has room for two;
+/// `count` is how many there are, by rising time. Refused if none has them, or any number of motions.
+PHYSIM_API physim_result physim_suvat(const physim_straight* given, physim_straight* into, size_t* count);
+
+/// A flight beside the reference. Distances and delay are NaN of one that never came to its end.
+typedef struct physim_compared {
+  double end_distance;      ///< between its end and that of the reference [m]
+  double largest_distance;  ///< between the two at any equal time [m]
+  double end_delay;         ///< of its end after that of the reference [s]
+  int64_t steps;            ///< taken [-]
+  int64_t evaluations;      ///< of the acceleration [-]
+} physim_compared;
+/// Flies a shot at `count` presets of fidelity ("game", "simulation", ...) and measures how far each comes from the
+/// reference, which `reference` (may be null) becomes. `each`: sizeof(physim_compared).
+PHYSIM_API physim_result physim_compare(const physim_def* def, const char* shot, const char* const* fidelities,
+                                        size_t count, physim_compared* rows, size_t each, physim_flight** reference);
+
 /// A figure that was not measured is NaN.
 typedef struct physim_measurement {
   double range;  ///< along the line of sight [m]
@@ -429,6 +469,13 @@ PHYSIM_API physim_result physim_study_read(const physim_study* study, physim_stu
 /// Flies shards first, first + 1, ...: their bits depend on study and number alone, on any machine. `pool` may be null.
 PHYSIM_API physim_result physim_study_fly(const physim_study* study, uint64_t first, uint64_t count,
                                           const physim_pool* pool, physim_part** part);
+/// Ends a study earlier, where the 95 % interval of a figure is no wider than `width`: of the hit probability of a
+/// target [-], by its name; null: of the mean of quantity `quantity` [unit of the quantity]. 0: it ends with its shots.
+PHYSIM_API physim_result physim_study_set_width(physim_study* study, const char* target, size_t quantity, double width);
+/// Flies what `so_far` (may be null) lacks, until the study ends, or for some time [s]; 0: as long as it takes. `part`
+/// (may be null) becomes all that was flown, to go on with, and `figures` (may be null) what came out.
+PHYSIM_API physim_result physim_study_run(const physim_study* study, const physim_part* so_far, double seconds,
+                                          const physim_pool* pool, physim_part** part, physim_figures** figures);
 /// Joins two parts of one study, in any order.
 PHYSIM_API physim_result physim_part_join(const physim_part* a, const physim_part* b, physim_part** joined);
 PHYSIM_API physim_result physim_part_load(const void* data, size_t size, physim_part** part);
@@ -437,16 +484,19 @@ PHYSIM_API physim_result physim_study_figures(const physim_study* study, const p
                                               physim_figures** figures);
 
 typedef struct physim_figures_info {
-  uint32_t size;         ///< sizeof(physim_figures_info) [bytes]
-  int32_t has_plane;     ///< the radii below count [-]
-  uint64_t shots;        ///< flown [-]
-  uint64_t refused;      ///< of them [-]
-  uint64_t not_arrived;  ///< of them [-]
-  size_t quantities;     ///< [-]
-  size_t targets;        ///< [-]
-  double mean_radius;    ///< from the aim [m]
-  double r50;            ///< half of the shots lie within, about the aim [m]
-  double r90;            ///< [m]
+  uint32_t size;          ///< sizeof(physim_figures_info) [bytes]
+  int32_t has_plane;      ///< the radii below count [-]
+  uint64_t shots;         ///< flown [-]
+  uint64_t refused;       ///< of them [-]
+  uint64_t not_arrived;   ///< of them [-]
+  size_t quantities;      ///< [-]
+  size_t targets;         ///< [-]
+  double mean_radius;     ///< from the aim [m]
+  double r50;             ///< half of the shots lie within, about the aim [m]
+  double r90;             ///< [m]
+  uint64_t shards;        ///< that they are of [-]
+  int32_t width_reached;  ///< physim_study_set_width() ended it [-]
+  int32_t time_was_up;    ///< the time of physim_study_run() ended it [-]
 } physim_figures_info;
 typedef struct physim_quantity {
   uint32_t size;     ///< sizeof(physim_quantity) [bytes]

@@ -184,6 +184,19 @@ typedef struct physim_hit_answer {
 typedef void (*physim_hit_function)(void* user, size_t count, const physim_hit_question* questions,
                                     physim_hit_answer* answers);
 
+/// A question to an engine's own physics: the first hit of each segment.
+typedef struct physim_engine_batch {
+  size_t count;                           ///< segments [-]
+  const struct physim_segment* segments;  ///< none is without length [-]
+  struct physim_hit* hits;                ///< of each, empty as it comes: to be filled if it meets something [-]
+  uint32_t layers;                        ///< bits: things of these [-]
+  uint32_t reserved;                      ///< [-]
+} physim_engine_batch;
+/// Fills `part`, `normal` (outwards, of any length but 0) and `thing.index` (above 0, the engine's own) of a hit;
+/// `velocity`, `primitive`, `material` (of the scene), `entering` and `starts_inside` count, too. The answer must
+/// follow from the segment alone.
+typedef void (*physim_engine_function)(void* user, const physim_engine_batch* batch);
+
 typedef struct physim_force_batch {
   size_t count;            ///< projectiles that the force acts on [-]
   double time;             ///< of the world [s]
@@ -207,6 +220,8 @@ typedef struct physim_functions {
   void* wind_user;                     ///< [-]
   physim_field_function field;         ///< of the environment [-]
   void* field_user;                    ///< [-]
+  physim_engine_function engine;       ///< of the scene [-]
+  void* engine_user;                   ///< [-]
 } physim_functions;
 
 /// The world of a save. `def`: of a world that fires by itself, the one that it was made of, with its functions; else
@@ -234,6 +249,13 @@ typedef struct physim_replay_info {
 /// Makes all calls of a recording again, and compares. `functions` may be null.
 PHYSIM_API physim_result physim_replay(const void* recording, size_t size, const physim_functions* functions,
                                        physim_replay_info* info);
+/// A world that a recording moves on, as it was before the first call. It is only read; its snapshots go to no other.
+PHYSIM_API physim_result physim_replay_open(const void* recording, size_t size, const physim_functions* functions,
+                                            physim_world** world);
+/// Makes the calls of the recording up to and with `frames` more that took steps; 0: the next call alone. `more` (may
+/// be null) is 0 if the recording ended, or a difference was found. `info` (may be null): all that was done so far.
+PHYSIM_API physim_result physim_replay_next(physim_world* world, uint64_t frames, int32_t* more,
+                                            physim_replay_info* info);
 
 // ------------------------------------------------------------------------------------------------------------ scenes
 // Where a call takes `scene` as a void pointer, it is a physim_scene, or a physim_world: the scene of that world.
@@ -286,6 +308,23 @@ typedef struct physim_nearest {
 
 /// The things of a def.
 PHYSIM_API physim_result physim_scene_create(const physim_def* def, physim_scene** scene);
+/// The scene of a save, with the ids that its things had; physim_scene_find() knows none of them. `functions` (may be
+/// null) has its engine, if it had one.
+PHYSIM_API physim_result physim_scene_load(const void* data, size_t size, const physim_functions* functions,
+                                           physim_scene** scene);
+
+typedef struct physim_engine_info {
+  uint32_t size;      ///< sizeof(physim_engine_info) [bytes]
+  uint32_t reserved;  ///< [-]
+  uint64_t calls;     ///< of its function [-]
+  uint64_t segments;  ///< in these [-]
+  uint64_t refused;   ///< answers that made no sense: nothing was met [-]
+} physim_engine_info;
+/// Lets an engine's own physics answer beside the things of a scene; null: it does not any more. A world has it with a
+/// copy of the scene. `skin`: things are met this far outside of their surfaces, 1e-6 to 0.1; 0: 0.001 [m].
+PHYSIM_API physim_result physim_scene_set_engine(physim_scene* scene, physim_engine_function function, void* user,
+                                                 double skin);
+PHYSIM_API physim_result physim_scene_read_engine(const void* scene, physim_engine_info* info);
 /// Gives a world a copy of a scene; null: it has none any more.
 PHYSIM_API physim_result physim_world_set_scene(physim_world* world, const physim_scene* scene);
 /// Adds all things of a def, with their shapes and materials; ids of up to `room` of them. In a world this costs as
@@ -369,6 +408,22 @@ typedef struct physim_particles {
 /// Fills up to `room` rows; `count` is how many particles there are.
 PHYSIM_API physim_result physim_emitter_particles(const physim_world* world, physim_id emitter, size_t room,
                                                   const physim_particles* into, size_t* count);
+
+/// Past places of particles (emitter.trail); null: not wanted. Rows of a particle, then rows of places: of one particle
+/// after the other, from the oldest to where it is now.
+typedef struct physim_trails {
+  uint32_t size;      ///< sizeof(physim_trails) [bytes]
+  uint32_t reserved;  ///< [-]
+  physim_id* id;      ///< of each particle [-]
+  uint32_t* first;    ///< of each particle: which of all places is its first one [-]
+  uint32_t* count;    ///< of each particle: how many places it has [-]
+  double* position;   ///< three for each place [m]
+  double* time;       ///< of each place: when the particle was there [s]
+} physim_trails;
+/// `particles` and `places` (not null) say for how many rows there is room, and become how many there are. `into` may
+/// be null, if both are 0.
+PHYSIM_API physim_result physim_emitter_trails(const physim_world* world, physim_id emitter, const physim_trails* into,
+                                               size_t* particles, size_t* places);
 
 /// Adds a [[force]] of a def, by its name or its number from 1: on these projectiles, or on those that it says itself
 /// if `count` is 0. `other` (may be null): the projectile at the other end of a spring or bungee.

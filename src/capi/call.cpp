@@ -131,10 +131,16 @@ void Call::fail_to_find(const void* handle, const Kept& found, const char* name,
   fail(PHYSIM_BAD_HANDLE, message, name, found.kind == nullptr ? "" : wanted);
 }
 
+void Call::will_change(const std::shared_ptr<WorldObject>& world) {
+  lost_ = std::shared_ptr<bool>(world, &world->lost);
+}
+
 void Call::look_at(const std::shared_ptr<WorldObject>& world, bool changes) {
   PHYSIM_ASSERT(world != nullptr);
   if (world->lost) return fail(PHYSIM_LOST, "memory ran out while this world was being changed", "world", "free it");
-  if (changes) lost_ = std::shared_ptr<bool>(world, &world->lost);
+  if (changes && world->replay)
+    return fail(PHYSIM_REFUSED, "a recording moves this world", "world", "physim_replay_next() goes on with it");
+  if (changes) will_change(world);
 }
 
 void Call::write_text(std::string_view text, char* into, std::size_t room, std::size_t* length) {

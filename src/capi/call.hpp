@@ -156,6 +156,8 @@ class Call {
   }
   void fail_to_find(const void* handle, const Kept& found, const char* name, const char* wanted);
   void look_at(const std::shared_ptr<WorldObject>& world, bool changes);
+  /// A world is lost if an exception comes from here on.
+  void will_change(const std::shared_ptr<WorldObject>& world);
 
  private:
   static constexpr std::size_t kMostRows = std::size_t{1} << (sizeof(void*) == 8 ? 36 : 26);

@@ -1,4 +1,6 @@
 // Flights and batches.
+#include <tuple>
+
 #include "base/ieee_mode.hpp"
 #include "capi/objects.hpp"
 #include "physim/names.hpp"
@@ -78,34 +80,53 @@ void put_sample(const physim_samples& into, std::size_t i, const Sample& s) {
     if (column != nullptr) column[i] = value;
 }
 
-template <class T>
-std::span<T> column(T* first, std::size_t count) {
-  return first != nullptr ? std::span<T>(first, count) : std::span<T>();
+/// A column of the C interface and the one of the library that it becomes.
+template <class Struct, class T, class Columns, class U>
+struct SameColumn {
+  T* Struct::*mine;
+  std::span<U> Columns::*own;
+};
+template <class Struct, class T, class Columns, class U>
+SameColumn(T* Struct::*, std::span<U> Columns::*) -> SameColumn<Struct, T, Columns, U>;
+#define PHYSIM_COLUMN(c, cpp, name) \
+  SameColumn { &c::name, &cpp::name }
+#define PHYSIM_LAUNCH(name) PHYSIM_COLUMN(physim_launches, LaunchColumns, name)
+#define PHYSIM_WEATHER(name) PHYSIM_COLUMN(physim_weather, Weather, name)
+#define PHYSIM_END(name) PHYSIM_COLUMN(physim_ends, EndColumns, name)
+constexpr std::tuple kLaunchColumns{PHYSIM_LAUNCH(x),
+                                    PHYSIM_LAUNCH(y),
+                                    PHYSIM_LAUNCH(z),
+                                    PHYSIM_LAUNCH(speed),
+                                    PHYSIM_LAUNCH(elevation),
+                                    PHYSIM_LAUNCH(azimuth),
+                                    PHYSIM_LAUNCH(ballistic_coefficient),
+                                    PHYSIM_LAUNCH(form_factor)};
+constexpr std::tuple kWeatherColumns{PHYSIM_WEATHER(wind_x),      PHYSIM_WEATHER(wind_y),   PHYSIM_WEATHER(wind_z),
+                                     PHYSIM_WEATHER(temperature), PHYSIM_WEATHER(pressure), PHYSIM_WEATHER(humidity),
+                                     PHYSIM_WEATHER(density)};
+constexpr std::tuple kEndColumns{PHYSIM_END(outcome), PHYSIM_END(time), PHYSIM_END(x),      PHYSIM_END(y),
+                                 PHYSIM_END(z),       PHYSIM_END(vx),   PHYSIM_END(vy),     PHYSIM_END(vz),
+                                 PHYSIM_END(speed),   PHYSIM_END(drop), PHYSIM_END(windage)};
+#undef PHYSIM_COLUMN
+#undef PHYSIM_LAUNCH
+#undef PHYSIM_WEATHER
+#undef PHYSIM_END
+
+/// All columns of a list; those that are null stay empty.
+template <class Columns, class Struct, class... Same>
+Columns columns_by(const std::tuple<Same...>& list, const Struct& given, std::size_t count) {
+  Columns columns;
+  const auto put_one = [&]<class T, class U>(const SameColumn<Struct, T, Columns, U>& same) {
+    if (T* const first = given.*same.mine; first != nullptr) columns.*same.own = {same_memory<U>(first), count};
+  };
+  std::apply([&](const auto&... same) { (put_one(same), ...); }, list);
+  return columns;
 }
 
 Weather weather_of(const physim_weather& w, std::size_t count) {
-  return {.wind_x = column(w.wind_x, count),
-          .wind_y = column(w.wind_y, count),
-          .wind_z = column(w.wind_z, count),
-          .moves_profile = w.moves_profile != 0,
-          .temperature = column(w.temperature, count),
-          .pressure = column(w.pressure, count),
-          .humidity = column(w.humidity, count),
-          .density = column(w.density, count)};
-}
-
-EndColumns ends_of(const physim_ends& e, std::size_t count) {
-  return {.outcome = column(same_memory<Outcome>(e.outcome), count),
-          .time = column(e.time, count),
-          .x = column(e.x, count),
-          .y = column(e.y, count),
-          .z = column(e.z, count),
-          .vx = column(e.vx, count),
-          .vy = column(e.vy, count),
-          .vz = column(e.vz, count),
-          .speed = column(e.speed, count),
-          .drop = column(e.drop, count),
-          .windage = column(e.windage, count)};
+  auto weather = columns_by<Weather>(kWeatherColumns, w, count);
+  weather.moves_profile = w.moves_profile != 0;
+  return weather;
 }
 
 template <class Enum>
@@ -152,15 +173,22 @@ void put_events(Call& call, std::span<const Event> events, std::size_t first, ph
 }
 
 LaunchColumns columns_of(const physim_launches& launches, std::size_t count) {
-  return {.common = {},
-          .x = column(launches.x, count),
-          .y = column(launches.y, count),
-          .z = column(launches.z, count),
-          .speed = column(launches.speed, count),
-          .elevation = column(launches.elevation, count),
-          .azimuth = column(launches.azimuth, count),
-          .ballistic_coefficient = column(launches.ballistic_coefficient, count),
-          .form_factor = column(launches.form_factor, count)};
+  return columns_by<LaunchColumns>(kLaunchColumns, launches, count);
+}
+
+Until CheckedShot::until() const {
+  Until until = scenario().until;
+  if (checked->scene) until.scene = &*checked->scene, until.contact = contact_of(shot());
+  return until;
+}
+
+std::optional<CheckedShot> shot_of(Call& call, const Def& def, const char* shot) {
+  const auto checked = def.checked();
+  if (!call.take(checked)) return std::nullopt;
+  const auto index = shot_in((*checked)->scenario, shot);
+  if (!call.take(index, PHYSIM_NOT_FOUND)) return std::nullopt;
+  PHYSIM_ASSERT(*index < (*checked)->scenario.shots.size());
+  return CheckedShot{*checked, *index};
 }
 
 }  // namespace physim::capi
@@ -201,15 +229,13 @@ physim_result physim_fly(const physim_def* def, const char* shot, const physim_l
     const physim_launch given = call.read(launch, "launch");
     call.need(flight, "flight");
     if (!call.ok()) return;
-    const auto checked = from->checked();
-    if (!call.take(checked)) return;
-    const Scenario& scenario = (*checked)->scenario;
-    const auto index = shot_in(scenario, shot);
-    if (!call.take(index, PHYSIM_NOT_FOUND)) return;
-    ScenarioShot own = scenario.shots[*index];
+    const auto of = shot_of(call, *from, shot);
+    if (!of) return;
+    const Scenario& scenario = of->scenario();
+    ScenarioShot own = of->shot();
     launch_as(call, given, own.launch);
     if (!call.ok()) return;
-    const auto& scene = (*checked)->scene;
+    const auto& scene = of->checked->scene;
     Flight flown = scene ? fly_shot(scenario, own, *scene) : fly_shot(scenario, own);
     if (flown.error()) return call.fail(PHYSIM_REFUSED, *flown.error());
     call.give(flight, std::make_shared<FlightObject>(FlightObject{std::move(flown)}));
@@ -298,12 +324,10 @@ physim_result physim_batch(const physim_def* def, const char* shot, size_t count
     call.need(count > 0, "count", "is 0");
     call.need_rows(into, count, "into");
     if (!call.ok()) return;
-    const auto checked = from->checked();
-    if (!call.take(checked)) return;
-    const Scenario& scenario = (*checked)->scenario;
-    const auto index = shot_in(scenario, shot);
-    if (!call.take(index, PHYSIM_NOT_FOUND)) return;
-    const ScenarioShot& own = scenario.shots[*index];
+    const auto of = shot_of(call, *from, shot);
+    if (!of) return;
+    const Scenario& scenario = of->scenario();
+    const ScenarioShot& own = of->shot();
     if (own.cheapest_within)
       return call.fail(PHYSIM_REFUSED, "a batch has one fidelity for all shots", "fidelity.cheapest_within",
                        "choose it once by physim_choose_fidelity()");
@@ -311,14 +335,12 @@ physim_result physim_batch(const physim_def* def, const char* shot, size_t count
     columns.common = own.launch;
     const std::vector<double> same(columns.size() == 0 ? count : 0, own.launch.position.x);
     if (columns.size() == 0) columns.x = same;  // as many as the shot has it
-    Until until = scenario.until;
-    if ((*checked)->scene) until.scene = &*(*checked)->scene, until.contact = contact_of(own);
     const Lent lent(threads);
     const ProjectileDef projectile = projectile_of(own);
     PHYSIM_ASSERT(columns.size() == count);
     const ColumnsResult flown =
-        fly_columns(projectile, columns, scenario.environment, projectile.fidelity, scenario.tolerance, until,
-                    ends_of(e, count), lent.runner(), weather_of(w, count));
+        fly_columns(projectile, columns, scenario.environment, projectile.fidelity, scenario.tolerance, of->until(),
+                    columns_by<EndColumns>(kEndColumns, e, count), lent.runner(), weather_of(w, count));
     if (flown.refused == count && flown.error) return call.fail(PHYSIM_REFUSED, *flown.error);
     PHYSIM_ASSERT(flown.refused <= count);
     if (info == nullptr) return;

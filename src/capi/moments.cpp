@@ -11,30 +11,12 @@ constexpr char kRunMagic[] = "PHYSIMW";  // of the saves of worlds that fire by 
 Result<std::vector<std::byte>> saved(const Kept& kept) {
   if (kept.kind == Stands<physim_world>::kName) {
     const auto world = std::static_pointer_cast<WorldObject>(kept.object);
-    return world->run ? world->run->save() : world->own.save();
+    return world->run ? world->run->save() : std::as_const(*world).world().save();
   }
   if (kept.kind == Stands<physim_scene>::kName) return std::static_pointer_cast<SceneObject>(kept.object)->scene.save();
   if (kept.kind == Stands<physim_part>::kName)
     return save_part(std::static_pointer_cast<PartObject>(kept.object)->part);
   PHYSIM_UNREACHABLE();
-}
-
-LoadOptions options_of(const physim_functions& functions) {
-  LoadOptions options;
-  PHYSIM_ASSERT(functions.forces == 0 || functions.force != nullptr);
-  for (std::uint32_t i = 0; i < functions.forces; ++i)
-    options.custom_forces.push_back(
-        force_of(functions.force[i], functions.force_user != nullptr ? functions.force_user[i] : nullptr));
-  if (functions.wind != nullptr) options.wind_fields.push_back(wind_of(functions.wind, functions.wind_user));
-  if (functions.field != nullptr) options.force_fields.push_back(field_of(functions.field, functions.field_user));
-  options.hit_function = hit_of(functions.hit, functions.hit_user);
-  return options;
-}
-
-void need_functions(Call& call, const physim_functions& functions) {
-  call.need_rows(functions.force, functions.forces, "functions.force");
-  for (std::uint32_t i = 0; call.ok() && i < functions.forces; ++i)
-    call.need(functions.force[i] != nullptr, "functions.force", "has one that is null");
 }
 
 /// Keeps the bytes of a recording; one that memory runs out for ends, and not the step that writes it.
@@ -49,7 +31,48 @@ RecordSink sink_into(std::vector<std::byte>& recording) {
   };
 }
 
+physim_replay_info info_of(const Replay& replay) {
+  const ReplayReport& report = replay.report();
+  physim_replay_info out{.size = 0,
+                         .agrees = !report.difference,
+                         .complete = report.complete,
+                         .reserved = 0,
+                         .calls = report.calls,
+                         .steps = report.steps,
+                         .hashes = report.hashes,
+                         .hash = replay.world().hash(),
+                         .difference = {}};
+  if (report.difference) put_text(out.difference, sizeof out.difference, report.difference->what);
+  return out;
+}
+
+/// Opens the recording of a call.
+Result<Replay> opened(const void* recording, std::size_t size, const physim_functions& functions) {
+  const auto* first = static_cast<const std::byte*>(recording);
+  return Replay::open({first, first + size}, options_of(functions));
+}
+
 }  // namespace
+
+LoadOptions options_of(const physim_functions& functions) {
+  LoadOptions options;
+  PHYSIM_ASSERT(functions.forces == 0 || functions.force != nullptr);
+  for (std::uint32_t i = 0; i < functions.forces; ++i)
+    options.custom_forces.push_back(
+        force_of(functions.force[i], functions.force_user != nullptr ? functions.force_user[i] : nullptr));
+  if (functions.wind != nullptr) options.wind_fields.push_back(wind_of(functions.wind, functions.wind_user));
+  if (functions.field != nullptr) options.force_fields.push_back(field_of(functions.field, functions.field_user));
+  if (functions.engine != nullptr) options.engine_queries.push_back(engine_of(functions.engine, functions.engine_user));
+  options.hit_function = hit_of(functions.hit, functions.hit_user);
+  return options;
+}
+
+void need_functions(Call& call, const physim_functions& functions) {
+  call.need_rows(functions.force, functions.forces, "functions.force");
+  for (std::uint32_t i = 0; call.ok() && i < functions.forces; ++i)
+    call.need(functions.force[i] != nullptr, "functions.force", "has one that is null");
+}
+
 }  // namespace physim::capi
 
 using namespace physim;
@@ -90,7 +113,7 @@ physim_result physim_world_snapshot(const physim_world* world, physim_snapshot**
     if (of->run)
       made->of_run = of->run->snapshot();
     else
-      made->of_world = of->own.snapshot();
+      made->of_world = of->world().snapshot();
     if (!made->of_run && !made->of_world) return call.fail(PHYSIM_REFUSED, "the world is inside a step", "world");
     call.give(snapshot, std::move(made));
   });
@@ -165,22 +188,44 @@ physim_result physim_replay(const void* recording, size_t size, const physim_fun
     call.need_struct(info, "info");
     if (call.ok()) need_functions(call, given);
     if (!call.ok()) return;
-    const std::byte* first = static_cast<const std::byte*>(recording);
-    Result<Replay> replay = Replay::open({first, first + size}, options_of(given));
+    Result<Replay> replay = opened(recording, size, given);
     if (!call.take(replay)) return;
     while (replay->next()) continue;
-    const ReplayReport& report = replay->report();
-    PHYSIM_ASSERT(report.bytes <= size);
-    physim_replay_info out{.size = 0,
-                           .agrees = !report.difference,
-                           .complete = report.complete,
-                           .reserved = 0,
-                           .calls = report.calls,
-                           .steps = report.steps,
-                           .hashes = report.hashes,
-                           .hash = replay->world().hash(),
-                           .difference = {}};
-    if (report.difference) put_text(out.difference, sizeof out.difference, report.difference->what);
-    call.write(info, out);
+    PHYSIM_ASSERT(replay->report().bytes <= size);
+    call.write(info, info_of(*replay));
+  });
+}
+
+physim_result physim_replay_open(const void* recording, size_t size, const physim_functions* functions,
+                                 physim_world** world) {
+  return guarded([&](Call& call) {
+    const physim_functions given = call.read(functions, "functions");
+    call.need(recording, "recording");
+    call.need(world, "world");
+    if (call.ok()) need_functions(call, given);
+    if (!call.ok()) return;
+    Result<Replay> replay = opened(recording, size, given);
+    if (!call.take(replay)) return;
+    auto made = std::make_shared<WorldObject>();
+    made->replay.emplace(std::move(*replay));
+    call.give(world, std::move(made));
+  });
+}
+
+physim_result physim_replay_next(physim_world* world, uint64_t frames, int32_t* more, physim_replay_info* info) {
+  return guarded([&](Call& call) {
+    const Kept found = kept(number_of(world));
+    if (found.kind != Stands<physim_world>::kName)
+      return call.fail_to_find(world, found, "world", Stands<physim_world>::kName);
+    const auto of = std::static_pointer_cast<WorldObject>(found.object);
+    call.look_at(of, false);
+    if (info != nullptr) call.need_struct(info, "info");
+    if (!call.ok()) return;
+    if (!of->replay) return call.fail(PHYSIM_REFUSED, "no recording moves this world", "world", "physim_replay_open()");
+    call.will_change(of);
+    bool goes_on = frames > 0 || of->replay->next();
+    for (std::uint64_t i = 0; goes_on && i < frames; ++i) goes_on = of->replay->next_frame();
+    if (more != nullptr) *more = goes_on;
+    if (info != nullptr) call.write(info, info_of(*of->replay));
   });
 }

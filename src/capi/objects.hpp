@@ -89,9 +89,13 @@ struct WorldObject {
   std::map<std::string, EmitterId> emitters;  // by name, of those that calls added
   std::map<std::uint32_t, Launch> launches;   // by kind: as its shot says
   std::vector<std::byte> recording;
+  std::optional<Replay> replay;  // that alone moves it
 
-  [[nodiscard]] World& world() { return run ? run->world() : own; }
-  [[nodiscard]] const World& world() const { return run ? run->world() : own; }
+  [[nodiscard]] World& world() {
+    PHYSIM_ASSERT(!replay);  // Call::look_at() refuses changes
+    return run ? run->world() : own;
+  }
+  [[nodiscard]] const World& world() const { return replay ? replay->world() : run ? run->world() : own; }
 };
 
 struct SnapshotObject {
@@ -148,5 +152,24 @@ void put_events(Call& call, std::span<const Event> events, std::size_t first, ph
 
 /// Columns of launches; checks are those of the library.
 [[nodiscard]] LaunchColumns columns_of(const physim_launches& launches, std::size_t count);
+
+/// A shot of a def with what its flights need.
+struct CheckedShot {
+  std::shared_ptr<const Checked> checked;
+  std::size_t index = 0;
+
+  [[nodiscard]] const Scenario& scenario() const { return checked->scenario; }
+  [[nodiscard]] const ScenarioShot& shot() const { return scenario().shots[index]; }
+  /// End conditions, with the scene that flights meet.
+  [[nodiscard]] Until until() const;
+};
+/// The shot of a call; nothing after an error.
+[[nodiscard]] std::optional<CheckedShot> shot_of(Call& call, const Def& def, const char* shot);
+
+/// Refuses functions that are missing in their list.
+void need_functions(Call& call, const physim_functions& functions);
+/// What a save or a recording lacks.
+[[nodiscard]] LoadOptions options_of(const physim_functions& functions);
+[[nodiscard]] EngineQuery engine_of(physim_engine_function function, void* user);
 
 }  // namespace physim::capi

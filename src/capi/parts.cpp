@@ -236,6 +236,26 @@ physim_result physim_emitter_particles(const physim_world* world, physim_id emit
   });
 }
 
+physim_result physim_emitter_trails(const physim_world* world, physim_id emitter, const physim_trails* into,
+                                    size_t* particles, size_t* places) {
+  return guarded([&](Call& call) {
+    const auto of = call.find(world, "world");
+    call.need(particles, "particles");
+    call.need(places, "places");
+    const physim_trails t = call.read(into, "into");
+    if (!call.ok()) return;
+    const auto id = id_of<EmitterId>(emitter);
+    if (of->world().emitter(id) == nullptr) return call.fail(PHYSIM_NOT_FOUND, "there is no such emitter", "emitter");
+    const TrailColumns columns{.id = column<ProjectileId>(t.id, *particles, 0),
+                               .first = column<std::uint32_t>(t.first, *particles, 0),
+                               .count = column<std::uint32_t>(t.count, *particles, 0),
+                               .position = column<Vec3d>(t.position, *places, 0),
+                               .time = column<double>(t.time, *places, 0)};
+    const TrailCounts counts = of->world().trails(id, columns);
+    *particles = counts.particles, *places = counts.places;
+  });
+}
+
 // ------------------------------------------------------------------------------------------------------ forces, hits
 physim_result physim_world_add_force(physim_world* world, const physim_def* def, const char* force,
                                      const physim_id* ids, size_t count, const physim_id* other, physim_id* id) {

@@ -16,7 +16,7 @@ struct AnyScene {
   /// Null: the world has none.
   [[nodiscard]] const Scene* scene() const {
     PHYSIM_ASSERT((alone == nullptr) != (of_world == nullptr));
-    return alone ? &alone->scene : of_world->world().scene();
+    return alone ? &alone->scene : std::as_const(*of_world).world().scene();
   }
   [[nodiscard]] std::vector<InstanceId>& things() const { return alone ? alone->things : of_world->things; }
   Result<InstanceId> add(const InstanceDef& def) const {
@@ -79,11 +79,48 @@ physim_hit hit_row(const SceneHit& hit) {
   return out;
 }
 
+physim_segment segment_row(const SceneSegment& s) {
+  physim_segment out{.from = {}, .to = {}, .radius = s.radius, .time = s.time, .duration = s.duration};
+  put(out.from, s.from);
+  put(out.to, s.to);
+  return out;
+}
+
+/// What an engine said about a segment; nothing was met if it named no thing.
+SceneHit answer_of(const physim_hit& hit) {
+  SceneHit out;
+  if (hit.thing.index == 0) return out;
+  out.part = hit.part;
+  out.normal = vector_at(hit.normal);
+  out.velocity = vector_at(hit.velocity);
+  out.instance = id_of<InstanceId>(hit.thing);
+  out.primitive = hit.primitive;
+  out.material.index = hit.material;
+  out.entering = hit.entering != 0;
+  out.starts_inside = hit.starts_inside != 0;
+  return out;
+}
+
 void need_each(Call& call, std::size_t each, std::size_t rows) {
   call.need(rows == 0 || each >= sizeof(physim_id), "each", "is not the sizeof of the struct");
 }
 
 }  // namespace
+
+EngineQuery engine_of(physim_engine_function function, void* user) {
+  if (function == nullptr) return {};
+  return [function, user](const EngineBatch& batch) {
+    PHYSIM_ASSERT(batch.hits.size() == batch.segments.size());
+    std::vector<physim_segment> segments(batch.segments.size());
+    std::vector<physim_hit> hits(batch.segments.size());
+    std::transform(batch.segments.begin(), batch.segments.end(), segments.begin(), segment_row);
+    for (physim_hit& hit : hits) hit.entering = SceneHit{}.entering;
+    const physim_engine_batch asked{segments.size(), segments.data(), hits.data(), batch.layers, 0};
+    function(user, &asked);
+    std::transform(hits.begin(), hits.end(), batch.hits.begin(), answer_of);
+  };
+}
+
 }  // namespace physim::capi
 
 using namespace physim;
@@ -99,6 +136,47 @@ physim_result physim_scene_create(const physim_def* def, physim_scene** scene) {
     Result<SceneParts> parts = scene_parts((*checked)->scenario);
     if (call.take(parts))
       call.give(scene, std::make_shared<SceneObject>(SceneObject{std::move(parts->scene), std::move(parts->things)}));
+  });
+}
+
+physim_result physim_scene_load(const void* data, size_t size, const physim_functions* functions,
+                                physim_scene** scene) {
+  return guarded([&](Call& call) {
+    const physim_functions given = call.read(functions, "functions");
+    call.need(data, "data");
+    call.need(scene, "scene");
+    if (!call.ok()) return;
+    Result<Scene> loaded =
+        Scene::load({static_cast<const std::byte*>(data), size}, engine_of(given.engine, given.engine_user));
+    if (!call.take(loaded)) return;
+    auto made = std::make_shared<SceneObject>();
+    made->scene = std::move(*loaded);
+    call.give(scene, std::move(made));
+  });
+}
+
+physim_result physim_scene_set_engine(physim_scene* scene, physim_engine_function function, void* user, double skin) {
+  return guarded([&](Call& call) {
+    const auto into = call.find(scene, "scene");
+    call.need(!std::isnan(skin), "skin", "is not a number");
+    if (!call.ok()) return;
+    EngineScene engine{.query = engine_of(function, user)};
+    if (skin != 0) engine.skin = skin;
+    call.take(into->scene.set_engine(engine));
+  });
+}
+
+physim_result physim_scene_read_engine(const void* scene, physim_engine_info* info) {
+  return guarded([&](Call& call) {
+    const AnyScene of = find_scene(call, scene, false);
+    call.need_struct(info, "info");
+    if (!call.ok()) return;
+    const EngineCounters counters = of.scene()->engine_counters();
+    call.write(info, {.size = 0,
+                      .reserved = 0,
+                      .calls = counters.calls,
+                      .segments = counters.segments,
+                      .refused = counters.refused});
   });
 }
 

@@ -1,29 +1,17 @@
 // Aim, fit, the choice of a fidelity, and studies.
+#include <chrono>
+
 #include "capi/objects.hpp"
+#include "physim/names.hpp"
+#include "report/ladder.hpp"
+#include "scenario/suggest.hpp"
 #include "scenario/writer.hpp"
 
 namespace physim::capi {
 namespace {
 
-/// A shot of a def with what its flights need.
-struct Shot1 {
-  std::shared_ptr<const Checked> checked;
-  std::size_t index = 0;
-
-  [[nodiscard]] const Scenario& scenario() const { return checked->scenario; }
-  [[nodiscard]] const ScenarioShot& shot() const { return scenario().shots[index]; }
-};
-
-std::optional<Shot1> shot_of(Call& call, const Def& def, const char* shot) {
-  const auto checked = def.checked();
-  if (!call.take(checked)) return std::nullopt;
-  const auto index = shot_in((*checked)->scenario, shot);
-  if (!call.take(index, PHYSIM_NOT_FOUND)) return std::nullopt;
-  return Shot1{*checked, *index};
-}
-
 /// A copy of a def in which a shot has changed: each of its settings that differs is set.
-std::shared_ptr<Def> with_shot(Call& call, const Def& def, const Shot1& was, const ScenarioShot& now) {
+std::shared_ptr<Def> with_shot(Call& call, const Def& def, const CheckedShot& was, const ScenarioShot& now) {
   Scenario changed = was.scenario();
   changed.shots[was.index] = now;
   const auto before = effective_settings(was.scenario()), after = effective_settings(changed);
@@ -78,6 +66,43 @@ Purpose purpose_of(Call& call, const physim_purpose* given) {
   return purpose;
 }
 
+double or_nan(std::optional<double> value) { return value.value_or(std::numeric_limits<double>::quiet_NaN()); }
+
+physim_compared row_of(const ComparedFlight& flight) {
+  const auto measured = [&](double figure) {
+    return or_nan(flight.problem.empty() ? std::optional(figure) : std::nullopt);
+  };
+  return {.end_distance = measured(flight.end_distance),
+          .largest_distance = measured(flight.largest_distance),
+          .end_delay = measured(flight.end_delay),
+          .steps = flight.flight.cost().steps,
+          .evaluations = flight.flight.cost().evaluations};
+}
+
+/// The figure whose width ends a study.
+Result<StudyWidth> width_of(const Study& study, const char* target, std::size_t quantity, double width) {
+  if (target == nullptr) {
+    const std::size_t count = study.quantities.size();
+    if (quantity >= count) return Error{"there are not so many", "quantity", "they count from 0"};
+    return StudyWidth{.target = {}, .quantity = quantity, .width = width};
+  }
+  const auto index = index_in(study.targets, target, "target", [](const StudyTarget& each) { return each.name; });
+  if (!index) return index.error();
+  return StudyWidth{.target = *index, .quantity = 0, .width = width};
+}
+
+/// Flies a study for some time, or to its end; what it has then.
+Result<StudyResult> run_for(const StudyPlan& plan, double seconds, TaskRunner* runner, StudyPart& all) {
+  using Clock = std::chrono::steady_clock;
+  PHYSIM_ASSERT(seconds >= 0);
+  const auto start = Clock::now();
+  StudyOptions options{.so_far = all};
+  options.after_shard = [&all](const StudyPart& part) { return all = part, true; };
+  if (seconds > 0)
+    options.time_is_up = [=] { return std::chrono::duration<double>(Clock::now() - start).count() >= seconds; };
+  return run_study(plan, runner, options);
+}
+
 }  // namespace
 }  // namespace physim::capi
 
@@ -109,6 +134,76 @@ physim_result physim_aim(const physim_def* def, const char* shot, const physim_t
     out.nearest = way_of(aim->nearest);
     put_text(out.explanation, sizeof out.explanation, aim->explanation());
     call.write(info, out);
+  });
+}
+
+physim_result physim_max_range(const physim_def* def, const char* shot, double ground, double slope, double time,
+                               physim_farthest* info) {
+  return guarded([&](Call& call) {
+    const auto from = call.find(def, "def");
+    call.need(!std::isnan(ground), "ground", "is not a number");
+    call.need(!std::isnan(slope), "slope", "is not a number");
+    call.need(time >= 0, "time", "is negative, or not a number");
+    call.need_struct(info, "info");
+    if (!call.ok()) return;
+    const auto of = shot_of(call, *from, shot);
+    if (!of) return;
+    const ProjectileDef projectile = projectile_of(of->shot());
+    const Result<MaxRange> found = max_range(projectile, of->shot().launch, of->scenario().environment,
+                                             projectile.fidelity, ground, slope, time != 0 ? time : 3600);
+    if (!call.take(found)) return;
+    physim_farthest out{};
+    out.elevation = found->elevation, out.range = found->range, out.time = found->time, out.flights = found->flights;
+    put(out.position, found->position);
+    put(out.velocity, found->velocity);
+    call.write(info, out);
+  });
+}
+
+physim_result physim_suvat(const physim_straight* given, physim_straight* into, size_t* count) {
+  return guarded([&](Call& call) {
+    call.need(given, "given");
+    call.need(into, "into");
+    call.need(count, "count");
+    if (!call.ok()) return;
+    const auto found = suvat({known(given->s), known(given->u), known(given->v), known(given->a), known(given->t)});
+    if (!call.take(found)) return;
+    PHYSIM_ASSERT(found->size() == 1 || found->size() == 2);
+    *count = found->size();
+    for (std::size_t i = 0; i < *count; ++i) {
+      const Suvat& motion = (*found)[i];
+      into[i] = {.s = motion.s, .u = motion.u, .v = motion.v, .a = motion.a, .t = motion.t};
+    }
+  });
+}
+
+physim_result physim_compare(const physim_def* def, const char* shot, const char* const* fidelities, size_t count,
+                             physim_compared* rows, size_t each, physim_flight** reference) {
+  return guarded([&](Call& call) {
+    const auto from = call.find(def, "def");
+    call.need(count > 0, "count", "is 0");
+    call.need_rows(fidelities, count, "fidelities");
+    call.need_rows(rows, count, "rows");
+    call.need(each >= sizeof(double), "each", "is not the sizeof of the struct");
+    if (!call.ok()) return;
+    const auto of = shot_of(call, *from, shot);
+    if (!of) return;
+    std::vector<FlightSetting> settings;
+    for (std::size_t i = 0; i < count; ++i) {
+      call.need(fidelities[i], "fidelities");
+      if (!call.ok()) return;
+      if (!fidelity_preset(fidelities[i]))
+        return call.fail(PHYSIM_REFUSED, "no preset of fidelity has this name", fidelities[i],
+                         suggestion(fidelities[i], fidelity_presets(), "they are"));
+      settings.push_back(report::preset_setting(of->scenario(), of->shot(), fidelities[i]));
+    }
+    Result<Comparison> found = compare(projectile_of(of->shot()), of->shot().launch, of->scenario().environment,
+                                       settings, report::reference_setting(of->scenario(), of->shot()), of->until());
+    if (!call.take(found)) return;
+    PHYSIM_ASSERT(found->flights.size() == count);
+    for (std::size_t i = 0; i < count; ++i) put_row(rows, each, i, row_of(found->flights[i]));
+    if (reference != nullptr)
+      call.give(reference, std::make_shared<FlightObject>(FlightObject{std::move(found->reference)}));
   });
 }
 
@@ -232,6 +327,42 @@ physim_result physim_study_fly(const physim_study* study, uint64_t first, uint64
   });
 }
 
+physim_result physim_study_set_width(physim_study* study, const char* target, size_t quantity, double width) {
+  return guarded([&](Call& call) {
+    const auto of = call.find(study, "study");
+    call.need(width >= 0, "width", "is negative, or not a number");
+    if (!call.ok()) return;
+    Study changed = of->plan.study();
+    changed.until_width.reset();
+    if (width > 0) {
+      const Result<StudyWidth> until = width_of(changed, target, quantity, width);
+      if (!call.take(until, PHYSIM_NOT_FOUND)) return;
+      changed.until_width = *until;
+    }
+    const Result<StudyPlan> plan = plan_study(changed);
+    if (call.take(plan)) of->plan = *plan;
+  });
+}
+
+physim_result physim_study_run(const physim_study* study, const physim_part* so_far, double seconds,
+                               const physim_pool* pool, physim_part** part, physim_figures** figures) {
+  return guarded([&](Call& call) {
+    const auto of = call.find(study, "study");
+    const auto before = call.find_or_null(so_far, "so_far");
+    const auto threads = call.find_or_null(pool, "pool");
+    call.need(seconds >= 0, "seconds", "is negative, or not a number");
+    call.need(part != nullptr || figures != nullptr, "figures", "is null, and so is part: nothing would be left");
+    if (!call.ok()) return;
+    StudyPart all = before ? before->part : StudyPart();
+    const Lent lent(threads);
+    Result<StudyResult> result = run_for(of->plan, seconds, lent.runner(), all);
+    if (!call.take(result)) return;
+    PHYSIM_ASSERT(result->shards <= all.shards());
+    if (part != nullptr) call.give(part, std::make_shared<PartObject>(PartObject{all}));
+    if (figures != nullptr) call.give(figures, std::make_shared<FiguresObject>(FiguresObject{std::move(*result)}));
+  });
+}
+
 physim_result physim_part_join(const physim_part* a, const physim_part* b, physim_part** joined) {
   return guarded([&](Call& call) {
     const auto one = call.find(a, "a");
@@ -281,7 +412,10 @@ physim_result physim_figures_read(const physim_figures* figures, physim_figures_
                       .targets = r.hits.size(),
                       .mean_radius = radius.mean.value,
                       .r50 = radius.r50,
-                      .r90 = radius.r90});
+                      .r90 = radius.r90,
+                      .shards = r.shards,
+                      .width_reached = r.width_reached,
+                      .time_was_up = r.time_was_up});
   });
 }
 

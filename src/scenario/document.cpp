@@ -112,7 +112,7 @@ std::string Place::text() const {
 const Value* Value::find(std::string_view key) const {
   if (const Table* table = get<Table>())
     for (const Member& member : *table)
-      if (member.key == key) return &member.value;
+      if (is_same_key(member.key, key)) return &member.value;
   return nullptr;
 }
 

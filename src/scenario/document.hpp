@@ -15,6 +15,11 @@
 
 namespace physim {
 
+/// Whether two keys are equal. Most keys that are not differ in their first letter.
+[[nodiscard]] inline bool is_same_key(std::string_view a, std::string_view b) {
+  return a.size() == b.size() && (a.empty() || (a.front() == b.front() && a == b));
+}
+
 /// Where a key or value stands; line 0: the source as a whole, such as an override of the command line.
 struct Place {
   std::shared_ptr<const std::string> source;

@@ -218,6 +218,15 @@ void put_first(Value& document, const Array& taken) {
 
 }  // namespace
 
+bool may_have_distributions(const Value& value, const SchemaNode* node) {
+  const Table* table = value.get<Table>();
+  if (const Array* array = value.get<Array>())
+    return std::ranges::any_of(*array, [node](const Value& each) { return may_have_distributions(each, node); });
+  if (table == nullptr || node == nullptr || node->children.empty()) return looks_uncertain(value);
+  return std::ranges::any_of(
+      *table, [node](const Member& each) { return may_have_distributions(each.value, node->find(each.key)); });
+}
+
 Status take_distributions(Value& document, const std::string& file) {
   static const std::vector<StudyPath> kPaths = study_paths();
   Taker taker(std::filesystem::path(file).parent_path().string());

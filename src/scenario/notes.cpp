@@ -56,10 +56,10 @@ class Notes {
   }
 
   // ----------------------------------------------------------------------------------------------------- unlikely
-  /// A number that is given and lies outside of what is usual.
-  void unusual(bool is_unlikely, const Value& table, std::string_view head, Path path, const std::string& value,
+  /// A number that lies outside of what is usual, if it is given.
+  void unusual(const Value& table, std::string_view head, Path path, const std::string& value,
                const std::string& usual) {
-    if (is_unlikely && is_given(table, path)) note(table, head, path, value + " is unusual; " + usual);
+    if (is_given(table, path)) note(table, head, path, value + " is unusual; " + usual);
   }
 
   void of_environment() {
@@ -69,13 +69,15 @@ class Notes {
     const bool on_earth = e.gravity.model != GravityModel::off && e.gravity.acceleration > kLeastGravity &&
                           e.gravity.acceleration < kMostGravity;
     const double pressure = e.atmosphere.pressure.value_or(101325), altitude = e.altitude;
-    unusual(on_earth && (pressure < 1e4 || pressure > 1.2e5), document_, "", {"environment", "atmosphere", "pressure"},
-            quantity_text(pressure, Quantity::pressure), "air on the ground has 50 to 108 kPa, as \"1013 hPa\"");
-    unusual(altitude < -5e3 || altitude > 1e6, document_, "", {"environment", "altitude"},
-            quantity_text(altitude, Quantity::length), "it is a height above the sea, from -400 m to 1000 km");
-    const double relative = scenario_.tolerance.relative.value_or(0);
-    unusual(relative > 1e-2, document_, "", {"tolerance", "relative"}, number_text(relative),
-            "errors of a step are from 1e-12 to 1e-4");
+    if (on_earth && (pressure < 1e4 || pressure > 1.2e5))
+      unusual(document_, "", {"environment", "atmosphere", "pressure"}, quantity_text(pressure, Quantity::pressure),
+              "air on the ground has 50 to 108 kPa, as \"1013 hPa\"");
+    if (altitude < -5e3 || altitude > 1e6)
+      unusual(document_, "", {"environment", "altitude"}, quantity_text(altitude, Quantity::length),
+              "it is a height above the sea, from -400 m to 1000 km");
+    if (const double relative = scenario_.tolerance.relative.value_or(0); relative > 1e-2)
+      unusual(document_, "", {"tolerance", "relative"}, number_text(relative),
+              "errors of a step are from 1e-12 to 1e-4");
   }
 
   void of_shot(const ScenarioShot& shot, const Value& table) {
@@ -113,20 +115,21 @@ class Notes {
     constexpr double kFastest = 1e5;  // of what Newton's mechanics and drag tables are for [m/s]
     for (const std::string_view key : {"speed", "velocity"}) {
       const double speed = shot.launch.velocity ? length(*shot.launch.velocity) : shot.launch.speed;
-      unusual(speed > kFastest, table, "shot", {key}, quantity_text(speed, Quantity::speed),
-              "guns reach 3 km/s and meteors 72 km/s, and there is no relativity here");
+      if (speed > kFastest)
+        unusual(table, "shot", {key}, quantity_text(speed, Quantity::speed),
+                "guns reach 3 km/s and meteors 72 km/s, and there is no relativity here");
     }
     // A cylinder of lead of this mass and diameter would be so many calibres long.
     constexpr double kLead = 11340, kLongest = 60;
     const double calibres = p.mass / (kLead * 0.25 * kPi * p.diameter * p.diameter * p.diameter);
-    unusual(p.diameter > 0 && calibres > kLongest && is_given(table, {"diameter"}), table, "shot", {"mass"},
-            quantity_text(p.mass, Quantity::mass),
-            "with this diameter it is a rod of lead " + number_text(std::round(calibres)) + " calibres long");
+    if (p.diameter > 0 && calibres > kLongest && is_given(table, {"diameter"}))
+      unusual(table, "shot", {"mass"}, quantity_text(p.mass, Quantity::mass),
+              "with this diameter it is a rod of lead " + number_text(std::round(calibres)) + " calibres long");
     const auto stability = stability_factor(p, shot.launch, scenario_.environment);
-    unusual(stability && (*stability < 1 || *stability > 20), table, "shot", {"twist"},
-            quantity_text(p.twist, Quantity::length),
-            "it gives a stability factor of " + number_text(std::round(100 * stability.value_or(0)) / 100) +
-                ", and bullets that fly straight have 1.3 to 5");
+    if (stability && (*stability < 1 || *stability > 20))
+      unusual(table, "shot", {"twist"}, quantity_text(p.twist, Quantity::length),
+              "it gives a stability factor of " + number_text(std::round(100 * *stability) / 100) +
+                  ", and bullets that fly straight have 1.3 to 5");
   }
 
   void of_joint(JointKind kind, const Value& table) {

@@ -4,7 +4,6 @@
 #include <optional>
 
 #include "base/assert.hpp"
-#include "scenario/by_path.hpp"
 #include "scenario/reader.hpp"
 #include "scenario/units.hpp"
 
@@ -76,18 +75,17 @@ Status put(Value& here, const SchemaNode& node, Way way, const Value& value) {
   const SchemaNode* child = node.find(way.rest.substr(0, dot));
   PHYSIM_ASSERT(child != nullptr);  // the target is in the tree
   Value* member = here.find(child->name);
+  const bool is_last = dot == way.rest.npos, is_list = !is_last && child->is_list_of_tables();
+  way.rest.remove_prefix(is_last ? way.rest.size() : dot + 1);
+  const auto put_into = [&](Value& into) {
+    if (is_last) return into = value, Status();
+    return is_list ? put_into_list(into, *child, way, value) : put(into, *child, way, value);
+  };
+  if (member != nullptr) return put_into(*member);
   Value made{Table{}, value.place, {}, {}};
-  Value& into = member != nullptr ? *member : made;
-  if (dot == way.rest.npos) {
-    into = value;
-  } else {
-    way.rest.remove_prefix(dot + 1);
-    const bool is_list = child->is_list_of_tables();
-    if (is_list && member == nullptr) made.content = Array{};
-    if (Status status = is_list ? put_into_list(into, *child, way, value) : put(into, *child, way, value); !status)
-      return status;
-  }
-  if (member == nullptr) here.get<Table>()->push_back({child->name, value.place, std::move(made)});
+  if (is_list) made.content = Array{};
+  if (Status status = put_into(made); !status) return status;
+  here.get<Table>()->push_back({child->name, value.place, std::move(made)});
   return {};
 }
 
@@ -100,6 +98,16 @@ std::string shot_name(const Value& shot, std::size_t index) {
   return own.empty() ? "shot-" + std::to_string(index + 1) : own;
 }
 
+Result<Addressed> address_in(const Value& document, std::string_view path, const Place& place) {
+  return address(
+      path, [&document] { return shot_names(document); }, place);
+}
+
+Status put_value(Value& document, const Addressed& target, const Value& value) {
+  PHYSIM_ASSERT(target.node != nullptr);
+  return put(document, schema(), {target, target.node->path}, value);
+}
+
 Status apply_override(Value& document, const std::string& override_text) {
   const Place place{std::make_shared<const std::string>("--set " + override_text), 0, 0};
   const std::size_t equals = override_text.find('=');
@@ -109,19 +117,17 @@ Status apply_override(Value& document, const std::string& override_text) {
   const std::string_view text = trimmed(std::string_view(override_text).substr(equals + 1));
   if (text.empty())
     return Error{"an override without a value", place.text(), "write path=value, such as shot.mass=\"168 gr\""};
-  const Result<Addressed> target = address(
-      path, [&document] { return shot_names(document); }, place);
+  const Result<Addressed> target = address_in(document, path, place);
   if (!target) return target.error();
-  return put(document, schema(), {*target, target->node->path}, parse_override_value(text, place));
+  return put_value(document, *target, parse_override_value(text, place));
 }
 
 Status put_setting(Value& document, std::string_view path, std::string_view text, const Place& place) {
-  const Result<Addressed> target = address(
-      path, [&document] { return shot_names(document); }, place);
+  const Result<Addressed> target = address_in(document, path, place);
   if (!target) return target.error();
   const Value value = parse_override_value(text, place);
   if (Status status = check_alone(*target->node, value); !status) return status;
-  return put(document, schema(), {*target, target->node->path}, value);
+  return put_value(document, *target, value);
 }
 
 }  // namespace physim

@@ -1,6 +1,7 @@
 // Values of settings from a document: types, units, ranges and unknown keys are checked here, for all settings alike.
 #include "scenario/reader.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <utility>
 
@@ -481,18 +482,23 @@ void read_child(const SchemaNode& child, const Scope& scope, const Value& value,
 void read_table_into(const SchemaNode& node, const Scope& scope, const Value& value, Mistakes& mistakes) {
   const Table* table = value.get<Table>();
   if (table == nullptr) return mistakes.take(not_a_table(node, value));
-  for (const Member& member : *table)
-    if (node.find(member.key) == nullptr) mistakes.take(unknown_key(node, member));
   // In the order of the list: presets come before what changes them, kinds before their values.
-  for (const SchemaNode& child : node.children) {
-    const Value* found = value.find(child.name);
-    if (found != nullptr)
-      read_child(child, scope, *found, mistakes);
-    else if (child.entry != nullptr && child.entry->required && mistakes.needs_all() &&
-             !is_misspelt(node, *table, child))
+  std::vector<std::pair<const SchemaNode*, const Value*>> given;
+  given.reserve(table->size());
+  for (const Member& member : *table) {
+    if (const SchemaNode* child = node.find(member.key))
+      given.emplace_back(child, &member.value);
+    else
+      mistakes.take(unknown_key(node, member));
+  }
+  std::ranges::sort(given);
+  PHYSIM_ASSERT(std::ranges::adjacent_find(given, {}, [](const auto& each) { return each.first; }) == given.end());
+  for (const auto& [child, found] : given) read_child(*child, scope, *found, mistakes);
+  for (const SchemaNode& child : node.children)
+    if (child.entry != nullptr && child.entry->required && mistakes.needs_all() && value.find(child.name) == nullptr &&
+        !is_misspelt(node, *table, child))
       mistakes.take(Error{"missing key " + in_quotes(child.name) + " in " + table_name(node), value.place.text(),
                           std::string(child.entry->doc)});
-  }
 }
 
 }  // namespace

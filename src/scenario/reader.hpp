@@ -21,7 +21,7 @@ enum class Checks {
 [[nodiscard]] Status read_setting(const SchemaNode& node, const Scope& scope, const Value& value);
 
 /// Reads a document of a scenario file; `file` names it in errors, and other files are looked for beside it.
-[[nodiscard]] Result<Scenario> read_scenario(Value document, const std::string& file, Checks checks);
+[[nodiscard]] Result<Scenario> read_scenario(const Value& document, const std::string& file, Checks checks);
 
 /// Error of a value that should be a table.
 [[nodiscard]] Error not_a_table(const SchemaNode& node, const Value& value);

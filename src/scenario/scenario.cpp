@@ -80,11 +80,11 @@ Status begin_reading_measurements(const Scenario& scenario) {
 
 }  // namespace
 
-Result<Scenario> read_scenario(Value document, const std::string& file, Checks checks) {
-  const IeeeMode mode;
+namespace {
+
+/// Reads a document that has no distribution in the place of a number.
+Result<Scenario> read_plain(const Value& document, const std::string& file, Checks checks) {
   const FilesInUse in_use;
-  if (Status status = check_format(document, file); !status) return status.error();
-  if (Status status = take_distributions(document, file); !status) return status.error();
   const Value* shots = document.find("shot");
   const Array* array = shots ? shots->get<Array>() : nullptr;
   if (shots == nullptr || (array != nullptr && array->empty()))
@@ -108,6 +108,20 @@ Result<Scenario> read_scenario(Value document, const std::string& file, Checks c
   return scenario;
 }
 
+}  // namespace
+
+Result<Scenario> read_scenario(const Value& document, const std::string& file, Checks checks) {
+  const IeeeMode mode;
+  const FilesInUse in_use;
+  if (Status status = check_format(document, file); !status) return status.error();
+  if (!may_have_distributions(document, &schema())) return read_plain(document, file, checks);
+  Value plain = document;
+  if (Status status = take_distributions(plain, file); !status) return status.error();
+  Result<Scenario> scenario = read_plain(plain, file, checks);
+  if (scenario && checks == Checks::all) scenario->files = in_use.inputs();
+  return scenario;
+}
+
 Result<Scenario> parse_scenario(const std::string& text, const std::string& file,
                                 std::span<const std::string> overrides) {
   const IeeeMode mode;
@@ -115,7 +129,7 @@ Result<Scenario> parse_scenario(const std::string& text, const std::string& file
   if (!document) return document.error();
   for (const std::string& override_text : overrides)
     if (Status status = apply_override(*document, override_text); !status) return status.error();
-  return read_scenario(std::move(*document), file, Checks::all);
+  return read_scenario(*document, file, Checks::all);
 }
 
 Result<std::string> read_scenario_text(const std::string& file) {

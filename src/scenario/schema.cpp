@@ -6,6 +6,7 @@
 
 #include "base/assert.hpp"
 #include "base/ieee_mode.hpp"
+#include "scenario/document.hpp"
 #include "scenario/units.hpp"
 #include "scenario/writer.hpp"
 
@@ -87,7 +88,7 @@ Setting public_setting(const Entry& entry) {
 
 const SchemaNode* SchemaNode::find(std::string_view child) const {
   for (const SchemaNode& node : children)
-    if (node.name == child) return &node;
+    if (is_same_key(node.name, child)) return &node;
   return nullptr;
 }
 

@@ -31,7 +31,10 @@ std::string normalized_unit(std::string_view text) {
   return out;
 }
 
-const Unit* find_unit(const QuantityInfo& quantity, const std::string& normalized) {
+const Unit* find_unit(const QuantityInfo& quantity, std::string_view text) {
+  for (const Unit& unit : quantity.units)
+    if (unit.name == text) return &unit;
+  const std::string normalized = normalized_unit(text);
   for (const Unit& unit : quantity.units)
     if (normalized_unit(unit.name) == normalized) return &unit;
   return nullptr;
@@ -39,9 +42,8 @@ const Unit* find_unit(const QuantityInfo& quantity, const std::string& normalize
 
 /// Why a unit is not one of the quantity's: it belongs to another, or to none.
 Error wrong_unit(std::string_view text, std::string_view unit, const QuantityInfo& wanted) {
-  const std::string normalized = normalized_unit(unit);
   for (const QuantityInfo& other : all_quantities())
-    if (find_unit(other, normalized) != nullptr)
+    if (find_unit(other, unit) != nullptr)
       return {in_quotes(text) + " is " + std::string(other.with_article), "", expected(wanted.quantity)};
   if (unit.front() == ',') return {in_quotes(text) + " has a comma", "", "write a decimal point"};
   const std::vector<std::string> names = units_of(wanted.quantity);
@@ -105,7 +107,7 @@ Result<double> parse_quantity(std::string_view text, Quantity quantity) {
     return Error{in_quotes(whole) + " is not a number", "", expected(quantity)};
   const std::string_view unit_text = trimmed(digits.substr(static_cast<std::size_t>(end - digits.data())));
   if (unit_text.empty()) return number;  // SI
-  const Unit* unit = find_unit(wanted, normalized_unit(unit_text));
+  const Unit* unit = find_unit(wanted, unit_text);
   if (unit == nullptr) return wrong_unit(whole, unit_text, wanted);
   const double shifted = unit->zero == 0 ? number : number + unit->zero;  // -0 + 0 would lose the sign
   return shifted * unit->factor / unit->divisor;

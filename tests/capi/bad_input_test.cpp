@@ -115,6 +115,7 @@ struct Try {
 const std::vector<Try>& all_calls() {
   static const physim_id id{1, 1};
   static const double place[3] = {0, 0, 0};
+  static const char* const preset = "game";
   static const std::vector<Try> calls = {
       TRY(physim_bytes_data, kHandle | kPointer, g.h.bytes, g.at<const void*>(), g.at<std::size_t>()),
       TRY(physim_save, kHandle | kPointer, g.h.world, g.at<physim_bytes*>()),
@@ -178,6 +179,11 @@ const std::vector<Try>& all_calls() {
       TRY(physim_world_record, kHandle, g.h.world, 1),
       TRY(physim_world_stop_recording, kHandle | kPointer, g.h.world, g.at<physim_bytes*>()),
       TRY(physim_replay, kPointer | kSize, g.at<char>(), 16, nullptr, g.at<physim_replay_info>()),
+      TRY(physim_replay_open, kPointer, g.at<char>(), 16, nullptr, g.at<physim_world*>()),
+      TRY(physim_replay_next, kHandle, g.h.world, 1, nullptr, nullptr),
+      TRY(physim_scene_load, kPointer, g.at<char>(), 16, nullptr, g.at<physim_scene*>()),
+      TRY(physim_scene_set_engine, kHandle | kNumber, g.h.scene, nullptr, nullptr, g.number(0)),
+      TRY(physim_scene_read_engine, kHandle | kPointer | kSize, g.h.scene, g.at<physim_engine_info>()),
       TRY(physim_scene_create, kHandle | kPointer, g.h.def, g.at<physim_scene*>()),
       TRY(physim_world_set_scene, kHandle, g.h.world, g.h.scene),
       TRY(physim_scene_add, kHandle | kPointer, g.h.scene, g.h.def, g.at<physim_id>(), 4, nullptr),
@@ -201,6 +207,7 @@ const std::vector<Try>& all_calls() {
       TRY(physim_emitter_read, kHandle | kPointer | kSize, g.h.world, id, g.at<physim_emitter_info>()),
       TRY(physim_emitter_particles, kHandle | kPointer | kSize, g.h.world, id, 4, g.at<physim_particles>(),
           g.at<std::size_t>()),
+      TRY(physim_emitter_trails, kHandle | kPointer, g.h.world, id, nullptr, g.at<std::size_t>(), g.at<std::size_t>()),
       TRY(physim_world_add_force, kHandle | kPointer, g.h.world, g.h.def, nullptr, nullptr, 0, nullptr,
           g.at<physim_id>()),
       TRY(physim_world_add_force_function, kHandle | kPointer, g.h.world, nullptr, nullptr, nullptr, 0, 1,
@@ -212,6 +219,11 @@ const std::vector<Try>& all_calls() {
           g.at<std::size_t>()),
       TRY(physim_world_remove, kHandle, g.h.world, PHYSIM_A_FORCE, id),
       TRY(physim_aim, kHandle | kPointer | kSize, g.h.def, nullptr, nullptr, g.at<physim_aim_info>()),
+      TRY(physim_max_range, kHandle | kPointer | kSize | kNumber, g.h.def, nullptr, g.number(0), 0, 0,
+          g.at<physim_farthest>()),
+      TRY(physim_suvat, kPointer, g.at<physim_straight>(), g.at<physim_straight>(), g.at<std::size_t>()),
+      TRY(physim_compare, kHandle | kPointer, g.h.def, nullptr, &preset, 1, g.at<physim_compared>(),
+          sizeof(physim_compared), nullptr),
       TRY(physim_fit, kHandle | kPointer | kSize, g.h.def, nullptr, g.at<physim_measurement>(), 2, nullptr,
           g.at<physim_fit_info>(), nullptr),
       TRY(physim_choose_fidelity, kHandle | kPointer | kSize, g.h.def, nullptr, nullptr, g.at<physim_fidelity_info>(),
@@ -219,6 +231,9 @@ const std::vector<Try>& all_calls() {
       TRY(physim_study_create, kHandle | kPointer, g.h.def, nullptr, g.at<physim_study*>()),
       TRY(physim_study_read, kHandle | kPointer | kSize, g.h.study, g.at<physim_study_info>()),
       TRY(physim_study_fly, kHandle | kPointer, g.h.study, 0, 1, nullptr, g.at<physim_part*>()),
+      TRY(physim_study_set_width, kHandle | kNumber, g.h.study, nullptr, 0, g.number(0)),
+      TRY(physim_study_run, kHandle | kPointer | kNumber, g.h.study, nullptr, g.number(0), nullptr, nullptr,
+          g.at<physim_figures*>()),
       TRY(physim_part_join, kHandle | kPointer, g.h.part, g.h.part, g.at<physim_part*>()),
       TRY(physim_part_load, kPointer, g.at<char>(), 16, g.at<physim_part*>()),
       TRY(physim_study_figures, kHandle | kPointer, g.h.study, g.h.part, 1, g.at<physim_figures*>()),

@@ -228,6 +228,95 @@ static void test_solving(void) {
   OK(physim_free(def));
 }
 
+static void test_answers(void) {
+  physim_def* def = made(kFirst);
+  physim_farthest far = {.size = sizeof far};
+  const char* const presets[2] = {"game", "reference"};
+  const char* const unknown[1] = {"gane"};
+  physim_compared rows[2];
+  physim_flight* reference = NULL;
+  physim_sample end = {.size = sizeof end};
+  physim_straight thrown = {NAN, 20, NAN, -10, NAN}, found[2];
+  size_t count = 0;
+
+  /* Without air and over even ground the farthest elevation is 45 degrees, and the range v^2 / g. */
+  OK(physim_set(def, "fidelity", "game"));
+  OK(physim_set(def, "fidelity.drag", "off"));
+  OK(physim_set(def, "environment.gravity.acceleration", "9.80665"));
+  OK(physim_max_range(def, NULL, 0, 0, 0, &far));
+  CHECK(is_near(far.elevation, atan(1.0), 1e-3) && is_near(far.range, 800 * 800 / 9.80665, 1));
+  CHECK(is_near(far.position[0], far.range, 1) && far.velocity[1] < 0 && far.flights > 2);
+  IS(PHYSIM_REFUSED, physim_max_range(def, NULL, 0, 0, 1, &far)); /* it flies for longer */
+
+  OK(physim_free(def));
+  def = made(kFirst);
+  OK(physim_compare(def, NULL, presets, 2, rows, sizeof rows[0], &reference));
+  CHECK(rows[0].largest_distance > rows[1].largest_distance && rows[1].largest_distance < 1e-3);
+  CHECK(rows[0].steps > 0 && rows[1].evaluations > rows[1].steps);
+  OK(physim_flight_at(reference, PHYSIM_AT_END, 0, &end));
+  CHECK(end.range > 1000);
+  IS(PHYSIM_REFUSED, physim_compare(def, NULL, unknown, 1, rows, sizeof rows[0], NULL));
+  CHECK(strstr(physim_last_hint(), "game") != NULL);
+
+  thrown.s = 15; /* up and down again */
+  OK(physim_suvat(&thrown, found, &count));
+  CHECK(count == 2 && is_near(found[0].t, 1, 1e-12) && is_near(found[1].t, 3, 1e-12) &&
+        is_near(found[1].v, -10, 1e-12));
+  thrown.s = 25;
+  IS(PHYSIM_REFUSED, physim_suvat(&thrown, found, &count)); /* it never gets there */
+  OK(physim_free(reference));
+  OK(physim_free(def));
+}
+
+/* Studies that end by time and by the width of a figure. */
+static void test_ends_of_studies(void) {
+  physim_def* def = made(kFirst);
+  physim_study* study = NULL;
+  physim_part *some = NULL, *all = NULL, *whole = NULL;
+  physim_figures *figures = NULL, *again = NULL;
+  physim_figures_info sums = {.size = sizeof sums};
+  physim_quantity q = {.size = sizeof q}, r = {.size = sizeof r};
+  physim_study_info info = {.size = sizeof info};
+  OK(physim_set(def, "speed", "800 m/s +- 3 m/s"));
+  OK(physim_set(def, "until.range", "300 m"));
+  OK(physim_set(def, "study.shots", "150000"));
+  OK(physim_set(def, "study.targets", "[\"plate: rectangle 30 cm x 20 cm at 0 m, 9.9 m\"]"));
+  OK(physim_study_create(def, NULL, &study));
+  OK(physim_study_read(study, &info));
+  OK(physim_study_run(study, NULL, 1e-9, NULL, &some, &figures));
+  OK(physim_figures_read(figures, &sums));
+  CHECK(sums.time_was_up && !sums.width_reached && sums.shards >= 1 && sums.shards < info.shards);
+  OK(physim_free(figures));
+  OK(physim_study_run(study, some, 0, NULL, &all, &figures));
+  OK(physim_figures_read(figures, &sums));
+  CHECK(!sums.time_was_up && sums.shards == info.shards);
+  OK(physim_study_fly(study, 0, info.shards, NULL, &whole));
+  OK(physim_study_figures(study, whole, 0, &again));
+  OK(physim_figures_quantity(figures, 1, &q));
+  OK(physim_figures_quantity(again, 1, &r));
+  CHECK(q.mean == r.mean && q.deviation == r.deviation);
+  OK(physim_free(again));
+  OK(physim_free(figures));
+  OK(physim_study_set_width(study, NULL, 1, 8 * q.error)); /* the whole has an interval of 3.92 errors */
+  OK(physim_study_run(study, NULL, 0, NULL, NULL, &figures));
+  OK(physim_figures_read(figures, &sums));
+  CHECK(sums.width_reached && sums.shards < info.shards);
+  OK(physim_free(figures));
+  OK(physim_study_set_width(study, "plate", 0, 0.5));
+  OK(physim_study_run(study, NULL, 0, NULL, NULL, &figures));
+  OK(physim_figures_read(figures, &sums));
+  CHECK(sums.width_reached && sums.shards < info.shards);
+  IS(PHYSIM_NOT_FOUND, physim_study_set_width(study, "plat", 0, 0.5));
+  IS(PHYSIM_NOT_FOUND, physim_study_set_width(study, NULL, 99, 0.5));
+  IS(PHYSIM_BAD_ARGUMENT, physim_study_run(study, NULL, 0, NULL, NULL, NULL));
+  OK(physim_free(figures));
+  OK(physim_free(some));
+  OK(physim_free(all));
+  OK(physim_free(whole));
+  OK(physim_free(study));
+  OK(physim_free(def));
+}
+
 static void test_study(void) {
   physim_def* def = made(kFirst);
   physim_study *study = NULL, *other = NULL;
@@ -296,8 +385,11 @@ int main(void) {
   test_flight();
   test_batch();
   test_worlds();
+  test_more_worlds();
   test_solving();
+  test_answers();
   test_study();
+  test_ends_of_studies();
   if (failures == 0) printf("PhySim %s from C: all as it must be\n", physim_version());
   return failures != 0;
 }

@@ -23,5 +23,7 @@ physim_def* made(const char* text);
 
 /* tests/capi/c_worlds_test.c */
 void test_worlds(void);
+/* tests/capi/c_more_worlds_test.c */
+void test_more_worlds(void);
 
 #endif

@@ -1,8 +1,12 @@
 // Points of lists that are uncertain, as scenarios write them.
 #include <cmath>
+#include <numeric>
 #include <set>
 
+#include "scenario/overrides.hpp"
+#include "scenario/reader.hpp"
 #include "scenario/scenario.hpp"
+#include "settings/units.hpp"
 #include "support.hpp"
 
 namespace physim {
@@ -68,6 +72,28 @@ TEST(StudyPointsText, places_of_points_have_units_of_their_own) {
                             "shot.aero.lift.1.angle_squared = 1 +- 0.1", "shot.motor.thrust.time = 1 s +- 1 s",
                             "environment.wind.profile.2.at = 1 m/s +- 1 m/s"})
     EXPECT_FALSE(parse_study_input(wrong)) << wrong;
+}
+
+TEST(StudyPointsText, every_number_of_a_study_may_be_a_distribution_where_it_stands) {
+  std::size_t found = 0;
+  for (const StudyPath& known : study_paths()) {
+    const SchemaNode* node = find_node(known.path);
+    if (node == nullptr || node->entry == nullptr) continue;  // components, points, wind by compass
+    if (node->entry->by_factor) continue;                     // the factor of a list stands in study.inputs alone
+    auto document = parse_document(kShot, "test.toml");
+    ASSERT_TRUE(document);
+    const Range& range = node->entry->range;
+    const double mean = !std::isfinite(range.low)   ? 0.5
+                        : std::isfinite(range.high) ? std::midpoint(range.low, range.high)
+                                                    : range.low + 0.5;
+    const std::string text = number_text(mean) + " +- 0.01";
+    ASSERT_TRUE(apply_override(*document, known.path + " = " + text)) << known.path;
+    const auto scenario = read_scenario(*document, "test.toml", Checks::of_each);
+    ASSERT_TRUE(scenario) << scenario.error().text();
+    EXPECT_EQ(scenario->study.inputs, std::vector<std::string>{known.path + " = " + text});
+    ++found;
+  }
+  EXPECT_GT(found, 30u);
 }
 
 TEST(StudyPointsText, points_are_distributions_and_their_means_are_flown) {

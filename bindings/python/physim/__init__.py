@@ -12,15 +12,17 @@
 from ._adapters import from_py_ballisticcalc, from_rocketpy
 from ._core import __version__, use_kernel
 from ._errors import Error
+from ._executors import RayExecutor
 from ._flight import Event, Flight, Sample
 from ._scenario import Aim, Batch, Comparison, Fit, Scenario, Shot, Solution, fly, suvat
 from ._settings import Setting, Settings, settings
 from ._study import Study, StudyResult, study_paths
 from ._table import Columns, Record
-from ._world import Projectile, Scene, Snapshot, World, replay
+from ._world import Projectile, Replay, Scene, Snapshot, World, replay
 
 __all__ = [
-    "Aim", "Batch", "Columns", "Comparison", "Error", "Event", "Fit", "Flight", "Projectile", "Record", "Sample",
+    "Aim", "Batch", "Columns", "Comparison", "Error", "Event", "Fit", "Flight", "Projectile", "RayExecutor", "Record", "Replay",
+    "Sample",
     "Scenario", "Scene", "Setting", "Settings", "Shot", "Snapshot", "Solution", "Study", "StudyResult", "World", "__version__", "fidelities",
     "fly", "from_py_ballisticcalc", "from_rocketpy", "kernels", "presets", "replay", "settings", "study_paths", "suvat", "use_kernel",
 ]  # fmt: skip

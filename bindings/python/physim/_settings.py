@@ -167,62 +167,20 @@ def _paths() -> frozenset[str]:
     return frozenset(_by_keyword().values())
 
 
-def flat_paths(keywords: Mapping[str, Any]) -> dict[str, Any]:
-    """Settings by path; tables given as dicts are taken apart, as far as they are no lists."""
-    return {path_of(keyword): value for keyword, value in keywords.items()}
+class _Paths(dict[str, str]):
+    """Paths by keyword, found when a keyword is used first."""
+
+    def __missing__(self, keyword: str) -> str:
+        return self.setdefault(keyword, path_of(keyword))
 
 
-@functools.lru_cache(maxsize=4096)
-def _place_of(keyword: str) -> tuple[bool, tuple[str, ...], str]:
-    """A flag for settings of the shot, the keys that lead to the setting, and its path."""
-    path = path_of(keyword)
-    parts = tuple(path.split("."))
-    return (True, parts[1:], path) if parts[0] == "shot" else (False, parts, path)
+_PATHS = _Paths()
 
 
-def tree_of(keywords: Mapping[str, Any]) -> dict[str, Any]:
-    """The nested dicts of keyword arguments, with one shot: what the library reads."""
-    shot: dict[str, Any] = {}
-    tree: dict[str, Any] = {"physim": 1, "shot": [shot]}
-    for keyword, value in keywords.items():
-        of_shot, parts, path = _place_of(keyword)
-        table = shot if of_shot else tree
-        if len(parts) == 1 and parts[0] not in table and not isinstance(value, dict):
-            table[parts[0]] = value
-        else:
-            _put(table, parts, value, path)
-    return tree
-
-
-def _put(table: dict[str, Any], parts: tuple[str, ...], value: Any, path: str) -> None:
-    for part in parts[:-1]:
-        inner = table.setdefault(part, {})
-        if not isinstance(inner, dict):  # fidelity="small_arms" beside fidelity_drag="off"
-            inner = table[part] = {_shorthand_of(path, part): inner}
-        table = inner
-    last = parts[-1]
-    before = table.get(last)
-    if isinstance(before, dict):  # a table that other keywords began
-        if isinstance(value, Mapping):
-            before.update(value)
-        else:
-            before[_shorthand_of(path, last)] = value
-    else:
-        table[last] = dict(value) if isinstance(value, Mapping) else value
-
-
-@functools.cache
-def _shorthands() -> dict[str, str]:
-    return {row["path"].rpartition(".")[0]: row["path"].rpartition(".")[2] for row in _core.settings() if row["shorthand"]}
-
-
-def _shorthand_of(path: str, table: str) -> str:
-    parts = path.split(".")
-    head = ".".join(parts[: parts.index(table) + 1])
-    name = _shorthands().get(head)
-    if name is None:
-        raise Error("is a table and cannot have a value of its own", head, "give its keys")
-    return name
+def by_path(keywords: Mapping[str, Any]) -> dict[str, Any]:
+    """Settings by path, out of keyword arguments."""
+    paths = _PATHS
+    return {paths[keyword]: value for keyword, value in keywords.items()}
 
 
 def keyword_docs(*, shots: bool = True) -> str:

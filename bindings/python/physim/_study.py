@@ -110,16 +110,14 @@ class Study:
                 known = sorted(path.removeprefix("study.") for path in _paths() if path.startswith("study."))
                 raise Error(f'unknown option "{name}"', name, "known are " + ", ".join(known))
             changes[f"study.{name}"] = value
-        if inputs is not None:
-            changes["study.inputs"] = _inputs(inputs)
         if targets is not None:
             named = targets.items() if isinstance(targets, Mapping) else ()
             changes["study.targets"] = [f"{name}: {target}" for name, target in named] or list(targets)
         if range is not None:
             changes["until.range"] = range
         setup = of._setup
-        if inputs is not None and any("+-" in text or ".." in text for _, text in setup.given()):
-            changes["study.inputs"] = _with_own(setup, changes["study.inputs"])
+        if inputs is not None:
+            changes["study.inputs"] = [*setup.inputs_given, *_inputs(inputs)]
         self._setup = setup.with_settings(changes) if changes else setup
         self._shot, self._until_width = shot, until_width
         self._core = _core.Study.make(self._setup, shot, until_width)
@@ -153,6 +151,7 @@ class Study:
         so_far: bytes = b"",
         progress: Callable[[int, int], object] | None = None,
         shards_per_task: int | None = None,
+        seconds: float | None = None,
     ) -> StudyResult:
         """Flies what is missing and returns the result. Its bits depend neither on threads nor on the executor.
 
@@ -162,12 +161,15 @@ class Study:
             threads: 0: all of the machine; in a task of an executor there is one
             progress: called with shards done and all, in this thread's process; if it returns False, the study stops
             shards_per_task: by default so many that there are about a hundred tasks
+            seconds: it ends then, with the shards that are under way; the result says `time_was_up`. On threads only
         """
         self.so_far = so_far or self.so_far
+        if seconds is not None and not (seconds > 0 and executor is None):
+            raise Error("is no time that a study on threads ends by", "seconds", "an executor flies all of it")
         if executor is not None:
             return self._run_on(executor, progress, shards_per_task)
         after = None if progress is None else (lambda done: progress(done, self.shards) is not False)
-        answer, self.so_far = self._core.run_all(self.so_far, threads, after, _BARS)
+        answer, self.so_far = self._core.run_all(self.so_far, threads, after, _BARS, seconds)
         return StudyResult(answer, self, self.so_far)
 
     def _run_on(self, executor: Executor, progress: Callable[[int, int], object] | None, size: int | None) -> StudyResult:
@@ -254,14 +256,6 @@ def _inputs(inputs: Mapping[str, str] | Sequence[str]) -> list[str]:
             path = path_of(head) + dot + component
         texts.append(f"{path} = {distribution}")
     return texts
-
-
-def _with_own(setup: _core.Setup, inputs: list[str]) -> list[str]:
-    """Distributions that stand in the place of the shot's numbers became inputs before these."""
-    own = setup.settings().get("study.inputs", "[]")
-    import tomllib  # noqa: PLC0415
-
-    return [*tomllib.loads(f"inputs = {own}")["inputs"], *inputs] if own.startswith("[") else inputs
 
 
 def _recorded(value: Any) -> Any:

@@ -11,20 +11,21 @@ from numpy.typing import ArrayLike, NDArray
 
 from . import _core
 from ._errors import Error
-from ._flight import Flight, events_of
+from ._flight import Flight, events_of, numbers
 from ._scenario import Scenario, Shot, _column
-from ._settings import tree_of
+from ._settings import by_path
 from ._table import Columns, Record
 
 Ids = NDArray[np.uint64]
+Engine = Callable[[Columns, int], tuple[ArrayLike, ...] | None]
 _UNITS = {"time": "s", "position": "m", "velocity": "m/s", "age": "s", "size": "m", "energy": "J", "depth": "m"}
 _LISTS = ("material", "shape", "thing")
 
 
-def _world_tree(settings: Mapping[str, Any]) -> dict[str, Any]:
+def _world_paths(settings: Mapping[str, Any]) -> dict[str, Any]:
     """Settings of a world and of its place: `step` is world.step, `environment_altitude` has its table in front."""
     known = _world_keywords()
-    return tree_of({known.get(keyword, keyword): value for keyword, value in settings.items()})
+    return by_path({known.get(keyword, keyword): value for keyword, value in settings.items()})
 
 
 def _world_keywords() -> dict[str, str]:
@@ -135,8 +136,7 @@ class Projectile:
 
     def set(self, **settings: Any) -> None:
         """Changes settings in flight: those that `physim.settings()` marks as live, and its fidelity."""
-        shot = tree_of(settings)["shot"][0]
-        self._world._core.set_projectile(self.id, shot)
+        self._world._core.set_projectile(self.id, by_path(settings))
 
     def sleep(self) -> None:
         self._world._core.change(self.id, "sleep", None)
@@ -203,6 +203,13 @@ class Scene:
         """Ids of the things that a sphere touches."""
         return np.asarray(self._scene.overlaps(_vector(middle), radius, time))
 
+    def set_engine(self, engine: Engine | None, *, skin: float = 1e-3) -> None:
+        """Lets things of an engine's own answer beside these. `engine` is asked with columns start, end, radius, time and
+        duration of segments, and with the layers that count; it returns for each segment the part of it (0 to 1; NaN:
+        nothing is met) at which it meets something, rows of normals, and numbers of the things (above 0, else 1); or
+        None: nothing is met at all. skin: things are met this far outside of their surfaces [m]."""
+        self._scene.set_engine(None if engine is None else _EngineFunction(engine), skin)
+
     def __len__(self) -> int:
         return self._scene.size
 
@@ -229,15 +236,15 @@ class World:
         **settings: Any,
     ) -> None:
         lists = _as_lists({name: settings.pop(name) for name in _LISTS if name in settings})
-        tree = {**_world_tree(settings), **lists}
-        tree.setdefault("world", {})
-        self._begin(_core.Setup.from_tree(tree, "", wind_field, force_field), None)
+        paths = {"world": {}, **_world_paths(settings), **lists}
+        self._begin(_core.Setup.from_settings(paths, wind_field, force_field), None)
 
     def _begin(self, setup: _core.Setup, core: _core.World | None) -> None:
         self._setup = setup
         self._core = core if core is not None else _core.World.make(setup)
         self._emitters: dict[str, tuple[dict[str, Any], int]] = {}
         self._functions: list[Any] = []
+        self._engine: Engine | None = None
         self._on_hit: Any = None
         self._trace: list[tuple[NDArray[np.float64], Ids, NDArray[np.float64]]] | None = None
         self._wall: list[NDArray[np.float64]] = []
@@ -505,14 +512,29 @@ class World:
         to near of `eye`."""
         return Columns(self._core.particles(emitter, None if eye is None else _vector(eye)), _UNITS)
 
+    def trails(self, emitter: int) -> Record:
+        """Past places of its particles (trail={"points": 20}): id, first and count of each particle, position and time
+        of each place; particle i was at position[first[i] : first[i] + count[i]], the oldest place first."""
+        return Record(self._core.trails(emitter))
+
     # --------------------------------------------------------------------------------------------------------- scene
-    def set_scene(self, scene: Scenario | None = None, **tables: Any) -> None:
+    def set_scene(
+        self,
+        scene: Scenario | None = None,
+        *,
+        engine: Engine | None = None,
+        skin: float = 1e-3,
+        **tables: Any,
+    ) -> None:
         """Sets the things that projectiles meet from now on, as their body_collision_on_hit says: material=[...], shape=[...],
-        thing=[...]; or the things of a scenario; nothing without any."""
+        thing=[...]; or the things of a scenario; nothing without any. `engine` answers beside them, as in
+        `Scene.set_engine()`."""
         if scene is None:
             tree = {"physim": 1, "world": {}, "shot": [{}], **_as_lists(tables)}
             scene = Scenario._of(_core.Setup.from_tree(tree))
-        self._core.set_scene(scene._setup)
+        asked = None if engine is None else _EngineFunction(engine)
+        self._core.set_scene(scene._setup, asked, skin)
+        self._engine = engine
         self._setup_of_things = scene._setup
 
     @property
@@ -560,19 +582,21 @@ class World:
         *,
         forces: Sequence[Callable[..., ArrayLike]] = (),
         on_hit: Callable[[Columns], Any] | None = None,
+        engine: Engine | None = None,
     ) -> World:
         """The world of a save. `of`: for the world of a scenario that scenario; for others a world with the same
         functions of place. Functions are no data: custom forces are given again, in their order."""
         setup = of._setup if of is not None else _core.Setup.from_tree({"physim": 1, "world": {}, "shot": [{}]})
         is_run = isinstance(of, Scenario) or (isinstance(of, World) and of._core.is_run)
         answer = _HitFunction(on_hit) if on_hit is not None else None
-        world = cls._of(setup, _core.World.load(setup, save, is_run, list(forces), [], [], answer))
-        world._functions, world._on_hit = list(forces), on_hit
+        asked = _EngineFunction(engine) if engine is not None else None
+        world = cls._of(setup, _core.World.load(setup, save, is_run, list(forces), [], [], answer, asked))
+        world._functions, world._on_hit, world._engine = list(forces), on_hit, engine
         return world
 
     def __reduce__(self) -> Any:
         scenario = Scenario._of(self._setup)
-        return (_unpickled_world, (self.save(), scenario, self._core.is_run, self._functions, self._on_hit))
+        return (_unpickled_world, (self.save(), scenario, self._core.is_run, self._functions, self._on_hit, self._engine))
 
     def record(self, file: str | os.PathLike[str]) -> None:
         """Records every call that changes it into a file, for `physim.replay()`; for a world to which nothing was
@@ -629,10 +653,29 @@ class World:
         return f"<p>{self.__repr__()[1:-1]}</p>" + ("" if self.closed else self.state()._repr_html_())
 
 
-def _unpickled_world(save: bytes, scenario: Scenario, is_run: bool, forces: Any, on_hit: Any) -> World:
+def _unpickled_world(save: bytes, scenario: Scenario, is_run: bool, forces: Any, on_hit: Any, engine: Any) -> World:
     if is_run:
         return World.load(save, scenario)
-    return World.load(save, World._of(scenario._setup, _core.World.make(scenario._setup)), forces=forces, on_hit=on_hit)
+    of = World._of(scenario._setup, _core.World.make(scenario._setup))
+    return World.load(save, of, forces=forces, on_hit=on_hit, engine=engine)
+
+
+class _EngineFunction:
+    """Answers of a user's engine as the library wants them: parts, normals and numbers of things of each segment."""
+
+    def __init__(self, function: Engine) -> None:
+        if not callable(function):
+            raise Error("is no function", "engine")
+        self.function = function
+
+    def __call__(self, segments: dict[str, Any], layers: int) -> tuple[Any, Any, Any]:
+        columns = Columns(segments, _UNITS)
+        answer = self.function(columns, layers)
+        if answer is None:
+            return np.full(columns.size, np.nan), np.zeros((columns.size, 3)), np.zeros(columns.size, dtype=np.uint64)
+        part, normal, *others = answer
+        things = others[0] if others else np.ones(columns.size, dtype=np.uint64)
+        return numbers(part, "engine: part"), _rows(normal, "engine: normal"), _ids(things)
 
 
 class _HitFunction:
@@ -656,6 +699,34 @@ class _HitFunction:
         if len(rows) != len(names):
             raise ValueError(f"on_hit must give {len(names)} velocities, and gave {len(rows)}")
         return [(name, list(map(float, row))) for name, row in zip(names, rows)]
+
+
+class Replay(World):
+    """A recording played frame by frame: a world that is read as any other, and moved by the recording alone.
+
+        for world in physim.Replay("session.rec"):
+            world.positions()
+
+    `report()` says what was done so far: complete, calls, steps, hashes, difference (None: it agrees)."""
+
+    def __init__(self, file: str | os.PathLike[str]) -> None:
+        self._begin(_core.Setup.from_settings({}), _core.World.replay(os.fspath(file)))
+
+    def next(self) -> bool:
+        """Makes the calls up to and with the next one that took steps; False at the end and at a difference."""
+        more: bool = self._core.next()
+        return more
+
+    def __iter__(self) -> Iterator[Replay]:  # type: ignore[override]
+        while self.next():
+            yield self
+
+    def report(self) -> Record:
+        """What was done so far."""
+        return Record(self._core.report())
+
+    def __reduce__(self) -> Any:
+        raise TypeError("a replay cannot be pickled; its save() can")
 
 
 def replay(file: str | os.PathLike[str]) -> Record:
@@ -696,4 +767,4 @@ def _joined(parts: Sequence[Columns]) -> Columns:
     return Columns({name: np.concatenate([part[name] for part in parts]) for name in parts[0]}, parts[0].units)
 
 
-__all__ = ["Projectile", "Scene", "Snapshot", "World", "replay"]
+__all__ = ["Projectile", "Replay", "Scene", "Snapshot", "World", "replay"]

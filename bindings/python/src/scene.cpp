@@ -1,11 +1,25 @@
 // Scenes: things that segments are cast into.
 #include "physim/scene.hpp"
 
-#include "scenario/world_run.hpp"
-#include "setup.hpp"
+#include <nanobind/stl/tuple.h>
+
+#include <cmath>
+#include <tuple>
+
+#include "world.hpp"
 
 namespace physim::python {
 namespace {
+
+/// A scene, with the function of Python that answers beside it.
+struct PyScene {
+  Scene scene;
+  std::optional<Function> engine;
+
+  void raise_kept() const {
+    if (engine) engine->raise_kept();
+  }
+};
 
 nb::dict hit_columns(const std::vector<SceneHit>& hits) {
   nb::dict out;
@@ -22,7 +36,7 @@ nb::dict hit_columns(const std::vector<SceneHit>& hits) {
   return out;
 }
 
-nb::dict first_hits(const Scene& scene, const Triples& from, const Triples& to, double radius, double time,
+nb::dict first_hits(const PyScene& py, const Triples& from, const Triples& to, double radius, double time,
                     double duration, std::uint32_t layers, bool sensors, unsigned threads) {
   const std::size_t count = from.shape(0);
   check_length(to.shape(0), count, "to");
@@ -33,30 +47,78 @@ nb::dict first_hits(const Scene& scene, const Triples& from, const Triples& to, 
   {
     const Released free;
     const Threads pool(threads);
-    scene.first_hits(segments, hits, {layers, sensors}, pool.runner());
+    py.scene.first_hits(segments, hits, {layers, sensors}, pool.runner());
   }
+  py.raise_kept();
   return hit_columns(hits);
 }
 
-nb::dict all_hits(const Scene& scene, const std::vector<double>& from, const std::vector<double>& to, double time,
+nb::dict all_hits(const PyScene& py, const std::vector<double>& from, const std::vector<double>& to, double time,
                   double duration) {
-  return hit_columns(scene.all_hits({vec_of(from, "from"), vec_of(to, "to"), 0, time, duration}));
+  const auto hits = py.scene.all_hits({vec_of(from, "from"), vec_of(to, "to"), 0, time, duration});
+  py.raise_kept();
+  return hit_columns(hits);
+}
+
+void set_engine(PyScene& py, const nb::object& function, double skin) {
+  EngineScene engine{.query = {}, .skin = skin};
+  std::optional<Function> asked;
+  if (!function.is_none()) {
+    if (PyCallable_Check(function.ptr()) == 0) fail("is no function", "engine");
+    asked.emplace(function);
+    engine.query = engine_query(*asked);
+  }
+  taken(py.scene.set_engine(engine));
+  py.engine = std::move(asked);
+}
+
+/// What a function of Python said: a part for each segment, NaN where nothing was met, normals and numbers of things.
+void put_answers(const nb::object& answer, std::span<SceneHit> hits) {
+  const auto [parts, normals, things] = nb::cast<std::tuple<Numbers, Triples, Ids>>(answer);
+  check_length(parts.size(), hits.size(), "engine: part");
+  check_length(normals.shape(0), hits.size(), "engine: normal");
+  check_length(things.size(), hits.size(), "engine: thing");
+  for (std::size_t i = 0; i < hits.size(); ++i) {
+    if (std::isnan(parts(i))) continue;
+    hits[i].part = parts(i);
+    hits[i].normal = {normals(i, 0), normals(i, 1), normals(i, 2)};
+    hits[i].instance.index = static_cast<std::uint32_t>(things(i));
+  }
 }
 
 }  // namespace
 
+EngineQuery engine_query(const Function& function) {
+  return [function](const EngineBatch& batch) {
+    function.call([&](const nb::object& f) {
+      const auto& all = batch.segments;
+      nb::dict q;
+      q["start"] = rows_of(all, [](const SceneSegment& s) { return s.from; });
+      q["end"] = rows_of(all, [](const SceneSegment& s) { return s.to; });
+      q["radius"] = column_of<double>(all, [](const SceneSegment& s) { return s.radius; });
+      q["time"] = column_of<double>(all, [](const SceneSegment& s) { return s.time; });
+      q["duration"] = column_of<double>(all, [](const SceneSegment& s) { return s.duration; });
+      put_answers(f(q, batch.layers), batch.hits);
+    });
+  };
+}
+
 void add_scene(nb::module_& m) {
-  nb::class_<Scene>(m, "Scene", "Things that stand and move.")
+  nb::class_<PyScene>(m, "Scene", "Things that stand and move.")
       .def(
-          "__init__", [](Scene* self, const Setup& setup) { new (self) Scene(taken(scene_of(setup.scenario))); },
+          "__init__",
+          [](PyScene* self, const Setup& setup) {
+            new (self) PyScene{taken(scene_of(setup.scenario)), {}};
+          },
           "setup"_a)
+      .def("set_engine", &set_engine, "function"_a.none(), "skin"_a, "A function of Python that answers beside it.")
       .def("first_hits", &first_hits, "from_"_a, "to"_a, "radius"_a, "time"_a, "duration"_a, "layers"_a, "sensors"_a,
            "threads"_a, "The first hit of each of many segments.")
       .def("all_hits", &all_hits, "from_"_a, "to"_a, "time"_a, "duration"_a, "All that a segment meets.")
       .def(
           "nearest",
-          [](const Scene& scene, const std::vector<double>& point, double within, double time) {
-            const SceneNearest n = scene.nearest(vec_of(point, "point"), within, {}, time);
+          [](const PyScene& py, const std::vector<double>& point, double within, double time) {
+            const SceneNearest n = py.scene.nearest(vec_of(point, "point"), within, {}, time);
             nb::dict out;
             out["distance"] = n.distance, out["position"] = array_of(n.position);
             out["instance"] = number_of(n.instance), out["away"] = array_of(n.away);
@@ -65,13 +127,15 @@ void add_scene(nb::module_& m) {
           "point"_a, "within"_a, "time"_a, "The nearest surface.")
       .def(
           "overlaps",
-          [](const Scene& scene, const std::vector<double>& middle, double radius, double time) {
-            const std::vector<InstanceId> ids = scene.overlaps(vec_of(middle, "middle"), radius, {}, time);
+          [](const PyScene& py, const std::vector<double>& middle, double radius, double time) {
+            const std::vector<InstanceId> ids = py.scene.overlaps(vec_of(middle, "middle"), radius, {}, time);
             return column_of<std::uint64_t>(ids, [](const InstanceId& id) { return number_of(id); });
           },
           "middle"_a, "radius"_a, "time"_a, "Things that a sphere touches.")
-      .def_prop_ro("size", &Scene::size, "Things that stand in it.")
-      .def("hash", &Scene::hash, "Of its content.");
+      .def_prop_ro(
+          "size", [](const PyScene& py) { return py.scene.size(); }, "Things that stand in it.")
+      .def(
+          "hash", [](const PyScene& py) { return py.scene.hash(); }, "Of its content.");
 }
 
 }  // namespace physim::python

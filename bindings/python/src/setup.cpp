@@ -1,12 +1,8 @@
 #include "setup.hpp"
 
 #include <algorithm>
+#include <unordered_map>
 
-#include "base/ieee_mode.hpp"
-#include "scenario/checks.hpp"
-#include "scenario/files_in_use.hpp"
-#include "scenario/in_place.hpp"
-#include "scenario/notes.hpp"
 #include "scenario/overrides.hpp"
 #include "scenario/reader.hpp"
 #include "scenario/schema.hpp"
@@ -21,13 +17,13 @@ namespace {
 /// Reads a tree of Python's objects as the tree of a file; each value knows the path of its setting.
 class PythonReader {
  public:
-  [[nodiscard]] Value read(nb::handle object, const SchemaNode* node, const std::string& path) const {
+  [[nodiscard]] Value read(nb::handle object, const SchemaNode* node, const Place& place) const {
     Value value;
-    value.place = {std::make_shared<const std::string>(path), 0, 0};
+    value.place = place;
     if (nb::isinstance<nb::dict>(object))
-      value.content = table(object, node, path);
+      value.content = table(object, node, *place.source);
     else
-      value.content = content(object, node, path);
+      value.content = content(object, node, place);
     return value;
   }
 
@@ -39,27 +35,27 @@ class PythonReader {
     for (const auto& [key, each] : nb::borrow<nb::dict>(object)) {
       if (!nb::isinstance<nb::str>(key)) fail("a key is no text", path);
       const std::string name = text_of(key, path);
-      const std::string below = path.empty() ? name : path + "." + name;
       const SchemaNode* child = node != nullptr ? node->find(name) : nullptr;
+      const Place place{std::make_shared<const std::string>(path.empty() ? name : path + "." + name), 0, 0};
       // Apart: g++ 12 destroys parts of an aggregate twice where a later one throws.
-      Value value = read(each, child, below);
-      Place place = value.place;
-      members.push_back({name, std::move(place), std::move(value)});
+      Value value = read(each, child, place);
+      members.push_back({name, place, std::move(value)});
     }
     return members;
   }
 
-  [[nodiscard]] Content content(nb::handle object, const SchemaNode* node, const std::string& path) const {
+  [[nodiscard]] Content content(nb::handle object, const SchemaNode* node, const Place& place) const {
     PyObject* const o = object.ptr();
+    const std::string& path = *place.source;
+    if (PyUnicode_Check(o)) return text_of(object, path);
+    if (PyFloat_Check(o)) return PyFloat_AsDouble(o);
     if (PyBool_Check(o)) return o == Py_True;
     if (PyLong_Check(o)) return whole(object, path);
-    if (PyFloat_Check(o)) return PyFloat_AsDouble(o);
-    if (PyUnicode_Check(o)) return text_of(object, path);
     if (object.is_none()) return absent(node, path);
-    if (PyList_Check(o) || PyTuple_Check(o)) return list(object, node, path);
+    if (PyList_Check(o) || PyTuple_Check(o)) return list(object, node, place);
     if (nb::hasattr(object, "to") && nb::hasattr(object, "magnitude"))  // a quantity of pint
-      return content(in_si(object, node, path), node, path);
-    if (nb::hasattr(object, "tolist")) return content(object.attr("tolist")(), node, path);  // of NumPy and pandas
+      return content(in_si(object, node, path), node, place);
+    if (nb::hasattr(object, "tolist")) return content(object.attr("tolist")(), node, place);  // of NumPy and pandas
     if (nb::hasattr(object, "__fspath__")) return nb::cast<std::string>(nb::str(object));
     if (nb::hasattr(object, "__float__")) {
       const nb::float_ number(object);
@@ -93,9 +89,9 @@ class PythonReader {
     return std::string(node->entry->none);
   }
 
-  [[nodiscard]] Content list(nb::handle object, const SchemaNode* node, const std::string& path) const {
+  [[nodiscard]] Content list(nb::handle object, const SchemaNode* node, const Place& place) const {
     Array array;
-    for (const nb::handle each : object) array.push_back(read(each, node, path));
+    for (const nb::handle each : object) array.push_back(read(each, node, place));
     return array;
   }
 
@@ -113,89 +109,57 @@ class PythonReader {
 };
 
 // ------------------------------------------------------------------------------------------------- trees to scenarios
-/// Default names, as the reader of files gives them.
-void complete(Scenario& scenario, const Value& document) {
-  for (std::size_t i = 0; i < scenario.shots.size(); ++i) {
-    const Value& shot = element(document, "shot", i);
-    scenario.shots[i].projectile.name = shot_name(shot, i);
-    if (shot.find("preset") && shot.find("velocity") && !shot.find("speed")) scenario.shots[i].launch.speed = 0;
-  }
-  complete_world(scenario, document);
-  for (std::size_t i = 0; i < scenario.expect.size(); ++i)
-    scenario.expect[i].place = element(document, "expect", i).place.text();
+Place place_of_path(const std::string& path) { return {std::make_shared<const std::string>(path), 0, 0}; }
+
+/// What a path leads to.
+struct Led {
+  Addressed target;
+  Place place;
+};
+
+struct TextHash : std::hash<std::string_view> {
+  using is_transparent = void;
+};
+
+/// The view lives as long as the text.
+std::string_view view_of(nb::handle text) {
+  Py_ssize_t size = 0;
+  const char* const begin = PyUnicode_Check(text.ptr()) ? PyUnicode_AsUTF8AndSize(text.ptr(), &size) : nullptr;
+  if (begin == nullptr) PyErr_Clear(), fail("a path is no text", "settings");
+  return {begin, static_cast<std::size_t>(size)};
 }
 
-/// True if a distribution may stand in the place of a number. Most trees have none, and taking them takes a while.
-bool may_be_uncertain(const Value& value, const SchemaNode* node) {
-  if (const auto* text = value.get<std::string>()) {
-    for (const std::string_view word : {"lognormal ", "one of ", "column ", "added "})
-      if (text->find(word) != text->npos) return true;
-    return text->find("+-") != text->npos || text->find("..") != text->npos;
-  }
-  const auto in = [&](const Value& inner, const SchemaNode* at) { return may_be_uncertain(inner, at); };
-  if (const Array* array = value.get<Array>())
-    return std::ranges::any_of(*array, [&](const Value& each) { return in(each, node); });
-  const Table* table = value.get<Table>();
-  if (table == nullptr) return false;
-  if (node == nullptr || node->children.empty()) return true;  // { mean, deviation }
-  return std::ranges::any_of(*table, [&](const Member& each) { return in(each.value, node->find(each.key)); });
+/// Paths of settings are looked up once; those that name or count an element, `once`, each time.
+const Led& led_by(const Value& document, nb::handle path, std::optional<Led>& once) {
+  static std::unordered_map<std::string, Led, TextHash, std::equal_to<>> known;  // under the interpreter's lock
+  const std::string_view text = view_of(path);
+  if (const auto found = known.find(text); found != known.end()) return found->second;
+  const Place place = place_of_path(std::string(text));
+  once = Led{taken(address_in(document, text, place)), place};
+  return find_node(text) != nullptr ? known.emplace(text, *once).first->second : *once;
 }
 
-/// As parse_scenario() reads the tree of a text. Distributions in the tree become inputs of its study.
-Scenario scenario_of(Value& document, const std::string& file) {
-  const IeeeMode mode;
-  const FilesInUse in_use;
-  if (may_be_uncertain(document, &schema())) taken(take_distributions(document, file));
-  Scenario scenario;
-  scenario.file = file;
-  std::int64_t format = 1;
-  const Scope scope{.format = &format, .scenario = &scenario};
-  taken(read_table(schema(), scope, document));
-  const Value* shots = document.find("shot");
-  if (shots == nullptr || scenario.shots.empty()) fail("the scenario has no shot", "shot", "add a [[shot]]");
-  complete(scenario, document);
-  taken(complete_scene(scenario, document));
-  taken(complete_emitters(scenario, document));
-  taken(check_scenario(scenario, document));
-  scenario.files = in_use.inputs();
-  return scenario;
+/// Puts settings by path into a document: tables before what is in them, whatever the order of the dict.
+void put_settings(Value& document, const nb::dict& changes) {
+  struct Change {
+    std::ptrdiff_t depth;
+    nb::handle path, value;
+  };
+  std::vector<Change> sorted;
+  sorted.reserve(changes.size());
+  for (const auto& [path, value] : changes) sorted.push_back({std::ranges::count(view_of(path), '.'), path, value});
+  std::ranges::stable_sort(sorted, {}, &Change::depth);
+  for (const Change& change : sorted) {
+    std::optional<Led> once;
+    const Led& led = led_by(document, change.path, once);
+    taken(put_value(document, led.target, PythonReader().read(change.value, led.target.node, led.place)));
+  }
 }
 
-void put(Value& table, std::string_view path, const Value& value) {
-  const std::size_t dot = path.find('.');
-  const std::string key(path.substr(0, dot));
-  if (table.get<Array>() != nullptr && !table.get<Array>()->empty())  // [[shot]]: of all of them
-    for (Value& each : *table.get<Array>()) put(each, path, value);
-  if (table.get<Array>() != nullptr) return;
-  if (table.get<Table>() == nullptr) table.content = Table{};
-  Value* found = table.find(key);
-  if (found == nullptr) {
-    table.get<Table>()->push_back({key, value.place, Value{Table{}, value.place, {}, {}}});
-    found = &table.get<Table>()->back().value;
-  }
-  if (dot == path.npos)
-    *found = value;
-  else
-    put(*found, path.substr(dot + 1), value);
-}
-
-/// drag = "off" becomes drag = { model = "off" }, so that other keys of its table find room.
-void open_shorthands(Value& table, const SchemaNode& node) {
-  Table* const members = table.get<Table>();
-  if (members == nullptr) return;
-  for (Member& member : *members) {
-    const SchemaNode* child = node.find(member.key);
-    if (child == nullptr || child->entry != nullptr) {
-      if (child != nullptr && member.value.get<Array>() != nullptr && child->is_list_of_tables())
-        for (Value& each : *member.value.get<Array>()) open_shorthands(each, *child);
-      continue;
-    }
-    if (member.value.get<Table>() == nullptr && !child->shorthand.empty()) {
-      Value inner = member.value;
-      member.value.content = Table{{child->shorthand, member.key_place, std::move(inner)}};
-    }
-    open_shorthands(member.value, *child);
-  }
+/// One shot with nothing but defaults.
+const Value& plain_document() {
+  static const Value document = taken(parse_document("physim = 1\n[[shot]]\n", ""));
+  return document;
 }
 
 /// A shot that says how a world treats it belongs to one, as long as there is nothing that a single flight meets.
@@ -262,12 +226,21 @@ ForceFunction force_of(const Function& function) {
 }  // namespace
 
 Value value_of_python(nb::handle object, const std::string& path) {
-  return PythonReader().read(object, path.empty() ? &schema() : find_node(path), path);
+  return PythonReader().read(object, path.empty() ? &schema() : find_node(path), place_of_path(path));
+}
+
+Value shot_of_settings(const nb::dict& settings) {
+  Value document = plain_document();
+  for (const auto& [path, value] : settings)
+    if (const std::string_view text = view_of(path); !text.starts_with("shot."))
+      fail("is no setting of a projectile", std::string(text), "a world has one environment for all of a kind");
+  put_settings(document, settings);
+  return element(document, "shot", 0);
 }
 
 SetupPtr Setup::make(Value document, const std::string& file, std::optional<Function> wind_field,
                      std::optional<Function> force) {
-  Scenario scenario = scenario_of(document, file);
+  Scenario scenario = taken(read_scenario(document, file, Checks::all));
   if (wind_field) scenario.environment.wind.field = wind_of(*wind_field);
   if (force) scenario.environment.force = force_of(*force);
   std::optional<Scene> scene;
@@ -275,6 +248,8 @@ SetupPtr Setup::make(Value document, const std::string& file, std::optional<Func
   return std::make_shared<const Setup>(
       Setup{std::move(document), std::move(scenario), std::move(scene), std::move(wind_field), std::move(force)});
 }
+
+SetupPtr Setup::plain() { return make(plain_document(), ""); }
 
 SetupPtr Setup::with(const Scenario& changed) const {
   return make(taken(parse_document(scenario_text(changed), scenario.file)), scenario.file, wind_field, force);
@@ -315,47 +290,37 @@ std::optional<Function> function_of(const nb::object& object, const char* name) 
 
 nb::object function_in(const std::optional<Function>& function) { return function ? function->get() : nb::none(); }
 
-/// "shot.NAME.mass" of one shot, or a path of all.
-void put_setting(Value& document, const std::string& path, nb::handle object) {
-  const SchemaNode* node = find_node(path);
-  if (node != nullptr) return put(document, path, value_of_python(object, path));
-  const Array* shots = document.find("shot") ? document.find("shot")->get<Array>() : nullptr;
-  for (std::size_t i = 0; shots != nullptr && i < shots->size(); ++i) {
-    const std::string head = "shot." + shot_name((*shots)[i], i) + ".";
-    if (!path.starts_with(head)) continue;
-    const std::string rest = path.substr(head.size());
-    if (find_node("shot." + rest) == nullptr) continue;
-    return put((*document.find("shot")->get<Array>())[i], rest, value_of_python(object, "shot." + rest));
-  }
-  const std::string_view near = nearest(path, setting_paths());
-  fail("unknown setting " + in_quotes(path), path,
-       near.empty() ? "physim.settings() lists all" : "did you mean " + in_quotes(near) + "?");
-}
-
 SetupPtr with_settings(const Setup& setup, const nb::dict& changes) {
   Value document = setup.document;
-  open_shorthands(document, schema());
-  for (const auto& [path, value] : changes) put_setting(document, nb::cast<std::string>(path), value);
+  put_settings(document, changes);
   add_world_of_bodies(document);
   return Setup::make(std::move(document), setup.scenario.file, setup.wind_field, setup.force);
+}
+
+SetupPtr from_settings(const nb::dict& settings, const nb::object& wind_field, const nb::object& force) {
+  Value document = plain_document();
+  put_settings(document, settings);
+  add_world_of_bodies(document);
+  return Setup::make(std::move(document), "", function_of(wind_field, "wind_field"), function_of(force, "force_field"));
+}
+
+/// Texts of uncertain inputs that were given as such, not in the place of numbers.
+std::vector<std::string> inputs_given(const Setup& setup) {
+  std::vector<std::string> texts;
+  const Value* study = setup.document.find("study");
+  const Value* inputs = study != nullptr ? study->find("inputs") : nullptr;
+  if (inputs == nullptr) return texts;
+  if (const auto* text = inputs->get<std::string>()) return {*text};
+  for (const Value& each : *inputs->get<Array>()) texts.push_back(*each.get<std::string>());
+  return texts;
 }
 
 SetupPtr from_text(const std::string& text, const std::string& file, const std::vector<std::string>& overrides,
                    const nb::object& wind_field, const nb::object& force) {
   Value document = taken(parse_document(text, file));
   for (const std::string& each : overrides) taken(apply_override(document, each));
-  const Value* format = document.find("physim");
-  if (format == nullptr) fail("the format version is missing", file + ":1:1", "write physim = 1 at the top");
   return Setup::make(std::move(document), file, function_of(wind_field, "wind_field"),
                      function_of(force, "force_field"));
-}
-
-/// They are looked for where they are asked for: it takes as long as reading all settings.
-std::vector<std::string> notes_of(const Setup& setup) {
-  const IeeeMode mode;
-  Scenario scenario = setup.scenario;
-  add_notes(scenario, setup.document);
-  return scenario.notes;
 }
 
 nb::list settings_table() {
@@ -402,6 +367,8 @@ void add_setup(nb::module_& m) {
           },
           "tree"_a, "file"_a = "", "wind_field"_a = nb::none(), "force_field"_a = nb::none(),
           "Reads nested dicts of settings.")
+      .def_static("from_settings", &from_settings, "settings"_a, "wind_field"_a = nb::none(),
+                  "force_field"_a = nb::none(), "Reads settings by path, of one shot.")
       .def_static("from_text", &from_text, "text"_a, "file"_a = "text", "overrides"_a = std::vector<std::string>(),
                   "wind_field"_a = nb::none(), "force_field"_a = nb::none(), "Reads the text of a scenario file.")
       .def_static(
@@ -454,6 +421,7 @@ void add_setup(nb::module_& m) {
           "title", [](const Setup& setup) { return setup.scenario.title; }, "Of the scenario.")
       .def_prop_ro(
           "notes", [](const Setup& setup) { return setup.scenario.notes; }, "Remarks about settings.")
+      .def_prop_ro("inputs_given", &inputs_given, "Uncertain inputs, as texts, that stand in its list of them.")
       .def_prop_ro(
           "has_world", [](const Setup& setup) { return setup.scenario.world.given; },
           "Whether its shots fly in a world.")

@@ -18,6 +18,8 @@ struct Setup {
   [[nodiscard]] static std::shared_ptr<const Setup> make(Value document, const std::string& file,
                                                          std::optional<Function> wind_field = {},
                                                          std::optional<Function> force = {});
+  /// One shot with nothing but defaults.
+  [[nodiscard]] static std::shared_ptr<const Setup> plain();
   /// The setup of a scenario that was changed.
   [[nodiscard]] std::shared_ptr<const Setup> with(const Scenario& changed) const;
 
@@ -34,5 +36,7 @@ using SetupPtr = std::shared_ptr<const Setup>;
 
 /// The value of a setting as Python gave it.
 [[nodiscard]] Value value_of_python(nb::handle object, const std::string& path);
+/// A table of a shot out of settings by path; an error for a path that is none of a shot.
+[[nodiscard]] Value shot_of_settings(const nb::dict& settings);
 
 }  // namespace physim::python

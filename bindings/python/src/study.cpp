@@ -2,6 +2,7 @@
 #include "physim/study.hpp"
 
 #include <algorithm>
+#include <chrono>
 
 #include "report/study_figures.hpp"
 #include "report_table.hpp"
@@ -236,7 +237,9 @@ nb::bytes run_part(const PyStudy& s, std::uint64_t first, std::uint64_t count, c
 
 /// All of it, with the ends of studies by width.
 nb::tuple run_all(const PyStudy& s, const nb::bytes& so_far, unsigned threads, const nb::object& after,
-                  std::size_t bars) {
+                  std::size_t bars, std::optional<double> seconds) {
+  using Clock = std::chrono::steady_clock;
+  const auto start = Clock::now();
   const std::optional<Function> asked = function_of(after);
   StudyOptions options{.so_far = part_of(so_far)};
   StudyPart last = options.so_far;
@@ -244,6 +247,8 @@ nb::tuple run_all(const PyStudy& s, const nb::bytes& so_far, unsigned threads, c
     last = part;
     return goes_on(asked, part);
   };
+  if (seconds)
+    options.time_is_up = [=] { return std::chrono::duration<double>(Clock::now() - start).count() >= *seconds; };
   const StudyResult result = [&] {
     const Released free;
     const Threads pool(threads);
@@ -298,7 +303,7 @@ void add_study(nb::module_& m) {
       .def_prop_ro("sampling", [](const PyStudy& s) { return std::string(name(s.plan.study().sampling)); })
       .def_prop_ro("seed", [](const PyStudy& s) { return s.plan.study().seed; })
       .def("run_part", &run_part, "first"_a, "count"_a, "so_far"_a, "threads"_a, "after"_a.none())
-      .def("run_all", &run_all, "so_far"_a, "threads"_a, "after"_a.none(), "bars"_a)
+      .def("run_all", &run_all, "so_far"_a, "threads"_a, "after"_a.none(), "bars"_a, "seconds"_a.none())
       .def(
           "result",
           [](const PyStudy& s, const nb::bytes& part, std::uint64_t shards, std::size_t bars) {

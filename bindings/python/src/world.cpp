@@ -35,6 +35,7 @@ void PyWorld::close() {
   is_closed_ = true;
   run_.reset();
   own_.reset();
+  replay_.reset();
   functions_.clear();
   events_.clear();
 }
@@ -51,7 +52,8 @@ void PyWorld::raise_kept() {
 }
 
 void PyWorld::take_events() {
-  const std::span<const Event> news = (run_ ? std::as_const(*run_).world() : std::as_const(*own_)).events();
+  const World& world = replay_ ? replay_->world() : run_ ? std::as_const(*run_).world() : *own_;
+  const std::span<const Event> news = world.events();
   events_.insert(events_.end(), news.begin(), news.end());
   if (!run_) return;
   hits_.insert(hits_.end(), run_->thing_hits().begin(), run_->thing_hits().end());
@@ -98,6 +100,17 @@ int PyWorld::advance(double real_dt) {
   }
   raise_kept();
   return steps;
+}
+
+bool PyWorld::next() {
+  check();
+  if (!replay_) fail("no recording moves this world", "world", "physim.Replay(file) is one");
+  forget();
+  const Stepping stepping(*this);
+  const Released free;
+  const bool more = replay_->next_frame();
+  if (more) take_events();
+  return more;
 }
 
 const Function& PyWorld::keep(nb::object function, const char* name) {
@@ -203,7 +216,7 @@ nb::object spawn(PyWorld& py, const Setup& setup, const std::string& name, const
   return column_of<std::uint64_t>(ids, [](const ProjectileId& id) { return number_of(id); });
 }
 
-std::vector<ProjectileId> ids_in(World& world, nb::handle object) {
+std::vector<ProjectileId> ids_in(const World& world, nb::handle object) {
   std::vector<ProjectileId> ids;
   if (object.is_none()) return world.ids(ids), ids;
   Ids numbers;
@@ -216,7 +229,7 @@ std::vector<ProjectileId> ids_in(World& world, nb::handle object) {
 enum class What { position, velocity, render };
 
 nb::object rows(PyWorld& py, What what, nb::handle ids, nb::handle out) {
-  World& world = py.get();
+  const World& world = py.read();
   const std::vector<ProjectileId> all = ids_in(world, ids);
   std::vector<BodyState> states(all.size());
   if (what == What::render) {
@@ -236,7 +249,7 @@ nb::object rows(PyWorld& py, What what, nb::handle ids, nb::handle out) {
 }
 
 nb::dict state_columns(PyWorld& py) {
-  World& world = py.get();
+  const World& world = py.read();
   std::vector<ProjectileId> ids;
   world.ids(ids);
   std::vector<BodyState> states(ids.size());
@@ -249,7 +262,7 @@ nb::dict state_columns(PyWorld& py) {
 }
 
 nb::dict particle_columns(PyWorld& py, std::uint64_t emitter, const nb::object& eye) {
-  World& world = py.get();
+  const World& world = py.read();
   const EmitterId id = id_of<EmitterId>(emitter);
   if (world.emitter(id) == nullptr) fail("there is no such emitter", "emitter");
   const std::size_t count = world.emitter_counts(id).alive;
@@ -274,9 +287,28 @@ nb::dict particle_columns(PyWorld& py, std::uint64_t emitter, const nb::object& 
   return out;
 }
 
+nb::dict trail_columns(PyWorld& py, std::uint64_t emitter) {
+  const World& world = py.read();
+  const EmitterId id = id_of<EmitterId>(emitter);
+  if (world.emitter(id) == nullptr) fail("there is no such emitter", "emitter");
+  const TrailCounts counts = world.trails(id, {});
+  std::vector<ProjectileId> ids(counts.particles);
+  std::vector<std::uint32_t> first(counts.particles), count(counts.particles);
+  std::vector<Vec3d> position(counts.places);
+  std::vector<double> time(counts.places);
+  TrailColumns into;
+  into.id = ids, into.first = first, into.count = count, into.position = position, into.time = time;
+  world.trails(id, into);
+  nb::dict out;
+  out["id"] = column_of<std::uint64_t>(ids, [](const ProjectileId& each) { return number_of(each); });
+  out["first"] = owned(std::move(first)), out["count"] = owned(std::move(count));
+  out["position"] = array_of(std::span<const Vec3d>(position)), out["time"] = owned(std::move(time));
+  return out;
+}
+
 // --------------------------------------------------------------------------------------------------- one projectile
 nb::dict projectile_table(PyWorld& py, std::uint64_t number) {
-  const World& world = py.get();
+  const World& world = py.read();
   const ProjectileView one = world[id_of<ProjectileId>(number)];
   nb::dict out;
   out["alive"] = one.is_alive();
@@ -294,7 +326,7 @@ nb::dict projectile_table(PyWorld& py, std::uint64_t number) {
 }
 
 nb::object projectile_value(PyWorld& py, std::uint64_t number, const std::string& what) {
-  const World& world = py.get();
+  const World& world = py.read();
   const ProjectileView one = world[id_of<ProjectileId>(number)];
   if (what == "position") return array_of(one.position());
   if (what == "velocity") return array_of(one.velocity());
@@ -324,14 +356,14 @@ void change_projectile(PyWorld& py, std::uint64_t number, const std::string& wha
 }
 
 /// Settings of one in flight: those that the list marks as live, and its fidelity.
-void set_projectile(PyWorld& py, std::uint64_t number, const nb::dict& tree_of_changes) {
+void set_projectile(PyWorld& py, std::uint64_t number, const nb::dict& settings) {
   World& world = py.get();
   Projectile one = world[id_of<ProjectileId>(number)];
   if (one.definition() == nullptr) fail("the projectile is gone", "id");
   ScenarioShot shot{.projectile = *one.definition(), .launch = {}, .body = one.body()};
   Scenario scenario;
   scenario.world.given = true;
-  Value changes = value_of_python(tree_of_changes, "shot");
+  const Value changes = shot_of_settings(settings);
   const Scope scope{.scenario = &scenario, .shot = &shot};
   const SchemaNode* node = find_node("shot");
   {
@@ -406,7 +438,7 @@ std::uint64_t add_emitter(PyWorld& py, const Setup& setup, const Setup& fires, c
 }
 
 nb::dict counts_table(PyWorld& py, std::uint64_t emitter) {
-  const World& world = py.get();
+  const World& world = py.read();
   const EmitterCounts c = world.emitter_counts(id_of<EmitterId>(emitter));
   nb::dict out;
   out["born"] = c.born, out["refused"] = c.refused, out["aged"] = c.aged, out["landed"] = c.landed;
@@ -503,7 +535,8 @@ std::span<const std::byte> span_of(const nb::bytes& data) {
 }
 
 std::unique_ptr<PyWorld> load_world(SetupPtr setup, const nb::bytes& save, bool is_run, const nb::list& forces,
-                                    const nb::list& wind_fields, const nb::list& force_fields, nb::object on_hit) {
+                                    const nb::list& wind_fields, const nb::list& force_fields, nb::object on_hit,
+                                    nb::object engine) {
   if (is_run) {
     WorldRun run = taken(WorldRun::load(setup->scenario, span_of(save)));
     return std::make_unique<PyWorld>(std::move(setup), std::move(run));
@@ -517,18 +550,14 @@ std::unique_ptr<PyWorld> load_world(SetupPtr setup, const nb::bytes& save, bool 
   if (setup->scenario.environment.wind.field) options.wind_fields.push_back(setup->scenario.environment.wind.field);
   if (setup->scenario.environment.force) options.force_fields.push_back(setup->scenario.environment.force);
   if (!on_hit.is_none()) options.hit_function = hit_function(keep(on_hit));
+  if (!engine.is_none()) options.engine_queries.push_back(engine_query(keep(engine)));
   World world = taken(World::load(span_of(save), options));
   auto made = std::make_unique<PyWorld>(std::move(setup), std::move(world));
   for (const Function& each : kept) made->keep(each.get(), "function");
   return made;
 }
 
-nb::dict replay_file(const std::string& file) {
-  const std::vector<std::byte> bytes = taken(load_recording(file));
-  const ReplayReport r = [&] {
-    const Released free;
-    return taken(replay(bytes));
-  }();
+nb::dict report_table(const ReplayReport& r) {
   nb::dict out;
   out["made_by"] = r.made_by, out["complete"] = r.complete, out["calls"] = r.calls, out["steps"] = r.steps;
   out["hashes"] = r.hashes, out["restores"] = r.restores, out["spawned"] = r.spawned;
@@ -537,8 +566,26 @@ nb::dict replay_file(const std::string& file) {
   return out;
 }
 
+nb::dict replay_file(const std::string& file) {
+  const std::vector<std::byte> bytes = taken(load_recording(file));
+  const ReplayReport report = [&] {
+    const Released free;
+    return taken(replay(bytes));
+  }();
+  return report_table(report);
+}
+
+std::unique_ptr<PyWorld> replay_world(const std::string& file) {
+  std::vector<std::byte> bytes = taken(load_recording(file));
+  Replay replay = [&] {
+    const Released free;
+    return taken(Replay::open(std::move(bytes)));
+  }();
+  return std::make_unique<PyWorld>(Setup::plain(), std::move(replay));
+}
+
 nb::dict counters_table(PyWorld& py) {
-  const WorldCounters& c = py.get().counters();
+  const WorldCounters& c = py.read().counters();
   nb::dict out;
   out["steps"] = c.steps, out["projectile_steps"] = c.projectile_steps, out["refused"] = c.refused;
   out["retired"] = c.retired, out["dropped_time"] = c.dropped_time, out["dropped_events"] = c.dropped_events;
@@ -552,7 +599,7 @@ Transform transform_of(const std::vector<double>& position, const std::vector<do
 }
 
 Flight predict(PyWorld& py, std::uint64_t id, std::optional<double> time, const Setup* until, double step) {
-  const World& world = py.get();
+  const World& world = py.read();
   Until end = until != nullptr ? until->scenario.until : Until{};
   if (until == nullptr) end.time = time.value_or(3600);
   const bool by_ground = until == nullptr && !time;
@@ -577,13 +624,13 @@ void add_reads(nb::class_<PyWorld>& c) {
       .def("ids",
            [](PyWorld& w) {
              std::vector<ProjectileId> ids;
-             w.get().ids(ids);
+             w.read().ids(ids);
              return column_of<std::uint64_t>(ids, [](const ProjectileId& id) { return number_of(id); });
            })
       .def(
           "events", [](const PyWorld& w) { return event_columns(w.events()); }, "Of the last steps, as columns.")
       .def(
-          "call_events", [](PyWorld& w) { return event_columns(w.get().events()); },
+          "call_events", [](PyWorld& w) { return event_columns(w.read().events()); },
           "Of the last step and of calls since.")
       .def("hits", &hit_columns, "On things, of the last steps of a scenario's world.")
       .def(
@@ -601,33 +648,34 @@ void add_reads(nb::class_<PyWorld>& c) {
       .def_prop_ro(
           "ground",
           [](PyWorld& w) -> std::optional<double> {
-            const Ground& ground = w.get().def().ground;
+            const Ground& ground = w.read().def().ground;
             return ground.mode == GroundMode::none ? std::nullopt : std::optional(ground.height);
           },
           "Its height [m], or None.")
       .def("groups", &group_tables)
       .def("particles", &particle_columns, "emitter"_a, "eye"_a.none())
+      .def("trails", &trail_columns, "emitter"_a)
       .def("projectile", &projectile_table, "id"_a)
       .def("value", &projectile_value, "id"_a, "what"_a)
       .def("counters", &counters_table)
       .def("emitter_counts", &counts_table, "emitter"_a)
       .def("predict", &predict, "id"_a, "time"_a.none(), "until"_a.none(), "step"_a)
       .def_prop_ro(
-          "size", [](PyWorld& w) { return w.get().size(); }, "Projectiles alive.")
+          "size", [](PyWorld& w) { return w.read().size(); }, "Projectiles alive.")
       .def_prop_ro(
-          "time", [](PyWorld& w) { return w.get().time(); }, "Of the simulation [s].")
+          "time", [](PyWorld& w) { return w.read().time(); }, "Of the simulation [s].")
       .def_prop_ro(
-          "step_size", [](PyWorld& w) { return w.get().def().step; }, "Of a fixed step [s].")
+          "step_size", [](PyWorld& w) { return w.read().def().step; }, "Of a fixed step [s].")
       .def_prop_ro(
           "steps", [](PyWorld& w) { return w.run() != nullptr ? w.run()->steps() : 0; },
           "Within the scenario's duration.")
       .def_prop_ro(
-          "memory", [](PyWorld& w) { return w.get().memory(); }, "Of what grows with use [bytes].")
+          "memory", [](PyWorld& w) { return w.read().memory(); }, "Of what grows with use [bytes].")
       .def_prop_ro("closed", &PyWorld::is_closed, "Whether it was closed.")
       .def_prop_ro(
           "is_run", [](PyWorld& w) { return w.run() != nullptr; }, "Whether it is of a scenario.")
       .def(
-          "hash", [](PyWorld& w) { return w.get().hash(); }, "Of all that decides what happens next.");
+          "hash", [](PyWorld& w) { return w.read().hash(); }, "Of all that decides what happens next.");
 }
 
 void add_changes(nb::class_<PyWorld>& c) {
@@ -644,14 +692,14 @@ void add_changes(nb::class_<PyWorld>& c) {
       .def(
           "remove_force", [](PyWorld& w, std::uint64_t id) { taken(w.get().remove_force(id_of<ForceId>(id))); }, "id"_a)
       .def(
-          "felt_by", [](PyWorld& w, std::uint64_t id) { return w.get().felt_by(id_of<ForceId>(id)); }, "id"_a)
+          "felt_by", [](PyWorld& w, std::uint64_t id) { return w.read().felt_by(id_of<ForceId>(id)); }, "id"_a)
       .def("add_joint", &add_joint, "setup"_a, "a"_a, "b"_a)
       .def(
           "remove_joint", [](PyWorld& w, std::uint64_t id) { taken(w.get().remove_joint(id_of<JointId>(id))); }, "id"_a)
       .def(
           "joint_state",
           [](PyWorld& w, std::uint64_t id) {
-            const JointState s = w.get().joint_state(id_of<JointId>(id));
+            const JointState s = w.read().joint_state(id_of<JointId>(id));
             return nb::make_tuple(s.length, s.tension, s.is_taut);
           },
           "id"_a)
@@ -679,11 +727,13 @@ void add_changes(nb::class_<PyWorld>& c) {
           "id"_a, "position"_a, "rotation"_a)
       .def(
           "set_scene",
-          [](PyWorld& w, const Setup& setup) {
-            if (setup.scenario.things.empty()) return taken(w.get().remove_scene());
-            taken(w.get().set_scene(taken(scene_of(setup.scenario))));
+          [](PyWorld& w, const Setup& setup, nb::object engine, double skin) {
+            if (setup.scenario.things.empty() && engine.is_none()) return taken(w.get().remove_scene());
+            Scene scene = taken(scene_of(setup.scenario));
+            if (!engine.is_none()) taken(scene.set_engine({engine_query(w.keep(engine, "engine")), skin}));
+            taken(w.get().set_scene(scene));
           },
-          "setup"_a)
+          "setup"_a, "engine"_a.none(), "skin"_a)
       .def(
           "move_thing",
           [](PyWorld& w, std::uint64_t id, const std::vector<double>& position, const std::vector<double>& rotation,
@@ -718,7 +768,7 @@ void add_moments(nb::class_<PyWorld>& c) {
           if (WorldRun* run = w.run())
             s.run = run->snapshot();
           else
-            s.own = w.get().snapshot();
+            s.own = w.read().snapshot();
           if (!s.own && !s.run) fail("no snapshot is taken inside a step", "world");
           return s;
         })
@@ -737,7 +787,7 @@ void add_moments(nb::class_<PyWorld>& c) {
       .def("save",
            [](PyWorld& w) {
              WorldRun* run = w.run();
-             return bytes_of(run != nullptr ? taken(run->save()) : taken(w.get().save()));
+             return bytes_of(run != nullptr ? taken(run->save()) : taken(w.read().save()));
            })
       .def(
           "record", [](PyWorld& w, const std::string& file) { taken(record_to_file(w.get(), file)); }, "file"_a)
@@ -754,7 +804,13 @@ void add_world(nb::module_& m) {
   c.def_static("make", &make_world, "setup"_a, "A world of its own.")
       .def_static("run", &run_world, "setup"_a, "recording"_a, "The world of a scenario.")
       .def_static("load", &load_world, "setup"_a, "save"_a, "is_run"_a, "forces"_a, "wind_fields"_a, "force_fields"_a,
-                  "on_hit"_a.none());
+                  "on_hit"_a.none(), "engine"_a.none())
+      .def_static("replay", &replay_world, "file"_a, "The world that a recording moves.")
+      .def("next", &PyWorld::next, "Plays the recording up to the next steps.")
+      .def("report", [](const PyWorld& w) {
+        if (!w.replay()) fail("no recording moves this world", "world");
+        return report_table(w.replay()->report());
+      });
   add_reads(c);
   add_changes(c);
   add_moments(c);

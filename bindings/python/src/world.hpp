@@ -4,6 +4,7 @@
 #include <atomic>
 #include <thread>
 
+#include "physim/scene.hpp"
 #include "scenario/world_run.hpp"
 #include "setup.hpp"
 
@@ -13,14 +14,22 @@ class PyWorld {
  public:
   PyWorld(SetupPtr setup, World world) : setup_(std::move(setup)), own_(std::move(world)) {}
   PyWorld(SetupPtr setup, WorldRun run) : setup_(std::move(setup)), run_(std::move(run)) {}
+  PyWorld(SetupPtr setup, Replay replay) : setup_(std::move(setup)), replay_(std::move(replay)) {}
   PyWorld(const PyWorld&) = delete;
   PyWorld& operator=(const PyWorld&) = delete;
 
-  /// The world. An error once it is closed, and while another thread steps it.
+  /// The world, to be read. An error once it is closed, and while another thread steps it.
+  [[nodiscard]] const World& read() const {
+    check();
+    return replay_ ? replay_->world() : run_ ? run_->world() : *own_;
+  }
+  /// The world, to be changed. An error where a recording alone moves it, too.
   [[nodiscard]] World& get() {
     check();
+    if (replay_) fail("a recording moves this world", "world", "next() goes on with it");
     return run_ ? run_->world() : *own_;
   }
+  [[nodiscard]] const std::optional<Replay>& replay() const { return replay_; }
   [[nodiscard]] WorldRun* run() {
     check();
     return run_ ? &*run_ : nullptr;
@@ -31,6 +40,8 @@ class PyWorld {
 
   void step(std::size_t count, std::optional<double> dt);
   int advance(double real_dt);
+  /// Makes the calls of a recording up to and with the next one that took steps; false if there is none.
+  bool next();
   [[nodiscard]] std::span<const Event> events() const { return events_; }
   [[nodiscard]] const std::vector<ThingHit>& hits() const { return hits_; }
   [[nodiscard]] const std::vector<WallHit>& wall_hits() const { return wall_hits_; }
@@ -59,6 +70,7 @@ class PyWorld {
   SetupPtr setup_;
   std::optional<World> own_;
   std::optional<WorldRun> run_;
+  std::optional<Replay> replay_;
   std::vector<Function> functions_;
   std::vector<Environment> environments_;
   std::vector<Event> events_;   // of the last steps
@@ -67,5 +79,8 @@ class PyWorld {
   std::atomic<std::thread::id> stepping_{};
   bool is_closed_ = false;
 };
+
+/// A question of a scene to a function of Python, which answers for all segments at once.
+[[nodiscard]] EngineQuery engine_query(const Function& function);
 
 }  // namespace physim::python

@@ -84,16 +84,18 @@ def rocket():
     return rocketpy, made, place
 
 
+@pytest.mark.parametrize("rigid", [True, False])
 @pytest.mark.parametrize("heading", [0, 60])
-def test_rockets_of_rocketpy(heading):
+def test_rockets_of_rocketpy(heading, rigid):
     """In calm air a rigid rocket with fins flies much as a point: its height and speeds agree within 1 %."""
     rocketpy, made, place = rocket()
     theirs = rocketpy.Flight(rocket=made, environment=place, rail_length=5.2, inclination=85, heading=heading,
                              terminate_on_apogee=True)  # fmt: skip
     with warnings.catch_warnings(record=True) as told:
         warnings.simplefilter("always")
-        shot = physim.from_rocketpy(made, place, rail_length=5.2, inclination=85, heading=heading)
-    assert any("aerodynamic surfaces" in str(each.message) for each in told)
+        shot = physim.from_rocketpy(made, place, rail_length=5.2, inclination=85, heading=heading, rigid=rigid)
+    assert any("aerodynamic surfaces" in str(each.message) for each in told) != rigid
+    assert shot["fidelity_rotation"] == ("rigid_body" if rigid else "none")
     ours = shot.fly()
     assert ours.apogee.y == pytest.approx(theirs.apogee - 1400, rel=0.01)
     assert ours.apogee.time == pytest.approx(theirs.apogee_time, rel=0.01)
@@ -105,6 +107,23 @@ def test_rockets_of_rocketpy(heading):
     assert shot.replace(until_time="1 s").fly().duration == 1
 
 
+@pytest.mark.parametrize("heading", [0, 90])
+def test_in_the_wind_a_rigid_rocket_drifts_as_that_of_rocketpy(heading):
+    rocketpy, made, place = rocket()
+
+    def ends(wind):
+        place.set_atmospheric_model(type="custom_atmosphere", wind_u=wind, wind_v=0)  # from the west
+        theirs = rocketpy.Flight(rocket=made, environment=place, rail_length=5.2, inclination=85, heading=heading,
+                                 terminate_on_apogee=True)  # fmt: skip
+        ours = physim.from_rocketpy(made, place, rail_length=5.2, inclination=85, heading=heading).fly().apogee
+        assert ours.y == pytest.approx(theirs.apogee - 1400, rel=0.005)
+        return (ours.z if heading == 0 else ours.x), theirs.apogee_x
+
+    (our_calm, their_calm), (ours, theirs) = ends(0), ends(5)
+    assert theirs - their_calm < -400
+    assert ours - our_calm == pytest.approx(theirs - their_calm, rel=0.04)
+
+
 def test_in_the_wind_of_rocketpy_a_point_turns_more():
     """Height agrees within some per cent; into the wind it goes, and farther than a rocket that resists the turn."""
     rocketpy, made, place = rocket()
@@ -114,7 +133,8 @@ def test_in_the_wind_of_rocketpy_a_point_turns_more():
                                  terminate_on_apogee=True)  # fmt: skip
         with warnings.catch_warnings():
             warnings.simplefilter("ignore")
-            ours = physim.from_rocketpy(made, place, rail_length=5.2, inclination=85, heading=heading).fly()
+            shot = physim.from_rocketpy(made, place, rail_length=5.2, inclination=85, heading=heading, rigid=False)
+            ours = shot.fly()
         assert ours.apogee.y == pytest.approx(theirs.apogee - 1400, rel=0.04)
         calm = 0 if heading == 0 else 626  # where it goes without wind, towards the east [m]
         east = ours.apogee.z if heading == 0 else ours.apogee.x

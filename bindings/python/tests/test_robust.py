@@ -86,6 +86,27 @@ def test_made_and_dropped_without_growth(make):
     assert resident() - before < 3_000_000
 
 
+@pytest.mark.skipif(not sys.platform.startswith("linux"), reason="reads /proc")
+def test_a_million_objects_are_made_and_dropped_without_growth():
+    """Shots, flights, samples, events, columns, errors: memory stays that of the first tenth."""
+    shot, made, before = physim.Shot(**SHORT), 0, None
+    while made < 1_000_000:
+        for i in range(100):
+            flight = physim.Shot(**{**SHORT, "speed": 20 + i}).fly()
+            made += 3 + len([flight.at_time(0.5), flight.end])
+        flights = [shot.fly() for _ in range(1000)]
+        made += len(flights) + len([flight.at_time(0.3) for flight in flights])
+        with pytest.raises(physim.Error):
+            physim.Shot(mass=-1)
+        made += shot.batch(speed=np.linspace(10, 20, 10)).size
+        del flights, flight
+        if before is None and made > 100_000:
+            gc.collect()
+            before = resident()
+    gc.collect()
+    assert before is not None and resident() - before < 3_000_000
+
+
 def run(program: str) -> subprocess.CompletedProcess[str]:
     code = "import sys; sys.path.insert(0, {!r})\n".format(str(os.path.dirname(os.path.dirname(physim.__file__))))
     return subprocess.run([sys.executable, "-X", "dev", "-W", "ignore", "-c", code + textwrap.dedent(program)],

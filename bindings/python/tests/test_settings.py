@@ -9,7 +9,7 @@ import pytest
 
 import physim
 from physim import _core
-from physim._settings import path_of, tree_of
+from physim._settings import path_of
 
 
 def single_settings():
@@ -37,16 +37,17 @@ def test_keywords_are_unique_and_lead_to_their_paths():
 
 
 def test_every_setting_is_taken_as_a_keyword():
-    """Its default is a value that it takes; with it the tree has the setting at its place."""
+    """A text stands at its place then, or is refused with its path."""
     for row in single_settings():
-        if row.path == "physim":
-            continue
-        parts = row.path.split(".")
-        table = tree_of({row.keyword: "x"})
-        table = table["shot"][0] if parts[0] == "shot" else table
-        for part in parts[1:] if parts[0] == "shot" else parts:
-            table = table[part]
-        assert table == "x"
+        try:
+            given = physim.Shot(**{row.keyword: "x"})._given()
+        except physim.Error as error:
+            place = row.path.rpartition(".")[0] + "."
+            assert any(path in (error.path, error.place) for path in (row.path, row.path.partition(".")[0])) or (
+                row.path in str(error) or place in str(error)
+            ), (row.path, str(error))
+        else:
+            assert (row.path, "x") in given, row.path
 
 
 def test_keys_of_lists_are_taken_in_dicts():
@@ -144,6 +145,19 @@ def test_shorthands_meet_the_keys_of_their_tables_in_any_order():
     four = physim.Shot(fidelity="artillery").replace(fidelity_integrator="rk4")
     assert one == two == three == four
     assert one["fidelity_integrator"] == "rk4" and one["fidelity_gravity"] == "inverse_square"
+
+
+def test_tables_and_their_keys_meet_in_any_order():
+    one = physim.Shot(drag={"table": "g7"}, drag_ballistic_coefficient=200)
+    two = physim.Shot(drag_ballistic_coefficient=200, drag={"table": "g7"})
+    assert one == two and one["drag_table"] == "g7"
+
+
+def test_notes_tell_what_is_unusual_and_what_is_not_read():
+    shot = physim.Shot(mass=0.01, diameter="7.8 mm", speed=3e5, drag_table="g7", drag_coefficient=0.3)
+    assert len(shot.notes) == 2
+    assert "shot.speed" in shot.notes[1] and "no effect beside" in shot.notes[0]
+    assert physim.Shot().notes == []
 
 
 def test_pint_quantities_are_taken_in_their_dimension():

@@ -102,6 +102,53 @@ def test_dask_gives_equal_bits(study):
         assert figures(study.run(client.get_executor(pure=False), shards_per_task=1)) == expected
 
 
+def test_ray_gives_equal_bits_though_a_worker_is_killed(study):
+    ray = pytest.importorskip("ray")
+    expected = figures(study.run(threads=1))
+    study.so_far = b""
+    killed = []
+
+    def kill_one(done, total):
+        workers = [] if killed else ray_workers()
+        for worker in workers[:1]:
+            killed.append(worker)
+            os.kill(worker, signal.SIGKILL)
+
+    options = {"include_dashboard": False, "object_store_memory": 100 << 20, "_node_ip_address": "127.0.0.1"}
+    ray.init(num_cpus=2, log_to_driver=False, configure_logging=False, **options)
+    try:
+        with physim.RayExecutor() as executor:
+            assert executor.submit(divmod, 7, 2).result() == (3, 1)
+            assert isinstance(executor.submit(divmod, 7, 0).exception(), ZeroDivisionError)
+            assert figures(study.run(executor, progress=kill_one, shards_per_task=1)) == expected
+        with pytest.raises(RuntimeError):
+            executor.submit(divmod, 7, 2)
+    finally:
+        ray.shutdown()
+    assert killed
+
+
+def ray_workers():
+    """Processes of Ray that this one started and that have a task."""
+    found = []
+    for pid in filter(str.isdigit, os.listdir("/proc")):
+        try:
+            with open(f"/proc/{pid}/cmdline", "rb") as file:
+                line = file.read()
+            if line.startswith(b"ray::_called") and os.getpid() in ancestors(int(pid)):
+                found.append(int(pid))
+        except OSError:  # it is gone
+            continue
+    return found
+
+
+def ancestors(pid):
+    while pid > 1:
+        with open(f"/proc/{pid}/stat", encoding="ascii", errors="replace") as file:
+            pid = int(file.read().rpartition(")")[2].split()[1])
+        yield pid
+
+
 def test_a_child_of_fork_flies(study, level):
     """Threads of the parent are not there in a child that fork() made."""
     expected = level.batch(speed=np.full(5000, 800.0), threads=2).time[0]
@@ -142,6 +189,15 @@ def test_progress_stops_and_goes_on(study):
 
     with pytest.raises(KeyError):
         fresh(study).run(progress=broken)
+
+
+def test_until_a_time(study):
+    result = study.run(threads=1, seconds=1e-9)
+    assert result.time_was_up and 0 < result.shots < study.shards * 4096
+    assert figures(study.run(threads=1)) == figures(fresh(study).run(threads=1))
+    for bad in (0, -1, float("nan")):
+        with pytest.raises(physim.Error):
+            study.run(seconds=bad)
 
 
 def test_until_width(level):

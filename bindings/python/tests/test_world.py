@@ -170,6 +170,8 @@ def test_one_projectile_is_changed_in_flight(world, ball):
         one.set(mass=-1)
     with pytest.raises(physim.Error):
         one.set(length=2)  # not live
+    with pytest.raises(physim.Error, match="no setting of a projectile"):
+        one.set(environment_altitude=100)
     one.despawn()
     assert not one.alive and "retired" in repr(one)
 
@@ -399,6 +401,58 @@ def test_emitters_and_what_they_fire(ball):
             world.add_emitter(spark, **bad)
 
 
+def test_trails_of_particles(ball):
+    world = physim.World(step=0.01)
+    fountain = world.add_emitter(ball, name="fountain", position=(0, 50, 0), per_second=50, trail={"points": 6}, start={"lifetime": 2})
+    world.step(40)
+    trails = world.trails(fountain)
+    assert len(trails.id) == world.emitter_counts(fountain)["alive"] > 5
+    assert trails.count.max() == 6 and trails.count.sum() == len(trails.position) == len(trails.time)
+    for i, id in enumerate(trails.id):
+        way = trails.position[trails.first[i] : trails.first[i] + trails.count[i]]
+        assert list(way[-1]) == list(world[id].position)
+        assert (np.diff(trails.time[trails.first[i] : trails.first[i] + trails.count[i]]) > 0).all()
+    with pytest.raises(physim.Error):
+        world.trails(fountain + 1)
+
+
+def wall_at_20(segments, layers):
+    x, end = segments.start[:, 0], segments.end[:, 0]
+    part = np.where((x < 20) & (end >= 20), (20 - x) / np.where(end > x, end - x, 1), np.nan)
+    return part, np.tile([-1.0, 0, 0], (segments.size, 1)), np.full(segments.size, 7)
+
+
+def test_an_engine_answers_beside_a_scene(ball):
+    scene = physim.Scene(**WALL)
+    starts = np.array([[0.0, 2, 0], [25, 2, 0]])
+    scene.set_engine(wall_at_20)
+    hits = scene.first_hits(starts, starts + [100, 0, 0])
+    assert hits.instance[0] & 0xFFFFFFFF == 7 and hits.position[0, 0] == pytest.approx(20, abs=2e-3)
+    assert hits.position[1, 0] == pytest.approx(29.8)  # behind the engine's wall stands that of the scene
+    scene.set_engine(lambda segments, layers: None)
+    assert scene.first_hits(starts, starts + [100, 0, 0]).position[0, 0] == pytest.approx(29.8)
+    for bad in (lambda s, _: 1 / 0, lambda s, _: (np.zeros(1),), lambda s, _: (np.zeros(9), np.zeros((9, 3)))):
+        scene.set_engine(bad)
+        with pytest.raises((physim.Error, ZeroDivisionError, ValueError)):
+            scene.first_hits(starts, starts + [100, 0, 0])
+    with pytest.raises(physim.Error):
+        scene.set_engine(wall_at_20, skin=2)
+    with pytest.raises(physim.Error):
+        scene.set_engine("none")
+
+    world = physim.World(step=0.01)
+    world.set_scene(engine=wall_at_20)
+    world.spawn(ball.replace(body_collision_on_hit="stop"))
+    save = world.save()
+    hits = world.step(400)
+    assert hits[hits.kind == "hit"].position[:, 0] == pytest.approx([20], abs=2e-3)
+    with pytest.raises(physim.Error, match="engine"):
+        physim.World.load(save)
+    copy, pickled = physim.World.load(save, engine=wall_at_20), pickle.loads(pickle.dumps(world))
+    copy.step(400)
+    assert copy.hash() == world.hash() == pickled.hash()
+
+
 def test_scenes_are_asked():
     scene = physim.Scene(**WALL)
     starts = np.array([[0.0, 2, 0], [0, 2, 50]])
@@ -458,6 +512,34 @@ def test_recordings_are_played_again(tmp_path, ball):
     (tmp_path / "bad.rec").write_bytes(b"none")
     with pytest.raises(physim.Error):
         physim.replay(tmp_path / "bad.rec")
+
+
+def test_a_recording_is_played_frame_by_frame(tmp_path, ball):
+    world, places = physim.World(), []
+    world.record(tmp_path / "world.rec")
+    world.spawn(ball, speed=[10.0, 20.0])
+    for _ in range(12):
+        world.step()
+        places.append(world.positions())
+    world.stop_recording()
+    played = physim.Replay(tmp_path / "world.rec")
+    assert len(played) == 0
+    for i, frame in enumerate(played):
+        assert same_bits(frame.positions(), places[i]) and frame.time == pytest.approx((i + 1) / 60)
+        assert frame.report().steps == i + 1
+    assert i == 11 and played.hash() == world.hash()
+    report = played.report()
+    assert report.complete and report.difference is None and not played.next()
+    for change in (lambda: played.step(), lambda: played.spawn(ball), lambda: played.set_scene(), lambda: played.restore(None)):
+        with pytest.raises((physim.Error, TypeError, AttributeError)):
+            change()
+    copy = physim.World.load(played.save())
+    copy.step()
+    assert copy.time > played.time
+    with pytest.raises(TypeError):
+        pickle.dumps(played)
+    with pytest.raises(physim.Error):
+        world._core.next()
 
 
 def test_the_end_of_a_world(ball):
