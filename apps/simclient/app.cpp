@@ -340,8 +340,8 @@ void App::on_key(int code, int scancode, int action, int mods) {
   const bool has_ctrl = (mods & GLFW_MOD_CONTROL) != 0, has_shift = (mods & GLFW_MOD_SHIFT) != 0;
   const Action* meant = action_of_key((has_ctrl && has_shift ? "Shift+" : "") + *key, has_ctrl);
   if (meant == nullptr) return;
-  const bool repeats =
-      meant->menu == "View" || meant->name.starts_with("turn") || meant->name == "step" || meant->name == "back";
+  const bool repeats = meant->menu == "View" || meant->name.starts_with("turn") || meant->name == "step" ||
+                       meant->name == "back" || meant->name.starts_with("leap");
   if (action == GLFW_PRESS || repeats) run_action(client_, *meant);
 }
 

@@ -27,6 +27,7 @@ namespace physim::client {
 struct Shown {
   bool settings = true;    // panel of the next shot
   bool statistics = true;  // panel of those in flight
+  bool play = true;        // the bar of play
   bool help = false;
   bool emitters = false;    // panel of their curves
   bool panel_keys = false;  // arrows, Enter, Space and Tab belong to the panels
@@ -106,7 +107,10 @@ class Client {
   StudyDesk study;
   std::deque<float> frame_times;  // that the last frames took [s]
   bool leaves = false;
-  Pixel scene_corner;  // of the scene, upper left, in the window [pixels]
+  std::optional<double>
+      cursor;  // the time of the world that the mouse points at, on a path, a plot or the timeline [s]
+  Pixel timeline_from, timeline_to;  // of the bar of play, in the window [pixels]
+  Pixel scene_corner;                // of the scene, upper left, in the window [pixels]
 
   /// Time has passed on the screen [s]. `patience`: what the steps in it may take [s of the machine's clock].
   void advance(double real_dt, double patience = std::numeric_limits<double>::infinity());

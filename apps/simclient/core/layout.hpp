@@ -11,7 +11,7 @@ struct Box {
 };
 
 struct Layout {
-  Box menu, left, right, bottom, status, scene;
+  Box menu, left, right, bottom, play, status, scene;
 };
 
 /// Lays out a window of this size. All sizes grow with `scale`. Panels that would be too narrow to read are left out.

@@ -101,6 +101,7 @@ void build_aim(Client& client, double scale, Scene& scene);
 void build_particles(const Client& client, double scale, Scene& scene);
 void build_projectiles(const Client& client, double scale, Scene& scene);
 void build_vectors(const Client& client, double scale, Scene& scene);
+void build_cursor(const Client& client, double scale, Scene& scene);
 void build_tools(Client& client, double scale, Scene& scene);
 void build_things(Client& client, double scale, Scene& scene);
 

@@ -97,6 +97,9 @@ static_assert(std::size(kShownForces) + 1 == kMemberCount<Accelerations>, "each 
 void build_projectiles(const Client& client, double scale, Scene& scene) {
   add_crowd(client.session, scale, scene);
   const Track* selected = client.selected_track();
+  if (client.show.trails && client.session.step() < client.session.last_step())  // gone back from
+    for (const Track& track : client.session.known_tracks())
+      scene.polyline(track.samples, client.camera, faded(track.colour, 0.3), 1.2 * scale, 0);
   for (const Track& track : client.session.tracks()) {
     const double width = (&track == selected ? 2.5 : 1.8) * scale;
     if (client.show.trails)

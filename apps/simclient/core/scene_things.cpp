@@ -5,6 +5,7 @@
 #include "math/angles.hpp"
 #include "physim/names.hpp"
 #include "simclient/core/scene.hpp"
+#include "simclient/core/timeline.hpp"
 
 namespace physim::client {
 namespace {
@@ -121,6 +122,18 @@ void build_things(Client& client, double scale, Scene& scene) {
   build_marks(client, scale, scene);
   if (!client.show.marks) return;
   for (const SceneryName& each : scenery.names) scene.label(each.at, each.text, colours::kDim, -0.5);
+}
+
+/// Rings about all projectiles at the time that the mouse points at.
+void build_cursor(const Client& client, double scale, Scene& scene) {
+  if (!client.cursor) return;
+  const Camera& camera = client.camera;
+  for (const Track& track : client.session.known_tracks()) {
+    const auto there = sample_at(track, *client.cursor);
+    if (!there) continue;
+    const Plane plane{there->position, camera.drawn_as(camera.right()), camera.drawn_as(camera.up())};
+    circle(scene, camera, plane, 7 * scale * camera.pixel_size(there->position), track.colour, 2 * scale);
+  }
 }
 
 void build_tools(Client& client, double scale, Scene& scene) {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -65,11 +66,12 @@ struct Track {
   std::size_t thinned = 0;           // the number of the last one that has been thinned out
   double coarseness = 1;             // of that, from 1
   std::optional<TrackSample> apex, impact;
+  std::optional<double> burnout;  // of its motor, since launch [s]
   LifeStatus status = LifeStatus::in_flight;
-  bool edited = false;            // something about it was changed while it flew
-  std::optional<Flight> whole;    // computed before it is shown, and played; nothing: it flies in the world
-  std::vector<TrackSample> path;  // of that, to its end
-  std::size_t passed = 1;         // samples of the path that it has passed
+  bool edited = false;                  // something about it was changed while it flew
+  std::shared_ptr<const Flight> whole;  // computed before it is shown, and played; null: it flies in the world
+  std::shared_ptr<const std::vector<TrackSample>> path;  // of that, to its end
+  std::size_t passed = 1;                                // samples of the path that it has passed
 
   [[nodiscard]] bool is_flying() const { return status == LifeStatus::in_flight; }
   /// "artillery #3".

@@ -50,12 +50,14 @@ void Ui::draw(Client& client, const Scene& scene) {
   layout_ = make_layout(client, size.x, size.y, scale_);
   has_bare_plots_ = client.bottom == BottomPanel::plots &&
                     std::ranges::any_of(client.pictures, [](const PictureWish& wish) { return wish.of_plots; });
+  client.cursor.reset();
   steer(client);
   draw_labels(client, scene);
   draw_menu_bar(client);
   if (layout_.left.width > 0) settings_.draw(client, layout_.left);
   if (layout_.right.width > 0) draw_statistics_panel(client, layout_.right);
   if (layout_.bottom.height > 0) draw_bottom_panel(client, layout_.bottom, has_bare_plots_);
+  if (layout_.play.height > 0) play_.draw(client, layout_.play, scale_);
   draw_status(client);
   draw_messages(client);
   draw_probe(client);
@@ -360,6 +362,7 @@ void Ui::draw_probe(Client& client) {
   const auto found = client.probe(mouse_);
   if (!found) return;
   const TrackSample& s = found->sample;
+  if (found->track != nullptr) client.cursor = found->track->born + s.time;
   const Colour colour = found->track ? found->track->colour : colours::kText;
   if (const auto at = client.camera.project(s.position))
     ImGui::GetBackgroundDrawList()->AddCircle(

@@ -9,6 +9,7 @@
 #include "simclient/core/client.hpp"
 #include "simclient/core/scene.hpp"
 #include "simclient/ui/emitter_panel.hpp"
+#include "simclient/ui/play_bar.hpp"
 #include "simclient/ui/settings_panel.hpp"
 
 namespace physim::client {
@@ -56,6 +57,7 @@ class Ui {
   float scale_;
   SettingsPanel settings_;
   EmitterPanel emitters_;
+  PlayBar play_;
   Layout layout_;
   Pixel mouse_;
   bool mouse_on_scene_ = false, opens_menu_ = false, has_bare_plots_ = false;
