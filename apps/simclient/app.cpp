@@ -25,13 +25,6 @@ constexpr double kTurnPerPixel = 0.006;      // [rad]
 constexpr double kPatience = 0.03;           // with the steps of one frame [s]
 constexpr float kLeastWidth = 480, kLeastHeight = 320;
 
-Status save_picture(const Client& client, const Picture& picture, const std::string& path) {
-  constexpr std::string_view kCannot = "cannot write";
-  const Status status = client.export_file(path, report::as_text(png_of(picture)));
-  if (status || !status.error().message.starts_with(kCannot)) return status;
-  return Error{"cannot write the picture" + status.error().message.substr(kCannot.size()), path, status.error().hint};
-}
-
 }  // namespace
 
 App::~App() {
@@ -62,7 +55,7 @@ bool App::has_to_draw() const {
   const bool has_clock = !client_.session.is_paused() && !client_.session.is_over();
   const bool is_clock_due = has_clock && glfwGetTime() - last_drawn_ > kClockDrawn;
   return frames_due_ > 0 || !inputs_.is_empty() || drag_.button >= 0 || ImGui::IsAnyMouseDown() ||
-         client_.is_changing() || client_.messages().size() != messages_drawn_ || is_clock_due;
+         client_.is_changing() || filming_ || client_.messages().size() != messages_drawn_ || is_clock_due;
 }
 
 void App::wait_for_frame() {
@@ -82,6 +75,7 @@ void App::wait_for_frame() {
 
 /// Advances the clock. A frame follows if something moved in this time, or came to rest.
 void App::pass_time() {
+  if (filming_) return;
   const bool was_changing = client_.is_changing();
   client_.advance(frame_time(), options_.hidden ? std::numeric_limits<double>::infinity() : kPatience);
   if (was_changing || client_.is_changing()) frames_due_ = std::max(frames_due_, 1);
@@ -147,7 +141,11 @@ Status App::frame() {
   for (const InputEvent& input : inputs)
     if (input.to_client) input.to_client();
   if (Status status = script_.run(client_); !status) return status;
-  pass_time();
+  if (filming_) {
+    if (Status status = film_one(); !status) client_.complain(status.error());
+  } else {
+    pass_time();
+  }
   client_.keep_view();
   const bool points = is_over_scene(mouse_x_, mouse_y_) && drag_.button < 0;
   client_.pointer = points ? std::optional(on_scene(mouse_x_, mouse_y_)) : std::nullopt;
@@ -198,44 +196,6 @@ void App::render(const Scene& scene) {
   renderer_.draw(scene, client_.camera, viewport);
   glViewport(0, 0, width, height);
   ImGui_ImplOpenGL3_RenderDrawData(ImGui::GetDrawData());
-}
-
-Picture App::picture(bool of_plots) {
-  int width = 0, height = 0;
-  glfwGetFramebufferSize(window_.get(), &width, &height);
-  if (!target_) glReadBuffer(GL_BACK);
-  if (!of_plots) return read_picture(0, 0, width, height);
-  const double part = width / static_cast<double>(ImGui::GetIO().DisplaySize.x);
-  const Box& b = ui_->layout().bottom;
-  const int top = static_cast<int>(b.y * part), rows = static_cast<int>(b.height * part);
-  return read_picture(static_cast<int>(b.x * part), height - top - rows, static_cast<int>(b.width * part), rows);
-}
-
-/// Those that were asked for. In a script a failure ends it; else it is told.
-Status App::take_pictures() {
-  const std::vector<PictureWish> wishes = std::move(client_.pictures);
-  client_.pictures.clear();
-  const bool has_plots = ui_->layout().bottom.height > 0 && client_.bottom == BottomPanel::plots;
-  for (const PictureWish& wish : wishes) {
-    if (wish.of_plots && has_plots && !ui_->has_bare_plots()) {  // asked for by a button: the next frame shows them
-      client_.pictures.push_back(wish);
-      continue;
-    }
-    const std::string path = wish.path.empty() ? free_name("picture", ".png") : wish.path;
-    Status status;
-    if (wish.of_plots && !has_plots)
-      status = Error{"there are no plots to be seen", "picture-of-plots", "open them first: plots"};
-    else
-      status = save_picture(client_, picture(wish.of_plots), path);
-    if (!status && options_.hidden) return status;
-    if (!status)
-      client_.complain(status.error());
-    else
-      client_.say("saved " + path);
-  }
-  const bool is_last = client_.leaves || is_last_frame();
-  if (!is_last || options_.screenshot.empty()) return {};
-  return save_picture(client_, picture(false), options_.screenshot);
 }
 
 // --------------------------------------------------------------------------------------------------------------- input
@@ -332,13 +292,15 @@ void App::on_key(int code, int scancode, int action, int mods) {
   if (action == GLFW_RELEASE || ImGui::GetIO().WantTextInput) return;
   const auto key = key_name(code, scancode);
   if (!key || (client_.show.panel_keys && kOfPanels.count(*key) != 0)) return;
+  if (filming_) return void(client_.stops_film |= *key == "Esc");
   if (client_.question) {
     if (*key == "Esc" || *key == "Enter") answer(client_, *key == "Enter");
     return;
   }
   if (*key == "Esc" && ui_->close_something(client_)) return;
   const bool has_ctrl = (mods & GLFW_MOD_CONTROL) != 0, has_shift = (mods & GLFW_MOD_SHIFT) != 0;
-  const Action* meant = action_of_key((has_ctrl && has_shift ? "Shift+" : "") + *key, has_ctrl);
+  const Action* meant = has_shift ? action_of_key("Shift+" + *key, has_ctrl) : nullptr;
+  if (meant == nullptr && !(has_ctrl && has_shift)) meant = action_of_key(*key, has_ctrl);
   if (meant == nullptr) return;
   const bool repeats = meant->menu == "View" || meant->name.starts_with("turn") || meant->name == "step" ||
                        meant->name == "back" || meant->name.starts_with("leap");
@@ -355,6 +317,7 @@ bool App::is_over_scene(double x, double y) const {
 
 void App::on_button(int button, int action, double x, double y) {
   mouse_x_ = x, mouse_y_ = y;
+  if (filming_) return;
   if (action == GLFW_PRESS) {
     if (drag_.button < 0 && is_over_scene(x, y)) drag_ = {button, x, y, 0};
     return;

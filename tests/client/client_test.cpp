@@ -128,7 +128,7 @@ TEST(Actions, EveryOneRunsWithoutAWindow) {
     if (action.name == "study-show") argument = "end";
     if (action.name == "study-shots") argument = "1000";
     if (action.name == "seek") argument = "0.02";
-    if (action.name == "speed") argument = "4";
+    if (action.name == "speed" || action.name == "picture-size" || action.name == "film-length") argument = "4";
     if (action.name == "study-run" || action.name == "study-again") {
       ASSERT_TRUE(run(client, "study-input shot.speed = +- 1 m/s"));
     }

@@ -97,6 +97,22 @@ Status seek(Client& client, const std::string& text) {
   return client.session.go_to(step_at(client.session, *time)), Status();
 }
 
+Status set_picture_size(Client& client, const std::string& text) {
+  const Result<double> size = number_of(text, "picture-size");
+  if (!size) return size.error();
+  if (!(*size == 1 || *size == 2 || *size == 3 || *size == 4))
+    return Error{"a picture is 1, 2, 3 or 4 windows wide, not " + in_quotes(text), "", "picture-size 2"};
+  return client.picture_size = static_cast<int>(*size), Status();
+}
+
+Status set_film_length(Client& client, const std::string& text) {
+  const Result<double> length = number_of(text, "film-length");
+  if (!length) return length.error();
+  if (!(*length >= 1 && *length <= 120))
+    return Error{"a film has 1 to 120 s, not " + in_quotes(text), "", "film-length 10"};
+  return client.film_length = *length, Status();
+}
+
 Status set_speed(Client& client, const std::string& text) {
   const Result<double> speed = number_of(text, "speed");
   if (!speed) return speed.error();
@@ -314,10 +330,17 @@ constexpr Action kActions[] = {
      Loss::file},
     {"save-csv", "Ctrl+D", "File", "saves all flights as a table; its format is that of the ending", "FILE",
      act([](Client& c, auto& s) { return c.save_flights(s); })},
-    {"picture", "F12", "File", "saves a picture of the window", "FILE",
-     act([](Client& c, auto& s) { c.pictures.push_back({s, false}); })},
+    {"picture-of-scene", "F12", "File", "saves a picture of the scene without panels, with title and scale bar", "FILE",
+     act([](Client& c, auto& s) { c.pictures.push_back({s, PictureOf::scene}); })},
+    {"picture-size", "", "", "pictures of the scene are so many times as wide as the window: 1 to 4", "N",
+     set_picture_size},
+    {"film", "Ctrl+F12", "File", "films the last seconds as the clock ran, with ffmpeg: .mp4 or .gif", "FILE",
+     act([](Client& c, auto& s) { c.pictures.push_back({s, PictureOf::film}); })},
+    {"film-length", "", "", "how many seconds of the screen films have, 1 to 120", "SECONDS", set_film_length},
+    {"picture", "Shift+F12", "File", "saves a picture of the window", "FILE",
+     act([](Client& c, auto& s) { c.pictures.push_back({s, PictureOf::window}); })},
     {"picture-of-plots", "Ctrl+P", "File", "saves a picture of the plots", "FILE",
-     act([](Client& c, auto& s) { c.pictures.push_back({s, true}); })},
+     act([](Client& c, auto& s) { c.pictures.push_back({s, PictureOf::plots}); })},
     {"quit", "Esc", "File", "leaves", "", act([](Client& c) { c.leaves = true; }), Loss::session},
 };
 // clang-format on

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <filesystem>
 #include <iterator>
+#include <utility>
 
 #include "math/angles.hpp"
 #include "model/ladder.hpp"
@@ -533,6 +534,17 @@ void Client::keep_view() {
   if (fits_ && camera.mode != CameraMode::follow && is_due) fit_view();
   const bool is_round = row(launcher.shot().projectile.fidelity.earth).shape != EarthShape::flat;
   if (const auto ground = session.ground(); ground && !is_round) camera.stay_above(*ground);
+}
+
+Camera Client::camera_for(double width, double height) {
+  const Camera now = camera;
+  const FittedTo fitted_to = fitted_to_;
+  camera.set_viewport(width, height);
+  if (fits_ && camera.mode != CameraMode::follow) fit_view();
+  keep_view();
+  const Camera fitted = std::exchange(camera, now);
+  fitted_to_ = fitted_to;
+  return fitted;
 }
 
 void Client::next_camera() {

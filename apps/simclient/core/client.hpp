@@ -32,6 +32,7 @@ struct Shown {
   bool emitters = false;    // panel of their curves
   bool panel_keys = false;  // arrows, Enter, Space and Tab belong to the panels
   bool trails = true;
+  bool aim = true;  // the arrow, and the predicted path
   bool vectors = false;
   bool forces_add_up = false;  // each force begins where the one before ends
   bool prediction = true;
@@ -54,10 +55,18 @@ struct Question {
   std::string argument;
 };
 
+/// What a picture shows.
+enum class PictureOf {
+  window,
+  plots,  // the panel under the scene alone
+  scene,  // without panels
+  film,   // of the scene, the last seconds
+};
+
 /// A picture that somebody asked for, to be taken of the next frame.
 struct PictureWish {
-  std::string path;
-  bool of_plots = false;  // of the panel under the scene alone
+  std::string path;  // empty: the next free name
+  PictureOf of = PictureOf::window;
 };
 
 /// What a left click on the scene does.
@@ -101,6 +110,10 @@ class Client {
   bool plots_selected_alone = false;
   std::vector<std::string> compared = {"game", "constant_air", "small_arms"};  // presets, beside the reference
   std::vector<PictureWish> pictures;
+  int picture_size = 2;          // of pictures of the scene, in windows, from 1 to 4
+  double film_length = 10;       // of films [s of the screen]
+  std::optional<double> filmed;  // part of a film that is being made
+  bool stops_film = false;
   std::optional<Question> question;  // to be answered before anything else
   Dialog dialog = Dialog::none;
   RecentFiles recent;
@@ -212,6 +225,8 @@ class Client {
   /// Places of what the scenario is about.
   [[nodiscard]] std::vector<Vec3d> subject();
   void next_camera();
+  /// The camera for a picture of this size [pixels], fitted to it where the view fits itself.
+  [[nodiscard]] Camera camera_for(double width, double height);
 
   void say(const std::string& text);
   void complain(const Error& error);

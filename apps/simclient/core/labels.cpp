@@ -12,10 +12,9 @@ bool overlap(const Box& a, const Box& b) {
 }  // namespace
 
 std::vector<PlacedLabel> place_labels(const std::vector<SceneLabel>& labels, const Camera& camera, const Box& scene,
-                                      float line, float scale, const TextWidth& width_of) {
+                                      float line, float scale, const TextWidth& width_of, std::vector<Box> taken) {
   constexpr int kLinesAway[] = {0, -1, 1, -2, 2, -3, 3};  // from where it should stand
   std::vector<PlacedLabel> placed;
-  std::vector<Box> taken;
   for (auto label = labels.rbegin(); label != labels.rend(); ++label) {
     const auto at = camera.project(label->at);
     if (!at) continue;

@@ -97,7 +97,7 @@ static_assert(std::size(kShownForces) + 1 == kMemberCount<Accelerations>, "each 
 void build_projectiles(const Client& client, double scale, Scene& scene) {
   add_crowd(client.session, scale, scene);
   const Track* selected = client.selected_track();
-  if (client.show.trails && client.session.step() < client.session.last_step())  // gone back from
+  if (client.show.trails && !client.filmed && client.session.step() < client.session.last_step())  // gone back from
     for (const Track& track : client.session.known_tracks())
       scene.polyline(track.samples, client.camera, faded(track.colour, 0.3), 1.2 * scale, 0);
   for (const Track& track : client.session.tracks()) {
@@ -147,7 +147,7 @@ void build_comparison(Client& client, double scale, Scene& scene) {
 }
 
 void build_aim(Client& client, double scale, Scene& scene) {
-  if (client.session.is_replay()) return;
+  if (client.session.is_replay() || !client.show.aim) return;
   const Prediction& prediction = client.prediction();
   if (prediction.error) return;
   if (client.show.prediction) {

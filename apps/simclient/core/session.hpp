@@ -59,6 +59,8 @@ class Session {
   /// long as their patience lasts. Steps that were taken before come again to the bit, with what was changed by hand in
   /// them, until something else is changed by hand.
   void go_to(std::uint64_t step);
+  /// As go_to(), to a time [s]: what flies is shown between two steps.
+  void show_at(double time);
   [[nodiscard]] bool is_seeking() const { return target_.has_value(); }
   /// The first step that can be gone back to.
   [[nodiscard]] std::uint64_t first_step() const;

@@ -24,6 +24,13 @@ void Session::go_to(std::uint64_t step) {
   target_ = std::max(step, first_step());
 }
 
+void Session::show_at(double time) {
+  const double steps = std::floor((time - this->time()) / step_length() + 1e-6) + static_cast<double>(step_);
+  go_to(steps > 0 ? static_cast<std::uint64_t>(steps) : 0);
+  seek(std::numeric_limits<double>::infinity());
+  leftover_ = std::clamp(time - this->time(), 0.0, step_length());
+}
+
 bool Session::step_back() {
   if (step_ <= first_step()) return paused_ = true, false;
   go_to(step_ - 1);

@@ -153,6 +153,7 @@ std::string state_line(Client& client, std::uint64_t frame) {
   line["timeline"] = timeline_state(client);
   if (client.session.is_paused()) line["hash"] = client.session.world().hash();  // it costs as much as a step
   if (client.study.run.state() != StudyRun::State::none) line["study"] = study_state(client.study);
+  if (client.filmed) line["filmed"] = *client.filmed;
   if (client.question) line["question"] = client.question->text;
   if (!client.messages().empty()) line["message"] = client.messages().back().text;
   return report::json_line(line);

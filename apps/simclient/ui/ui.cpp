@@ -13,7 +13,7 @@
 namespace physim::client {
 namespace {
 
-constexpr const char *kMenu = "scene menu", *kQuestion = "Is that meant?";
+constexpr const char *kMenu = "scene menu", *kQuestion = "Is that meant?", *kFilm = "Filming";
 
 const char* mode_text(CameraMode mode) {
   switch (mode) {
@@ -48,8 +48,9 @@ Ui::Ui(float scale) : scale_(scale) {
 void Ui::draw(Client& client, const Scene& scene) {
   const ImVec2 size = ImGui::GetIO().DisplaySize;
   layout_ = make_layout(client, size.x, size.y, scale_);
-  has_bare_plots_ = client.bottom == BottomPanel::plots &&
-                    std::ranges::any_of(client.pictures, [](const PictureWish& wish) { return wish.of_plots; });
+  has_bare_plots_ =
+      client.bottom == BottomPanel::plots &&
+      std::ranges::any_of(client.pictures, [](const PictureWish& wish) { return wish.of == PictureOf::plots; });
   client.cursor.reset();
   steer(client);
   draw_labels(client, scene);
@@ -67,6 +68,7 @@ void Ui::draw(Client& client, const Scene& scene) {
   if (client.show.help) draw_help(client);
   draw_file_dialog(client);
   draw_question(client);
+  draw_film(client);
 }
 
 /// Lets the keyboard into the panels, and out again.
@@ -102,7 +104,7 @@ void Ui::draw_menu_bar(Client& client) {
     for (const Action& action : actions())
       if (action.menu == menu) action_item(client, action.name.data(), help_of(client, action).c_str());
     if (std::string_view(menu) == "Tools") draw_tests_menu(client);
-    if (std::string_view(menu) == "File") draw_recent_menu(client);
+    if (std::string_view(menu) == "File") draw_picture_menus(client), draw_recent_menu(client);
     ImGui::EndMenu();
   }
   const std::string& title = client.session.scenario().title;
@@ -120,6 +122,24 @@ void Ui::draw_tests_menu(Client& client) {
   for (const OriginalTest& test : original_tests())
     if (ImGui::MenuItem(std::string(test.title).c_str()))
       run_action(client, *find_action("test"), std::string(test.name));
+  ImGui::EndMenu();
+}
+
+void Ui::draw_picture_menus(Client& client) {
+  ImGui::Separator();
+  const ImVec2 window = ImGui::GetIO().DisplaySize;
+  if (ImGui::BeginMenu("size of pictures")) {
+    for (const int times : {1, 2, 3, 4}) {
+      const std::string text = formatted("%d\u00d7: %.0fx%.0f", times, static_cast<double>(window.x) * times,
+                                         static_cast<double>(window.y) * times);
+      if (ImGui::MenuItem(text.c_str(), "", client.picture_size == times)) client.picture_size = times;
+    }
+    ImGui::EndMenu();
+  }
+  if (!ImGui::BeginMenu("length of films")) return;
+  for (const int seconds : {3, 5, 10, 30, 60})
+    if (ImGui::MenuItem(formatted("%d s", seconds).c_str(), "", client.film_length == seconds))
+      client.film_length = seconds;
   ImGui::EndMenu();
 }
 
@@ -200,6 +220,22 @@ void Ui::draw_file_dialog(Client& client) {
   }
   ImGui::End();
   if (!stays) client.dialog = Dialog::none;
+}
+
+/// How far a film is, while the session goes through its time.
+void Ui::draw_film(Client& client) {
+  if (client.filmed && !ImGui::IsPopupOpen(kFilm)) ImGui::OpenPopup(kFilm);
+  const Box& s = layout_.scene;
+  ImGui::SetNextWindowPos({s.x + s.width / 2, s.y + s.height / 2}, ImGuiCond_Always, {0.5F, 0.5F});
+  ImGui::SetNextWindowSize({std::min(s.width, 320 * scale_), 0});
+  if (!ImGui::BeginPopupModal(kFilm, nullptr, ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoSavedSettings)) return;
+  if (!client.filmed) {
+    ImGui::CloseCurrentPopup();
+    return ImGui::EndPopup();
+  }
+  ImGui::ProgressBar(static_cast<float>(*client.filmed), {-1, 0});
+  if (ImGui::Button("give up (Esc)")) client.stops_film = true;
+  ImGui::EndPopup();
 }
 
 void Ui::draw_question(Client& client) {

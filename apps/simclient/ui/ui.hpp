@@ -50,8 +50,10 @@ class Ui {
   void draw_probe(Client& client);
   void draw_help(Client& client);
   void draw_question(Client& client);
+  void draw_film(Client& client);
   /// Chooses a file to open or to save in: out of those at hand, or by its path.
   void draw_file_dialog(Client& client);
+  void draw_picture_menus(Client& client);
   void draw_recent_menu(Client& client);
 
   float scale_;
