@@ -96,10 +96,7 @@ Status App::open() {
   Result<Window> window = open_window(options_.width, options_.height, options_.hidden);
   if (!window) return window.error();
   window_ = std::move(*window);
-  float scale = 1, unused = 1;
-  glfwGetWindowContentScale(window_.get(), &scale, &unused);
-  if (options_.hidden) scale = 1;
-  if (options_.scale > 0) scale = static_cast<float>(options_.scale);
+  const float scale = wanted_scale(options_.height);
   glfwSetWindowSizeLimits(window_.get(), static_cast<int>(kLeastWidth * scale), static_cast<int>(kLeastHeight * scale),
                           GLFW_DONT_CARE, GLFW_DONT_CARE);
   if (Status status = renderer_.make(); !status) return status;
@@ -123,12 +120,24 @@ Status App::open() {
   return {};
 }
 
+/// As asked for; else as the screen says, or by its rows where it says nothing.
+float App::wanted_scale(double height) const {
+  float of_screen = 1, unused = 1;
+  if (!options_.hidden) glfwGetWindowContentScale(window_.get(), &of_screen, &unused);
+  const double scale = options_.scale > 0 ? options_.scale : of_screen > 1 ? of_screen : scale_of_screen(height);
+  return static_cast<float>(scale * scale_of(client_.letters));
+}
+
 // --------------------------------------------------------------------------------------------------------------- frame
 Status App::frame() {
   const double start = glfwGetTime();
   const std::vector<InputEvent> inputs = inputs_.take();
   for (const InputEvent& input : inputs)
     if (input.to_panels) input.to_panels();
+  int columns = 0, rows = 0;
+  glfwGetWindowSize(window_.get(), &columns, &rows);
+  if (ui_->set_scale(wanted_scale(rows)))
+    ImGui_ImplOpenGL3_DestroyFontsTexture(), ImGui_ImplOpenGL3_CreateFontsTexture();
   ImGui_ImplOpenGL3_NewFrame();
   ImGui_ImplGlfw_NewFrame();
   if (options_.hidden) ImGui::GetIO().DeltaTime = static_cast<float>(kFrame);
@@ -289,6 +298,8 @@ void App::on_panel_key(int code, int scancode, int action, int mods) {
 void App::on_key(int code, int scancode, int action, int mods) {
   static const std::set<std::string> kOfPanels = {"Left", "Right", "Up",   "Down",   "Space",
                                                   "Tab",  "Enter", "Home", "PageUp", "PageDown"};
+  const bool leaves_dialog = client_.dialog != Dialog::none && code == GLFW_KEY_ESCAPE && !client_.question;
+  if (action == GLFW_PRESS && leaves_dialog) return void(ui_->close_something(client_));
   if (action == GLFW_RELEASE || ImGui::GetIO().WantTextInput) return;
   const auto key = key_name(code, scancode);
   if (!key || (client_.show.panel_keys && kOfPanels.count(*key) != 0)) return;
@@ -297,6 +308,7 @@ void App::on_key(int code, int scancode, int action, int mods) {
     if (*key == "Esc" || *key == "Enter") answer(client_, *key == "Enter");
     return;
   }
+  if (client_.dialog != Dialog::none) return;  // nothing goes on behind it
   if (*key == "Esc" && ui_->close_something(client_)) return;
   const bool has_ctrl = (mods & GLFW_MOD_CONTROL) != 0, has_shift = (mods & GLFW_MOD_SHIFT) != 0;
   const Action* meant = has_shift ? action_of_key("Shift+" + *key, has_ctrl) : nullptr;

@@ -73,6 +73,7 @@ class App {
   void on_button(int button, int action, double x, double y);
   void on_move(double x, double y);
   void render(const Scene& scene);
+  [[nodiscard]] float wanted_scale(double height) const;
   [[nodiscard]] double frame_time();
   [[nodiscard]] bool is_last_frame() const;
   [[nodiscard]] Pixel on_scene(double x, double y) const;

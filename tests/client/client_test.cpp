@@ -513,7 +513,7 @@ TEST(Layout, NothingOverlapsAtAnySize) {
             client.bottom = bottom;
             client.show.settings = (panels & 1) != 0, client.show.statistics = (panels & 2) != 0;
             const Layout l = make_layout(client, width, height, scale);
-            const Box boxes[] = {l.menu, l.left, l.right, l.bottom, l.play, l.status, l.scene};
+            const Box boxes[] = {l.menu, l.settings, l.statistics, l.bottom, l.play, l.status, l.scene};
             for (const Box& box : boxes) {
               EXPECT_GE(std::min(box.x, box.y), 0);
               EXPECT_LE(box.x + box.width, width + 0.01F);
@@ -524,6 +524,8 @@ TEST(Layout, NothingOverlapsAtAnySize) {
                 }
             }
             EXPECT_GE(l.scene.width, 239 * scale) << "the scene stays";
+            const float beside = l.scene.width * (l.scene.height + l.bottom.height);
+            EXPECT_GE(beside, 0.599F * width * height) << width << "x" << height << " at " << scale;
             EXPECT_GE(l.scene.height, 100 * scale);
           }
 }

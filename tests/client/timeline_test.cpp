@@ -93,7 +93,7 @@ TEST(Timeline, GoesAnywhereToTheBitsOfTheStraightWay) {
 }
 
 TEST(Timeline, GoesAnywhereInAWorldThatFiresByItselfAndHitsThings) {
-  for (const char* scenario : {"billiards", "emit_machine_gun"}) {
+  for (const char* scenario : {"billiards", "emit_machine_gun", "world_machine_gun"}) {
     Client client = client_of(scenario);
     Straight straight;
     for (client.session.set_paused(true); client.session.step() < 240; client.session.single_step())

@@ -99,10 +99,10 @@ TEST_F(PlayBar, OneCursorGoesThroughSceneAndPlots) {
   EXPECT_NEAR(pointed["cursor"].get<double>(), (pointed["begin"].get<double>() + pointed["end"].get<double>()) / 2,
               0.02);
   // The second plot, y over time: a press in its middle goes to about the middle of the flight.
-  client.move(375, y - 130);
+  client.move(565, y - 130);
   const Json read = client.wait_for([](const Json& s) { return s["timeline"].contains("cursor"); });
   ASSERT_TRUE(read["timeline"].contains("cursor"));
-  client.click(375, y - 130);
+  client.click(565, y - 130);
   const Json gone = client.wait_for([&](const Json& s) { return s["step"] != read["step"]; });
   EXPECT_NEAR(gone["time"].get<double>(), read["timeline"]["cursor"].get<double>(), 0.02);
 }

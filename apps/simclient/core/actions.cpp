@@ -265,6 +265,10 @@ constexpr Action kActions[] = {
     {"marks", "K", "View", "marks of apex and impact, hits on things, and their names", "", kToggle<&Shown::marks>},
     {"drop-lines", "Ctrl+L", "View", "lines down to the ground, and the ways over it", "", kToggle<&Shown::depth>},
     {"theme", "Ctrl+T", "View", "next light and colours: day, dusk, chart, night", "NAME", choose_theme},
+    {"larger-text", "Ctrl++ Ctrl+=", "View", "larger letters: one of three sizes", "",
+     act([](Client& c) { c.letters = c.letters == TextSize::small ? TextSize::usual : TextSize::large; })},
+    {"smaller-text", "Ctrl+-", "View", "smaller letters", "",
+     act([](Client& c) { c.letters = c.letters == TextSize::large ? TextSize::usual : TextSize::small; })},
     {"clear", "X", "View", "forgets those that have left", "", act([](Client& c) { c.session.clear_tracks(); })},
     // panels
     {"settings", "F2", "Panels", "settings of the next shot", "", kToggle<&Shown::settings>},

@@ -46,18 +46,13 @@ Result<Session> open_session(const std::string& file, const std::vector<std::str
 
 }  // namespace
 
-std::vector<std::string> files_at_hand() {
-  std::vector<std::string> files;
-  const std::string shipped = std::filesystem::path(shipped_scenario("arrow.toml")).parent_path().string();
-  for (const std::string& folder : {std::string("."), shipped}) {
-    std::error_code unreadable;
-    for (const auto& entry : std::filesystem::directory_iterator(folder, unreadable)) {
-      const std::string path = entry.path().lexically_normal().string();
-      if (path.ends_with(".toml") || is_recording(path)) files.push_back(path);
-    }
+double scale_of(TextSize size) {
+  switch (size) {
+    case TextSize::small: return 13.0 / 15;
+    case TextSize::usual: return 1;
+    case TextSize::large: return 1.4;
   }
-  std::sort(files.begin(), files.end());
-  return files;
+  return 1;
 }
 
 std::string free_name(const std::string& what, const std::string& ending) {

@@ -40,6 +40,10 @@ struct Shown {
   bool marks = true;  // apex, impact, hits on things, and what these are called
 };
 
+/// Letters: of 13, 15 and 21 pixels on a usual screen.
+enum class TextSize { small, usual, large };
+[[nodiscard]] double scale_of(TextSize size);
+
 /// What stands under the scene.
 enum class BottomPanel { none, plots, compare, performance, hits, study };
 
@@ -99,6 +103,7 @@ class Client {
   Camera camera;
   Shown show;
   const Theme* theme = &themes()[0];
+  TextSize letters = TextSize::usual;
   Tool tool = Tool::fire;
   Tape tape;
   Placing placing;
@@ -278,9 +283,6 @@ class Client {
   FittedTo fitted_to_;
   std::deque<Message> messages_;
 };
-
-/// Scenarios in scenarios/, and scenarios and recordings in the folder where the client was started.
-[[nodiscard]] std::vector<std::string> files_at_hand();
 
 /// "physim_picture_1.png" in the folder where the client was started, or the next number that is free.
 [[nodiscard]] std::string free_name(const std::string& what, const std::string& ending);

@@ -19,7 +19,8 @@ std::vector<PlacedLabel> place_labels(const std::vector<SceneLabel>& labels, con
     const auto at = camera.project(label->at);
     if (!at) continue;
     const float width = width_of(label->text);
-    const float x = scene.x + static_cast<float>(at->x) - (label->centred ? width / 2 : -4 * scale);
+    const float x = scene.x + static_cast<float>(at->x) - (label->centred ? width / 2 : -4 * scale) +
+                    static_cast<float>(label->side) * width / 2;
     const float y = scene.y + static_cast<float>(at->y) + (label->line >= 0 ? 6 * scale : -6 * scale) +
                     static_cast<float>(label->line) * line - (label->centred ? 0 : line);
     if (x < scene.x || x + width > scene.x + scene.width) continue;  // half a number says the wrong thing

@@ -51,6 +51,7 @@ struct SceneLabel {
   Colour colour = 0xFFFFFFFF;
   bool centred = true;
   double line = 0;  // below the first, where several labels share a place
+  double side = 0;  // moved by so much of half its width, to the right
 };
 
 /// The Earth as a ball.

@@ -42,12 +42,12 @@ void star(Scene& scene, const Plane& plane, double size, Colour colour, double w
 
 /// A ring on the surface. What came in flat has an arrow the way it left; what stayed a cross; what went in a line to
 /// its end, with a ring where it came out.
-void mark(Scene& scene, const Client& client, double scale, const Hit& hit, const MotionState& thing) {
+void mark(Scene& scene, const Client& client, double scale, const Hit& hit, const MotionState& thing, double presence) {
   const Camera& camera = client.camera;
   const Vec3d at = place_in_world(thing, hit.at), normal = rotate(thing.rotation, hit.normal);
   const double size = std::max(1.2 * hit.radius, 5 * scale * camera.pixel_size(at));
   const Plane plane = plane_across(at + normal * (0.05 * size), normal);
-  const Colour colour = faded(client.session.colour_of(hit), is_passed(hit) ? 0.5 : 1);
+  const Colour colour = faded(client.session.colour_of(hit), presence * (is_passed(hit) ? 0.5 : 1));
   circle(scene, camera, plane, size, colour, 1.8 * scale);
   if (hit.outcome == EventKind::ricocheted && length(hit.after) > 0)
     scene.arrow(at, at + normalized(hit.after) * (5 * size), colour, 1.5 * scale, camera);
@@ -64,11 +64,13 @@ void build_marks(const Client& client, double scale, Scene& scene) {
   if (things == nullptr || !client.show.marks) return;
   const Track* selected = client.selected_track();
   const auto& hits = client.session.hits().hits();
-  std::size_t labels = 0;
-  for (auto hit = hits.rbegin(); hit != hits.rend(); ++hit) {
+  constexpr std::size_t kMostMarks = 60, kFading = 30;  // marks: the oldest of them fade
+  std::size_t labels = 0, marks = 0;
+  for (auto hit = hits.rbegin(); hit != hits.rend() && marks < kMostMarks; ++hit, ++marks) {
     const auto thing = things->state(hit->instance, client.session.shown_time());
     if (!thing) continue;
-    mark(scene, client, scale, *hit, *thing);
+    mark(scene, client, scale, *hit, *thing,
+         std::min(1.0, static_cast<double>(kMostMarks - marks) / static_cast<double>(kFading)));
     if (selected == nullptr || selected->id != hit->id || is_passed(*hit) || labels++ >= kMostLabels) continue;
     scene.label(place_in_world(*thing, hit->at), hit_text(*hit), client.session.colour_of(*hit), -1);
   }

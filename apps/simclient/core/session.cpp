@@ -336,6 +336,7 @@ void Session::begin_track(ProjectileId id, const std::string& name, Colour colou
   track.id = id;
   track.name = name;
   track.colour = colour;
+  track.by_hand = by_hand;
   const ProjectileDef* what = world()[id].definition();
   track.radius = what ? what->diameter / 2 : 0;
   track.born = world().time() - world()[id].age();
@@ -382,6 +383,12 @@ void Session::look() {
   }
   if (tracks_.size() >= most_tracks_of_run_ || world().size() > 4096) return;
   for (const ProjectileId id : world().ids()) follow_new(id);
+}
+
+double Session::presence_of(const Track& track) const {
+  constexpr double kFades = 2;  // [s]
+  if (track.by_hand || track.is_flying() || scenario_.emitters.empty()) return 1;
+  return std::clamp(1 - (time() - track.end()) / kFades, 0.0, 1.0);
 }
 
 /// Begins the track of what nobody fired by hand, where it is new and there is room for one more.

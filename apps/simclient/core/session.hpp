@@ -110,6 +110,8 @@ class Session {
   [[nodiscard]] std::string title_of(const Hit& hit) const;
   [[nodiscard]] Colour colour_of(const Hit& hit) const;
   /// What has become of a projectile, for people: "in flight", "at rest", "landed", "stopped by hill".
+  /// How much of a track is still shown, from 0 to 1: what emitters fired fades when it has left.
+  [[nodiscard]] double presence_of(const Track& track) const;
   [[nodiscard]] std::string fate_of(const Track& track) const;
   [[nodiscard]] std::optional<double> ground() const;
   /// The time of what is shown: the world's, and what is left over since the last step [s].

@@ -13,6 +13,7 @@ namespace {
 constexpr double kMomentTime = 1.0 / 60;           // moments that can be gone back to are no nearer [s]
 constexpr std::size_t kMomentMemory = 256u << 20;  // for all moments that can be gone back to [bytes]
 constexpr std::size_t kLeastMoments = 4, kMostMoments = 3600;
+constexpr double kSameTime = 1e-9;        // times nearer than this are the same [s]
 constexpr std::size_t kRunMemory = 4096;  // of a run's own counts, about [bytes]
 
 }  // namespace
@@ -102,9 +103,12 @@ void Session::begin_change() {
 }
 
 void Session::forget_after(double time) {
-  const double late = time + kInstant;
+  const double late = time + kSameTime;
   hits_.forget_after(late);
-  std::erase_if(tracks_, [late](const Track& track) { return track.born > late; });
+  std::erase_if(tracks_, [&](const Track& track) {
+    const bool is_of_now = !track.whole && track.born > time - kSameTime;  // it may come with the next step
+    return track.born > late || (is_of_now && !world()[track.id].is_alive());
+  });
   for (Track& track : tracks_) {
     const auto is_late = [&](const TrackSample& s) { return track.born + s.time > late; };
     while (track.samples.size() > 1 && is_late(track.samples.back())) track.samples.pop_back();

@@ -132,7 +132,9 @@ void PlayBar::draw_timeline(Client& client, const Timeline& line, float scale) {
       draw_tick(list, tick, x_of(tick.time), top, rail - 2 * scale, scale);
   list.AddCircleFilled({x_of(line.now), rail}, 6 * scale, shade(colours::kText));
   const auto time_at = [&](float x) { return line.time(std::clamp((x - from) / (to - from), 0.0F, 1.0F)); };
-  const double pointed = time_at(ImGui::GetMousePos().x);
+  const double at_mouse = time_at(ImGui::GetMousePos().x);
+  // Its end may lie between two steps, and is reached by the second.
+  const double pointed = at_mouse < line.end ? at_mouse : line.end + client.session.step_length() / 2;
   if (ImGui::IsItemActivated()) is_held_ = true, runs_on_ = !client.session.is_paused();
   if (is_held_ && ImGui::IsItemActive()) client.session.go_to(step_at(client.session, pointed));
   if (is_held_ && !ImGui::IsItemActive()) {
@@ -140,10 +142,10 @@ void PlayBar::draw_timeline(Client& client, const Timeline& line, float scale) {
     if (runs_on_) client.session.set_paused(false);
   }
   if (is_hovered && !is_held_) {
-    client.cursor = pointed;
-    list.AddLine({x_of(pointed), top}, {x_of(pointed), rail}, shade(colours::kDim), scale);
-    tooltip(formatted("%.3f s", pointed) +
-            ticks_near(line, pointed, 5 * scale / (to - from) * (line.end - line.begin)));
+    client.cursor = at_mouse;
+    list.AddLine({x_of(at_mouse), top}, {x_of(at_mouse), rail}, shade(colours::kDim), scale);
+    tooltip(formatted("%.3f s", at_mouse) +
+            ticks_near(line, at_mouse, 5 * scale / (to - from) * (line.end - line.begin)));
   }
   ImGui::SameLine(0, 8 * scale);
   ImGui::AlignTextToFramePadding();

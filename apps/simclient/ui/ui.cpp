@@ -45,6 +45,15 @@ Ui::Ui(float scale) : scale_(scale) {
   use_theme(themes().front(), scale);
 }
 
+bool Ui::set_scale(float scale) {
+  if (scale_ == scale) return false;
+  scale_ = scale;
+  ImGui::GetIO().Fonts->Clear();
+  load_fonts(scale);
+  use_theme(theme_in_use(), scale);
+  return true;
+}
+
 void Ui::draw(Client& client, const Scene& scene) {
   const ImVec2 size = ImGui::GetIO().DisplaySize;
   layout_ = make_layout(client, size.x, size.y, scale_);
@@ -55,8 +64,8 @@ void Ui::draw(Client& client, const Scene& scene) {
   steer(client);
   draw_labels(client, scene);
   draw_menu_bar(client);
-  if (layout_.left.width > 0) settings_.draw(client, layout_.left);
-  if (layout_.right.width > 0) draw_statistics_panel(client, layout_.right);
+  if (layout_.settings.width > 0) settings_.draw(client, layout_.settings);
+  if (layout_.statistics.width > 0) draw_statistics_panel(client, layout_.statistics);
   if (layout_.bottom.height > 0) draw_bottom_panel(client, layout_.bottom, has_bare_plots_);
   if (layout_.play.height > 0) play_.draw(client, layout_.play, scale_);
   draw_status(client);
@@ -66,7 +75,7 @@ void Ui::draw(Client& client, const Scene& scene) {
   draw_context_menu(client);
   if (client.show.emitters) emitters_.draw(client, layout_.scene, scale_);
   if (client.show.help) draw_help(client);
-  draw_file_dialog(client);
+  files_.draw(client, {0, 0, size.x, size.y}, scale_);
   draw_question(client);
   draw_film(client);
 }
@@ -77,18 +86,18 @@ void Ui::steer(const Client& client) {
   const bool was_on = (io.ConfigFlags & ImGuiConfigFlags_NavEnableKeyboard) != 0;
   if (was_on == client.show.panel_keys) return;
   io.ConfigFlags ^= ImGuiConfigFlags_NavEnableKeyboard;
-  if (client.show.panel_keys && layout_.left.width > 0)
+  if (client.show.panel_keys && layout_.settings.width > 0)
     ImGui::SetWindowFocus(kSettings);
   else
     ImGui::SetWindowFocus(client.show.panel_keys ? kStatistics : nullptr);
 }
 
 bool Ui::close_something(Client& client) {
+  if (client.dialog != Dialog::none) return client.dialog = Dialog::none, true;
   if (ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopup)) {
     ImGui::ClosePopupsOverWindow(nullptr, false);
     return true;
   }
-  if (client.dialog != Dialog::none) return client.dialog = Dialog::none, true;
   if (client.show.help) return client.show.help = false, true;
   if (client.show.emitters) return client.show.emitters = false, true;
   if (client.show.panel_keys) return client.show.panel_keys = false, true;
@@ -187,39 +196,6 @@ void Ui::draw_help(Client& client) {
     }
   }
   ImGui::End();
-}
-
-void Ui::draw_file_dialog(Client& client) {
-  const bool has_just_opened = client.dialog != dialog_;
-  dialog_ = client.dialog;
-  if (dialog_ == Dialog::none) return;
-  const bool saves = dialog_ == Dialog::save;
-  if (has_just_opened) {
-    files_ = files_at_hand();
-    files_.insert(files_.begin(), client.recent.files().begin(), client.recent.files().end());
-    path_ = !saves ? "" : client.file().empty() ? free_name("scenario", ".toml") : client.file();
-  }
-  const auto choose = [&](const std::string& path) {
-    client.dialog = Dialog::none;
-    run_action(client, *find_action(saves ? "save-as" : "open"), path);
-  };
-  centre_window(layout_.scene, 520 * scale_, saves ? 110 * scale_ : 460 * scale_);
-  bool stays = true;
-  if (ImGui::Begin(saves ? "Save the scenario as" : "Open a scenario or recording", &stays,
-                   ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoCollapse | ImGuiWindowFlags_NoSavedSettings)) {
-    ImGui::SetNextItemWidth(-1);
-    if (has_just_opened) ImGui::SetKeyboardFocusHere();
-    if (ImGui::InputTextWithHint("##path", "path, then Enter", &path_, ImGuiInputTextFlags_EnterReturnsTrue) &&
-        !path_.empty())
-      choose(path_);
-    if (saves && ImGui::Button("Save") && !path_.empty()) choose(path_);
-    if (!saves && ImGui::BeginChild("files"))
-      for (const std::string& file : files_)
-        if (ImGui::Selectable(file.c_str())) choose(file);
-    if (!saves) ImGui::EndChild();
-  }
-  ImGui::End();
-  if (!stays) client.dialog = Dialog::none;
 }
 
 /// How far a film is, while the session goes through its time.
