@@ -167,11 +167,11 @@ Colour over(Colour colour, Colour ground) {
   return out;
 }
 
-/// The ground of letters that is nearest to them.
+/// The ground of letters that is nearest to them. On buttons stand none but those of plain text.
 Colour worst_ground(const Theme& theme) {
   const Colour scene = theme.is_light ? theme.ground : theme.horizon;
   Colour worst = theme.panel;
-  for (const Colour each : {theme.popup, theme.field, theme.button, theme.plot, over(theme.label, scene)})
+  for (const Colour each : {theme.popup, theme.field, theme.plot, over(theme.label, scene)})
     if (theme.is_light ? luminance(each) < luminance(worst) : luminance(each) > luminance(worst)) worst = each;
   return worst;
 }
