@@ -31,3 +31,6 @@ for test in 1 2 3 4 5 6; do
 done
 python3 tools/shrink_png.py --shades 64 "$pictures"/client*.png
 pngquant --strip --force --skip-if-larger --ext .png 128 "$pictures"/client_things.png || [[ $? == 98 ]]
+for picture in client client_compare client_study; do  # whole windows
+  pngquant --strip --force --skip-if-larger --ext .png 64 "$pictures/$picture.png" || [[ $? == 98 ]]
+done
