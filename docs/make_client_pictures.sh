@@ -22,9 +22,15 @@ pictures=docs/pictures
 "$simclient" --hidden --size 1280x720 --screenshot "$pictures/client_study.png" \
   --script "settings; statistics; study-at 400 m; study-at apex; study-run; wait 200" scenarios/study_308.toml
 
+"$simclient" --hidden --size 640x400 scenarios/golf_drive.toml \
+  --script "theme dusk; fire-whole; wait 480; picture-size 1; picture-of-scene $pictures/client_share.png; wait 1"
+
 for test in 1 2 3 4 5 6; do
   "$simclient" --hidden --size 1120x720 \
     --script "test $test; wait 200; picture-of-plots $pictures/client_test_$test.png; wait 1"
 done
 python3 tools/shrink_png.py --shades 64 "$pictures"/client*.png
 pngquant --strip --force --skip-if-larger --ext .png 128 "$pictures"/client_things.png || [[ $? == 98 ]]
+for picture in client client_compare client_study; do  # whole windows
+  pngquant --strip --force --skip-if-larger --ext .png 64 "$pictures/$picture.png" || [[ $? == 98 ]]
+done

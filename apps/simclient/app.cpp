@@ -25,13 +25,6 @@ constexpr double kTurnPerPixel = 0.006;      // [rad]
 constexpr double kPatience = 0.03;           // with the steps of one frame [s]
 constexpr float kLeastWidth = 480, kLeastHeight = 320;
 
-Status save_picture(const Client& client, const Picture& picture, const std::string& path) {
-  constexpr std::string_view kCannot = "cannot write";
-  const Status status = client.export_file(path, report::as_text(png_of(picture)));
-  if (status || !status.error().message.starts_with(kCannot)) return status;
-  return Error{"cannot write the picture" + status.error().message.substr(kCannot.size()), path, status.error().hint};
-}
-
 }  // namespace
 
 App::~App() {
@@ -62,7 +55,7 @@ bool App::has_to_draw() const {
   const bool has_clock = !client_.session.is_paused() && !client_.session.is_over();
   const bool is_clock_due = has_clock && glfwGetTime() - last_drawn_ > kClockDrawn;
   return frames_due_ > 0 || !inputs_.is_empty() || drag_.button >= 0 || ImGui::IsAnyMouseDown() ||
-         client_.is_changing() || client_.messages().size() != messages_drawn_ || is_clock_due;
+         client_.is_changing() || filming_ || client_.messages().size() != messages_drawn_ || is_clock_due;
 }
 
 void App::wait_for_frame() {
@@ -82,6 +75,7 @@ void App::wait_for_frame() {
 
 /// Advances the clock. A frame follows if something moved in this time, or came to rest.
 void App::pass_time() {
+  if (filming_) return;
   const bool was_changing = client_.is_changing();
   client_.advance(frame_time(), options_.hidden ? std::numeric_limits<double>::infinity() : kPatience);
   if (was_changing || client_.is_changing()) frames_due_ = std::max(frames_due_, 1);
@@ -102,10 +96,7 @@ Status App::open() {
   Result<Window> window = open_window(options_.width, options_.height, options_.hidden);
   if (!window) return window.error();
   window_ = std::move(*window);
-  float scale = 1, unused = 1;
-  glfwGetWindowContentScale(window_.get(), &scale, &unused);
-  if (options_.hidden) scale = 1;
-  if (options_.scale > 0) scale = static_cast<float>(options_.scale);
+  const float scale = wanted_scale(options_.height);
   glfwSetWindowSizeLimits(window_.get(), static_cast<int>(kLeastWidth * scale), static_cast<int>(kLeastHeight * scale),
                           GLFW_DONT_CARE, GLFW_DONT_CARE);
   if (Status status = renderer_.make(); !status) return status;
@@ -129,12 +120,24 @@ Status App::open() {
   return {};
 }
 
+/// As asked for; else as the screen says, or by its rows where it says nothing.
+float App::wanted_scale(double height) const {
+  float of_screen = 1, unused = 1;
+  if (!options_.hidden) glfwGetWindowContentScale(window_.get(), &of_screen, &unused);
+  const double scale = options_.scale > 0 ? options_.scale : of_screen > 1 ? of_screen : scale_of_screen(height);
+  return static_cast<float>(scale * scale_of(client_.letters));
+}
+
 // --------------------------------------------------------------------------------------------------------------- frame
 Status App::frame() {
   const double start = glfwGetTime();
   const std::vector<InputEvent> inputs = inputs_.take();
   for (const InputEvent& input : inputs)
     if (input.to_panels) input.to_panels();
+  int columns = 0, rows = 0;
+  glfwGetWindowSize(window_.get(), &columns, &rows);
+  if (ui_->set_scale(wanted_scale(rows)))
+    ImGui_ImplOpenGL3_DestroyFontsTexture(), ImGui_ImplOpenGL3_CreateFontsTexture();
   ImGui_ImplOpenGL3_NewFrame();
   ImGui_ImplGlfw_NewFrame();
   if (options_.hidden) ImGui::GetIO().DeltaTime = static_cast<float>(kFrame);
@@ -147,7 +150,11 @@ Status App::frame() {
   for (const InputEvent& input : inputs)
     if (input.to_client) input.to_client();
   if (Status status = script_.run(client_); !status) return status;
-  pass_time();
+  if (filming_) {
+    if (Status status = film_one(); !status) client_.complain(status.error());
+  } else {
+    pass_time();
+  }
   client_.keep_view();
   const bool points = is_over_scene(mouse_x_, mouse_y_) && drag_.button < 0;
   client_.pointer = points ? std::optional(on_scene(mouse_x_, mouse_y_)) : std::nullopt;
@@ -198,44 +205,6 @@ void App::render(const Scene& scene) {
   renderer_.draw(scene, client_.camera, viewport);
   glViewport(0, 0, width, height);
   ImGui_ImplOpenGL3_RenderDrawData(ImGui::GetDrawData());
-}
-
-Picture App::picture(bool of_plots) {
-  int width = 0, height = 0;
-  glfwGetFramebufferSize(window_.get(), &width, &height);
-  if (!target_) glReadBuffer(GL_BACK);
-  if (!of_plots) return read_picture(0, 0, width, height);
-  const double part = width / static_cast<double>(ImGui::GetIO().DisplaySize.x);
-  const Box& b = ui_->layout().bottom;
-  const int top = static_cast<int>(b.y * part), rows = static_cast<int>(b.height * part);
-  return read_picture(static_cast<int>(b.x * part), height - top - rows, static_cast<int>(b.width * part), rows);
-}
-
-/// Those that were asked for. In a script a failure ends it; else it is told.
-Status App::take_pictures() {
-  const std::vector<PictureWish> wishes = std::move(client_.pictures);
-  client_.pictures.clear();
-  const bool has_plots = ui_->layout().bottom.height > 0 && client_.bottom == BottomPanel::plots;
-  for (const PictureWish& wish : wishes) {
-    if (wish.of_plots && has_plots && !ui_->has_bare_plots()) {  // asked for by a button: the next frame shows them
-      client_.pictures.push_back(wish);
-      continue;
-    }
-    const std::string path = wish.path.empty() ? free_name("picture", ".png") : wish.path;
-    Status status;
-    if (wish.of_plots && !has_plots)
-      status = Error{"there are no plots to be seen", "picture-of-plots", "open them first: plots"};
-    else
-      status = save_picture(client_, picture(wish.of_plots), path);
-    if (!status && options_.hidden) return status;
-    if (!status)
-      client_.complain(status.error());
-    else
-      client_.say("saved " + path);
-  }
-  const bool is_last = client_.leaves || is_last_frame();
-  if (!is_last || options_.screenshot.empty()) return {};
-  return save_picture(client_, picture(false), options_.screenshot);
 }
 
 // --------------------------------------------------------------------------------------------------------------- input
@@ -329,19 +298,24 @@ void App::on_panel_key(int code, int scancode, int action, int mods) {
 void App::on_key(int code, int scancode, int action, int mods) {
   static const std::set<std::string> kOfPanels = {"Left", "Right", "Up",   "Down",   "Space",
                                                   "Tab",  "Enter", "Home", "PageUp", "PageDown"};
+  const bool leaves_dialog = client_.dialog != Dialog::none && code == GLFW_KEY_ESCAPE && !client_.question;
+  if (action == GLFW_PRESS && leaves_dialog) return void(ui_->close_something(client_));
   if (action == GLFW_RELEASE || ImGui::GetIO().WantTextInput) return;
   const auto key = key_name(code, scancode);
   if (!key || (client_.show.panel_keys && kOfPanels.count(*key) != 0)) return;
+  if (filming_) return void(client_.stops_film |= *key == "Esc");
   if (client_.question) {
     if (*key == "Esc" || *key == "Enter") answer(client_, *key == "Enter");
     return;
   }
+  if (client_.dialog != Dialog::none) return;  // nothing goes on behind it
   if (*key == "Esc" && ui_->close_something(client_)) return;
   const bool has_ctrl = (mods & GLFW_MOD_CONTROL) != 0, has_shift = (mods & GLFW_MOD_SHIFT) != 0;
-  const Action* meant = action_of_key((has_ctrl && has_shift ? "Shift+" : "") + *key, has_ctrl);
+  const Action* meant = has_shift ? action_of_key("Shift+" + *key, has_ctrl) : nullptr;
+  if (meant == nullptr && !(has_ctrl && has_shift)) meant = action_of_key(*key, has_ctrl);
   if (meant == nullptr) return;
-  const bool repeats =
-      meant->menu == "View" || meant->name.starts_with("turn") || meant->name == "step" || meant->name == "back";
+  const bool repeats = meant->menu == "View" || meant->name.starts_with("turn") || meant->name == "step" ||
+                       meant->name == "back" || meant->name.starts_with("leap");
   if (action == GLFW_PRESS || repeats) run_action(client_, *meant);
 }
 
@@ -355,6 +329,7 @@ bool App::is_over_scene(double x, double y) const {
 
 void App::on_button(int button, int action, double x, double y) {
   mouse_x_ = x, mouse_y_ = y;
+  if (filming_) return;
   if (action == GLFW_PRESS) {
     if (drag_.button < 0 && is_over_scene(x, y)) drag_ = {button, x, y, 0};
     return;

@@ -7,10 +7,12 @@
 
 #include "simclient/core/input_queue.hpp"
 #include "simclient/core/script.hpp"
+#include "simclient/film.hpp"
 #include "simclient/gl/renderer.hpp"
 #include "simclient/gl/target.hpp"
 #include "simclient/gl/window.hpp"
 #include "simclient/options.hpp"
+#include "simclient/ui/painter.hpp"
 #include "simclient/ui/ui.hpp"
 
 namespace physim::client {
@@ -34,6 +36,17 @@ class App {
     double x = 0, y = 0, moved = 0;
   };
 
+  /// A film that is being made, while the session goes through its time.
+  struct Filming {
+    std::string path;
+    Camera camera;
+    double scale = 1;
+    double begin = 0, each = 0;  // of the world [s]
+    int count = 0, taken = 0;    // pictures
+    std::uint64_t step = 0;      // of the session, to come back to
+    bool was_paused = false;
+  };
+
   [[nodiscard]] Status open();
   void install_callbacks();
   void install_mouse_callbacks();
@@ -45,13 +58,22 @@ class App {
   [[nodiscard]] bool draws_every_frame() const;
   void pass_time();
   [[nodiscard]] Status frame();
-  [[nodiscard]] Picture picture(bool of_plots);
+  [[nodiscard]] Picture picture_of_window(bool of_plots);
+  /// Without panels, with a title and a scale bar; an error if it is larger than the machine draws.
+  [[nodiscard]] Result<Picture> picture_of_scene(const Camera& camera, double scale);
+  void draw_captions(const Scene& scene, const Camera& camera, float scale);
   [[nodiscard]] Status take_pictures();
+  [[nodiscard]] Status take_picture(const PictureWish& wish);
+  [[nodiscard]] Status begin_film(const std::string& wished);
+  /// The next picture of the film.
+  [[nodiscard]] Status film_one();
+  [[nodiscard]] Status end_film(Status status);
   void on_panel_key(int code, int scancode, int action, int mods);
   void on_key(int code, int scancode, int action, int mods);
   void on_button(int button, int action, double x, double y);
   void on_move(double x, double y);
   void render(const Scene& scene);
+  [[nodiscard]] float wanted_scale(double height) const;
   [[nodiscard]] double frame_time();
   [[nodiscard]] bool is_last_frame() const;
   [[nodiscard]] Pixel on_scene(double x, double y) const;
@@ -64,6 +86,9 @@ class App {
   Renderer renderer_;
   std::optional<Target> target_;
   std::optional<Ui> ui_;
+  Painter painter_;
+  Film film_;
+  std::optional<Filming> filming_;
   Scene scene_;
   std::ofstream state_;
   InputQueue inputs_;

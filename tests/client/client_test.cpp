@@ -127,6 +127,8 @@ TEST(Actions, EveryOneRunsWithoutAWindow) {
     if (action.name == "study-at") argument = "apex: y, time";
     if (action.name == "study-show") argument = "end";
     if (action.name == "study-shots") argument = "1000";
+    if (action.name == "seek") argument = "0.02";
+    if (action.name == "speed" || action.name == "picture-size" || action.name == "film-length") argument = "4";
     if (action.name == "study-run" || action.name == "study-again") {
       ASSERT_TRUE(run(client, "study-input shot.speed = +- 1 m/s"));
     }
@@ -511,7 +513,7 @@ TEST(Layout, NothingOverlapsAtAnySize) {
             client.bottom = bottom;
             client.show.settings = (panels & 1) != 0, client.show.statistics = (panels & 2) != 0;
             const Layout l = make_layout(client, width, height, scale);
-            const Box boxes[] = {l.menu, l.left, l.right, l.bottom, l.status, l.scene};
+            const Box boxes[] = {l.menu, l.settings, l.statistics, l.bottom, l.play, l.status, l.scene};
             for (const Box& box : boxes) {
               EXPECT_GE(std::min(box.x, box.y), 0);
               EXPECT_LE(box.x + box.width, width + 0.01F);
@@ -522,6 +524,8 @@ TEST(Layout, NothingOverlapsAtAnySize) {
                 }
             }
             EXPECT_GE(l.scene.width, 239 * scale) << "the scene stays";
+            const float beside = l.scene.width * (l.scene.height + l.bottom.height);
+            EXPECT_GE(beside, 0.599F * width * height) << width << "x" << height << " at " << scale;
             EXPECT_GE(l.scene.height, 100 * scale);
           }
 }

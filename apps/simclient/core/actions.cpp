@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cctype>
+#include <cmath>
 #include <cstdio>
 #include <filesystem>
 #include <type_traits>
@@ -11,6 +12,7 @@
 #include "math/angles.hpp"
 #include "scenario/suggest.hpp"
 #include "simclient/core/original_tests.hpp"
+#include "simclient/core/timeline.hpp"
 
 namespace physim::client {
 namespace {
@@ -49,8 +51,10 @@ void zoom(Client& client, double factor) {
   client.has_moved_view();
 }
 
+constexpr double kSlowest = 1.0 / 64, kFastest = 1024;  // [s/s]
+
 void change_speed(Client& client, double factor) {
-  client.session.set_time_scale(std::clamp(client.session.time_scale() * factor, 1.0 / 64, 1024.0));
+  client.session.set_time_scale(std::clamp(client.session.time_scale() * factor, kSlowest, kFastest));
 }
 
 Status plot(Client& client, const std::string& what) {
@@ -64,6 +68,57 @@ Status plot(Client& client, const std::string& what) {
 Status step_back(Client& client) {
   if (client.session.step_back()) return {};
   return Error{"there is nothing to go back to", "", ""};
+}
+
+/// Keeps the clock running if it runs.
+void go_to(Client& client, double time) {
+  const bool was_paused = client.session.is_paused();
+  client.session.go_to(step_at(client.session, time));
+  client.session.set_paused(was_paused);
+}
+
+void leap(Client& client, double part) {
+  const Timeline line = timeline_of(client);
+  go_to(client, std::clamp(line.now + part * (line.end - line.begin), line.begin, line.end));
+}
+
+Result<double> number_of(const std::string& text, const char* what) {
+  double value = 0;
+  char more = 0;
+  if (std::sscanf(text.c_str(), "%lf %c", &value, &more) == 1 && std::isfinite(value)) return value;
+  return Error{std::string(what) + " needs a number, not " + in_quotes(text), "", ""};
+}
+
+Status seek(Client& client, const std::string& text) {
+  const Result<double> time = number_of(text, "seek");
+  if (!time) return time.error();
+  constexpr double kMost = 1e7;  // [s]
+  if (!(*time >= 0 && *time <= kMost)) return Error{"a time is 0 to 1e7 s, not " + in_quotes(text), "", "seek 1.5"};
+  return client.session.go_to(step_at(client.session, *time)), Status();
+}
+
+Status set_picture_size(Client& client, const std::string& text) {
+  const Result<double> size = number_of(text, "picture-size");
+  if (!size) return size.error();
+  if (!(*size == 1 || *size == 2 || *size == 3 || *size == 4))
+    return Error{"a picture is 1, 2, 3 or 4 windows wide, not " + in_quotes(text), "", "picture-size 2"};
+  return client.picture_size = static_cast<int>(*size), Status();
+}
+
+Status set_film_length(Client& client, const std::string& text) {
+  const Result<double> length = number_of(text, "film-length");
+  if (!length) return length.error();
+  if (!(*length >= 1 && *length <= 120))
+    return Error{"a film has 1 to 120 s, not " + in_quotes(text), "", "film-length 10"};
+  return client.film_length = *length, Status();
+}
+
+Status set_speed(Client& client, const std::string& text) {
+  const Result<double> speed = number_of(text, "speed");
+  if (!speed) return speed.error();
+  if (!(*speed >= kSlowest && *speed <= kFastest))
+    return Error{"a speed is 1/64 to 1024, not " + in_quotes(text), "", "speed 0.5"};
+  return client.session.set_time_scale(*speed), Status();
 }
 
 Status open_file(Client& client, const std::string& file) {
@@ -181,9 +236,18 @@ constexpr Action kActions[] = {
      act([](Client& c) { c.session.set_paused(!c.session.is_paused()); })},
     {"step", "N .", "Time", "pauses, and goes one step on", "", act([](Client& c) { c.session.single_step(); })},
     {"back", "B ,", "Time", "pauses, and goes one step back", "", act([](Client& c) { return step_back(c); })},
+    {"rewind", "Ctrl+Home", "Time", "goes back to the start of the timeline; what was fired comes again", "",
+     act([](Client& c) { go_to(c, timeline_of(c).begin); })},
+    {"leap-back", "Ctrl+Left", "Time", "goes back by a twentieth of the timeline", "",
+     act([](Client& c) { leap(c, -0.05); })},
+    {"leap-on", "Ctrl+Right", "Time", "goes on by a twentieth of the timeline", "",
+     act([](Client& c) { leap(c, 0.05); })},
+    {"seek", "", "", "pauses, and goes back or on to a time in s", "TIME", seek},
+    {"speed", "", "", "seconds of simulation in a second: 0.5", "FACTOR", set_speed},
     {"slower", "-", "Time", "half as fast", "", act([](Client& c) { change_speed(c, 0.5); })},
     {"faster", "+ =", "Time", "twice as fast", "", act([](Client& c) { change_speed(c, 2); })},
-    {"restart", "R", "Time", "starts again", "", act([](Client& c) { return c.restart(); }), Loss::flights},
+    {"restart", "R", "Time", "starts again, and forgets what was fired by hand", "",
+     act([](Client& c) { return c.restart(); }), Loss::flights},
     // view
     {"camera", "C", "View", "next camera: orbit, follow, side", "", act([](Client& c) { c.next_camera(); })},
     {"fit", "Home", "View", "looks at everything", "", act([](Client& c) { c.fit_view(); })},
@@ -201,6 +265,10 @@ constexpr Action kActions[] = {
     {"marks", "K", "View", "marks of apex and impact, hits on things, and their names", "", kToggle<&Shown::marks>},
     {"drop-lines", "Ctrl+L", "View", "lines down to the ground, and the ways over it", "", kToggle<&Shown::depth>},
     {"theme", "Ctrl+T", "View", "next light and colours: day, dusk, chart, night", "NAME", choose_theme},
+    {"larger-text", "Ctrl++ Ctrl+=", "View", "larger letters: one of three sizes", "",
+     act([](Client& c) { c.letters = c.letters == TextSize::small ? TextSize::usual : TextSize::large; })},
+    {"smaller-text", "Ctrl+-", "View", "smaller letters", "",
+     act([](Client& c) { c.letters = c.letters == TextSize::large ? TextSize::usual : TextSize::small; })},
     {"clear", "X", "View", "forgets those that have left", "", act([](Client& c) { c.session.clear_tracks(); })},
     // panels
     {"settings", "F2", "Panels", "settings of the next shot", "", kToggle<&Shown::settings>},
@@ -235,6 +303,7 @@ constexpr Action kActions[] = {
      kToggle<&Shown::emitters>},
     {"panel-keys", "F8", "Panels", "arrows, Space, Enter and Ctrl+Tab go to the panels, Alt to the menu", "",
      kToggle<&Shown::panel_keys>},
+    {"play-bar", "Ctrl+B", "Panels", "the bar of play, with the timeline", "", kToggle<&Shown::play>},
     {"help", "F1 H", "Help", "keys", "", kToggle<&Shown::help>},
     // tools
     {"tape", "M", "Tools", "tape measure: left clicks set its ends", "",
@@ -265,10 +334,17 @@ constexpr Action kActions[] = {
      Loss::file},
     {"save-csv", "Ctrl+D", "File", "saves all flights as a table; its format is that of the ending", "FILE",
      act([](Client& c, auto& s) { return c.save_flights(s); })},
-    {"picture", "F12", "File", "saves a picture of the window", "FILE",
-     act([](Client& c, auto& s) { c.pictures.push_back({s, false}); })},
+    {"picture-of-scene", "F12", "File", "saves a picture of the scene without panels, with title and scale bar", "FILE",
+     act([](Client& c, auto& s) { c.pictures.push_back({s, PictureOf::scene}); })},
+    {"picture-size", "", "", "pictures of the scene are so many times as wide as the window: 1 to 4", "N",
+     set_picture_size},
+    {"film", "Ctrl+F12", "File", "films the last seconds as the clock ran, with ffmpeg: .mp4 or .gif", "FILE",
+     act([](Client& c, auto& s) { c.pictures.push_back({s, PictureOf::film}); })},
+    {"film-length", "", "", "how many seconds of the screen films have, 1 to 120", "SECONDS", set_film_length},
+    {"picture", "Shift+F12", "File", "saves a picture of the window", "FILE",
+     act([](Client& c, auto& s) { c.pictures.push_back({s, PictureOf::window}); })},
     {"picture-of-plots", "Ctrl+P", "File", "saves a picture of the plots", "FILE",
-     act([](Client& c, auto& s) { c.pictures.push_back({s, true}); })},
+     act([](Client& c, auto& s) { c.pictures.push_back({s, PictureOf::plots}); })},
     {"quit", "Esc", "File", "leaves", "", act([](Client& c) { c.leaves = true; }), Loss::session},
 };
 // clang-format on

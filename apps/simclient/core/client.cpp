@@ -4,6 +4,7 @@
 #include <cmath>
 #include <filesystem>
 #include <iterator>
+#include <utility>
 
 #include "math/angles.hpp"
 #include "model/ladder.hpp"
@@ -45,18 +46,13 @@ Result<Session> open_session(const std::string& file, const std::vector<std::str
 
 }  // namespace
 
-std::vector<std::string> files_at_hand() {
-  std::vector<std::string> files;
-  const std::string shipped = std::filesystem::path(shipped_scenario("arrow.toml")).parent_path().string();
-  for (const std::string& folder : {std::string("."), shipped}) {
-    std::error_code unreadable;
-    for (const auto& entry : std::filesystem::directory_iterator(folder, unreadable)) {
-      const std::string path = entry.path().lexically_normal().string();
-      if (path.ends_with(".toml") || is_recording(path)) files.push_back(path);
-    }
+double scale_of(TextSize size) {
+  switch (size) {
+    case TextSize::small: return 13.0 / 15;
+    case TextSize::usual: return 1;
+    case TextSize::large: return 1.4;
   }
-  std::sort(files.begin(), files.end());
-  return files;
+  return 1;
 }
 
 std::string free_name(const std::string& what, const std::string& ending) {
@@ -533,6 +529,17 @@ void Client::keep_view() {
   if (fits_ && camera.mode != CameraMode::follow && is_due) fit_view();
   const bool is_round = row(launcher.shot().projectile.fidelity.earth).shape != EarthShape::flat;
   if (const auto ground = session.ground(); ground && !is_round) camera.stay_above(*ground);
+}
+
+Camera Client::camera_for(double width, double height) {
+  const Camera now = camera;
+  const FittedTo fitted_to = fitted_to_;
+  camera.set_viewport(width, height);
+  if (fits_ && camera.mode != CameraMode::follow) fit_view();
+  keep_view();
+  const Camera fitted = std::exchange(camera, now);
+  fitted_to_ = fitted_to;
+  return fitted;
 }
 
 void Client::next_camera() {

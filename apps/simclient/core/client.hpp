@@ -27,16 +27,22 @@ namespace physim::client {
 struct Shown {
   bool settings = true;    // panel of the next shot
   bool statistics = true;  // panel of those in flight
+  bool play = true;        // the bar of play
   bool help = false;
   bool emitters = false;    // panel of their curves
   bool panel_keys = false;  // arrows, Enter, Space and Tab belong to the panels
   bool trails = true;
+  bool aim = true;  // the arrow, and the predicted path
   bool vectors = false;
   bool forces_add_up = false;  // each force begins where the one before ends
   bool prediction = true;
   bool depth = true;  // drop lines, and the ways of projectiles over the ground
   bool marks = true;  // apex, impact, hits on things, and what these are called
 };
+
+/// Letters: of 13, 15 and 21 pixels on a usual screen.
+enum class TextSize { small, usual, large };
+[[nodiscard]] double scale_of(TextSize size);
 
 /// What stands under the scene.
 enum class BottomPanel { none, plots, compare, performance, hits, study };
@@ -53,10 +59,18 @@ struct Question {
   std::string argument;
 };
 
+/// What a picture shows.
+enum class PictureOf {
+  window,
+  plots,  // the panel under the scene alone
+  scene,  // without panels
+  film,   // of the scene, the last seconds
+};
+
 /// A picture that somebody asked for, to be taken of the next frame.
 struct PictureWish {
-  std::string path;
-  bool of_plots = false;  // of the panel under the scene alone
+  std::string path;  // empty: the next free name
+  PictureOf of = PictureOf::window;
 };
 
 /// What a left click on the scene does.
@@ -89,6 +103,7 @@ class Client {
   Camera camera;
   Shown show;
   const Theme* theme = &themes()[0];
+  TextSize letters = TextSize::usual;
   Tool tool = Tool::fire;
   Tape tape;
   Placing placing;
@@ -100,13 +115,20 @@ class Client {
   bool plots_selected_alone = false;
   std::vector<std::string> compared = {"game", "constant_air", "small_arms"};  // presets, beside the reference
   std::vector<PictureWish> pictures;
+  int picture_size = 2;          // of pictures of the scene, in windows, from 1 to 4
+  double film_length = 10;       // of films [s of the screen]
+  std::optional<double> filmed;  // part of a film that is being made
+  bool stops_film = false;
   std::optional<Question> question;  // to be answered before anything else
   Dialog dialog = Dialog::none;
   RecentFiles recent;
   StudyDesk study;
   std::deque<float> frame_times;  // that the last frames took [s]
   bool leaves = false;
-  Pixel scene_corner;  // of the scene, upper left, in the window [pixels]
+  std::optional<double>
+      cursor;  // the time of the world that the mouse points at, on a path, a plot or the timeline [s]
+  Pixel timeline_from, timeline_to;  // of the bar of play, in the window [pixels]
+  Pixel scene_corner;                // of the scene, upper left, in the window [pixels]
 
   /// Time has passed on the screen [s]. `patience`: what the steps in it may take [s of the machine's clock].
   void advance(double real_dt, double patience = std::numeric_limits<double>::infinity());
@@ -208,6 +230,8 @@ class Client {
   /// Places of what the scenario is about.
   [[nodiscard]] std::vector<Vec3d> subject();
   void next_camera();
+  /// The camera for a picture of this size [pixels], fitted to it where the view fits itself.
+  [[nodiscard]] Camera camera_for(double width, double height);
 
   void say(const std::string& text);
   void complain(const Error& error);
@@ -259,9 +283,6 @@ class Client {
   FittedTo fitted_to_;
   std::deque<Message> messages_;
 };
-
-/// Scenarios in scenarios/, and scenarios and recordings in the folder where the client was started.
-[[nodiscard]] std::vector<std::string> files_at_hand();
 
 /// "physim_picture_1.png" in the folder where the client was started, or the next number that is free.
 [[nodiscard]] std::string free_name(const std::string& what, const std::string& ending);

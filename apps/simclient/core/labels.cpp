@@ -12,15 +12,15 @@ bool overlap(const Box& a, const Box& b) {
 }  // namespace
 
 std::vector<PlacedLabel> place_labels(const std::vector<SceneLabel>& labels, const Camera& camera, const Box& scene,
-                                      float line, float scale, const TextWidth& width_of) {
+                                      float line, float scale, const TextWidth& width_of, std::vector<Box> taken) {
   constexpr int kLinesAway[] = {0, -1, 1, -2, 2, -3, 3};  // from where it should stand
   std::vector<PlacedLabel> placed;
-  std::vector<Box> taken;
   for (auto label = labels.rbegin(); label != labels.rend(); ++label) {
     const auto at = camera.project(label->at);
     if (!at) continue;
     const float width = width_of(label->text);
-    const float x = scene.x + static_cast<float>(at->x) - (label->centred ? width / 2 : -4 * scale);
+    const float x = scene.x + static_cast<float>(at->x) - (label->centred ? width / 2 : -4 * scale) +
+                    static_cast<float>(label->side) * width / 2;
     const float y = scene.y + static_cast<float>(at->y) + (label->line >= 0 ? 6 * scale : -6 * scale) +
                     static_cast<float>(label->line) * line - (label->centred ? 0 : line);
     if (x < scene.x || x + width > scene.x + scene.width) continue;  // half a number says the wrong thing

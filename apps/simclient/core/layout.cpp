@@ -1,30 +1,37 @@
 #include "simclient/core/layout.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 namespace physim::client {
 
+double scale_of_screen(double height) {
+  constexpr double kLarge = 1600, kUsual = 1080;  // rows
+  return height < kLarge ? 1 : std::clamp(std::round(2 * height / kUsual) / 2, 1.0, 4.0);
+}
+
 Layout make_layout(const Client& client, float width, float height, float scale) {
-  constexpr float kSide = 320, kBottom = 280, kStudy = 460, kLeastScene = 240, kLeastLeft = 220, kLeastRight = 290;
-  const float menu = 26 * scale, status = 28 * scale;
-  float left = client.show.settings ? kSide * scale : 0, right = client.show.statistics ? kSide * scale : 0;
-  const float most = std::max(width - kLeastScene * scale, 0.0F);
-  if (left + right > most) left = std::min(left, most - right);
-  if (left < kLeastLeft * scale) left = 0;  // too narrow to read
-  if (right > most) right = most < kLeastRight * scale ? 0 : most;
-  const float room = std::max(height - menu - status, 1.0F);
+  constexpr float kDock = 320, kLeastDock = 200, kBottom = 280, kStudy = 460, kLeastHeight = 320;
+  constexpr float kScene = 0.6F, kSettings = 0.46F;  // parts: of the window, and of the dock
+  const float menu = 26 * scale, status = 28 * scale, play = client.show.play ? 34 * scale : 0;
+  const float room = std::max(height - menu - status - play, 1.0F);
+  float dock = std::min(kDock * scale, width - kScene * width * height / room);
+  if (dock < kLeastDock * scale || !(client.show.settings || client.show.statistics)) dock = 0;
+  const bool has_both = client.show.settings && client.show.statistics && room >= kLeastHeight * scale;
+  const float upper = !client.show.settings ? 0 : has_both ? std::round(room * kSettings) : room;
   const bool is_study = client.bottom == BottomPanel::study;  // has a picture that is as high as it is wide
   const float bottom = client.bottom == BottomPanel::none ? 0
-                       : is_study                         ? std::min(kStudy * scale, room * 0.66F)
+                       : is_study                         ? std::min(kStudy * scale, room * 0.65F)
                                                           : std::min(kBottom * scale, room * 0.45F);
-  const float middle = std::max(room - bottom, 1.0F);
+  const float beside = std::max(width - dock, 1.0F);
   Layout out;
   out.menu = {0, 0, width, menu};
   out.status = {0, height - status, width, status};
-  out.left = {0, menu, left, middle};
-  out.right = {width - right, menu, right, middle};
-  out.bottom = {0, menu + middle, width, bottom};
-  out.scene = {left, menu, std::max(width - left - right, 1.0F), middle};
+  out.play = {0, height - status - play, width, play};
+  out.settings = {0, menu, upper > 0 ? dock : 0, upper};
+  out.statistics = {0, menu + upper, upper < room && client.show.statistics ? dock : 0, room - upper};
+  out.scene = {dock, menu, beside, std::max(room - bottom, 1.0F)};
+  out.bottom = {dock, menu + out.scene.height, beside, bottom};
   return out;
 }
 

@@ -11,10 +11,15 @@ struct Box {
 };
 
 struct Layout {
-  Box menu, left, right, bottom, status, scene;
+  Box menu, settings, statistics, bottom, play, status, scene;
 };
 
-/// Lays out a window of this size. All sizes grow with `scale`. Panels that would be too narrow to read are left out.
+/// How much larger letters and lines are on a screen of so many rows [pixels]: 1 up to 1600, 2 on one of 2160.
+[[nodiscard]] double scale_of_screen(double height);
+
+/// Lays out a window of this size. All sizes grow with `scale`. Settings and statistics stand one below the other at
+/// the left, and leave three fifths of the window to the scene and the panel under it. They are left out where they
+/// would be too narrow to read.
 [[nodiscard]] Layout make_layout(const Client& client, float width, float height, float scale);
 
 }  // namespace physim::client

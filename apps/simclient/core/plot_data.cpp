@@ -158,7 +158,7 @@ Plot make_plot(const PlotSpec& spec, std::span<const Track> tracks, const Track*
     if (alone != nullptr && &track != alone) continue;
     PlotCurve curve{&track, {}};
     const auto add = [&](const TrackSample& sample) {
-      curve.points.push_back({x.of(track, sample), y.of(track, sample)});
+      curve.points.push_back({x.of(track, sample), y.of(track, sample), sample.time});
       across.add(curve.points.back().x), upward.add(curve.points.back().y);
     };
     for (const TrackSample& sample : track.samples) add(sample);
@@ -187,7 +187,9 @@ std::optional<PlotHit> nearest_point(const Plot& plot, const PlotPoint& place, d
       const double away = std::hypot(x + part * to_x, y + part * to_y);
       if (away >= nearest) continue;
       nearest = away;
-      best = PlotHit{curve.track, {from.x + part * (to.x - from.x), from.y + part * (to.y - from.y)}};
+      best =
+          PlotHit{curve.track,
+                  {std::lerp(from.x, to.x, part), std::lerp(from.y, to.y, part), std::lerp(from.time, to.time, part)}};
     }
   return best;
 }

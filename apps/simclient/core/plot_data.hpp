@@ -34,6 +34,7 @@ struct PlotSpec {
 
 struct PlotPoint {
   double x = 0, y = 0;
+  double time = 0;  // since the launch of its projectile [s]
 };
 
 /// The curve of one projectile.

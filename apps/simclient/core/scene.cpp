@@ -170,6 +170,7 @@ void build_scene(Client& client, double scale, Scene& scene) {
   if (client.bottom == BottomPanel::compare) build_comparison(client, scale, scene);
   build_aim(client, scale, scene);
   if (client.show.vectors) build_vectors(client, scale, scene);
+  build_cursor(client, scale, scene);
   build_tools(client, scale, scene);
 }
 

@@ -51,6 +51,7 @@ struct SceneLabel {
   Colour colour = 0xFFFFFFFF;
   bool centred = true;
   double line = 0;  // below the first, where several labels share a place
+  double side = 0;  // moved by so much of half its width, to the right
 };
 
 /// The Earth as a ball.
@@ -101,6 +102,7 @@ void build_aim(Client& client, double scale, Scene& scene);
 void build_particles(const Client& client, double scale, Scene& scene);
 void build_projectiles(const Client& client, double scale, Scene& scene);
 void build_vectors(const Client& client, double scale, Scene& scene);
+void build_cursor(const Client& client, double scale, Scene& scene);
 void build_tools(Client& client, double scale, Scene& scene);
 void build_things(Client& client, double scale, Scene& scene);
 

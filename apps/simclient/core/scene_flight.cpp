@@ -97,11 +97,15 @@ static_assert(std::size(kShownForces) + 1 == kMemberCount<Accelerations>, "each 
 void build_projectiles(const Client& client, double scale, Scene& scene) {
   add_crowd(client.session, scale, scene);
   const Track* selected = client.selected_track();
+  if (client.show.trails && !client.filmed && client.session.step() < client.session.last_step())  // gone back from
+    for (const Track& track : client.session.known_tracks())
+      scene.polyline(track.samples, client.camera, faded(track.colour, 0.3), 1.2 * scale, 0);
   for (const Track& track : client.session.tracks()) {
-    const double width = (&track == selected ? 2.5 : 1.8) * scale;
-    if (client.show.trails)
-      scene.polyline(track.samples, client.camera, faded(track.colour, track.is_flying() ? 0.9 : 0.6), width);
-    if (client.show.marks) mark(scene, client.session, client.camera, scale, track);
+    const double width = (&track == selected ? 2.5 : 1.8) * scale, presence = client.session.presence_of(track);
+    if (presence <= 0) continue;
+    const double part = (track.is_flying() ? 0.9 : 0.6) * presence;
+    if (client.show.trails) scene.polyline(track.samples, client.camera, faded(track.colour, part), width);
+    if (client.show.marks && presence > 0.5) mark(scene, client.session, client.camera, scale, track);
     if (!track.is_flying()) continue;
     const Vec3d at = client.session.shown(track).position;
     if (client.show.trails) scene.line(track.samples.back().position, at, faded(track.colour, 0.9), width, kCased);
@@ -118,6 +122,7 @@ void build_depth(const Client& client, double scale, Scene& scene) {
   constexpr Colour kShade = 0x0A0E12A0;
   std::vector<TrackSample> below;
   for (const Track& track : client.session.tracks()) {
+    if (client.session.presence_of(track) < 1) continue;
     const auto foot = [&](const Vec3d& at) { return Vec3d{at.x, scene.ground, at.z}; };
     below = track.samples;
     for (TrackSample& s : below) s.position.y = scene.ground, s.velocity.y = 0;
@@ -144,7 +149,7 @@ void build_comparison(Client& client, double scale, Scene& scene) {
 }
 
 void build_aim(Client& client, double scale, Scene& scene) {
-  if (client.session.is_replay()) return;
+  if (client.session.is_replay() || !client.show.aim) return;
   const Prediction& prediction = client.prediction();
   if (prediction.error) return;
   if (client.show.prediction) {
@@ -174,6 +179,9 @@ void build_vectors(const Client& client, double scale, Scene& scene) {
     if (what.empty()) return;
     const Vec3d beyond = client.camera.drawn_as(normalized(way) * (16 * scale * client.camera.pixel_size(tip)));
     scene.label(tip + beyond, what, colour, -0.5);
+    const auto foot = client.camera.project(from), end = client.camera.project(tip);
+    const double across = foot && end ? end->x - foot->x : 0, down = foot && end ? end->y - foot->y : 0;
+    if (across != 0 || down != 0) scene.labels.back().side = across / std::hypot(across, down);
   };
   if (const double speed = length(velocity); speed > 0)
     draw(at, velocity * (longest / speed), colours::kVelocity, formatted("v %.2f m/s", speed));

@@ -5,6 +5,7 @@
 #include "math/angles.hpp"
 #include "physim/names.hpp"
 #include "simclient/core/scene.hpp"
+#include "simclient/core/timeline.hpp"
 
 namespace physim::client {
 namespace {
@@ -41,12 +42,12 @@ void star(Scene& scene, const Plane& plane, double size, Colour colour, double w
 
 /// A ring on the surface. What came in flat has an arrow the way it left; what stayed a cross; what went in a line to
 /// its end, with a ring where it came out.
-void mark(Scene& scene, const Client& client, double scale, const Hit& hit, const MotionState& thing) {
+void mark(Scene& scene, const Client& client, double scale, const Hit& hit, const MotionState& thing, double presence) {
   const Camera& camera = client.camera;
   const Vec3d at = place_in_world(thing, hit.at), normal = rotate(thing.rotation, hit.normal);
   const double size = std::max(1.2 * hit.radius, 5 * scale * camera.pixel_size(at));
   const Plane plane = plane_across(at + normal * (0.05 * size), normal);
-  const Colour colour = faded(client.session.colour_of(hit), is_passed(hit) ? 0.5 : 1);
+  const Colour colour = faded(client.session.colour_of(hit), presence * (is_passed(hit) ? 0.5 : 1));
   circle(scene, camera, plane, size, colour, 1.8 * scale);
   if (hit.outcome == EventKind::ricocheted && length(hit.after) > 0)
     scene.arrow(at, at + normalized(hit.after) * (5 * size), colour, 1.5 * scale, camera);
@@ -63,11 +64,13 @@ void build_marks(const Client& client, double scale, Scene& scene) {
   if (things == nullptr || !client.show.marks) return;
   const Track* selected = client.selected_track();
   const auto& hits = client.session.hits().hits();
-  std::size_t labels = 0;
-  for (auto hit = hits.rbegin(); hit != hits.rend(); ++hit) {
+  constexpr std::size_t kMostMarks = 60, kFading = 30;  // marks: the oldest of them fade
+  std::size_t labels = 0, marks = 0;
+  for (auto hit = hits.rbegin(); hit != hits.rend() && marks < kMostMarks; ++hit, ++marks) {
     const auto thing = things->state(hit->instance, client.session.shown_time());
     if (!thing) continue;
-    mark(scene, client, scale, *hit, *thing);
+    mark(scene, client, scale, *hit, *thing,
+         std::min(1.0, static_cast<double>(kMostMarks - marks) / static_cast<double>(kFading)));
     if (selected == nullptr || selected->id != hit->id || is_passed(*hit) || labels++ >= kMostLabels) continue;
     scene.label(place_in_world(*thing, hit->at), hit_text(*hit), client.session.colour_of(*hit), -1);
   }
@@ -121,6 +124,18 @@ void build_things(Client& client, double scale, Scene& scene) {
   build_marks(client, scale, scene);
   if (!client.show.marks) return;
   for (const SceneryName& each : scenery.names) scene.label(each.at, each.text, colours::kDim, -0.5);
+}
+
+/// Rings about all projectiles at the time that the mouse points at.
+void build_cursor(const Client& client, double scale, Scene& scene) {
+  if (!client.cursor) return;
+  const Camera& camera = client.camera;
+  for (const Track& track : client.session.known_tracks()) {
+    const auto there = sample_at(track, *client.cursor);
+    if (!there) continue;
+    const Plane plane{there->position, camera.drawn_as(camera.right()), camera.drawn_as(camera.up())};
+    circle(scene, camera, plane, 7 * scale * camera.pixel_size(there->position), track.colour, 2 * scale);
+  }
 }
 
 void build_tools(Client& client, double scale, Scene& scene) {

@@ -14,11 +14,7 @@ constexpr std::size_t kMaxTracks = 64;
 constexpr std::size_t kMaxTracksOfRun = 24, kMaxTracksOfCrowd = 5;  // of what the scenario fires by itself
 constexpr double kMostAtOnce = 8.0 / 60;                            // of the screen's time [s]
 constexpr double kPaceTime = 0.5;                                   // over which the pace is averaged [s]
-constexpr double kMomentTime = 1.0 / 60;           // moments that can be gone back to are no nearer [s]
-constexpr std::size_t kMomentMemory = 256u << 20;  // for all moments that can be gone back to [bytes]
-constexpr std::size_t kLeastMoments = 4, kMostMoments = 3600;
-constexpr std::size_t kRunMemory = 4096;  // of a run's own counts, about [bytes]
-constexpr double kInstant = 1e-9;         // times nearer than this are the same [s]
+constexpr double kInstant = 1e-9;                                   // times nearer than this are the same [s]
 
 double seconds_since(std::chrono::steady_clock::time_point start) {
   return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
@@ -106,6 +102,7 @@ Status Session::start(const std::string& recording) {
   tracks_.clear();
   hits_.clear();
   forget_moments();
+  target_.reset();
   step_ = fired_ = by_hand_ = 0;
   leftover_ = 0;
   cost_ = {};
@@ -116,6 +113,11 @@ Status Session::start(const std::string& recording) {
 
 Status Session::restart(const std::string& recording) {
   if (!is_replay()) return start(recording);
+  target_.reset();
+  return begin_replay();
+}
+
+Status Session::begin_replay() {
   Result<Replay> again = Replay::open(replayed_);
   if (!again) return again.error();
   replay_ = std::move(*again);
@@ -129,6 +131,7 @@ Status Session::restart(const std::string& recording) {
 
 // --------------------------------------------------------------------------------------------------------------- clock
 int Session::advance(double real_dt, double patience) {
+  if (target_) return seek(patience);
   if (paused_ || over_ || !(real_dt > 0)) return 0;
   const auto start = std::chrono::steady_clock::now();
   const double h = step_length(), asked = real_dt * time_scale_;
@@ -140,6 +143,7 @@ int Session::advance(double real_dt, double patience) {
     leftover_ -= h;
     ++steps;
   }
+  if (steps > 0) show_known();
   follow_flights();
   const double dropped = std::max(leftover_ - h, 0.0);  // what the machine could not keep up with
   leftover_ = std::clamp(leftover_, 0.0, h);
@@ -163,6 +167,7 @@ void Session::take_step() {
     cost_.projectile_steps += (static_cast<double>(cost_.moved) - cost_.projectile_steps) * part;
   }
   ++step_;
+  if (ahead_) return follow_known();
   look();
   if (!replay_) remember_moment(false);
 }
@@ -182,6 +187,7 @@ bool Session::replay_step() {
 }
 
 bool Session::is_moving() const {
+  if (target_) return true;
   if (paused_ || over_) return false;
   const physim::Scene* scene = world().scene();
   return cost_.moved > 0 || (scene != nullptr && scene->has_motion()) ||
@@ -191,58 +197,10 @@ bool Session::is_moving() const {
 void Session::single_step() {
   paused_ = true;
   leftover_ = 0;
+  target_.reset();
   if (!over_) take_step();
+  show_known();
   follow_flights();
-}
-
-bool Session::step_back() {
-  paused_ = true;
-  leftover_ = 0;
-  if (step_ == 0) return false;
-  const std::uint64_t target = step_ - 1;
-  if (is_replay()) {
-    if (!restart()) return false;
-    while (step_ < target && !over_) take_step();
-    return true;
-  }
-  while (!moments_.empty() && moments_.back().step > target) forget_moment(false);
-  if (moments_.empty()) return false;
-  run_->restore(moments_.back().run);
-  for (step_ = moments_.back().step; step_ < target; ++step_) run_->step();
-  forget_after(world().time());
-  return true;
-}
-
-void Session::remember_moment(bool changed) {
-  const std::size_t last = moments_.empty() ? 0 : moments_.back().memory;
-  const double steps_apart = std::clamp(std::round(kMomentTime / step_length()), 1.0, 1e6);
-  constexpr double kStillApart = 60;  // steps in which nothing moves are soon taken again
-  const double apart = std::clamp(static_cast<double>(last >> 18), cost_.moved > 0 ? 1.0 : kStillApart, kStillApart);
-  const auto every = static_cast<std::uint64_t>(apart * steps_apart);
-  const bool is_soon = !moments_.empty() && step_ > moments_.back().step && step_ - moments_.back().step < every;
-  if (is_soon && !changed) return;
-  if (!moments_.empty() && moments_.back().step == step_) forget_moment(false);
-  // A copy of the world's state is no larger than the world, and that of the run is small beside it.
-  const std::size_t memory = run_->world().memory() + sizeof(Moment) + kRunMemory;
-  moments_.push_back({step_, run_->snapshot(), memory});
-  moment_memory_ += memory;
-  while (moments_.size() > kLeastMoments && (moment_memory_ > kMomentMemory || moments_.size() > kMostMoments))
-    forget_moment(true);
-}
-
-/// The first or the last one.
-void Session::forget_moment(bool first) {
-  PHYSIM_ASSERT(!moments_.empty() && moment_memory_ >= moments_.front().memory);
-  moment_memory_ -= first ? moments_.front().memory : moments_.back().memory;
-  if (first)
-    moments_.pop_front();
-  else
-    moments_.pop_back();
-}
-
-void Session::forget_moments() {
-  moments_.clear();
-  moment_memory_ = 0;
 }
 
 // -------------------------------------------------------------------------------------------------------------- firing
@@ -257,6 +215,7 @@ Result<ProjectileId> Session::fire(const ScenarioShot& shot) {
   const Result<ProjectileId> fired = world.spawn(shot.projectile, shot.launch, body);
   if (!fired) return fired;
   const ProjectileId id = *fired;
+  begin_change();
   ++by_hand_;
   const bool has_colour = body.colour != kNoColour;
   begin_track(id, shot.projectile.name, has_colour ? body.colour : palette(fired_), true);
@@ -266,6 +225,7 @@ Result<ProjectileId> Session::fire(const ScenarioShot& shot) {
 }
 
 void Session::edited(ProjectileId id) {
+  begin_change();
   ++by_hand_;
   if (Track* track = find(id)) {
     track->edited = true;
@@ -279,6 +239,7 @@ Status Session::set_environment(const Environment& environment) {
   if (is_replay()) return cannot_change();
   if (Status status = run_->world().set_environment(0, environment); !status) return status;
   scenario_.environment = environment;
+  begin_change();
   remember_moment(true);
   return {};
 }
@@ -297,6 +258,7 @@ Status Session::set_scene(const Scenario& changed) {
   scenario_.shapes = changed.shapes;
   scenario_.things = changed.things;
   hits_.forget_gone(world.scene());
+  begin_change();
   forget_moments();
   remember_moment(true);
   return {};
@@ -374,10 +336,13 @@ void Session::begin_track(ProjectileId id, const std::string& name, Colour colou
   track.id = id;
   track.name = name;
   track.colour = colour;
+  track.by_hand = by_hand;
   const ProjectileDef* what = world()[id].definition();
   track.radius = what ? what->diameter / 2 : 0;
   track.born = world().time() - world()[id].age();
   track.granted = world()[id].fidelity_in_use();
+  if (what != nullptr && !what->motor.thrust.empty())
+    track.burnout = what->motor.ignition_delay + burn_time(what->motor);
   if (!by_hand) add_launch(track);
   track.samples.push_back(sample(track));
   add_track(std::move(track));
@@ -418,6 +383,12 @@ void Session::look() {
   }
   if (tracks_.size() >= most_tracks_of_run_ || world().size() > 4096) return;
   for (const ProjectileId id : world().ids()) follow_new(id);
+}
+
+double Session::presence_of(const Track& track) const {
+  constexpr double kFades = 2;  // [s]
+  if (track.by_hand || track.is_flying() || scenario_.emitters.empty()) return 1;
+  return std::clamp(1 - (time() - track.end()) / kFades, 0.0, 1.0);
 }
 
 /// Begins the track of what nobody fired by hand, where it is new and there is room for one more.
@@ -493,28 +464,12 @@ std::string Session::fate_of(const Track& track) const {
   return "waits";
 }
 
-void Session::forget_after(double time) {
-  const double late = time + kInstant;
-  hits_.forget_after(late);
-  std::erase_if(tracks_, [late](const Track& track) { return track.born > late; });
-  for (Track& track : tracks_) {
-    const auto is_late = [&](const TrackSample& s) { return track.born + s.time > late; };
-    while (track.samples.size() > 1 && is_late(track.samples.back())) track.samples.pop_back();
-    track.thinned = std::min(track.thinned, track.samples.size() - 1);
-    if (track.apex && is_late(*track.apex)) track.apex.reset();
-    if (track.impact && is_late(*track.impact)) track.impact.reset();
-    if (!track.whole) {
-      track.status = world()[track.id].status();
-      if (track.is_flying()) add_later(track, sample(track));  // it may have been thinned out
-    } else if (late < track.born + track.whole->duration()) {
-      track.status = LifeStatus::in_flight;
-      while (track.passed > 1 && is_late(track.path[track.passed - 1])) --track.passed;
-    }
-  }
-  follow_flights();
-}
-
 void Session::clear_tracks() {
+  const auto has_left = [this](const Track& known) {
+    const Track* shown = track(known.id);
+    return shown != nullptr && !shown->is_flying();
+  };
+  if (ahead_) std::erase_if(ahead_->tracks, has_left);
   std::erase_if(tracks_, [](const Track& track) { return !track.is_flying(); });
 }
 

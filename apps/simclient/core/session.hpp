@@ -55,6 +55,17 @@ class Session {
   void single_step();
   /// Pauses, and goes one step back; false at the start, or as far back as is remembered.
   bool step_back();
+  /// Pauses, and goes back or on to a step, or to the first that is remembered: within the next calls of advance(), as
+  /// long as their patience lasts. Steps that were taken before come again to the bit, with what was changed by hand in
+  /// them, until something else is changed by hand.
+  void go_to(std::uint64_t step);
+  /// As go_to(), to a time [s]: what flies is shown between two steps.
+  void show_at(double time);
+  [[nodiscard]] bool is_seeking() const { return target_.has_value(); }
+  /// The first step that can be gone back to.
+  [[nodiscard]] std::uint64_t first_step() const;
+  /// The last step that is known: the one at hand, where it was not gone back from another.
+  [[nodiscard]] std::uint64_t last_step() const { return ahead_ ? ahead_->step : step_; }
   /// Everything as at the start, with nothing fired by hand. With a path the new run is recorded.
   [[nodiscard]] Status restart(const std::string& recording = "");
   [[nodiscard]] double time_scale() const { return time_scale_; }
@@ -92,10 +103,15 @@ class Session {
   [[nodiscard]] const Track* track(ProjectileId id) const;
   /// On things of the scene.
   [[nodiscard]] const HitLog& hits() const { return hits_; }
+  /// Tracks and hits up to the last step that is known.
+  [[nodiscard]] std::span<const Track> known_tracks() const { return ahead_ ? ahead_->tracks : tracks_; }
+  [[nodiscard]] const HitLog& known_hits() const { return ahead_ ? ahead_->hits : hits_; }
   /// "bullet #3", or its name alone where it is no track.
   [[nodiscard]] std::string title_of(const Hit& hit) const;
   [[nodiscard]] Colour colour_of(const Hit& hit) const;
   /// What has become of a projectile, for people: "in flight", "at rest", "landed", "stopped by hill".
+  /// How much of a track is still shown, from 0 to 1: what emitters fired fades when it has left.
+  [[nodiscard]] double presence_of(const Track& track) const;
   [[nodiscard]] std::string fate_of(const Track& track) const;
   [[nodiscard]] std::optional<double> ground() const;
   /// The time of what is shown: the world's, and what is left over since the last step [s].
@@ -141,10 +157,25 @@ class Session {
     std::uint64_t step = 0;
     RunSnapshot run;
     std::size_t memory = 0;  // [bytes]
+    bool changed = false;    // by hand, behind its step
+  };
+  /// What is known behind the moment at hand.
+  struct Ahead {
+    std::vector<Track> tracks;
+    HitLog hits;
+    std::uint64_t step = 0;
   };
 
   Session() = default;
   [[nodiscard]] Status start(const std::string& recording);
+  [[nodiscard]] Status begin_replay();
+  int seek(double patience);
+  void jump_towards(std::uint64_t target);
+  void follow_known();
+  void end_of_known();
+  void show_known();
+  void begin_change();
+  void thin_moments();
   void take_step();
   bool replay_step();
   void look();
@@ -173,7 +204,9 @@ class Session {
   std::vector<Track> tracks_;
   HitLog hits_;
   std::deque<Moment> moments_;
-  std::size_t moment_memory_ = 0;  // of all of them [bytes]
+  std::optional<Ahead> ahead_;           // nothing at the last step that was taken
+  std::optional<std::uint64_t> target_;  // the step that is gone to
+  std::size_t moment_memory_ = 0;        // of all of them [bytes]
   std::size_t most_tracks_of_run_ = 0;
   std::uint64_t step_ = 0, fired_ = 0, by_hand_ = 0;
   double leftover_ = 0;  // of the screen's time, less than a step [s]

@@ -15,8 +15,8 @@ void follow(Track& track, double age) {
   const double now = std::clamp(age, 0.0, flight.duration());
   // The last one is where it was drawn, between two samples of the path.
   while (track.samples.size() > 1 && track.samples.size() > track.passed) track.samples.pop_back();
-  for (; track.passed < track.path.size() && track.path[track.passed].time <= now; ++track.passed)
-    track.samples.push_back(track.path[track.passed]);
+  for (; track.passed < track.path->size() && (*track.path)[track.passed].time <= now; ++track.passed)
+    track.samples.push_back((*track.path)[track.passed]);
   if (now > track.samples.back().time) track.samples.push_back(sample_of(flight, now));
   for (const Event& event : flight.events())
     if (event.kind == EventKind::apex && event.time <= now && !track.apex) track.apex = sample_of(flight, event.time);
@@ -31,16 +31,20 @@ void follow(Track& track, double age) {
 Result<ProjectileId> Session::play(const ScenarioShot& shot, const Flight& flight) {
   if (is_replay()) return cannot_change();
   if (flight.error()) return *flight.error();
+  begin_change();
   Track track;
   track.id = {kNoSlot, static_cast<std::uint32_t>(++by_hand_)};
+  track.by_hand = true;
   track.name = shot.projectile.name;
   track.colour = shot.body.colour != kNoColour ? shot.body.colour : palette(fired_);
   track.radius = shot.projectile.diameter / 2;
   track.born = world().time();
   track.granted = flight.fidelity_in_use();
-  track.whole = flight;
-  track.path = samples_of(flight);
-  track.samples.push_back(track.path.front());
+  track.whole = std::make_shared<const Flight>(flight);
+  track.path = std::make_shared<const std::vector<TrackSample>>(samples_of(flight));
+  if (const MotorDef& motor = shot.projectile.motor; !motor.thrust.empty())
+    track.burnout = motor.ignition_delay + burn_time(motor);
+  track.samples.push_back(track.path->front());
   const ProjectileId id = track.id;
   add_track(std::move(track));
   return id;
@@ -53,7 +57,7 @@ void Session::follow_flights() {
 
 bool Session::is_whole(ProjectileId id) const {
   const Track* found = track(id);
-  return found != nullptr && found->whole.has_value();
+  return found != nullptr && found->whole != nullptr;
 }
 
 Session::Shown Session::shown(const Track& track) const {

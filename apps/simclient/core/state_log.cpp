@@ -4,6 +4,7 @@
 
 #include "physim/names.hpp"
 #include "report/json.hpp"
+#include "simclient/core/timeline.hpp"
 
 namespace physim::client {
 namespace {
@@ -88,6 +89,22 @@ Json track_state(const Client& client, const Track& track) {
           {"pixel", pixel(client, s.position)}};
 }
 
+Json timeline_state(Client& client) {
+  const Timeline line = timeline_of(client);
+  Json state = {{"begin", line.begin},
+                {"end", line.end},
+                {"now", line.now},
+                {"known", line.known},
+                {"from", {client.timeline_from.x, client.timeline_from.y}},
+                {"to", {client.timeline_to.x, client.timeline_to.y}},
+                {"ticks", Json::array()}};
+  constexpr std::size_t kMost = 32;
+  for (std::size_t i = 0; i < std::min(line.ticks.size(), kMost); ++i)
+    state["ticks"].push_back({{"time", line.ticks[i].time}, {"kind", name(line.ticks[i].kind)}});
+  if (client.cursor) state["cursor"] = *client.cursor;
+  return state;
+}
+
 Json hit_state(const Client& client, const Hit& hit) {
   return {{"time", hit.time},
           {"shot", client.session.title_of(hit)},
@@ -133,7 +150,10 @@ std::string state_line(Client& client, std::uint64_t frame) {
     line["hits"].push_back(hit_state(client, hits[i]));
   for (std::size_t i = things.size() - std::min(things.size(), kMostThings); i < things.size(); ++i)
     line["things"].push_back(thing_state(client, things[i]));
+  line["timeline"] = timeline_state(client);
+  if (client.session.is_paused()) line["hash"] = client.session.world().hash();  // it costs as much as a step
   if (client.study.run.state() != StudyRun::State::none) line["study"] = study_state(client.study);
+  if (client.filmed) line["filmed"] = *client.filmed;
   if (client.question) line["question"] = client.question->text;
   if (!client.messages().empty()) line["message"] = client.messages().back().text;
   return report::json_line(line);

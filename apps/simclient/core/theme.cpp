@@ -42,7 +42,7 @@ constexpr Theme kThemes[] = {
      .separator = 0x38414CFF,
      .plot = 0x12151AFF,
      .plot_lines = 0x2C333CFF,
-     .label = 0x101318B4},
+     .label = 0x101318DC},
     {.name = "dusk",
      .doc = "a low sun, long shadows",
      .sun_height = 7 * kDegree,
@@ -71,7 +71,7 @@ constexpr Theme kThemes[] = {
      .separator = 0x463C49FF,
      .plot = 0x171318FF,
      .plot_lines = 0x362E39FF,
-     .label = 0x141016B8},
+     .label = 0x141016DC},
     {.name = "chart",
      .doc = "white, for projectors and print",
      .sun_height = 55 * kDegree,
@@ -101,7 +101,7 @@ constexpr Theme kThemes[] = {
      .separator = 0xC4CBD3FF,
      .plot = 0xFFFFFFFF,
      .plot_lines = 0xDDE1E6FF,
-     .label = 0xFFFFFFD0},
+     .label = 0xFFFFFFDC},
     {.name = "night",
      .doc = "dark, as instruments are",
      .sun_height = 30 * kDegree,
@@ -130,7 +130,7 @@ constexpr Theme kThemes[] = {
      .separator = 0x303740FF,
      .plot = 0x0D0F13FF,
      .plot_lines = 0x262C34FF,
-     .label = 0x0A0C10B0},
+     .label = 0x0A0C10DC},
 };
 
 double channel(Colour colour, int shift) { return static_cast<double>(colour >> shift & 0xFFU) / 255; }
@@ -156,6 +156,25 @@ constexpr std::pair<Colour, Colour> kOnWhite[] = {{colours::kText, 0x16191DFF},
                                                   {colours::kDim, 0x56606AFF},
                                                   {colours::kGrid, 0x98A2ADFF},
                                                   {colours::kArrow, 0x111418FF}};
+
+/// A colour that is not opaque, over another.
+Colour over(Colour colour, Colour ground) {
+  Colour out = 0xFF;
+  const double part = channel(colour, 0);
+  for (const int shift : {8, 16, 24})
+    out |= static_cast<Colour>(std::lround(255 * std::lerp(channel(ground, shift), channel(colour, shift), part)))
+           << shift;
+  return out;
+}
+
+/// The ground of letters that is nearest to them. On buttons stand none but those of plain text.
+Colour worst_ground(const Theme& theme) {
+  const Colour scene = theme.is_light ? theme.ground : theme.horizon;
+  Colour worst = theme.panel;
+  for (const Colour each : {theme.popup, theme.field, theme.plot, over(theme.label, scene)})
+    if (theme.is_light ? luminance(each) < luminance(worst) : luminance(each) > luminance(worst)) worst = each;
+  return worst;
+}
 
 Colour on_white(Colour colour) {
   for (const auto& [from, to] : kOnWhite)
@@ -199,7 +218,7 @@ Colour ink(const Theme& theme, Colour colour) {
 }
 
 Colour letters(const Theme& theme, Colour colour) {
-  return readable(theme.is_light ? on_white(colour) : colour, theme.panel, kLettersContrast);
+  return readable(theme.is_light ? on_white(colour) : colour, worst_ground(theme), kLettersContrast);
 }
 
 }  // namespace physim::client

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -65,13 +66,17 @@ struct Track {
   std::size_t thinned = 0;           // the number of the last one that has been thinned out
   double coarseness = 1;             // of that, from 1
   std::optional<TrackSample> apex, impact;
+  std::optional<double> burnout;  // of its motor, since launch [s]
   LifeStatus status = LifeStatus::in_flight;
-  bool edited = false;            // something about it was changed while it flew
-  std::optional<Flight> whole;    // computed before it is shown, and played; nothing: it flies in the world
-  std::vector<TrackSample> path;  // of that, to its end
-  std::size_t passed = 1;         // samples of the path that it has passed
+  bool by_hand = false;                 // fired by one, not by the scenario
+  bool edited = false;                  // something about it was changed while it flew
+  std::shared_ptr<const Flight> whole;  // computed before it is shown, and played; null: it flies in the world
+  std::shared_ptr<const std::vector<TrackSample>> path;  // of that, to its end
+  std::size_t passed = 1;                                // samples of the path that it has passed
 
   [[nodiscard]] bool is_flying() const { return status == LifeStatus::in_flight; }
+  /// When it ended, or its last sample where it flies, of the world [s].
+  [[nodiscard]] double end() const { return born + samples.back().time; }
   /// "artillery #3".
   [[nodiscard]] std::string title() const { return name + " #" + std::to_string(number); }
 };

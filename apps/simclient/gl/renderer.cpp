@@ -263,7 +263,9 @@ void Renderer::draw(const Scene& scene, const Camera& camera, const Viewport& vi
   GLint target = 0;
   glGetIntegerv(GL_DRAW_FRAMEBUFFER_BINDING, &target);
   // Lines and balls have smooth edges of their own.
-  const bool is_smoothed = scene.scenery != nullptr && canvas_.bind(viewport.width, viewport.height);
+  constexpr int kMostSmoothed = 1 << 24;  // four samples of each pixel are in memory there
+  const bool is_small = viewport.width * viewport.height <= kMostSmoothed;
+  const bool is_smoothed = scene.scenery != nullptr && is_small && canvas_.bind(viewport.width, viewport.height);
   if (is_smoothed) {
     glViewport(0, 0, viewport.width, viewport.height);
     draw_in(scene, camera);

@@ -47,6 +47,7 @@ FlightEditor::FlightEditor() : rows_(setting_rows("shot")) {
 
 void FlightEditor::take(const World& world, const Track& track) {
   id_ = track.id;
+  editor_.accept();
   const ProjectileView projectile = world[id_];
   fidelity_ = projectile.fidelity_in_use().fidelity;
   position_ = projectile.position();
@@ -113,8 +114,12 @@ void FlightEditor::draw_body(Client& client, const Track& track) {
   for (const SettingRow& row : rows_) {
     ImGui::PushID(row.path.c_str());
     const std::string value = row_text(row, scenario, shot_).value_or("");
-    if (const auto entered = editor_.draw(row, value, value != row_text(row, scenario, was).value_or("")))
-      if (Status status = set_value(row, *entered, scenario, shot_); !status) client.complain(status.error());
+    if (const auto entered = editor_.draw(row, value, value != row_text(row, scenario, was).value_or(""))) {
+      if (Status status = set_value(row, *entered, scenario, shot_); !status)
+        editor_.refuse(row, *entered, status.error()), client.complain(status.error());
+      else
+        editor_.accept(row);
+    }
     ImGui::PopID();
   }
   if (ImGui::Button("Change its settings"))

@@ -10,6 +10,8 @@
 
 namespace physim::client {
 
+/// The house's face at a size [pixels], or what Dear ImGui brings.
+ImFont* load_font(ImFontAtlas& atlas, float size);
 void load_fonts(float scale);
 /// Colours and sizes of all panels from now on.
 void use_theme(const Theme& theme, float scale);

@@ -2,6 +2,7 @@
 #include <algorithm>
 
 #include "simclient/core/actions.hpp"
+#include "simclient/core/timeline.hpp"
 #include "simclient/ui/panel.hpp"
 
 namespace physim::client {
@@ -11,6 +12,7 @@ namespace {
 struct PlotFrame {
   ImVec2 low, high;  // upper left and lower right corner
   const Plot* plot = nullptr;
+  PlotSpec spec;
 
   [[nodiscard]] ImVec2 place(const PlotPoint& p) const {
     return {low.x + static_cast<float>(plot->x.part(p.x)) * (high.x - low.x),
@@ -62,17 +64,36 @@ void draw_mark(ImDrawList& list, ImVec2 at, bool published) {
   list.AddLine({at.x, at.y - arm}, {at.x, at.y + arm}, shade(colours::kDim), 1.3F * scale);
 }
 
-void draw_curves(ImDrawList& list, const PlotFrame& frame) {
-  const float scale = ImGui::GetFontSize() / 15;
-  std::vector<ImVec2> points;
+/// A curve up to the moment at hand, faint behind it, and the point of a moment.
+void draw_curve(ImDrawList& list, const PlotFrame& frame, const PlotCurve& curve, const Client& client) {
+  const float width = 1.8F * ImGui::GetFontSize() / 15;
+  const Track& track = *curve.track;
+  const auto at = [&](double time) -> std::optional<ImVec2> {
+    const auto sample = sample_at(track, time);
+    if (!sample) return std::nullopt;
+    const auto all = plot_quantities();
+    return frame.place({all[frame.spec.x].of(track, *sample), all[frame.spec.y].of(track, *sample)});
+  };
+  const double now = client.session.shown_time();
+  std::vector<ImVec2> before, behind;
+  for (const PlotPoint& point : curve.points)
+    (track.born + point.time <= now ? before : behind).push_back(frame.place(point));
+  if (const auto here = at(now); here && !behind.empty()) before.push_back(*here), behind.insert(behind.begin(), *here);
+  list.AddPolyline(behind.data(), static_cast<int>(behind.size()), shade(faded(track.colour, 0.4)), 0, width);
+  list.AddPolyline(before.data(), static_cast<int>(before.size()), shade(track.colour), 0, width);
+  const auto dot = at(std::min(client.cursor.value_or(now), track.born + track.samples.back().time));
+  const bool is_there =
+      client.cursor ? sample_at(track, *client.cursor).has_value() : !behind.empty() || track.is_flying();
+  if (!dot || !is_there) return;
+  const bool is_over_time = plot_quantities()[frame.spec.x].name == "time";
+  if (is_over_time && client.cursor)
+    list.AddLine({dot->x, frame.low.y}, {dot->x, frame.high.y}, shade(faded(colours::kText, 0.4)));
+  list.AddCircleFilled(*dot, 2 * width, shade(track.colour));
+}
+
+void draw_curves(ImDrawList& list, const PlotFrame& frame, const Client& client) {
   list.PushClipRect(frame.low, frame.high, true);
-  for (const PlotCurve& curve : frame.plot->curves) {
-    points.clear();
-    for (const PlotPoint& point : curve.points) points.push_back(frame.place(point));
-    list.AddPolyline(points.data(), static_cast<int>(points.size()), shade(curve.track->colour), 0, 1.8F * scale);
-    if (!points.empty() && curve.track->is_flying())
-      list.AddCircleFilled(points.back(), 3.5F * scale, shade(curve.track->colour));
-  }
+  for (const PlotCurve& curve : frame.plot->curves) draw_curve(list, frame, curve, client);
   list.PopClipRect();
   for (const PlotMark& mark : frame.plot->expected) draw_mark(list, frame.place(mark.point), mark.published);
 }
@@ -95,12 +116,19 @@ void draw_legend(ImDrawList& list, const PlotFrame& frame) {
   }
 }
 
-void draw_read_out(ImDrawList& list, const PlotFrame& frame) {
+/// What the mouse is at, there and in all plots and the scene. A left drag goes to its time.
+void draw_read_out(ImDrawList& list, const PlotFrame& frame, Client& client) {
   const ImVec2 mouse = ImGui::GetMousePos();
   const ImVec2 size = {frame.high.x - frame.low.x, frame.high.y - frame.low.y};
   const PlotPoint place{(mouse.x - frame.low.x) / size.x, (frame.high.y - mouse.y) / size.y};
   const auto hit = nearest_point(*frame.plot, place, size.x / size.y, 0.15);
   if (!hit) return;
+  client.cursor = hit->track->born + hit->point.time;
+  const ImVec2 pressed = ImGui::GetIO().MouseClickedPos[0];
+  const bool began_here =
+      pressed.x >= frame.low.x && pressed.x <= frame.high.x && pressed.y >= frame.low.y && pressed.y <= frame.high.y;
+  if (ImGui::IsMouseDown(ImGuiMouseButton_Left) && began_here)
+    client.session.go_to(step_at(client.session, *client.cursor));
   const ImVec2 at = frame.place(hit->point);
   list.AddLine({at.x, frame.low.y}, {at.x, frame.high.y}, shade(faded(colours::kText, 0.4)));
   list.AddLine({frame.low.x, at.y}, {frame.high.x, at.y}, shade(faded(colours::kText, 0.4)));
@@ -109,6 +137,7 @@ void draw_read_out(ImDrawList& list, const PlotFrame& frame) {
   ImGui::TextColored(tint(hit->track->colour), "%s", hit->track->title().c_str());
   ImGui::Text("%s  %.6g", frame.plot->x.label.c_str(), hit->point.x);
   ImGui::Text("%s  %.6g", frame.plot->y.label.c_str(), hit->point.y);
+  if (plot_quantities()[frame.spec.x].name != "time") ImGui::Text("time [s]  %.6g", hit->point.time);
   ImGui::EndTooltip();
 }
 
@@ -133,21 +162,25 @@ void draw_one(Client& client, PlotSpec& spec, float width, bool bare) {
   }
   const float letter = ImGui::GetFontSize();
   const ImVec2 at = ImGui::GetCursorScreenPos(), room = ImGui::GetContentRegionAvail();
-  const Track* alone = client.plots_selected_alone ? client.selected_track() : nullptr;
-  const Plot plot = make_plot(spec, client.session.tracks(), alone, client.session.scenario(),
-                              std::max(2, static_cast<int>(room.x / (letter * 5))),
-                              std::max(2, static_cast<int>(room.y / (letter * 2.6F))));
+  const std::span<const Track> tracks = client.session.known_tracks();
+  const Track* selected = client.plots_selected_alone ? client.selected_track() : nullptr;
+  const auto known = std::ranges::find_if(tracks, [&](const Track& t) { return selected && t.id == selected->id; });
+  const Track* alone = known != tracks.end() ? &*known : nullptr;
+  const Plot plot =
+      make_plot(spec, tracks, alone, client.session.scenario(), std::max(2, static_cast<int>(room.x / (letter * 5))),
+                std::max(2, static_cast<int>(room.y / (letter * 2.6F))));
   float wide = letter * 2;
   for (const double tick : plot.y.ticks())
     wide = std::max(wide, ImGui::CalcTextSize(plot.y.text(tick).c_str()).x + letter * 0.6F);
   PlotFrame frame{
-      {at.x + wide, at.y + letter * 1.5F}, {at.x + room.x - letter * 1.2F, at.y + room.y - letter * 2.6F}, &plot};
+      {at.x + wide, at.y + letter * 1.5F}, {at.x + room.x - letter * 1.2F, at.y + room.y - letter * 2.6F}, &plot, spec};
   if (frame.high.x - frame.low.x > letter * 3 && frame.high.y - frame.low.y > letter * 2) {
     ImDrawList& list = *ImGui::GetWindowDrawList();
     draw_axes(list, frame);
-    draw_curves(list, frame);
+    draw_curves(list, frame, client);
     draw_legend(list, frame);
-    if (ImGui::IsMouseHoveringRect(frame.low, frame.high) && ImGui::IsWindowHovered()) draw_read_out(list, frame);
+    if (ImGui::IsMouseHoveringRect(frame.low, frame.high) && ImGui::IsWindowHovered())
+      draw_read_out(list, frame, client);
   }
   ImGui::EndChild();
 }

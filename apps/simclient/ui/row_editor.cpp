@@ -3,6 +3,8 @@
 #include <imgui.h>
 #include <imgui_stdlib.h>
 
+#include <algorithm>
+
 #include "simclient/ui/panel.hpp"
 
 namespace physim::client {
@@ -30,13 +32,15 @@ std::optional<std::string> draw_box(const std::string& value) {
 }  // namespace
 
 std::optional<std::string> RowEditor::draw(const SettingRow& row, const std::string& value, bool is_changed) {
-  const float label = ImGui::GetFontSize() * 8.4F;
+  const float label = std::min(ImGui::GetFontSize() * 8.4F, ImGui::GetWindowWidth() * 0.5F);
   ImGui::AlignTextToFramePadding();
   ImGui::TextColored(tint(is_changed ? colours::kForce : colours::kText), "%s", row.name.c_str());
   tooltip(row.tooltip());
   if (ImGui::CalcTextSize(row.name.c_str()).x < label - ImGui::GetFontSize() * 0.5F) ImGui::SameLine(label);
   ImGui::SetNextItemWidth(-1);
-  const bool is_refused = refused_ == row.path;
+  const auto refused = refused_.find(row.path);
+  const bool is_refused = refused != refused_.end();
+  const std::string why = is_refused ? refused->second.why + "\n\n" : "";
   if (is_refused) {
     ImGui::PushStyleVar(ImGuiStyleVar_FrameBorderSize, 2);
     ImGui::PushStyleColor(ImGuiCol_Border, tint(colours::kAcceleration));
@@ -49,24 +53,24 @@ std::optional<std::string> RowEditor::draw(const SettingRow& row, const std::str
     ImGui::PopStyleColor(2);
     ImGui::PopStyleVar();
   }
-  tooltip(is_refused ? why_ + "\n\n" + row.tooltip() : row.tooltip());
+  tooltip(why + row.tooltip());
   return entered;
 }
 
 void RowEditor::refuse(const SettingRow& row, const std::string& entered, const Error& why) {
-  refused_ = row.path, entered_ = entered;
-  why_ = why.message + (why.hint.empty() ? "" : "; " + why.hint);
+  refused_[row.path] = {entered, why.message + (why.hint.empty() ? "" : "; " + why.hint)};
 }
 
 std::optional<std::string> RowEditor::draw_text(const SettingRow& row, const std::string& value) {
-  const std::string& at_rest = refused_ == row.path ? entered_ : value;
+  const auto refused = refused_.find(row.path);
+  const std::string at_rest = refused != refused_.end() ? refused->second.entered : value;
   std::string shown = editing_ == row.path ? typed_ : at_rest;
   ImGui::InputText("##value", &shown);
   if (ImGui::IsItemActivated()) editing_ = row.path;
   if (editing_ == row.path) typed_ = shown;
   if (!ImGui::IsItemDeactivated() || editing_ != row.path) return std::nullopt;
   editing_.clear();
-  if (typed_ == value) refused_.clear();  // as it was
+  if (typed_ == value) refused_.erase(row.path);  // as it was
   return typed_ != at_rest && typed_ != value ? std::optional(typed_) : std::nullopt;
 }
 

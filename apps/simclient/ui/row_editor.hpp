@@ -1,6 +1,7 @@
 // The field of a setting: a choice, a box to tick or a text, by its row of the list of settings.
 #pragma once
 
+#include <map>
 #include <optional>
 #include <string>
 
@@ -16,14 +17,19 @@ class RowEditor {
 
   /// What was entered last was refused: it stays in its field, which turns red and says why.
   void refuse(const SettingRow& row, const std::string& entered, const Error& why);
-  /// No field holds a refused value any more.
+  /// This field, or no field, holds a refused value any more.
+  void accept(const SettingRow& row) { refused_.erase(row.path); }
   void accept() { refused_.clear(); }
 
  private:
   std::optional<std::string> draw_text(const SettingRow& row, const std::string& value);
 
-  std::string editing_, typed_;          // the row that is being typed into
-  std::string refused_, entered_, why_;  // the row that holds a refused value; empty: none
+  struct Refused {
+    std::string entered, why;
+  };
+
+  std::string editing_, typed_;             // the row that is being typed into
+  std::map<std::string, Refused> refused_;  // by the paths of rows
 };
 
 }  // namespace physim::client

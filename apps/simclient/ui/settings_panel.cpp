@@ -118,7 +118,7 @@ void SettingsPanel::draw_row(Client& client, const SettingRow& row, const std::s
     if (Status status = client.set(row, *entered); !status)
       editor_.refuse(row, *entered, status.error()), client.complain(status.error());
     else
-      editor_.accept();
+      editor_.accept(row);
   }
   const FidelityNote* note = row.group == "fidelity" ? note_of(client.prediction(), row.name) : nullptr;
   if (note != nullptr) coloured_text(colours::kWarning, "granted " + note->granted + ": " + note->reason);

@@ -7,11 +7,12 @@
 namespace physim::client {
 namespace {
 
-void vector_row(const char* what, const char* unit, const Vec3d& v) {
+void vector_row(const char* what, const char* unit, const Vec3d& v, bool is_narrow) {
   ImGui::TableNextRow();
   ImGui::TableNextColumn();
   ImGui::TextDisabled("%s", what);
-  for (const double x : {v.x, v.y, v.z}) cell("%9s", fitting_text(x, 8).c_str());
+  for (const double x : {v.x, v.y, v.z}) cell("%s", fitting_text(x, is_narrow ? 7 : 8).c_str());
+  if (is_narrow) return tooltip(unit);
   ImGui::TableNextColumn();
   ImGui::TextDisabled("%s", unit);
 }
@@ -34,15 +35,18 @@ void draw_track(Client& client, const Track& track, bool is_selected) {
   const std::string title = formatted("%s   %s%s   %.2f s###title", track.title().c_str(),
                                       client.session.fate_of(track).c_str(), track.edited ? ", edited" : "", s.time);
   if (ImGui::Selectable(title.c_str(), is_selected)) client.selected = track.id;
-  if (ImGui::BeginTable("numbers", 5, ImGuiTableFlags_SizingStretchProp)) {
-    for (const float width : {1.1F, 1.2F, 1.2F, 1.2F, 0.7F})
+  const bool is_narrow = ImGui::GetContentRegionAvail().x < ImGui::GetFontSize() * 17.5F;
+  if (ImGui::BeginTable("numbers", is_narrow ? 4 : 5, ImGuiTableFlags_SizingStretchProp)) {
+    for (const float width : {1.1F, 1.2F, 1.2F, 1.2F})
       ImGui::TableSetupColumn("", ImGuiTableColumnFlags_WidthStretch, width);
-    vector_row("position", "m", s.position);
-    vector_row("velocity", "m/s", s.velocity);
-    vector_row("accel.", "m/s\u00b2", s.acceleration);
+    if (!is_narrow) ImGui::TableSetupColumn("", ImGuiTableColumnFlags_WidthStretch, 0.7F);
+    vector_row("position", "m", s.position, is_narrow);
+    vector_row("velocity", "m/s", s.velocity, is_narrow);
+    vector_row("accel.", "m/s\u00b2", s.acceleration, is_narrow);
     ImGui::EndTable();
   }
-  ImGui::TextWrapped("speed %.2f m/s  Mach %.3f  %.4g kg", length(s.velocity), s.mach, s.mass);
+  ImGui::Text(is_narrow ? "%.2f m/s  Mach %.3f\n%.4g kg" : "speed %.2f m/s  Mach %.3f  %.4g kg", length(s.velocity),
+              s.mach, s.mass);
   draw_hits_of(client.session, track);
   ImGui::PopStyleColor();
   ImGui::Separator();
@@ -52,7 +56,7 @@ void draw_track(Client& client, const Track& track, bool is_selected) {
 }  // namespace
 
 void draw_statistics_panel(Client& client, const Box& box) {
-  if (begin_panel("Statistics (x downrange, y up, z right)###statistics", box)) {
+  if (begin_panel("Flights: downrange, up, right###statistics", box)) {
     const auto tracks = client.session.tracks();
     const Track* selected = client.selected_track();
     if (tracks.empty()) ImGui::TextDisabled("Nothing has been fired yet.\nClick on the scene, or press Enter.");

@@ -12,19 +12,19 @@ constexpr const char* kFonts[] = {"/usr/share/fonts/truetype/dejavu/DejaVuSans.t
 
 const Theme* in_use = &themes()[0];
 
-void load_font(float size) {
-  static constexpr ImWchar kRanges[] = {0x20, 0xFF, 0x370, 0x3FF, 0x2010, 0x2027, 0x2190, 0x21FF, 0x2200, 0x22FF, 0};
-  ImGuiIO& io = ImGui::GetIO();
-  for (const char* path : kFonts)
-    if (std::filesystem::exists(path) && io.Fonts->AddFontFromFileTTF(path, size, nullptr, kRanges) != nullptr) return;
-  ImFontConfig config;
-  config.SizePixels = size;
-  io.Fonts->AddFontDefault(&config);
-}
-
 }  // namespace
 
-void load_fonts(float scale) { load_font(15 * scale); }
+ImFont* load_font(ImFontAtlas& atlas, float size) {
+  static constexpr ImWchar kRanges[] = {0x20, 0xFF, 0x370, 0x3FF, 0x2010, 0x2027, 0x2190, 0x21FF, 0x2200, 0x22FF, 0};
+  for (const char* path : kFonts)
+    if (std::filesystem::exists(path))
+      if (ImFont* font = atlas.AddFontFromFileTTF(path, size, nullptr, kRanges)) return font;
+  ImFontConfig config;
+  config.SizePixels = size;
+  return atlas.AddFontDefault(&config);
+}
+
+void load_fonts(float scale) { load_font(*ImGui::GetIO().Fonts, 15 * scale); }
 
 const Theme& theme_in_use() { return *in_use; }
 

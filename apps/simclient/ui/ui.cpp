@@ -13,7 +13,7 @@
 namespace physim::client {
 namespace {
 
-constexpr const char *kMenu = "scene menu", *kQuestion = "Is that meant?";
+constexpr const char *kMenu = "scene menu", *kQuestion = "Is that meant?", *kFilm = "Filming";
 
 const char* mode_text(CameraMode mode) {
   switch (mode) {
@@ -45,17 +45,29 @@ Ui::Ui(float scale) : scale_(scale) {
   use_theme(themes().front(), scale);
 }
 
+bool Ui::set_scale(float scale) {
+  if (scale_ == scale) return false;
+  scale_ = scale;
+  ImGui::GetIO().Fonts->Clear();
+  load_fonts(scale);
+  use_theme(theme_in_use(), scale);
+  return true;
+}
+
 void Ui::draw(Client& client, const Scene& scene) {
   const ImVec2 size = ImGui::GetIO().DisplaySize;
   layout_ = make_layout(client, size.x, size.y, scale_);
-  has_bare_plots_ = client.bottom == BottomPanel::plots &&
-                    std::ranges::any_of(client.pictures, [](const PictureWish& wish) { return wish.of_plots; });
+  has_bare_plots_ =
+      client.bottom == BottomPanel::plots &&
+      std::ranges::any_of(client.pictures, [](const PictureWish& wish) { return wish.of == PictureOf::plots; });
+  client.cursor.reset();
   steer(client);
   draw_labels(client, scene);
   draw_menu_bar(client);
-  if (layout_.left.width > 0) settings_.draw(client, layout_.left);
-  if (layout_.right.width > 0) draw_statistics_panel(client, layout_.right);
+  if (layout_.settings.width > 0) settings_.draw(client, layout_.settings);
+  if (layout_.statistics.width > 0) draw_statistics_panel(client, layout_.statistics);
   if (layout_.bottom.height > 0) draw_bottom_panel(client, layout_.bottom, has_bare_plots_);
+  if (layout_.play.height > 0) play_.draw(client, layout_.play, scale_);
   draw_status(client);
   draw_messages(client);
   draw_probe(client);
@@ -63,8 +75,9 @@ void Ui::draw(Client& client, const Scene& scene) {
   draw_context_menu(client);
   if (client.show.emitters) emitters_.draw(client, layout_.scene, scale_);
   if (client.show.help) draw_help(client);
-  draw_file_dialog(client);
+  files_.draw(client, {0, 0, size.x, size.y}, scale_);
   draw_question(client);
+  draw_film(client);
 }
 
 /// Lets the keyboard into the panels, and out again.
@@ -73,18 +86,18 @@ void Ui::steer(const Client& client) {
   const bool was_on = (io.ConfigFlags & ImGuiConfigFlags_NavEnableKeyboard) != 0;
   if (was_on == client.show.panel_keys) return;
   io.ConfigFlags ^= ImGuiConfigFlags_NavEnableKeyboard;
-  if (client.show.panel_keys && layout_.left.width > 0)
+  if (client.show.panel_keys && layout_.settings.width > 0)
     ImGui::SetWindowFocus(kSettings);
   else
     ImGui::SetWindowFocus(client.show.panel_keys ? kStatistics : nullptr);
 }
 
 bool Ui::close_something(Client& client) {
+  if (client.dialog != Dialog::none) return client.dialog = Dialog::none, true;
   if (ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopup)) {
     ImGui::ClosePopupsOverWindow(nullptr, false);
     return true;
   }
-  if (client.dialog != Dialog::none) return client.dialog = Dialog::none, true;
   if (client.show.help) return client.show.help = false, true;
   if (client.show.emitters) return client.show.emitters = false, true;
   if (client.show.panel_keys) return client.show.panel_keys = false, true;
@@ -100,7 +113,7 @@ void Ui::draw_menu_bar(Client& client) {
     for (const Action& action : actions())
       if (action.menu == menu) action_item(client, action.name.data(), help_of(client, action).c_str());
     if (std::string_view(menu) == "Tools") draw_tests_menu(client);
-    if (std::string_view(menu) == "File") draw_recent_menu(client);
+    if (std::string_view(menu) == "File") draw_picture_menus(client), draw_recent_menu(client);
     ImGui::EndMenu();
   }
   const std::string& title = client.session.scenario().title;
@@ -118,6 +131,24 @@ void Ui::draw_tests_menu(Client& client) {
   for (const OriginalTest& test : original_tests())
     if (ImGui::MenuItem(std::string(test.title).c_str()))
       run_action(client, *find_action("test"), std::string(test.name));
+  ImGui::EndMenu();
+}
+
+void Ui::draw_picture_menus(Client& client) {
+  ImGui::Separator();
+  const ImVec2 window = ImGui::GetIO().DisplaySize;
+  if (ImGui::BeginMenu("size of pictures")) {
+    for (const int times : {1, 2, 3, 4}) {
+      const std::string text = formatted("%d\u00d7: %.0fx%.0f", times, static_cast<double>(window.x) * times,
+                                         static_cast<double>(window.y) * times);
+      if (ImGui::MenuItem(text.c_str(), "", client.picture_size == times)) client.picture_size = times;
+    }
+    ImGui::EndMenu();
+  }
+  if (!ImGui::BeginMenu("length of films")) return;
+  for (const int seconds : {3, 5, 10, 30, 60})
+    if (ImGui::MenuItem(formatted("%d s", seconds).c_str(), "", client.film_length == seconds))
+      client.film_length = seconds;
   ImGui::EndMenu();
 }
 
@@ -167,37 +198,20 @@ void Ui::draw_help(Client& client) {
   ImGui::End();
 }
 
-void Ui::draw_file_dialog(Client& client) {
-  const bool has_just_opened = client.dialog != dialog_;
-  dialog_ = client.dialog;
-  if (dialog_ == Dialog::none) return;
-  const bool saves = dialog_ == Dialog::save;
-  if (has_just_opened) {
-    files_ = files_at_hand();
-    files_.insert(files_.begin(), client.recent.files().begin(), client.recent.files().end());
-    path_ = !saves ? "" : client.file().empty() ? free_name("scenario", ".toml") : client.file();
+/// How far a film is, while the session goes through its time.
+void Ui::draw_film(Client& client) {
+  if (client.filmed && !ImGui::IsPopupOpen(kFilm)) ImGui::OpenPopup(kFilm);
+  const Box& s = layout_.scene;
+  ImGui::SetNextWindowPos({s.x + s.width / 2, s.y + s.height / 2}, ImGuiCond_Always, {0.5F, 0.5F});
+  ImGui::SetNextWindowSize({std::min(s.width, 320 * scale_), 0});
+  if (!ImGui::BeginPopupModal(kFilm, nullptr, ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoSavedSettings)) return;
+  if (!client.filmed) {
+    ImGui::CloseCurrentPopup();
+    return ImGui::EndPopup();
   }
-  const auto choose = [&](const std::string& path) {
-    client.dialog = Dialog::none;
-    run_action(client, *find_action(saves ? "save-as" : "open"), path);
-  };
-  centre_window(layout_.scene, 520 * scale_, saves ? 110 * scale_ : 460 * scale_);
-  bool stays = true;
-  if (ImGui::Begin(saves ? "Save the scenario as" : "Open a scenario or recording", &stays,
-                   ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoCollapse | ImGuiWindowFlags_NoSavedSettings)) {
-    ImGui::SetNextItemWidth(-1);
-    if (has_just_opened) ImGui::SetKeyboardFocusHere();
-    if (ImGui::InputTextWithHint("##path", "path, then Enter", &path_, ImGuiInputTextFlags_EnterReturnsTrue) &&
-        !path_.empty())
-      choose(path_);
-    if (saves && ImGui::Button("Save") && !path_.empty()) choose(path_);
-    if (!saves && ImGui::BeginChild("files"))
-      for (const std::string& file : files_)
-        if (ImGui::Selectable(file.c_str())) choose(file);
-    if (!saves) ImGui::EndChild();
-  }
-  ImGui::End();
-  if (!stays) client.dialog = Dialog::none;
+  ImGui::ProgressBar(static_cast<float>(*client.filmed), {-1, 0});
+  if (ImGui::Button("give up (Esc)")) client.stops_film = true;
+  ImGui::EndPopup();
 }
 
 void Ui::draw_question(Client& client) {
@@ -360,6 +374,7 @@ void Ui::draw_probe(Client& client) {
   const auto found = client.probe(mouse_);
   if (!found) return;
   const TrackSample& s = found->sample;
+  if (found->track != nullptr) client.cursor = found->track->born + s.time;
   const Colour colour = found->track ? found->track->colour : colours::kText;
   if (const auto at = client.camera.project(s.position))
     ImGui::GetBackgroundDrawList()->AddCircle(

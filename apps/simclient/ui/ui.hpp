@@ -9,6 +9,8 @@
 #include "simclient/core/client.hpp"
 #include "simclient/core/scene.hpp"
 #include "simclient/ui/emitter_panel.hpp"
+#include "simclient/ui/file_dialog.hpp"
+#include "simclient/ui/play_bar.hpp"
 #include "simclient/ui/settings_panel.hpp"
 
 namespace physim::client {
@@ -17,6 +19,8 @@ class Ui {
  public:
   explicit Ui(float scale);
   void draw(Client& client, const Scene& scene);
+  /// Between frames; true if letters changed, which are drawn out of a new texture then.
+  bool set_scale(float scale);
   /// The menu of a right click on the scene.
   void open_menu() { opens_menu_ = true; }
   /// Esc: closes what is open; false where there was nothing.
@@ -49,19 +53,18 @@ class Ui {
   void draw_probe(Client& client);
   void draw_help(Client& client);
   void draw_question(Client& client);
-  /// Chooses a file to open or to save in: out of those at hand, or by its path.
-  void draw_file_dialog(Client& client);
+  void draw_film(Client& client);
+  void draw_picture_menus(Client& client);
   void draw_recent_menu(Client& client);
 
   float scale_;
   SettingsPanel settings_;
   EmitterPanel emitters_;
+  PlayBar play_;
+  FileDialog files_;
   Layout layout_;
   Pixel mouse_;
   bool mouse_on_scene_ = false, opens_menu_ = false, has_bare_plots_ = false;
-  Dialog dialog_ = Dialog::none;    // of the frame before
-  std::vector<std::string> files_;  // at hand when the dialogue was opened
-  std::string path_;
 };
 
 }  // namespace physim::client
