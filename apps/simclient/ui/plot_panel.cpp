@@ -141,9 +141,9 @@ void draw_read_out(ImDrawList& list, const PlotFrame& frame, Client& client) {
   ImGui::EndTooltip();
 }
 
-void pick_quantity(const char* id, std::size_t& quantity) {
+void pick_quantity(const char* id, std::size_t& quantity, float width) {
   const auto all = plot_quantities();
-  ImGui::SetNextItemWidth(ImGui::GetFontSize() * 7.4F);
+  ImGui::SetNextItemWidth(std::min(ImGui::GetFontSize() * 7.4F, width));
   if (!ImGui::BeginCombo(id, std::string(all[quantity].name).c_str(), ImGuiComboFlags_HeightLarge)) return;
   for (std::size_t i = 0; i < all.size(); ++i)
     if (ImGui::Selectable(std::string(all[i].name).c_str(), i == quantity)) quantity = i;
@@ -154,11 +154,12 @@ void pick_quantity(const char* id, std::size_t& quantity) {
 void draw_one(Client& client, PlotSpec& spec, float width, bool bare) {
   ImGui::BeginChild("plot", {width, 0}, false, ImGuiWindowFlags_NoScrollbar);
   if (!bare) {
-    pick_quantity("##y", spec.y);
+    const float half = (width - ImGui::CalcTextSize("over").x - 8) / 2;
+    pick_quantity("##y", spec.y, half);
     ImGui::SameLine(0, 4);
     ImGui::TextDisabled("over");
     ImGui::SameLine(0, 4);
-    pick_quantity("##x", spec.x);
+    pick_quantity("##x", spec.x, half);
   }
   const float letter = ImGui::GetFontSize();
   const ImVec2 at = ImGui::GetCursorScreenPos(), room = ImGui::GetContentRegionAvail();
