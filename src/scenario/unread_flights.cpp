@@ -1,0 +1,336 @@
+// Rules about settings of the environment, of shots and of tolerance.
+#include "model/ladder.hpp"
+#include "model/rotor.hpp"
+#include "model/sight.hpp"
+#include "physim/names.hpp"
+#include "prepare/grant.hpp"
+#include "scenario/suggest.hpp"
+#include "scenario/unread.hpp"
+#include "solve/explicit_runge_kutta.hpp"
+
+namespace physim {
+namespace rules_of_flights {
+namespace {
+
+using R = const Reading&;
+using Rung = const FlownRung&;
+
+// ------------------------------------------------------------------------------------------------- what a rung reads
+bool is_in_air(Rung f) { return f.granted.air != AirModel::vacuum; }
+bool computes_air(Rung f) { return f.granted.air == AirModel::isa; }
+/// By the drag equation; linear and quadratic drag without numbers takes them from it.
+bool flies_equation(Rung f) {
+  const DragDef& drag = f.shot->projectile.drag;
+  const bool by_launch = f.granted.drag == DragModel::linear_quadratic && drag.k1 == 0 && drag.k2 == 0;
+  return f.granted.drag == DragModel::equation || by_launch;
+}
+bool flies_spin(Rung f) { return f.granted.rotation == RotationModel::magnus; }
+bool flies_spin_by_table(Rung f) { return flies_spin(f) && !f.shot->projectile.magnus.table.empty(); }
+bool flies_body(Rung f) { return turns(f.granted); }
+bool flies_attitude(Rung f) { return turns(f.granted) && !is_in_repose(f.granted); }
+bool is_pushed(Rung f) { return f.granted.motion == Motion::force; }
+bool adapts(Rung f) { return f.granted.motion != Motion::closed_form && is_adaptive(f.granted.integrator); }
+bool takes_fixed_steps(Rung f) {
+  return f.granted.motion != Motion::closed_form && !is_adaptive(f.granted.integrator);
+}
+bool flies_profile(Rung f) { return f.granted.wind == WindModel::profile; }
+bool falls_with_height(Rung f) {
+  const GravityField field = row(f.granted.gravity).field;
+  return field == GravityField::central || field == GravityField::flattened ||
+         row(f.granted.earth).shape != EarthShape::flat;
+}
+bool reads_coefficients(Rung f) { return flies_equation(f) && !flies_spin_by_table(f); }
+const ProjectileDef& projectile(R r) { return r.scope.shot->projectile; }
+const Launch& launch(R r) { return r.scope.shot->launch; }
+/// Whether Miller's rule says the stability of a shot, which `run` prints.
+bool has_stability(R r) {
+  return !r.scenario.world.given && stability_factor(projectile(r), launch(r), r.scenario.environment).has_value();
+}
+
+/// Why no shot reads a coefficient of drag.
+std::string why_no_coefficient(R r) {
+  if (!r.any(flies_equation)) return ": only drag \"equation\" reads it";
+  return read_unless(!r.any(reads_coefficients), "shot.magnus.table");
+}
+
+// -------------------------------------------------------------------------------------------------------- environment
+std::string why_no_air(R r) { return read_or(r.any(is_in_air), ": no shot flies in air"); }
+std::string why_no_sound(R r) {
+  const Atmosphere& air = r.scenario.environment.atmosphere;
+  if (std::string why = why_no_air(r); !why.empty()) return why;
+  const bool overridden = air.density && air.sound_speed;
+  return read_unless(overridden && !r.any(computes_air), "environment.atmosphere.density and sound_speed");
+}
+
+constexpr UnreadRule kEnvironmentRules[] = {
+    {"environment.gravity.model",
+     [](R r) {
+       const GravityModel model = r.scenario.environment.gravity.model;
+       return read_or(r.any([&](Rung f) { return level(f.asked.gravity) >= level(model); }),
+                      ": the gravity of shot.fidelity is simpler");
+     }},
+    {"environment.gravity.acceleration",
+     [](R r) {
+       return read_or(r.any([](Rung f) { return f.granted.gravity != GravityModel::off; }), ": no shot feels gravity");
+     }},
+    {"environment.gravity.radius",
+     [](R r) { return read_by(r.any(falls_with_height), "gravity that falls with height and a round Earth read"); }},
+    {"environment.atmosphere.model",
+     [](R r) {
+       const AirModel model = r.scenario.environment.atmosphere.model;
+       return read_or(r.any([&](Rung f) { return level(f.asked.air) >= level(model); }),
+                      ": the air of shot.fidelity is simpler");
+     }},
+    {"environment.atmosphere.temperature", why_no_sound},
+    {"environment.atmosphere.humidity", why_no_sound},
+    {"environment.atmosphere.pressure",
+     [](R r) {
+       if (std::string why = why_no_air(r); !why.empty()) return why;
+       const bool overridden = r.scenario.environment.atmosphere.density.has_value();
+       return read_unless(overridden && !r.any(computes_air), "environment.atmosphere.density");
+     }},
+    {"environment.atmosphere.station_altitude",
+     [](R r) {
+       if (std::string why = why_no_sound(r); !why.empty()) return why;
+       const Atmosphere& air = r.scenario.environment.atmosphere;
+       return read_with(air.temperature || air.pressure || air.humidity,
+                        "environment.atmosphere.temperature, pressure or humidity");
+     }},
+    {"environment.atmosphere.density",
+     [](R r) {
+       const bool is_read = r.any([](Rung f) { return is_in_air(f) && !computes_air(f); });
+       return read_by(is_read, "air \"constant\" and \"exponential\" read");
+     }},
+    {"environment.atmosphere.sound_speed",
+     [](R r) {
+       const bool is_read = r.any([](Rung f) { return is_in_air(f) && !computes_air(f); });
+       return read_by(is_read, "air \"constant\" and \"exponential\" read");
+     }},
+    {"environment.atmosphere.scale_height",
+     [](R r) {
+       return read_by(r.any([](Rung f) { return f.granted.air == AirModel::exponential; }),
+                      "air \"exponential\" reads");
+     }},
+    {"environment.wind",
+     [](R r) {
+       const Wind& wind = r.scenario.environment.wind;
+       const bool blows = !wind.profile.empty() || wind.velocity != Vec3d{};
+       const bool is_felt = r.any([](Rung f) { return f.granted.wind != WindModel::off; });
+       return read_or(!blows || is_felt, ": no shot feels wind");
+     }},
+    {"environment.wind.velocity",
+     [](R r) {
+       const bool is_read = r.any([](Rung f) { return !flies_profile(f); });
+       return read_unless(!r.scenario.environment.wind.profile.empty() && !is_read, "environment.wind.profile");
+     }},
+    {"environment.wind.profile",
+     [](R r) {
+       const bool is_read = r.any(flies_profile) || r.scenario.environment.wind.velocity == Vec3d{};
+       return read_unless(!is_read, "environment.wind.velocity where wind is \"constant\"");
+     }},
+    {"environment.wind.by",
+     [](R r) { return read_with(r.any(flies_profile), "environment.wind.profile and wind \"profile\""); }},
+    {"environment.wind.interpolation",
+     [](R r) { return read_with(r.any(flies_profile), "environment.wind.profile and wind \"profile\""); }},
+    {"environment.earth.rotation_rate",
+     [](R r) {
+       return read_by(r.any([](Rung f) { return row(f.granted.earth).turning; }), "an Earth that turns reads");
+     }},
+};
+
+/// Something that may move a shot out of the plane of fire.
+bool may_leave_plane(R r) {
+  const bool is_world = r.scenario.world.given && (!r.scenario.forces.empty() || !r.scenario.joints.empty());
+  const bool is_turned = r.any([](Rung f) {
+    return f.asked.wind != WindModel::off || f.asked.rotation != RotationModel::none ||
+           f.asked.earth != EarthModel::flat;
+  });
+  return is_world || is_turned || r.scope.shot->projectile.force != Vec3d{} || !r.scenario.things.empty() ||
+         !r.scenario.emitters.empty();
+}
+
+// --------------------------------------------------------------------------------------------------------------- shots
+constexpr UnreadRule kDragRules[] = {
+    {"shot.drag.table", why_no_coefficient},
+    {"shot.drag.coefficient",
+     [](R r) {
+       if (std::string why = why_no_coefficient(r); !why.empty()) return why;
+       const DragTable table = projectile(r).drag.table;
+       return read_unless(table != DragTable::constant, "shot.drag.table = " + in_quotes(name(table)));
+     }},
+    {"shot.drag.curve",
+     [](R r) {
+       if (std::string why = why_no_coefficient(r); !why.empty()) return why;
+       const DragTable table = projectile(r).drag.table;
+       return read_unless(table != DragTable::custom, "shot.drag.table = " + in_quotes(name(table)));
+     }},
+    {"shot.drag.ballistic_coefficient", why_no_coefficient},
+    {"shot.drag.bands", why_no_coefficient},
+    {"shot.drag.form_factor",
+     [](R r) {
+       if (std::string why = why_no_coefficient(r); !why.empty()) return why;
+       const DragDef& drag = projectile(r).drag;
+       const std::string by = drag.bands.empty() ? "shot.drag.ballistic_coefficient" : "shot.drag.bands";
+       return read_unless(drag.ballistic_coefficient > 0 || !drag.bands.empty(), by);
+     }},
+    {"shot.drag.damping",
+     [](R r) {
+       return read_by(r.any([](Rung f) { return f.granted.drag == DragModel::damping; }), "drag \"damping\" reads");
+     }},
+    {"shot.drag.k1",
+     [](R r) {
+       return read_by(r.any([](Rung f) { return f.granted.drag == DragModel::linear_quadratic; }),
+                      "drag \"linear_quadratic\" reads");
+     }},
+    {"shot.drag.k2",
+     [](R r) {
+       return read_by(r.any([](Rung f) { return f.granted.drag == DragModel::linear_quadratic; }),
+                      "drag \"linear_quadratic\" reads");
+     }},
+};
+
+std::string why_no_spin(R r) { return read_by(r.any(flies_spin), "rotation \"magnus\" reads"); }
+std::string why_no_turn(R r) { return read_with(launch(r).spin != LaunchSpin{}, "shot.spin"); }
+std::string why_no_formula(R r) {
+  if (!projectile(r).magnus.table.empty()) return " beside shot.magnus.table";
+  return why_no_turn(r);
+}
+std::string why_no_body(R r) {
+  return read_by(r.any(flies_body), "rotation \"rigid_body\" and \"modified_point_mass\" read");
+}
+std::string why_no_turning(R r) {
+  return read_by(r.any([](Rung f) { return row(f.granted.earth).turning; }), "an Earth that turns reads");
+}
+std::string why_no_attitude(R r) { return read_by(r.any(flies_attitude), "rotation \"rigid_body\" reads"); }
+std::string why_no_forces(R r) { return read_by(r.any(is_pushed), "motion \"force\" reads"); }
+std::string why_no_zero(R r) { return read_with(launch(r).sight.zero_range > 0, "shot.sight.zero_range"); }
+
+constexpr UnreadRule kProjectileRules[] = {
+    {"shot.length",
+     [](R r) {
+       const bool drifts = r.any([](Rung f) { return f.granted.rotation == RotationModel::spin_drift; });
+       return read_with(drifts || has_stability(r), "shot.twist");
+     }},
+    {"shot.twist",
+     [](R r) {
+       const bool spins = r.any([](Rung f) { return f.granted.rotation == RotationModel::spin_drift || flies_body(f); });
+       return read_by(spins || has_stability(r), "rotations of spinning bodies read");
+     }},
+    {"shot.gravity_scale",
+     [](R r) {
+       return read_or(r.any([](Rung f) { return f.granted.gravity != GravityModel::off; }), ": it feels no gravity");
+     }},
+    {"shot.force", why_no_forces},
+    {"shot.force_duration",
+     [](R r) {
+       if (std::string why = why_no_forces(r); !why.empty()) return why;
+       return read_with(projectile(r).force != Vec3d{}, "shot.force");
+     }},
+    {"shot.sight.zero_in_calm_air", why_no_zero},
+    {"shot.spin", why_no_spin},
+    {"shot.magnus", why_no_spin},
+    {"shot.magnus.lift", why_no_formula},
+    {"shot.magnus.lift_base",
+     [](R r) {
+       if (std::string why = why_no_formula(r); !why.empty()) return why;
+       return read_with(projectile(r).magnus.lift != 0, "shot.magnus.lift");
+     }},
+    {"shot.magnus.lift_saturation",
+     [](R r) {
+       if (std::string why = why_no_formula(r); !why.empty()) return why;
+       return read_with(projectile(r).magnus.lift != 0, "shot.magnus.lift");
+     }},
+    {"shot.magnus.drag_per_spin", why_no_formula},
+    {"shot.magnus.decay_time", why_no_turn},
+    {"shot.magnus.measure", [](R r) { return read_with(!projectile(r).magnus.table.empty(), "shot.magnus.table"); }},
+    {"shot.motor",
+     [](R r) {
+       return read_by(r.any([](Rung f) { return flies_motors(f.granted); }), "motion \"force\" flies a motor and reads");
+     }},
+    {"shot.inertia", why_no_body},
+    {"shot.aero", why_no_body},
+    {"shot.aero.damping_frame",
+     [](R r) {
+       if (std::string why = why_no_attitude(r); !why.empty()) return why;
+       return why_no_turning(r);
+     }},
+    {"shot.aero.pitch_damping", why_no_attitude},
+    {"shot.aero.yaw_damping", why_no_attitude},
+    {"shot.attitude", why_no_attitude},
+    {"shot.attitude.rate_frame", why_no_turning},
+};
+
+constexpr UnreadRule kFidelityRules[] = {
+    {"shot.fidelity.wind",
+     [](R r) {
+       const Wind& wind = r.scenario.environment.wind;
+       return read_with(!wind.profile.empty() || wind.velocity != Vec3d{}, "environment.wind");
+     }},
+    {"shot.fidelity.interpolation",
+     [](R r) {
+       if (std::string why = why_no_coefficient(r); !why.empty()) return why;
+       const ProjectileDef& p = projectile(r);
+       return read_by(p.drag.table != DragTable::constant || !p.motor.drag_curve.empty(), "a curve of drag reads");
+     }},
+    {"shot.fidelity.tolerance",
+     [](R r) {
+       if (!r.any(adapts)) return std::string(": only adaptive integrators read it");
+       return read_unless(r.scenario.tolerance.relative.has_value(), "tolerance.relative");
+     }},
+    {"shot.fidelity.body_form", why_no_attitude},
+    {"shot.fidelity.planar", [](R r) { return read_or(may_leave_plane(r), ": nothing moves it out of its plane"); }},
+    {"shot.fidelity.aerodynamic_jump",
+     [](R r) {
+       return read_by(r.any([](Rung f) { return f.granted.rotation == RotationModel::spin_drift; }),
+                      "rotation \"spin_drift\" reads");
+     }},
+};
+
+// ----------------------------------------------------------------------------------------------------------- tolerance
+std::string why_no_adaptive_steps(R r) { return read_by(r.any(adapts), "adaptive integrators read"); }
+std::string why_no_own_steps(R r) {
+  return read_or(!r.scenario.world.given, ": the steps of a [world] are world.step");
+}
+
+constexpr UnreadRule kToleranceRules[] = {
+    {"tolerance.relative", why_no_adaptive_steps},
+    {"tolerance.absolute", why_no_adaptive_steps},
+    {"tolerance.step",
+     [](R r) {
+       if (std::string why = why_no_own_steps(r); !why.empty()) return why;
+       return read_by(r.any(takes_fixed_steps), "integrators of a fixed step read");
+     }},
+    {"tolerance.position_error",
+     [](R r) {
+       if (std::string why = why_no_own_steps(r); !why.empty()) return why;
+       const bool is_found = r.any([](Rung f) {
+         return takes_fixed_steps(f) &&
+                (f.granted.integrator == Integrator::heun || f.granted.integrator == Integrator::rk4);
+       });
+       if (!is_found) return std::string(": only integrators \"heun\" and \"rk4\" read it");
+       return read_unless(r.scenario.tolerance.step > 0, "tolerance.step");
+     }},
+    {"tolerance.max_step",
+     [](R r) {
+       if (std::string why = why_no_own_steps(r); !why.empty()) return why;
+       return why_no_adaptive_steps(r);
+     }},
+    {"tolerance.max_steps", why_no_own_steps},
+};
+
+}  // namespace
+}  // namespace rules_of_flights
+
+std::span<const UnreadRule> unread_in_flights() {
+  using namespace rules_of_flights;
+  static const std::vector<UnreadRule> all = [] {
+    std::vector<UnreadRule> list;
+    for (const std::span<const UnreadRule> part : std::initializer_list<std::span<const UnreadRule>>{
+             kEnvironmentRules, kDragRules, kProjectileRules, kFidelityRules, kToleranceRules})
+      list.insert(list.end(), part.begin(), part.end());
+    return list;
+  }();
+  return all;
+}
+
+}  // namespace physim
