@@ -186,8 +186,7 @@ class Granting {
     if (is_in_repose(f_)) return by_repose();
     const bool symmetric = is_axisymmetric(projectile_), damps_alike = projectile_.aero.yaw_damping.empty();
     if (f_.body_form == BodyForm::automatic)
-      f_.body_form =
-          symmetric && damps_alike && projectile_.twist != 0 ? BodyForm::axis : BodyForm::quaternion;
+      f_.body_form = symmetric && damps_alike && projectile_.twist != 0 ? BodyForm::axis : BodyForm::quaternion;
     if (f_.body_form == BodyForm::axis && !symmetric)
       set("body_form", f_.body_form, BodyForm::quaternion, "the body is not symmetric about its x axis");
     if (f_.body_form == BodyForm::axis && !damps_alike)

@@ -32,15 +32,12 @@ struct FlownRung {
 
 /// The question of a rule: the scenario, and the table of a list that a setting stands in.
 struct Reading {
-  using Path = std::initializer_list<std::string_view>;
-
   const Scenario& scenario;
   const Scope& scope;                // the pointers of the lists that the setting stands in
-  const Value& table;                // the innermost element of a list, or the whole document
   std::span<const FlownRung> rungs;  // of all shots
 
-  /// Whether the table has a setting.
-  [[nodiscard]] bool has(Path path) const;
+  /// Whether the study draws a setting, or something in a table.
+  [[nodiscard]] bool is_drawn(std::string_view path) const;
   /// Whether something is true of a rung: of one shot in its table, else of any shot.
   template <class F>
   [[nodiscard]] bool any(const F& is_true) const {
@@ -61,12 +58,27 @@ struct UnreadRule {
   std::string_view path;
   /// Why nothing reads it, as UnreadSetting::why; empty where something does.
   std::string (*why)(const Reading&);
+  /// In a file it describes what is there, and is no wish: only an override that nothing reads is told.
+  bool describes = false;
 };
 
 [[nodiscard]] std::span<const UnreadRule> unread_in_flights();   // environment, shots, tolerance
 [[nodiscard]] std::span<const UnreadRule> unread_in_scenes();    // materials, shapes, things, contact
 [[nodiscard]] std::span<const UnreadRule> unread_in_worlds();    // worlds, bodies, volleys, joints
 [[nodiscard]] std::span<const UnreadRule> unread_in_emitters();  // emitters
+
+/// Whether a world moves a shot only by its own velocity, or by calls.
+[[nodiscard]] inline bool is_unmoved(const BodyDef& body) {
+  return body.kinematic || body.infinite_mass || body.frozen == Axes::all;
+}
+/// Whether gravity moves a shot.
+[[nodiscard]] inline bool feels_gravity(const FlownRung& f) {
+  const BodyDef& body = f.shot->body;
+  return f.granted.gravity != GravityModel::off && f.shot->projectile.gravity_scale != 0 && body.use_gravity &&
+         body.gravity_scale != 0 && !is_unmoved(body) && !has(body.frozen, Axes::y);
+}
+/// Whether what a shot meets may turn it: a ball that bounces off something, and no point.
+[[nodiscard]] bool may_be_turned(const Reading& reading);
 
 // ------------------------------------------------------------------------------------------------------ texts of rules
 [[nodiscard]] inline std::string read_or(bool is_read, std::string why) { return is_read ? std::string() : why; }

@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/assert.hpp"
 #include "physim/names.hpp"
 #include "scenario/suggest.hpp"
 #include "scenario/unread.hpp"
@@ -12,8 +13,11 @@ namespace {
 
 using R = const Reading&;
 
-const ScenarioEmitter& emitter(R r) { return *r.scope.emitter; }
-const EmitterDef& def(R r) { return r.scope.emitter->def; }
+const ScenarioEmitter& emitter(R r) {
+  PHYSIM_ASSERT(r.scope.emitter != nullptr);
+  return *r.scope.emitter;
+}
+const EmitterDef& def(R r) { return emitter(r).def; }
 
 bool moves(R r) {
   const ScenarioMotion& motion = emitter(r).motion;
@@ -41,8 +45,7 @@ std::string why_no_rain(R r) { return read_with(def(r).rain.density > 0, "emitte
 
 constexpr UnreadRule kPlaceRules[] = {
     {"emitter.position", [](R r) { return read_unless(!emitter(r).follows.empty(), "emitter.follows"); }},
-    {"emitter.rotation.axis",
-     [](R r) { return read_with(emitter(r).rotation.angle != 0, "emitter.rotation.angle"); }},
+    {"emitter.rotation.axis", [](R r) { return read_with(emitter(r).rotation.angle != 0, "emitter.rotation.angle"); }},
     {"emitter.motion.start",
      [](R r) {
        const ScenarioMotion& motion = emitter(r).motion;
@@ -55,15 +58,27 @@ constexpr UnreadRule kPlaceRules[] = {
        return read_with(emitter(r).motion.curve == MotionCurve::smooth, "emitter.motion.curve = \"smooth\"");
      }},
     {"emitter.inherit_velocity", why_it_is_still},
-    {"emitter.per_metre", why_it_is_still},
+    {"emitter.per_metre",
+     [](R r) {
+       const ScenarioMotion& motion = emitter(r).motion;
+       const bool goes = !motion.keys.empty() || motion.velocity != Vec3d{} || !emitter(r).follows.empty();
+       return read_or(goes, ": the emitter does not move");
+     }},
     {"emitter.cycle",
      [](R r) { return read_or(fires(r), ": the emitter fires only as the sub of others, or not at all"); }},
     {"emitter.cycle.duration",
-     [](R r) { return read_or(reads_cycle(r), ": cycles that loop without bursts and curves are one like the other"); }},
+     [](R r) {
+       return read_or(reads_cycle(r), ": cycles that loop without bursts and curves are one like the other");
+     }},
 };
 
 constexpr UnreadRule kGunRules[] = {
     {"emitter.gun", why_no_gun},
+    {"emitter.gun.burst_rounds",
+     [](R r) {
+       const GunDef& gun = def(r).gun;
+       return read_with(gun.burst_pause > 0 || gun.recoil != 0, "emitter.gun.burst_pause or recoil");
+     }},
     {"emitter.gun.burst_pause", [](R r) { return read_with(def(r).gun.burst_rounds > 0, "emitter.gun.burst_rounds"); }},
     {"emitter.gun.reload", [](R r) { return read_with(def(r).gun.magazine > 0, "emitter.gun.magazine"); }},
     {"emitter.gun.magazines", [](R r) { return read_with(def(r).gun.magazine > 0, "emitter.gun.magazine"); }},
@@ -96,14 +111,23 @@ std::string why_no_surface(R r) { return why_not_of(r, {mesh, mesh_edges, mesh_v
 std::string why_no_terrain(R r) { return why_not_of(r, {terrain}); }
 
 constexpr UnreadRule kShapeRules[] = {
-    {"emitter.from.radius", [](R r) { return why_not_of(r, {cone, sphere, hemisphere, circle, ring}); }},
+    {"emitter.from.radius",
+     [](R r) {
+       return why_not_of(r, {cone, sphere, hemisphere, circle, ring});
+     }},
     {"emitter.from.angle", [](R r) { return why_not_of(r, {cone}); }},
     {"emitter.from.tube", [](R r) { return why_not_of(r, {ring}); }},
     {"emitter.from.size", [](R r) { return why_not_of(r, {box}); }},
     {"emitter.from.length", [](R r) { return why_not_of(r, {line}); }},
-    {"emitter.from.thickness", [](R r) { return why_not_of(r, {cone, sphere, hemisphere, circle, ring, box}); }},
+    {"emitter.from.thickness",
+     [](R r) {
+       return why_not_of(r, {cone, sphere, hemisphere, circle, ring, box});
+     }},
     {"emitter.from.arc", why_no_arc},
-    {"emitter.from.arc_mode", [](R r) { return why_not_of(r, {cone, hemisphere, sphere, circle, ring, line}); }},
+    {"emitter.from.arc_mode",
+     [](R r) {
+       return why_not_of(r, {cone, hemisphere, sphere, circle, ring, line});
+     }},
     {"emitter.from.arc_speed",
      [](R r) {
        const ArcMode mode = def(r).from.arc_mode;
@@ -127,6 +151,9 @@ std::string why_no_forces(R r) {
   return read_by(is_pushed, "shots with motion \"force\" feel");
 }
 std::string why_no_drag(R r) { return read_with(is_something(def(r).flight.drag), "emitter.flight.drag"); }
+std::string why_no_gravity(R r) {
+  return read_or(r.any_of(emitter(r).shot, feels_gravity), ": gravity does not move its particles");
+}
 std::string why_no_trail(R r) { return read_with(def(r).trail.points > 0, "emitter.trail.points"); }
 
 constexpr UnreadRule kParticleRules[] = {
@@ -137,7 +164,9 @@ constexpr UnreadRule kParticleRules[] = {
      }},
     {"emitter.life.size_by_speed", why_no_speed_of_life},
     {"emitter.life.colour_by_speed", why_no_speed_of_life},
+    {"emitter.start.gravity", why_no_gravity},
     {"emitter.flight", why_no_forces},
+    {"emitter.flight.gravity", why_no_gravity},
     {"emitter.flight.fast",
      [](R r) {
        if (std::string why = why_no_drag(r); !why.empty()) return why;
@@ -175,8 +204,8 @@ std::span<const UnreadRule> unread_in_emitters() {
   using namespace rules_of_emitters;
   static const std::vector<UnreadRule> all = [] {
     std::vector<UnreadRule> list;
-    for (const std::span<const UnreadRule> part : std::initializer_list<std::span<const UnreadRule>>{
-             kPlaceRules, kGunRules, kShapeRules, kParticleRules})
+    for (const std::span<const UnreadRule> part :
+         std::initializer_list<std::span<const UnreadRule>>{kPlaceRules, kGunRules, kShapeRules, kParticleRules})
       list.insert(list.end(), part.begin(), part.end());
     return list;
   }();

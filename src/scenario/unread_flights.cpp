@@ -1,4 +1,5 @@
 // Rules about settings of the environment, of shots and of tolerance.
+#include "base/assert.hpp"
 #include "model/ladder.hpp"
 #include "model/rotor.hpp"
 #include "model/sight.hpp"
@@ -29,32 +30,73 @@ bool flies_spin_by_table(Rung f) { return flies_spin(f) && !f.shot->projectile.m
 bool flies_body(Rung f) { return turns(f.granted); }
 bool flies_attitude(Rung f) { return turns(f.granted) && !is_in_repose(f.granted); }
 bool is_pushed(Rung f) { return f.granted.motion == Motion::force; }
-bool adapts(Rung f) { return f.granted.motion != Motion::closed_form && is_adaptive(f.granted.integrator); }
-bool takes_fixed_steps(Rung f) {
-  return f.granted.motion != Motion::closed_form && !is_adaptive(f.granted.integrator);
+bool adapts(Rung f) {
+  PHYSIM_ASSERT(f.granted.integrator != Integrator::automatic);
+  return f.granted.motion != Motion::closed_form && is_adaptive(f.granted.integrator);
 }
+bool takes_fixed_steps(Rung f) { return f.granted.motion != Motion::closed_form && !is_adaptive(f.granted.integrator); }
 bool flies_profile(Rung f) { return f.granted.wind == WindModel::profile; }
 bool falls_with_height(Rung f) {
   const GravityField field = row(f.granted.gravity).field;
   return field == GravityField::central || field == GravityField::flattened ||
-         row(f.granted.earth).shape != EarthShape::flat;
+         row(f.granted.earth).shape == EarthShape::sphere;
 }
 bool reads_coefficients(Rung f) { return flies_equation(f) && !flies_spin_by_table(f); }
-const ProjectileDef& projectile(R r) { return r.scope.shot->projectile; }
-const Launch& launch(R r) { return r.scope.shot->launch; }
+const ScenarioShot& shot(R r) {
+  PHYSIM_ASSERT(r.scope.shot != nullptr);  // rules of [[shot]] are asked in one
+  return *r.scope.shot;
+}
+const ProjectileDef& projectile(R r) { return shot(r).projectile; }
+const Launch& launch(R r) { return shot(r).launch; }
 /// Whether Miller's rule says the stability of a shot, which `run` prints.
-bool has_stability(R r) {
-  return !r.scenario.world.given && stability_factor(projectile(r), launch(r), r.scenario.environment).has_value();
+bool has_stability(R r, const ScenarioShot& shot) {
+  return !r.scenario.world.given && stability_factor(shot.projectile, shot.launch, r.scenario.environment).has_value();
+}
+bool has_stability(R r) { return has_stability(r, shot(r)); }
+bool has_some_stability(R r) {
+  return std::ranges::any_of(r.scenario.shots, [&](const ScenarioShot& shot) { return has_stability(r, shot); });
+}
+bool blows(R r) {
+  const Wind& wind = r.scenario.environment.wind;
+  return !wind.profile.empty() || wind.velocity != Vec3d{} || r.is_drawn("environment.wind");
+}
+bool reads_density(Rung f) {
+  return is_in_air(f) && !is_unmoved(f.shot->body) &&
+         (flies_equation(f) || flies_spin(f) || flies_body(f) || f.granted.rotation == RotationModel::spin_drift);
+}
+bool feels_wind(Rung f, bool is_drawn) {
+  const bool is_flown = f.granted.wind != WindModel::off || (is_drawn && f.asked.wind != WindModel::off);
+  return is_flown && (is_in_air(f) || f.granted.drag == DragModel::linear_quadratic);
+}
+bool feels_turning(Rung f) {
+  const bool is_in_weight = row(f.granted.gravity).field == GravityField::flattened;
+  return (row(f.granted.earth).turning || is_in_weight) && !is_unmoved(f.shot->body);
+}
+/// Whether what pushes a shot in a world moves it.
+std::string why_unmoved(R r) {
+  const BodyDef& body = shot(r).body;
+  if (!r.scenario.world.given || !is_unmoved(body)) return {};
+  if (body.kinematic) return " beside shot.body.kinematic";
+  return body.infinite_mass ? " beside shot.body.infinite_mass" : " beside shot.body.frozen";
+}
+
+/// A [[force]] that blows like wind reads drag and diameter of what it acts on.
+bool is_blown(R r) {
+  return std::ranges::any_of(r.scenario.forces,
+                             [](const ScenarioForce& force) { return std::holds_alternative<WindZone>(force.law); });
 }
 
 /// Why no shot reads a coefficient of drag.
 std::string why_no_coefficient(R r) {
+  if (is_blown(r)) return {};
+  const auto is_by_launch = [](Rung f) { return f.granted.drag == DragModel::linear_quadratic && flies_equation(f); };
+  if (!r.any(is_in_air) && !r.any(is_by_launch)) return ": there is no air";
   if (!r.any(flies_equation)) return ": only drag \"equation\" reads it";
   return read_unless(!r.any(reads_coefficients), "shot.magnus.table");
 }
 
 // -------------------------------------------------------------------------------------------------------- environment
-std::string why_no_air(R r) { return read_or(r.any(is_in_air), ": no shot flies in air"); }
+std::string why_no_air(R r) { return read_or(r.any(is_in_air) || has_some_stability(r), ": no shot flies in air"); }
 std::string why_no_sound(R r) {
   const Atmosphere& air = r.scenario.environment.atmosphere;
   if (std::string why = why_no_air(r); !why.empty()) return why;
@@ -66,26 +108,27 @@ constexpr UnreadRule kEnvironmentRules[] = {
     {"environment.gravity.model",
      [](R r) {
        const GravityModel model = r.scenario.environment.gravity.model;
+       if (model != GravityModel::off && !r.any(feels_gravity)) return std::string(": no shot feels gravity");
        return read_or(r.any([&](Rung f) { return level(f.asked.gravity) >= level(model); }),
                       ": the gravity of shot.fidelity is simpler");
-     }},
-    {"environment.gravity.acceleration",
-     [](R r) {
-       return read_or(r.any([](Rung f) { return f.granted.gravity != GravityModel::off; }), ": no shot feels gravity");
-     }},
+     },
+     true},
+    {"environment.gravity.acceleration", [](R r) { return read_or(r.any(feels_gravity), ": no shot feels gravity"); }},
     {"environment.gravity.radius",
-     [](R r) { return read_by(r.any(falls_with_height), "gravity that falls with height and a round Earth read"); }},
+     [](R r) { return read_by(r.any(falls_with_height), "gravity that falls with height and a sphere read"); }},
     {"environment.atmosphere.model",
      [](R r) {
        const AirModel model = r.scenario.environment.atmosphere.model;
        return read_or(r.any([&](Rung f) { return level(f.asked.air) >= level(model); }),
                       ": the air of shot.fidelity is simpler");
-     }},
+     },
+     true},
     {"environment.atmosphere.temperature", why_no_sound},
     {"environment.atmosphere.humidity", why_no_sound},
     {"environment.atmosphere.pressure",
      [](R r) {
        if (std::string why = why_no_air(r); !why.empty()) return why;
+       if (!r.any(reads_density) && !has_some_stability(r)) return std::string(": no drag reads the density of air");
        const bool overridden = r.scenario.environment.atmosphere.density.has_value();
        return read_unless(overridden && !r.any(computes_air), "environment.atmosphere.density");
      }},
@@ -98,7 +141,10 @@ constexpr UnreadRule kEnvironmentRules[] = {
      }},
     {"environment.atmosphere.density",
      [](R r) {
-       const bool is_read = r.any([](Rung f) { return is_in_air(f) && !computes_air(f); });
+       const auto is_constant = [](Rung f) { return is_in_air(f) && !computes_air(f); };
+       const bool is_of_stability = has_some_stability(r) && r.scenario.environment.atmosphere.model != AirModel::isa;
+       const bool is_read = is_of_stability || r.any([&](Rung f) { return is_constant(f) && reads_density(f); });
+       if (!is_read && r.any(is_constant)) return std::string(": no drag in such air reads its density");
        return read_by(is_read, "air \"constant\" and \"exponential\" read");
      }},
     {"environment.atmosphere.sound_speed",
@@ -113,10 +159,8 @@ constexpr UnreadRule kEnvironmentRules[] = {
      }},
     {"environment.wind",
      [](R r) {
-       const Wind& wind = r.scenario.environment.wind;
-       const bool blows = !wind.profile.empty() || wind.velocity != Vec3d{};
-       const bool is_felt = r.any([](Rung f) { return f.granted.wind != WindModel::off; });
-       return read_or(!blows || is_felt, ": no shot feels wind");
+       const bool is_drawn = r.is_drawn("environment.wind");
+       return read_or(!blows(r) || r.any([&](Rung f) { return feels_wind(f, is_drawn); }), ": no shot feels wind");
      }},
     {"environment.wind.velocity",
      [](R r) {
@@ -133,9 +177,7 @@ constexpr UnreadRule kEnvironmentRules[] = {
     {"environment.wind.interpolation",
      [](R r) { return read_with(r.any(flies_profile), "environment.wind.profile and wind \"profile\""); }},
     {"environment.earth.rotation_rate",
-     [](R r) {
-       return read_by(r.any([](Rung f) { return row(f.granted.earth).turning; }), "an Earth that turns reads");
-     }},
+     [](R r) { return read_by(r.any(feels_turning), "shots over an Earth that turns read"); }},
 };
 
 /// Something that may move a shot out of the plane of fire.
@@ -145,11 +187,17 @@ bool may_leave_plane(R r) {
     return f.asked.wind != WindModel::off || f.asked.rotation != RotationModel::none ||
            f.asked.earth != EarthModel::flat;
   });
-  return is_world || is_turned || r.scope.shot->projectile.force != Vec3d{} || !r.scenario.things.empty() ||
+  return is_world || is_turned || shot(r).projectile.force != Vec3d{} || !r.scenario.things.empty() ||
          !r.scenario.emitters.empty();
 }
 
 // --------------------------------------------------------------------------------------------------------------- shots
+std::string why_no_linear_drag(R r) {
+  const auto is_linear = [](Rung f) { return f.granted.drag == DragModel::linear_quadratic; };
+  if (!r.any(is_linear)) return ": only drag \"linear_quadratic\" reads it";
+  return read_unless(!r.any([&](Rung f) { return is_linear(f) && !flies_spin_by_table(f); }), "shot.magnus.table");
+}
+
 constexpr UnreadRule kDragRules[] = {
     {"shot.drag.table", why_no_coefficient},
     {"shot.drag.coefficient",
@@ -177,20 +225,14 @@ constexpr UnreadRule kDragRules[] = {
      [](R r) {
        return read_by(r.any([](Rung f) { return f.granted.drag == DragModel::damping; }), "drag \"damping\" reads");
      }},
-    {"shot.drag.k1",
-     [](R r) {
-       return read_by(r.any([](Rung f) { return f.granted.drag == DragModel::linear_quadratic; }),
-                      "drag \"linear_quadratic\" reads");
-     }},
-    {"shot.drag.k2",
-     [](R r) {
-       return read_by(r.any([](Rung f) { return f.granted.drag == DragModel::linear_quadratic; }),
-                      "drag \"linear_quadratic\" reads");
-     }},
+    {"shot.drag.k1", why_no_linear_drag},
+    {"shot.drag.k2", why_no_linear_drag},
 };
 
 std::string why_no_spin(R r) { return read_by(r.any(flies_spin), "rotation \"magnus\" reads"); }
-std::string why_no_turn(R r) { return read_with(launch(r).spin != LaunchSpin{}, "shot.spin"); }
+std::string why_no_turn(R r) {
+  return read_with(launch(r).spin != LaunchSpin{} || r.is_drawn("spin.") || may_be_turned(r), "shot.spin");
+}
 std::string why_no_formula(R r) {
   if (!projectile(r).magnus.table.empty()) return " beside shot.magnus.table";
   return why_no_turn(r);
@@ -198,14 +240,30 @@ std::string why_no_formula(R r) {
 std::string why_no_body(R r) {
   return read_by(r.any(flies_body), "rotation \"rigid_body\" and \"modified_point_mass\" read");
 }
-std::string why_no_turning(R r) {
-  return read_by(r.any([](Rung f) { return row(f.granted.earth).turning; }), "an Earth that turns reads");
-}
+std::string why_no_turning(R r) { return read_by(r.any(feels_turning), "shots over an Earth that turns read"); }
 std::string why_no_attitude(R r) { return read_by(r.any(flies_attitude), "rotation \"rigid_body\" reads"); }
 std::string why_no_forces(R r) { return read_by(r.any(is_pushed), "motion \"force\" reads"); }
+std::string why_no_drag(R r) {
+  if (!r.any([](Rung f) { return row(f.granted.drag).is_force; })) return ": no drag is a force";
+  return read_or(r.any(is_in_air), ": there is no air");
+}
 std::string why_no_zero(R r) { return read_with(launch(r).sight.zero_range > 0, "shot.sight.zero_range"); }
 
+/// Whether an area or a size of a shot counts: in air, for a spin, in what it meets.
+bool reads_diameter(R r) {
+  const bool is_hit = !r.scenario.things.empty() && shot(r).body.collision.on_hit == OnHit::impact;
+  const DragDef& drag = projectile(r).drag;
+  const bool sizes_drag = (drag.ballistic_coefficient == 0 && drag.bands.empty()) || drag.table == DragTable::sphere;
+  const auto is_in_drag = [&](Rung f) { return sizes_drag && is_in_air(f) && flies_equation(f); };
+  const auto is_in_spin = [](Rung f) {
+    return flies_spin(f) || flies_body(f) || f.granted.rotation == RotationModel::spin_drift;
+  };
+  return is_blown(r) || r.any(is_in_drag) || r.any(is_in_spin) || has_stability(r) || is_hit;
+}
+
 constexpr UnreadRule kProjectileRules[] = {
+    {"shot.diameter",
+     [](R r) { return read_or(reads_diameter(r), ": nothing that it flies through or meets reads it"); }, true},
     {"shot.length",
      [](R r) {
        const bool drifts = r.any([](Rung f) { return f.granted.rotation == RotationModel::spin_drift; });
@@ -213,11 +271,23 @@ constexpr UnreadRule kProjectileRules[] = {
      }},
     {"shot.twist",
      [](R r) {
-       const bool spins = r.any([](Rung f) { return f.granted.rotation == RotationModel::spin_drift || flies_body(f); });
+       const bool spins =
+           r.any([](Rung f) { return f.granted.rotation == RotationModel::spin_drift || flies_body(f); });
        return read_by(spins || has_stability(r), "rotations of spinning bodies read");
      }},
+    {"shot.drag", why_unmoved},
+    {"shot.gravity_scale", why_unmoved},
+    {"shot.force", why_unmoved},
+    {"shot.magnus", why_unmoved},
+    {"shot.motor", why_unmoved},
+    {"shot.aero", why_unmoved},
+    {"shot.inertia", why_unmoved},
+    {"shot.spin", why_unmoved},
     {"shot.gravity_scale",
      [](R r) {
+       const BodyDef& body = shot(r).body;
+       if (!body.use_gravity) return std::string(" beside shot.body.use_gravity = false");
+       if (body.gravity_scale == 0) return std::string(" beside shot.body.gravity_scale = 0");
        return read_or(r.any([](Rung f) { return f.granted.gravity != GravityModel::off; }), ": it feels no gravity");
      }},
     {"shot.force", why_no_forces},
@@ -242,13 +312,26 @@ constexpr UnreadRule kProjectileRules[] = {
      }},
     {"shot.magnus.drag_per_spin", why_no_formula},
     {"shot.magnus.decay_time", why_no_turn},
-    {"shot.magnus.measure", [](R r) { return read_with(!projectile(r).magnus.table.empty(), "shot.magnus.table"); }},
+    {"shot.magnus.measure",
+     [](R r) {
+       if (projectile(r).magnus.table.empty()) return std::string(" without shot.magnus.table");
+       return why_no_turn(r);
+     }},
+    {"shot.rail_length",
+     [](R r) {
+       return read_by(r.any([](Rung f) { return flies_motors(f.granted); }), "motion \"force\" flies a rail and reads");
+     }},
     {"shot.motor",
      [](R r) {
-       return read_by(r.any([](Rung f) { return flies_motors(f.granted); }), "motion \"force\" flies a motor and reads");
+       return read_by(r.any([](Rung f) { return flies_motors(f.granted); }),
+                      "motion \"force\" flies a motor and reads");
      }},
+    {"shot.motor.drag_factor", why_no_drag},
+    {"shot.motor.drag_curve", why_no_drag},
     {"shot.inertia", why_no_body},
     {"shot.aero", why_no_body},
+    {"shot.aero", [](R r) { return read_or(r.any(is_in_air), ": there is no air"); }},
+    {"shot.aero.magnus_moment", why_no_attitude},
     {"shot.aero.damping_frame",
      [](R r) {
        if (std::string why = why_no_attitude(r); !why.empty()) return why;
@@ -260,17 +343,32 @@ constexpr UnreadRule kProjectileRules[] = {
     {"shot.attitude.rate_frame", why_no_turning},
 };
 
+std::string why_chosen(R r) {
+  const bool is_aimed = r.scenario.target.position.has_value();  // at the fidelity itself
+  return read_unless(shot(r).cheapest_within && !is_aimed, "shot.fidelity.cheapest_within");
+}
+
 constexpr UnreadRule kFidelityRules[] = {
-    {"shot.fidelity.wind",
+    {"shot.fidelity", why_unmoved},
+    {"shot.fidelity.integrator", why_chosen},
+    {"shot.fidelity.integrator",
      [](R r) {
-       const Wind& wind = r.scenario.environment.wind;
-       return read_with(!wind.profile.empty() || wind.velocity != Vec3d{}, "environment.wind");
+       return read_or(r.any([](Rung f) { return f.granted.motion != Motion::closed_form; }),
+                      ": motion \"closed_form\" takes no steps");
      }},
+    {"shot.fidelity.precision", why_chosen},
+    {"shot.fidelity.original_one_shot_forces",
+     [](R r) {
+       return read_by(r.any([](Rung f) { return f.granted.integrator == Integrator::classic; }),
+                      "integrator \"classic\" reads");
+     }},
+    {"shot.fidelity.wind", [](R r) { return read_with(blows(r), "environment.wind"); }},
     {"shot.fidelity.interpolation",
      [](R r) {
        if (std::string why = why_no_coefficient(r); !why.empty()) return why;
        const ProjectileDef& p = projectile(r);
-       return read_by(p.drag.table != DragTable::constant || !p.motor.drag_curve.empty(), "a curve of drag reads");
+       const bool is_curve = p.drag.table != DragTable::constant && p.drag.table != DragTable::sphere;
+       return read_by(is_curve || !p.motor.drag_curve.empty(), "a curve of drag reads");
      }},
     {"shot.fidelity.tolerance",
      [](R r) {
@@ -279,6 +377,16 @@ constexpr UnreadRule kFidelityRules[] = {
      }},
     {"shot.fidelity.body_form", why_no_attitude},
     {"shot.fidelity.planar", [](R r) { return read_or(may_leave_plane(r), ": nothing moves it out of its plane"); }},
+    {"shot.fidelity.aerodynamic_jump",
+     [](R r) {
+       const Wind& wind = r.scenario.environment.wind;
+       return read_with(!wind.profile.empty() || wind.velocity != Vec3d{}, "environment.wind");
+     }},
+    {"shot.fidelity.aerodynamic_jump",
+     [](R r) {
+       const auto stability = stability_factor(projectile(r), launch(r), r.scenario.environment);
+       return read_or(stability.has_value(), ": a stability factor of the shot is not known");
+     }},
     {"shot.fidelity.aerodynamic_jump",
      [](R r) {
        return read_by(r.any([](Rung f) { return f.granted.rotation == RotationModel::spin_drift; }),

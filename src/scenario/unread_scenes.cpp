@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <type_traits>
 
+#include "base/assert.hpp"
 #include "scenario/suggest.hpp"
 #include "scenario/unread.hpp"
 
@@ -12,6 +13,7 @@ namespace {
 using R = const Reading&;
 
 bool is_used_shape(const Scenario& scenario, const std::string& name) {
+  PHYSIM_ASSERT(!name.empty());  // given or made up by now
   const auto is_of_part = [&](const ScenarioPart& part) { return part.shape == name; };
   return std::ranges::any_of(scenario.things, [&](const ScenarioThing& thing) { return thing.shape == name; }) ||
          std::ranges::any_of(scenario.emitters, [&](const ScenarioEmitter& e) { return e.surface_of == name; }) ||
@@ -19,6 +21,7 @@ bool is_used_shape(const Scenario& scenario, const std::string& name) {
                              [&](const ScenarioShape& shape) { return std::ranges::any_of(shape.parts, is_of_part); });
 }
 bool is_used_material(const Scenario& scenario, const std::string& name) {
+  PHYSIM_ASSERT(!name.empty());
   const auto is_of_part = [&](const ScenarioPart& part) { return part.material == name; };
   const auto is_of_shape = [&](const ScenarioShape& shape) {
     return std::ranges::any_of(shape.parts, is_of_part) || std::ranges::count(shape.materials, name) > 0;
@@ -44,7 +47,12 @@ constexpr UnreadRule kMaterialRules[] = {
      [](R r) { return read_or(is_used_material(r.scenario, r.scope.material->name), ": no thing is made of it"); }},
     {"material.restitution", why_no_bounce},
     {"material.friction", why_no_bounce},
-    {"material.grip_restitution", why_no_bounce},
+    {"material.grip_restitution",
+     [](R r) {
+       if (std::string why = why_no_bounce(r); !why.empty()) return why;
+       const auto is_ball = [](const ScenarioShot& shot) { return shot.body.collision.radius > 0; };
+       return read_with(std::ranges::any_of(r.scenario.shots, is_ball), "shot.body.collision.radius");
+     }},
     {"material.density",
      [](R r) {
        const Material& material = *r.scope.material;
@@ -97,17 +105,19 @@ constexpr UnreadRule kThingRules[] = {
      [](R r) { return read_with(r.scope.thing->curve == MotionCurve::smooth, "thing.curve = \"smooth\""); }},
 };
 
-// ------------------------------------------------------------------------------------------------ how a shot meets them
+// ------------------------------------------------------------------------------------------------ how a shot meets
+// them
 bool has_things(R r) { return !r.scenario.things.empty(); }
 bool has_bouncy_ground(R r) { return r.scenario.world.given && r.scenario.world.def.ground.mode == GroundMode::bounce; }
-const CollisionDef& collision(R r) { return r.scope.shot->body.collision; }
+const CollisionDef& collision(R r) {
+  PHYSIM_ASSERT(r.scope.shot != nullptr);
+  return r.scope.shot->body.collision;
+}
 bool bounces_itself(R r) {
   return has_things(r) && (collision(r).on_hit == OnHit::bounce || collision(r).on_hit == OnHit::impact);
 }
 /// It bounces off something: ground, things or other projectiles.
 bool may_bounce(R r) { return has_bouncy_ground(r) || bounces_itself(r) || collision(r).others != 0; }
-/// A point is not turned by what it meets.
-bool may_be_turned(R r) { return collision(r).radius > 0 && (bounces_itself(r) || collision(r).others != 0); }
 std::string why_no_turning(R r) {
   return read_with(r.scope.shot->body.angular_velocity != Vec3d{} || may_be_turned(r), "shot.body.angular_velocity");
 }
@@ -120,18 +130,26 @@ constexpr UnreadRule kContactRules[] = {
     {"shot.body.rolling_resistance", why_no_contact},
     {"shot.body.angular_drag", why_no_turning},
     {"shot.body.frozen_rotation", why_no_turning},
-    {"shot.body.collision.on_hit", why_no_things},
+    {"shot.body.collision.on_hit",
+     [](R r) {
+       return read_with(has_things(r) || collision(r).others != 0, "a [[thing]] or shot.body.collision.others");
+     }},
     {"shot.body.collision.layers", why_no_things},
     {"shot.body.collision.radius",
-     [](R r) { return read_with(has_things(r) || collision(r).others != 0, "a [[thing]] or shot.body.collision.others"); }},
-    {"shot.body.collision.inertia",
      [](R r) {
-       return read_with(may_be_turned(r), "shot.body.collision.radius and something that turns a ball");
+       return read_with(has_things(r) || collision(r).others != 0, "a [[thing]] or shot.body.collision.others");
      }},
+    {"shot.body.collision.inertia",
+     [](R r) { return read_with(may_be_turned(r), "shot.body.collision.radius and something that turns a ball"); }},
 };
 
 }  // namespace
 }  // namespace rules_of_scenes
+
+bool may_be_turned(const Reading& r) {
+  const CollisionDef& collision = rules_of_scenes::collision(r);
+  return collision.radius > 0 && (rules_of_scenes::bounces_itself(r) || collision.others != 0);
+}
 
 std::span<const UnreadRule> unread_in_scenes() {
   using namespace rules_of_scenes;

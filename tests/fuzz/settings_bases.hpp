@@ -97,7 +97,11 @@ inertia = { moments = [0.02326, 0.23118, 0.23118] }
 attitude = { rates = [0, 0, 3.64], yaw = 0.01 }
 fidelity = { preset = "simulation", earth = "flat", rotation = "rigid_body", integrator = "rk4" }
 drag = { table = "custom", curve = [[0, 0.124], [0.9, 0.15], [1.1, 0.41], [2.5, 0.27]] }
-aero = { lift = [[0, 1.6], [2, 2.2]], pitching = [[0, 3.5], [2, 3.8]], pitch_damping = [[0, -3], [2, -9]], roll_damping = [[0, -0.017], [2, -0.009]], magnus_moment = [[0, 0, 0.1], [2, 0, 0.4]] }
+aero.lift = [[0, 1.6], [2, 2.2]]
+aero.pitching = [[0, 3.5], [2, 3.8]]
+aero.pitch_damping = [[0, -3], [2, -9]]
+aero.roll_damping = [[0, -0.017], [2, -0.009]]
+aero.magnus_moment = [[0, 0, 0.1], [2, 0, 0.4]]
 [tolerance]
 step = 0.002
 [until]
@@ -295,8 +299,7 @@ fidelity = "game"
 body = { collision = { on_hit = "bounce", radius = 0.05, others = 1 } }
 [[material]]
 name = "floor"
-restitution = 0.4
-friction = 0.3
+friction = 0.9
 [[shape]]
 name = "slab"
 box = [30, 0.1, 30]
@@ -354,7 +357,17 @@ shot = "round"
 position = [0, 2, 0]
 start = { speed = 100 }
 cycle = { duration = 0.4 }
-gun = { rounds_per_minute = 900, burst_rounds = 4, burst_pause = 0.1, magazine = 8, reload = 0.1, dispersion = 0.001, tracer_every = 3, tracer = "tracer", recoil_up = [[0, 0], [1, 1]], recoil = 0.02 }
+[emitter.gun]
+rounds_per_minute = 900
+burst_rounds = 4
+burst_pause = 0.1
+magazine = 8
+reload = 0.1
+dispersion = 0.001
+tracer_every = 3
+tracer = "tracer"
+recoil_up = [[0, 0], [1, 1]]
+recoil = 0.02
 [[emitter]]
 name = "rain"
 shot = "tracer"
@@ -381,12 +394,14 @@ inline const std::vector<std::pair<std::string_view, std::vector<std::string>>>&
       {"shot.mass", {"0.013", "0.3", "2"}},
       {"shot.diameter", {"0.009", "0.05", "0.2"}},
       {"shot.drag.curve", {"[[0, 0.2], [1, 0.6], [3, 0.4]]", "[[0, 0.5], [0.1, 0.3], [3, 0.2]]"}},
-      {"shot.drag.bands", {"[{ above = 0, ballistic_coefficient = 120 }, { above = 500, ballistic_coefficient = 160 }]"}},
+      {"shot.drag.bands",
+       {"[{ above = 0, ballistic_coefficient = 120 }, { above = 500, ballistic_coefficient = 160 }]"}},
       {"shot.drag.ballistic_coefficient", {"140", "60"}},
       {"drag.k1", {"0.02", "0.001"}},
       {"drag.k2", {"0.002", "0.0001"}},
       {"shot.magnus.table",
-       {"[{ speed = 10, spin = 10, drag = 0.3, lift = 0.1 }, { speed = 10, spin = 400, drag = 0.4, lift = 0.3 }, { speed = "
+       {"[{ speed = 10, spin = 10, drag = 0.3, lift = 0.1 }, { speed = 10, spin = 400, drag = 0.4, lift = 0.3 }, { "
+        "speed = "
         "90, spin = 10, drag = 0.25, lift = 0.05 }, { speed = 90, spin = 400, drag = 0.3, lift = 0.2 }]"}},
       {"shot.motor.thrust", {"[[0, 9], [1, 7], [1.2, 0]]"}},
       {"shot.motor.propellant_mass", {"0.005", "0.02"}},
@@ -453,12 +468,14 @@ inline const std::vector<std::pair<std::string_view, std::vector<std::string>>>&
       {"thing.position", {"[15, 1, 0]", "[6, 1, 0.2]"}},
       {"thing.layers", {"2"}},
       {"thing.keys",
-       {"[{ time = 0, position = [10, 1, 0] }, { time = 0.4, position = [12, 1, 0] }, { time = 1, position = [9, 1, 0] }]"}},
+       {"[{ time = 0, position = [10, 1, 0] }, { time = 0.4, position = [12, 1, 0] }, { time = 1, position = [9, 1, 0] "
+        "}]"}},
       {"thing.velocity", {"[2, 0, 0]", "[0, 0, 1]"}},
       {"emitter.shot", {"\"drop\"", "\"tracer\""}},
       {"emitter.position", {"[1, 3, 0]"}},
       {"emitter.motion.keys",
-       {"[{ time = 0, position = [0, 2, 0] }, { time = 0.4, position = [2, 3, 0] }, { time = 1, position = [0, 2, 1] }]"}},
+       {"[{ time = 0, position = [0, 2, 0] }, { time = 0.4, position = [2, 3, 0] }, { time = 1, position = [0, 2, 1] "
+        "}]"}},
       {"emitter.seed", {"7", "9"}},
       {"emitter.bursts", {"[{ time = 0.1, count = 3 }]"}},
       {"emitter.gun.rounds_per_minute", {"600", "1200"}},

@@ -2,7 +2,7 @@
 #pragma once
 
 #include <algorithm>
-#include <array>
+#include <cmath>
 #include <string>
 #include <variant>
 #include <vector>
@@ -21,8 +21,21 @@ struct SettingsResult {
   std::string error{};
   std::vector<std::string> notes{};  // of the scenario, and "shot.fidelity.EFFECT" of what was granted
   std::uint64_t contacts = 0;        // hits, bounces and rests
-  double time = 0;                   // that all flights or the world took [s]
+  double time = 0;                   // of flight, of all projectiles together [s]
+  double moved = 0;                  // how far they came, all together [m]
+  std::vector<double> numbers{};     // the first ones
 };
+
+/// Whether the first numbers of two results differ by more than rounding and errors of steps do.
+[[nodiscard]] inline bool differ_clearly(const SettingsResult& a, const SettingsResult& b) {
+  constexpr double kRounding = 1e-5;
+  if (a.numbers.size() != b.numbers.size()) return true;
+  for (std::size_t i = 0; i < a.numbers.size(); ++i) {
+    const double x = a.numbers[i], y = b.numbers[i];
+    if (std::isfinite(x) && std::isfinite(y) && std::abs(x - y) > kRounding * (1 + std::abs(x))) return true;
+  }
+  return false;
+}
 
 class ResultHash {
  public:
@@ -39,12 +52,17 @@ class ResultHash {
   }
 
  private:
-  void add(double x) { hash_.add(x); }
+  void add(double x) {
+    constexpr std::size_t kMost = 600;
+    hash_.add(x);
+    if (result_.numbers.size() < kMost && !is_of_steps_) result_.numbers.push_back(x);
+  }
   void add(const Vec3d& v) { add(v.x), add(v.y), add(v.z); }
   void add(const std::string& text) { hash_.add(std::as_bytes(std::span(text))); }
   void add(const FidelityInUse& in_use) {
     for (const FidelityNote& note : in_use.notes)
-      result_.notes.push_back("shot.fidelity." + note.effect + ": " + note.reason);
+      result_.notes.push_back("shot.fidelity." + (note.effect == "fidelity" ? "cheapest_within" : note.effect) + ": " +
+                              note.reason);
   }
   void add(const Event& event) {
     hash_.add(static_cast<std::uint64_t>(event.kind));
@@ -65,13 +83,16 @@ class ResultHash {
     if (flight.error()) return refuse(*flight.error());
     hash_.add(static_cast<std::uint64_t>(flight.outcome()));
     result_.time += flight.duration();
+    result_.moved += length(flight.end().position - flight.at(0).position);
     for (const Event& event : flight.events()) result_.contacts += event.kind == EventKind::hit ? 1 : 0;
     add(flight.fidelity_in_use());
     add(flight.duration()), add(flight.elevation()), add(flight.step());
     constexpr int kParts = 16;
     for (int i = 0; i <= kParts; ++i) add(flight.at(flight.duration() * i / kParts));
     const std::vector<double> times = flight.step_times();
+    is_of_steps_ = true;
     for (const double time : {times[times.size() / 3], times[times.size() / 2]}) add(flight.at(time));
+    is_of_steps_ = false;
     for (const Event& event : flight.events()) add(event);
     for (const double range : scenario_.ranges)
       if (const auto sample = flight.at_range(range)) add(*sample);
@@ -87,7 +108,8 @@ class ResultHash {
     for (const ScenarioShot& shot : scenario_.shots) {
       add(shot.projectile.name);
       hash_.add(std::uint64_t{shot.body.colour});
-      const Flight flight = scenario_.things.empty() ? fly_shot(scenario_, shot) : fly_shot(scenario_, shot, parts->scene);
+      const Flight flight =
+          scenario_.things.empty() ? fly_shot(scenario_, shot) : fly_shot(scenario_, shot, parts->scene);
       add(flight);
       add(stability_factor(shot.projectile, shot.launch, scenario_.environment).value_or(0));
       if (!flight.error())
@@ -161,7 +183,6 @@ class ResultHash {
     if (!run) return refuse(run.error());
     const std::uint64_t steps = std::min<std::uint64_t>(run->steps(), 90);
     add(scenario_.world.duration);
-    result_.time = scenario_.world.duration;
     for (std::uint64_t i = 0; i < steps; ++i) {
       run->step();
       for (const RunEvent& event : run->events()) hash_.add(event.launched.number), add(event.event);
@@ -169,6 +190,7 @@ class ResultHash {
       for (const ThingHit& hit : run->thing_hits()) add_hit(hit);
       result_.contacts += run->thing_hits().size();
       for (const RunEvent& event : run->events()) result_.contacts += event.event.kind == EventKind::bounced ? 1 : 0;
+      result_.time += static_cast<double>(run->world().size()) * scenario_.world.def.step;
       if (i % 5 == 0) of_rows(*run);
     }
     of_rows(*run);
@@ -186,13 +208,16 @@ class ResultHash {
     std::vector<WorldColumns> columns;
     world.columns(columns);
     for (const WorldColumns& each : columns)
-      std::visit([&](const auto& rows) {
-        for (const std::uint32_t index : rows.index) of_row(world[world.id_at(index)]);
-      }, each);
+      std::visit(
+          [&](const auto& rows) {
+            for (const std::uint32_t index : rows.index) of_row(world[world.id_at(index)]);
+          },
+          each);
     for (const WorldGroup& group : run.groups())
       if (group.emitter) of_particles(world, group.emitter);
   }
   void of_row(const ProjectileView& row) {
+    result_.moved += length(row.position() - row.previous_position());
     const EarthFrames frames(scenario_.environment, row.fidelity_in_use().fidelity.earth);
     const Geodetic place = frames.geodetic(row.position());
     add(place.latitude), add(place.longitude), add(place.height), add(frames.local(row.position(), row.velocity()));
@@ -209,7 +234,8 @@ class ResultHash {
     std::vector<Vec3d> size(kMost), rotation(kMost), places(kMost);
     std::vector<std::uint32_t> colour(kMost);
     std::vector<double> age(kMost), time(kMost);
-    const std::size_t count = world.particles(emitter, {.size = size, .rotation = rotation, .colour = colour, .age = age});
+    const std::size_t count =
+        world.particles(emitter, {.size = size, .rotation = rotation, .colour = colour, .age = age});
     for (std::size_t i = 0; i < std::min(count, kMost); ++i)
       add(size[i]), add(rotation[i]), hash_.add(std::uint64_t{colour[i]}), add(age[i]);
     const TrailCounts trails = world.trails(emitter, {.position = places, .time = time});
@@ -218,6 +244,7 @@ class ResultHash {
 
   const Scenario& scenario_;
   Hash hash_;
+  bool is_of_steps_ = false;  // adds what depends on where steps end
   SettingsResult result_;
 };
 
