@@ -38,7 +38,7 @@ bool takes_fixed_steps(Rung f) { return f.granted.motion != Motion::closed_form 
 bool flies_profile(Rung f) { return f.granted.wind == WindModel::profile; }
 bool falls_with_height(Rung f) {
   const GravityField field = row(f.granted.gravity).field;
-  return field == GravityField::central || field == GravityField::flattened ||
+  return (feels_gravity(f) && (field == GravityField::central || field == GravityField::flattened)) ||
          row(f.granted.earth).shape == EarthShape::sphere;
 }
 bool reads_coefficients(Rung f) { return flies_equation(f) && !flies_spin_by_table(f); }
@@ -89,8 +89,7 @@ bool is_blown(R r) {
 /// Why no shot reads a coefficient of drag.
 std::string why_no_coefficient(R r) {
   if (is_blown(r)) return {};
-  const auto is_by_launch = [](Rung f) { return f.granted.drag == DragModel::linear_quadratic && flies_equation(f); };
-  if (!r.any(is_in_air) && !r.any(is_by_launch)) return ": there is no air";
+  if (!r.any(is_in_air)) return ": there is no air";
   if (!r.any(flies_equation)) return ": only drag \"equation\" reads it";
   return read_unless(!r.any(reads_coefficients), "shot.magnus.table");
 }
@@ -231,7 +230,8 @@ constexpr UnreadRule kDragRules[] = {
 
 std::string why_no_spin(R r) { return read_by(r.any(flies_spin), "rotation \"magnus\" reads"); }
 std::string why_no_turn(R r) {
-  return read_with(launch(r).spin != LaunchSpin{} || r.is_drawn("spin.") || may_be_turned(r), "shot.spin");
+  const bool is_turned_in_world = may_be_turned(r) || shot(r).body.angular_velocity != Vec3d{};
+  return read_with(launch(r).spin != LaunchSpin{} || r.is_drawn("spin.") || is_turned_in_world, "shot.spin");
 }
 std::string why_no_formula(R r) {
   if (!projectile(r).magnus.table.empty()) return " beside shot.magnus.table";
@@ -357,6 +357,8 @@ constexpr UnreadRule kFidelityRules[] = {
                       ": motion \"closed_form\" takes no steps");
      }},
     {"shot.fidelity.precision", why_chosen},
+    {"shot.fidelity.original_one_shot_forces",
+     [](R r) { return read_with(projectile(r).force != Vec3d{} || !r.scenario.forces.empty(), "forces"); }},
     {"shot.fidelity.original_one_shot_forces",
      [](R r) {
        return read_by(r.any([](Rung f) { return f.granted.integrator == Integrator::classic; }),

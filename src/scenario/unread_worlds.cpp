@@ -99,7 +99,7 @@ std::string why_no_sight(R r) {
 /// A launcher turns about the line of sight.
 std::string why_no_elevation(R r) {
   const Launch& launch = shot(r).launch;
-  const bool is_turned = launch.elevation != 0 || launch.sight.zero_range > 0;
+  const bool is_turned = launch.elevation != 0 || launch.sight.zero_range > 0 || launch.sight.look_angle != 0;
   return read_with(!r.scenario.world.given || is_turned, "shot.elevation or sight.zero_range in a [world]");
 }
 

@@ -173,11 +173,11 @@ bool is_named(const SettingsResult& result, const std::string& path) {
 /// Bounds of a flight, of an error or of what is asked, which may not be reached, and reports of what may not happen.
 bool is_limit(std::string_view path) {
   constexpr std::string_view kParts[] = {
-      "until.",        ".despawn.",        ".max_",        ".maximum",    "pools",
-      ".wall",         "flight.limit",     "detail.rungs", ".duration",   ".magazine",
-      ".delay",        ".when_full",       "apex_events",  "tolerance",   ".sleep_",
-      "gravity.model", "atmosphere.model", ".planar",      "study.shots", "trail.time",
-      ".preset"};
+      "until.",        ".despawn.",        ".max_",        ".maximum",   "pools",
+      ".wall",         "flight.limit",     "detail.rungs", ".duration",  ".magazine",
+      ".delay",        ".when_full",       "apex_events",  "tolerance",  ".sleep_",
+      "gravity.model", "atmosphere.model", ".planar",      "target.arc", "study.shots",
+      "trail.time",    ".preset"};
   return std::ranges::any_of(kParts, [&](std::string_view part) { return path.find(part) != path.npos; });
 }
 bool is_of_contact(std::string_view path) {
@@ -226,7 +226,7 @@ class SettingsFuzz {
       const SettingsResult both = base.result_of({a, b});
       if (!both.error.empty()) return true;
       if (both.bits != alone.bits) {
-        const bool is_chosen = first.path == "shot.fidelity.cheapest_within";
+        const bool is_chosen = first.path == "shot.fidelity.cheapest_within" || is_limit(first.path);
         if (!is_chosen && differ_clearly(both, alone) && base.is_called_unread(both, second.path))
           found(base, a, second, "is wrongly said to have no effect");
         return true;
@@ -250,6 +250,7 @@ class SettingsFuzz {
                                 const SettingsResult& alone) {
     if (is_limit(setting.path) || is_of_contact(setting.path)) return true;
     if (first.path == "shot.fidelity.cheapest_within") return true;  // it leaves out what is below its error
+    if (first.path == "shot.body.frozen") return true;               // others may push along that axis alone
     constexpr double kLittle = 0.1;                                  // of the way
     if (setting.telling.empty()) return false;
     return alone.time < base.plain().time || alone.moved < kLittle * base.plain().moved;
