@@ -3,6 +3,7 @@
 #include "model/ladder.hpp"
 #include "model/rotor.hpp"
 #include "model/sight.hpp"
+#include "model/spin_drift.hpp"
 #include "physim/names.hpp"
 #include "prepare/grant.hpp"
 #include "scenario/suggest.hpp"
@@ -387,7 +388,7 @@ constexpr UnreadRule kFidelityRules[] = {
     {"shot.fidelity.aerodynamic_jump",
      [](R r) {
        const auto stability = stability_factor(projectile(r), launch(r), r.scenario.environment);
-       return read_or(stability.has_value(), ": a stability factor of the shot is not known");
+       return read_or(stability && *stability < kMostStable, ": no stability factor of the shot goes with spin drift");
      }},
     {"shot.fidelity.aerodynamic_jump",
      [](R r) {
