@@ -7,6 +7,7 @@
 
 #include "asked.hpp"
 #include "physim/names.hpp"
+#include "report/summary.hpp"
 #include "scenario/world_run.hpp"
 #include "terminal.hpp"
 
@@ -123,6 +124,14 @@ Result<int> run(const AimCommand& command) {
   const Result<Aim> found = aim(shot.projectile, launch, asked->scenario.environment, shot.projectile.fidelity,
                                 target->target, target->options);
   if (!found) return about(*asked, found.error());
+  Until until{.ground = target->options.ground};
+  const bool are_one = found->low && found->high && found->low->time == found->high->time;
+  for (const auto& solution : {found->low, are_one ? std::nullopt : found->high}) {
+    if (!solution || !has_own_curve(shot.projectile)) continue;
+    until.time = std::max(solution->time, 1e-9);
+    warn_of_curve(fly(shot.projectile, solution->launch, asked->scenario.environment, shot.projectile.fidelity,
+                      target->options.flight, until));
+  }
   const Answer answer = aim_answer(*asked, target->target, target->options, *found, style_of(stdout));
   return done(give(command.question, answer), found->in_reach() ? kExitOk : kExitCheckMissed);
 }

@@ -3,6 +3,8 @@
 #include <cmath>
 
 #include "outputs.hpp"
+#include "report/summary.hpp"
+#include "report/table.hpp"
 #include "scenario/units.hpp"
 #include "terminal.hpp"
 
@@ -47,6 +49,16 @@ Result<AskedShot> ask(const Question& question) {
 void warn_of_things(const Scenario& scenario, const std::string& answer) {
   if (!scenario.things.empty())
     print_warning("the things of the scenario are left aside: " + answer + " is of shots that meet nothing");
+}
+
+void warn_of_curve(const Flight& flight) {
+  if (flight.error()) return;  // its command says so
+  for (const std::string& note : curve_notes(flight))
+    print_warning("shot \"" + one_line(flight.projectile().name) + "\": " + note);
+}
+
+void warn_of_curve(const Scenario& scenario, const ScenarioShot& shot) {
+  if (has_own_curve(shot.projectile)) warn_of_curve(fly_shot(scenario, shot));
 }
 
 Result<AskedShot> ask_without_things(const Question& question, const std::string& answer) {

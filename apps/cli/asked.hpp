@@ -26,9 +26,13 @@ void add_question_options(Command& command, Question& question, bool json = true
 
 /// Says that an answer about shots that meet nothing leaves the things of a scenario aside. `answer`: "a range card".
 void warn_of_things(const Scenario& scenario, const std::string& answer);
-/// The scenario, and the shot that was asked for.
+/// Warns where a flight leaves the drag curve of its own projectile.
+void warn_of_curve(const Flight& flight);
+/// ... where the flight of a shot of a scenario does, flown alone as the scenario says.
+void warn_of_curve(const Scenario& scenario, const ScenarioShot& shot);
 /// Reads the scenario, and prints its notes as warnings.
 [[nodiscard]] Result<Scenario> load(const ScenarioInput& input);
+/// The scenario, and the shot that was asked for.
 [[nodiscard]] Result<AskedShot> ask(const Question& question);
 /// ... for an answer about shots that meet nothing: of flights the things are taken out, and a warning says so.
 [[nodiscard]] Result<AskedShot> ask_without_things(const Question& question, const std::string& answer);

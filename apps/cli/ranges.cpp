@@ -3,6 +3,7 @@
 
 #include "asked.hpp"
 #include "physim/solve.hpp"
+#include "report/summary.hpp"
 #include "terminal.hpp"
 
 namespace physim::cli {
@@ -30,6 +31,13 @@ Result<int> run(const MaxRangeCommand& command) {
   const auto far = max_range(shot.projectile, shot.launch, scenario.environment, shot.projectile.fidelity, ground,
                              slope->value_or(0));
   if (!far) return about(*asked, far.error());
+  if (has_own_curve(shot.projectile)) {
+    Launch launch = shot.launch;
+    launch.sight = {};
+    launch.elevation = far->elevation;
+    warn_of_curve(fly(shot.projectile, launch, scenario.environment, shot.projectile.fidelity, scenario.tolerance,
+                      {.ground = ground, .time = std::max(far->time, 1e-9)}));
+  }
   return done(give(command.question, max_range_answer(*asked, *far, style_of(stdout))));
 }
 
@@ -49,6 +57,7 @@ Result<int> run(const DangerCommand& command) {
   beyond.until.range.reset();  // the target may be hit on both sides of where the flight is to end
   const Flight flight = fly_shot(beyond, shot);
   if (flight.error()) return refusal(asked->scenario, shot, flight);
+  warn_of_curve(flight);
   const auto space = command.terrain ? danger_space(flight, **range, **height, *ground, shot.body.collision.layers)
                                      : danger_space(flight, **range, **height);
   if (!space) return about(*asked, space.error());

@@ -194,6 +194,15 @@ void warn_of_age(const WorldLog& log) {
   }
 }
 
+/// Warns of shots of a world that leave their drag curves. Rounds of emitters have speeds of their own.
+void warn_of_curves(const Scenario& scenario) {
+  for (const ScenarioShot& shot : scenario.shots) {
+    const std::string& name = shot.projectile.name;
+    const auto fires = [&](const ScenarioEmitter& emitter) { return emitter.shot == name || emitter.tracer == name; };
+    if (std::ranges::none_of(scenario.emitters, fires)) warn_of_curve(scenario, shot);
+  }
+}
+
 /// When a run is to be saved.
 Status save_time(const RunOptions& options, const Scenario& scenario, LogOptions& into) {
   if (options.save_at.empty()) return {};
@@ -251,6 +260,7 @@ Result<int> run_world(const RunOptions& options, Scenario scenario, std::optiona
   if (!status) return status.error();
   warn_of_refusals(log->groups);
   warn_of_age(*log);
+  warn_of_curves(scenario);
   const int code = std::ranges::count(log->checks, false, &Check::met) > 0 ? kExitCheckMissed : kExitOk;
   if (!options.outputs.use_stdout()) return done(print(world_text(*log, style_of(stdout))), code);
   if (code != kExitOk) print_warning("checks were missed");

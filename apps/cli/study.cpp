@@ -437,6 +437,7 @@ Result<int> run(StudyCommand command) {
   const auto all = ask_study(command);
   if (!all) return all.error();
   const auto& [asked, study] = *all;
+  warn_of_curve(asked.scenario, asked.shot());
   if (Status status = announce_pictures(command, asked.scenario.study); !status) return status.error();
   if (asked.scenario.world.given) warn_of_things(asked.scenario, "a study of a scenario with a [world]");
   const auto threads = make_thread_pool(command.threads.value_or(0));

@@ -184,11 +184,13 @@ class Granting {
     if (f_.planar) return without_rotation("a planar flight does not leave its plane");
     if (!has_inertia(projectile_)) return without_rotation("the projectile's moments of inertia are not given");
     if (is_in_repose(f_)) return by_repose();
-    const bool symmetric = is_axisymmetric(projectile_);
+    const bool symmetric = is_axisymmetric(projectile_), damps_alike = projectile_.aero.yaw_damping.empty();
     if (f_.body_form == BodyForm::automatic)
-      f_.body_form = symmetric && projectile_.twist != 0 ? BodyForm::axis : BodyForm::quaternion;
+      f_.body_form = symmetric && damps_alike && projectile_.twist != 0 ? BodyForm::axis : BodyForm::quaternion;
     if (f_.body_form == BodyForm::axis && !symmetric)
       set("body_form", f_.body_form, BodyForm::quaternion, "the body is not symmetric about its x axis");
+    if (f_.body_form == BodyForm::axis && !damps_alike)
+      set("body_form", f_.body_form, BodyForm::quaternion, "its yaw damping is not its pitch damping");
   }
 
   void by_point() {

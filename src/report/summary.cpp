@@ -164,10 +164,16 @@ std::string shot_text(const FlownShot& flown, const Scenario& scenario, const St
 
 }  // namespace
 
+namespace {
+bool flies_curve(const ProjectileDef& p) { return p.drag.table == DragTable::custom && !p.drag.curve.empty(); }
+}  // namespace
+
+bool has_own_curve(const ProjectileDef& p) { return flies_curve(p) || !p.motor.drag_curve.empty(); }
+
 std::vector<std::string> curve_notes(const Flight& flight) {
   const ProjectileDef& p = flight.projectile();
-  const bool has_curve = p.drag.table == DragTable::custom && !p.drag.curve.empty();
-  if (p.fidelity.drag != DragModel::equation || (!has_curve && p.motor.drag_curve.empty())) return {};
+  const bool has_curve = flies_curve(p);
+  if (p.fidelity.drag != DragModel::equation || !has_own_curve(p)) return {};
   constexpr int kParts = 400;
   std::vector<double> times = flight.step_times();
   for (int i = 0; i <= kParts; ++i) times.push_back(flight.duration() * i / kParts);

@@ -26,6 +26,8 @@ namespace physim::report {
 
 /// Notes on the distance by which a flight leaves its own drag curve, and the place; empty if it stays on the curve.
 [[nodiscard]] std::vector<std::string> curve_notes(const Flight& flight);
+/// Whether a projectile has a drag curve of its own, which a flight may leave.
+[[nodiscard]] bool has_own_curve(const ProjectileDef& projectile);
 
 /// Round ranges [m] for a range card of a flight that ends at this range [m].
 [[nodiscard]] std::vector<double> default_ranges(double end_range);

@@ -47,17 +47,28 @@ class MeshFiles : public Assimp::DefaultIOSystem {
   Status& status_;
 };
 
-void add_mesh(MeshShape& to, const aiMesh& from) {
+/// `node` takes the mesh into the file's frame. A scale that mirrors turns the corners of triangles round.
+void add_mesh(MeshShape& to, const aiMesh& from, const aiMatrix4x4& node) {
   const auto first = static_cast<std::uint32_t>(to.vertices.size());
-  for (unsigned i = 0; i < from.mNumVertices; ++i)
-    to.vertices.push_back({from.mVertices[i].x, from.mVertices[i].y, from.mVertices[i].z});
+  const bool mirrors = node.Determinant() < 0;
+  for (unsigned i = 0; i < from.mNumVertices; ++i) {
+    const aiVector3D at = node * from.mVertices[i];
+    to.vertices.push_back({at.x, at.y, at.z});
+  }
   for (unsigned i = 0; i < from.mNumFaces; ++i) {
     const aiFace& face = from.mFaces[i];
     if (face.mNumIndices != 3) continue;  // points and lines have no area
     const unsigned* corner = face.mIndices;
     PHYSIM_ASSERT(corner[0] < from.mNumVertices);
-    to.triangles.push_back({first + corner[0], first + corner[1], first + corner[2]});
+    to.triangles.push_back({first + corner[0], first + corner[mirrors ? 2 : 1], first + corner[mirrors ? 1 : 2]});
   }
+}
+
+void add_node(MeshShape& to, const aiScene& scene, const aiNode& node, const aiMatrix4x4& parent) {
+  const aiMatrix4x4 here = parent * node.mTransformation;
+  for (unsigned i = 0; i < node.mNumMeshes; ++i) PHYSIM_ASSERT(node.mMeshes[i] < scene.mNumMeshes);
+  for (unsigned i = 0; i < node.mNumMeshes; ++i) add_mesh(to, *scene.mMeshes[node.mMeshes[i]], here);
+  for (unsigned i = 0; i < node.mNumChildren; ++i) add_node(to, scene, *node.mChildren[i], here);
 }
 
 }  // namespace
@@ -74,12 +85,12 @@ Result<MeshShape> read_mesh_file(const std::string& file) {
                                                           aiComponent_BONEWEIGHTS | aiComponent_ANIMATIONS |
                                                           aiComponent_TEXTURES | aiComponent_LIGHTS |
                                                           aiComponent_CAMERAS | aiComponent_MATERIALS);
-  const aiScene* scene = importer.ReadFile(file, aiProcess_RemoveComponent | aiProcess_Triangulate |
-                                                     aiProcess_PreTransformVertices | aiProcess_JoinIdenticalVertices);
+  const aiScene* scene =
+      importer.ReadFile(file, aiProcess_RemoveComponent | aiProcess_Triangulate | aiProcess_JoinIdenticalVertices);
   if (!files) return files.error();
   if (scene == nullptr) return Error{"Assimp: " + std::string(importer.GetErrorString()), file, ""};
   MeshShape mesh;
-  for (unsigned i = 0; i < scene->mNumMeshes; ++i) add_mesh(mesh, *scene->mMeshes[i]);
+  if (scene->mRootNode != nullptr) add_node(mesh, *scene, *scene->mRootNode, {});
   if (mesh.triangles.empty()) return Error{"there are no triangles in it", file, ""};
   return mesh;
 }

@@ -20,8 +20,14 @@ class Mistakes {
   explicit Mistakes(bool needs_all = true) : needs_all_(needs_all) {}
   [[nodiscard]] bool needs_all() const { return needs_all_; }
 
+  /// An error that is there already, as of a setting of several shots, is one.
   void take(const Status& status) {
-    if (!status) all_.push_back(status.error());
+    if (status) return;
+    const Error& error = status.error();
+    const auto is_same = [&](const Error& other) {
+      return other.place == error.place && other.message == error.message && other.hint == error.hint;
+    };
+    if (std::ranges::none_of(all_, is_same)) all_.push_back(error);
   }
   [[nodiscard]] bool empty() const { return all_.empty(); }
   /// True if there are more errors than the report shows.

@@ -11,6 +11,7 @@
 #include "scenario/checks.hpp"
 #include "scenario/suggest.hpp"
 #include "scenario/units.hpp"
+#include "scenario/unread.hpp"
 
 namespace physim {
 namespace {
@@ -22,10 +23,10 @@ class Notes {
   Notes(Scenario& scenario, const Value& document) : scenario_(scenario), document_(document) {}
 
   void add_all() {
+    for (const UnreadSetting& unread : unread_settings(scenario_, document_))
+      scenario_.notes.push_back(unread.place + ": " + unread.path + ": has no effect" + unread.why);
     of_environment();
     for (std::size_t i = 0; i < scenario_.shots.size(); ++i) of_shot(scenario_.shots[i], element(document_, "shot", i));
-    for (std::size_t i = 0; i < scenario_.joints.size(); ++i)
-      of_joint(scenario_.joints[i].def.kind, element(document_, "joint", i));
     for (const JointRemark& remark : joint_remarks(scenario_))
       note(element(document_, "joint", remark.joint), "joint", {"length"}, remark.what);
     for (std::size_t i = 0; i < scenario_.emitters.size(); ++i)
@@ -35,7 +36,6 @@ class Notes {
   }
 
  private:
-  // ----------------------------------------------------------------------------------------------- one by the other
   static bool is_given(const Value& table, Path path) {
     const Value* value = &table;
     for (const std::string_view key : path)
@@ -50,10 +50,6 @@ class Notes {
   void note(const Value& table, std::string_view head, Path path, const std::string& what) {
     scenario_.notes.push_back(place_of(table, path) + ": " + joined(head, path) + ": " + what);
   }
-  /// A setting that is given and that nothing reads.
-  void overruled(bool is_unread, const Value& table, std::string_view head, Path path, const std::string& by) {
-    if (is_unread && is_given(table, path)) note(table, head, path, "has no effect beside " + by);
-  }
 
   // ----------------------------------------------------------------------------------------------------- unlikely
   /// A number that lies outside of what is usual, if it is given.
@@ -64,7 +60,6 @@ class Notes {
 
   void of_environment() {
     const Environment& e = scenario_.environment;
-    overruled(!e.wind.profile.empty(), document_, "", {"environment", "wind", "velocity"}, "environment.wind.profile");
     constexpr double kMostGravity = 9.9, kLeastGravity = 9.7;  // of the Earth [m/s^2]
     const bool on_earth = e.gravity.model != GravityModel::off && e.gravity.acceleration > kLeastGravity &&
                           e.gravity.acceleration < kMostGravity;
@@ -81,16 +76,6 @@ class Notes {
   }
 
   void of_shot(const ScenarioShot& shot, const Value& table) {
-    const DragDef& drag = shot.projectile.drag;
-    overruled(drag.ballistic_coefficient > 0 || !drag.bands.empty(), table, "shot", {"drag", "form_factor"},
-              drag.bands.empty() ? "shot.drag.ballistic_coefficient" : "shot.drag.bands");
-    const std::string source = "shot.drag.table = " + in_quotes(name(drag.table));
-    overruled(drag.table != DragTable::constant, table, "shot", {"drag", "coefficient"}, source);
-    overruled(drag.table != DragTable::custom, table, "shot", {"drag", "curve"}, source);
-    const auto fires_it = [&](const ScenarioEmitter& emitter) { return emitter.shot == shot.projectile.name; };
-    if (const auto emitter = std::ranges::find_if(scenario_.emitters, fires_it); emitter != scenario_.emitters.end())
-      for (const std::string_view key : {"speed", "elevation", "azimuth", "velocity", "position", "sight"})
-        overruled(true, table, "shot", {key}, "the emitter " + in_quotes(emitter->def.name) + ", which fires it");
     of_numbers(shot, table);
     of_motor(shot, table);
   }
@@ -130,13 +115,6 @@ class Notes {
       unusual(table, "shot", {"twist"}, quantity_text(p.twist, Quantity::length),
               "it gives a stability factor of " + number_text(std::round(100 * *stability) / 100) +
                   ", and bullets that fly straight have 1.3 to 5");
-  }
-
-  void of_joint(JointKind kind, const Value& table) {
-    const std::string by = "joint.kind = " + in_quotes(name(kind));
-    overruled(kind != JointKind::spring, table, "joint", {"stiffness"}, by);
-    overruled(kind != JointKind::spring, table, "joint", {"damping"}, by);
-    overruled(kind != JointKind::cable, table, "joint", {"restitution"}, by);
   }
 
   /// Adds a note if an emitter has more particles in a step than the limit, at which it stops.

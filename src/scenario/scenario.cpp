@@ -10,6 +10,7 @@
 #include "scenario/files_in_use.hpp"
 #include "scenario/in_place.hpp"
 #include "scenario/measured_column.hpp"
+#include "scenario/mistakes.hpp"
 #include "scenario/notes.hpp"
 #include "scenario/overrides.hpp"
 #include "scenario/reader.hpp"
@@ -127,9 +128,12 @@ Result<Scenario> parse_scenario(const std::string& text, const std::string& file
   const IeeeMode mode;
   Result<Value> document = parse_document(text, file);
   if (!document) return document.error();
-  for (const std::string& override_text : overrides)
-    if (Status status = apply_override(*document, override_text); !status) return status.error();
-  return read_scenario(*document, file, Checks::all);
+  Mistakes mistakes;
+  for (const std::string& override_text : overrides) mistakes.take(apply_override(*document, override_text));
+  Result<Scenario> scenario = read_scenario(*document, file, Checks::all);
+  if (mistakes.empty()) return scenario;
+  if (!scenario) mistakes.take(scenario.error());
+  return mistakes.status().error();
 }
 
 Result<std::string> read_scenario_text(const std::string& file) {

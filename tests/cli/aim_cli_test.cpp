@@ -158,7 +158,7 @@ TEST(CliMaxRange, OfAParabola) {
   const auto down = json_of(physim({"max-range", file, "--slope", "-10 deg", "--json", "-"}));
   EXPECT_NEAR(down["range [m]"], 250 * 250 / kG / (1 + std::sin(-10 * kDegree)), 1e-3);
   expect_complaint(physim({"max-range", file, "--slope", "100 deg"}), "slope");
-  expect_complaint(physim({"max-range", file, "--set", "environment.gravity.model=off"}), "does not come down");
+  expect_complaint(physim({"max-range", file, "--set", "environment.gravity.acceleration=0"}), "does not come down");
 }
 
 TEST(CliDangerSpace, OfAParabola) {

@@ -207,6 +207,31 @@ TEST(CliRun, SaysWhereAFlightLeavesItsOwnDragCurve) {
   EXPECT_TRUE(has(physim({"table", file}).err, "the drag curve ends at Mach 1.5"));
   const Ran within = physim({"run", folder.write("d.toml", text("[[0, 0.2], [5, 0.3]]"))});
   EXPECT_FALSE(has(within.out, "drag curve")) << within.out;
+  // Behind every other door, too.
+  const std::string above = "shot \"b\": the drag curve ends at Mach 1.5, and the flight is above it between 0 and ";
+  const std::string study = "study.inputs=[\"shot.speed = +- 1 m/s\"]";
+  for (const std::vector<std::string>& command : std::vector<std::vector<std::string>>{
+           {"aim", file, "--target", "500 m, 0 m, 0 m", "--arc", "low"},
+           {"danger-space", file, "--range", "300 m", "--height", "1 m"},
+           {"max-range", file},
+           {"study", file, "--set", study, "--shots", "64"},
+           {"run",
+            folder.write("w.toml", "physim = 1\n[world]\nduration = 1\n" +
+                                       text("[[0.5, 0.2], [1.5, 0.3]]")
+                                           .substr(std::string("physim = 1\n[until]\ntime = \"60 s\"\n").size()))}}) {
+    const Ran other = physim(command);
+    EXPECT_NE(other.code, 2) << command[0] << other.err;
+    EXPECT_TRUE(has(other.err, above)) << command[0] << ": " << other.err;
+  }
+}
+
+TEST(Cli, mistakes_of_all_options_are_told_at_once) {
+  const Folder folder;
+  const std::string file = folder.write("m.toml", "physim = 1\n[[shot]]\nspeed = 50\nmas = 3\n");
+  const Ran ran = physim({"run", file, "--set", "shot.speeed=5", "--set", "shot.diameter", "--set", "shot.mass=-1 kg"});
+  EXPECT_EQ(ran.code, 2);
+  for (const char* mistake : {"speeed", "an override without \"=\"", "shot.mass", "mas"})
+    EXPECT_TRUE(has(ran.err, mistake)) << mistake << ": " << ran.err;
 }
 
 /// A launcher gives its ranks a terminal, whose text goes into a file.
@@ -340,8 +365,7 @@ TEST(CliRun, ManyOddEndsAreCounted) {
   const Folder folder;
   std::string many = kBall;
   for (int i = 0; i < 9; ++i) many += "[[shot]]\nname = \"s" + std::to_string(i) + "\"\nspeed = 30\nelevation = 1\n";
-  const Ran ran = physim(
-      {"run", folder.write("many.toml", many), "--set", "tolerance.max_steps=1", "--set", "tolerance.step=1 ms"});
+  const Ran ran = physim({"run", folder.write("many.toml", many), "--set", "tolerance.max_steps=1"});
   EXPECT_EQ(ran.code, 1) << ran.err;
   const std::vector<std::string> lines = lines_of(ran.err);
   ASSERT_EQ(lines.size(), 6U) << ran.err;

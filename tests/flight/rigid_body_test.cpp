@@ -151,6 +151,31 @@ TEST(RigidBody, both_forms_fly_the_same) {
   }
 }
 
+/// Its rates across the axis die away by their own coefficients: exp(-q S d^2 C t / I) each, whatever form is asked
+/// for.
+TEST(RigidBody, a_yaw_damping_of_its_own_is_felt_where_the_axis_form_is_asked_for) {
+  ProjectileDef p = test::nasa_brick();
+  p.inertia.moments = {0.01, 0.1, 0.1};
+  p.twist = 1e9;  // no spin to speak of
+  p.diameter = 0.2;
+  p.aero.pitch_damping = {{0, 0, -2}};
+  p.aero.yaw_damping = {{0, 0, -6}};
+  Launch launch{.speed = 100};
+  launch.attitude.rates = {0, 0.1, 0.1};
+  Environment air;
+  air.gravity.model = GravityModel::off;
+  air.atmosphere = {.model = AirModel::constant, .density = 1.2, .sound_speed = 340.0};
+  const double area = 0.25 * 3.14159265358979323846 * 0.2 * 0.2, rate = 0.5 * 1.2 * 100 * area * 0.2 * 0.2 / 0.1;
+  for (const BodyForm form : {BodyForm::automatic, BodyForm::axis, BodyForm::quaternion}) {
+    Fidelity f = test::rigid(Integrator::dop853, form);
+    f.air = AirModel::constant, f.drag = DragModel::equation;
+    const Flight flight = fly(p, launch, air, f, {1e-11, 1e-12}, {.ground = {}, .time = 1});
+    const Vec3d turning = flight.end().angular_velocity;
+    EXPECT_NEAR(turning.y, 0.1 * std::exp(-6 * rate), 1e-4) << static_cast<int>(form);
+    EXPECT_NEAR(turning.z, 0.1 * std::exp(-2 * rate), 1e-4) << static_cast<int>(form);
+  }
+}
+
 TEST(RigidBody, stands_still_among_the_stars_while_the_earth_turns) {
   Environment e;
   e.earth = {.latitude = 0.7, .longitude = 0.3, .azimuth = 0.5, .rotation_rate = 0.1};

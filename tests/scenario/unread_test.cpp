@@ -1,0 +1,197 @@
+// Each setting that is given and that nothing reads is told, by its path and the reason; one that is read is not.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "scenario/scenario.hpp"
+#include "scenario/unread.hpp"
+
+namespace physim {
+namespace scenario_unread_test {
+
+std::vector<std::string> notes_of(const std::string& text) {
+  const auto scenario = parse_scenario("physim = 1\n" + text, "f.toml");
+  EXPECT_TRUE(scenario) << text << ": " << (scenario ? "" : scenario.error().text());
+  return scenario ? scenario->notes : std::vector<std::string>{};
+}
+
+bool says(const std::string& text, const std::string& words) {
+  return std::ranges::any_of(notes_of(text), [&](const std::string& note) { return note.find(words) != note.npos; });
+}
+
+/// The setting has no effect in the first text, and has one in the second.
+void expect_unread(const std::string& path, const std::string& why, const std::string& unread,
+                   const std::string& read) {
+  EXPECT_TRUE(says(unread, ": " + path + ": has no effect" + why))
+      << unread << testing::PrintToString(notes_of(unread));
+  EXPECT_FALSE(says(read, ": " + path + ": has no effect")) << read << testing::PrintToString(notes_of(read));
+}
+
+const std::string kShot = "[[shot]]\nmass = 1\ndiameter = 0.1\n";
+
+TEST(Unread, settings_of_the_air_and_the_earth) {
+  const auto air = [](const std::string& keys, const std::string& rung) {
+    return "[environment.atmosphere]\n" + keys + "\n" + kShot + "fidelity = { air = \"" + rung + "\" }\n";
+  };
+  expect_unread("environment.atmosphere.scale_height", ": only air \"exponential\"", air("scale_height = 7000", "isa"),
+                air("scale_height = 7000", "exponential"));
+  expect_unread("environment.atmosphere.density", ": only air \"constant\"", air("density = 1", "isa"),
+                air("density = 1", "constant"));
+  expect_unread("environment.atmosphere.pressure", " beside environment.atmosphere.density",
+                air("density = 1\npressure = 9e4", "constant"), air("density = 1\npressure = 9e4", "isa"));
+  expect_unread("environment.atmosphere.station_altitude", " without environment.atmosphere.temperature",
+                air("station_altitude = 500", "isa"), air("station_altitude = 500\ntemperature = 280", "isa"));
+  expect_unread("environment.atmosphere.temperature", ": no shot flies in air", air("temperature = 280", "vacuum"),
+                air("temperature = 280", "isa"));
+  const auto earth = [](const std::string& model) {
+    return "[environment.earth]\nrotation_rate = 1e-4\n" + kShot + "fidelity = { earth = \"" + model + "\" }\n";
+  };
+  expect_unread("environment.earth.rotation_rate", ": only shots over an Earth that turns", earth("flat"),
+                earth("flat_coriolis"));
+}
+
+TEST(Unread, wind_that_no_shot_feels) {
+  const auto wind = [](const std::string& keys, const std::string& rung) {
+    return "[environment.wind]\n" + keys + "\n" + kShot + "fidelity = { wind = \"" + rung + "\" }\n";
+  };
+  const std::string profile = "profile = [{ at = 0, velocity = [1, 0, 0] }, { at = 9, velocity = [2, 0, 0] }]\n";
+  expect_unread("environment.wind", ": no shot feels wind", wind("velocity = [0, 0, 4]", "off"),
+                wind("velocity = [0, 0, 4]", "constant"));
+  expect_unread("environment.wind.by", " without environment.wind.profile",
+                wind("velocity = [0, 0, 4]\nby = \"range\"", "profile"), wind(profile + "by = \"range\"", "profile"));
+  expect_unread("environment.wind.profile", " beside environment.wind.velocity",
+                wind(profile + "velocity = [0, 0, 4]", "constant"), wind(profile, "constant"));
+  expect_unread("shot.fidelity.wind", " without environment.wind", kShot + "fidelity = { wind = \"constant\" }\n",
+                kShot +
+                    "fidelity = { wind = \"constant\" }\n[study]\n"
+                    "inputs = [\"environment.wind.velocity.z = 0 m/s +- 1 m/s\"]\n");
+}
+
+TEST(Unread, numbers_of_models_that_do_not_fly) {
+  const auto shot = [](const std::string& keys) { return kShot + keys + "\n"; };
+  expect_unread("shot.drag.k1", ": only drag \"linear_quadratic\"", shot("drag = { k1 = 0.1 }"),
+                shot("drag = { k1 = 0.1 }\nfidelity = { drag = \"linear_quadratic\" }"));
+  expect_unread("shot.drag.damping", ": only drag \"damping\"", shot("drag = { damping = 0.9 }"),
+                shot("drag = { damping = 0.9 }\nfidelity = { drag = \"damping\" }"));
+  expect_unread("shot.spin", ": only rotation \"magnus\"", shot("spin = { backspin = 9 }"),
+                shot("spin = { backspin = 9 }\nmagnus = { lift = 1 }\nfidelity = { rotation = \"magnus\" }"));
+  const std::string by_table =
+      "fidelity = { rotation = \"magnus\" }\nspin = { backspin = 9 }\n"
+      "magnus = { lift = 2, table = [{ speed = 1, spin = 1, drag = 0.3, lift = 0.1 }] }";
+  expect_unread("shot.magnus.lift", " beside shot.magnus.table", shot(by_table),
+                shot("spin = { backspin = 9 }\nmagnus = { lift = 1 }\nfidelity = { rotation = \"magnus\" }"));
+  expect_unread("shot.drag.coefficient", " beside shot.magnus.table", shot(by_table + "\ndrag = { coefficient = 0.4 }"),
+                shot("drag = { coefficient = 0.4 }"));
+  expect_unread("shot.aero", ": only rotation \"rigid_body\"", shot("aero = { lift = [[0, 1]] }"),
+                shot("aero = { lift = [[0, 1]] }\ninertia = { moments = [1, 2, 2] }\n"
+                     "fidelity = { rotation = \"rigid_body\" }"));
+  expect_unread("shot.force", ": only motion \"force\"",
+                shot("force = [1, 0, 0]\nfidelity = { motion = \"velocity\" }"), shot("force = [1, 0, 0]"));
+  expect_unread("shot.force_duration", " without shot.force", shot("force_duration = 1"),
+                shot("force = [1, 0, 0]\nforce_duration = 1"));
+  expect_unread("shot.length", " without shot.twist", shot("length = 0.3"), shot("length = 0.3\ntwist = 2"));
+  expect_unread("shot.sight.zero_in_calm_air", " without shot.sight.zero_range",
+                shot("sight = { zero_in_calm_air = true }"),
+                shot("sight = { zero_in_calm_air = true, zero_range = 5 }\nspeed = 60"));
+}
+
+TEST(Unread, errors_of_steps) {
+  const auto steps = [](const std::string& key, const std::string& integrator) {
+    return "[tolerance]\n" + key + "\n" + kShot + "fidelity = { integrator = \"" + integrator + "\" }\n";
+  };
+  expect_unread("tolerance.relative", ": only adaptive integrators", steps("relative = 1e-6", "rk4"),
+                steps("relative = 1e-6", "tsit5"));
+  expect_unread("tolerance.step", ": only integrators of a fixed step", steps("step = 0.01", "tsit5"),
+                steps("step = 0.01", "rk4"));
+  expect_unread("tolerance.position_error", " beside tolerance.step", steps("position_error = 1\nstep = 0.01", "rk4"),
+                steps("position_error = 1", "rk4"));
+  expect_unread("tolerance.max_step", ": the steps of a [world] are world.step",
+                "[world]\n" + steps("max_step = 0.01", "tsit5"), steps("max_step = 0.01", "tsit5"));
+}
+
+TEST(Unread, settings_of_worlds) {
+  const std::string world = "[world]\n", bounce = "[world]\nground = { mode = \"bounce\", friction = 0.3 }\n";
+  expect_unread("world.ground.friction", " beside world.ground.mode = \"land\"",
+                "[world]\nground = { friction = 0.3 }\n" + kShot, bounce + kShot);
+  expect_unread("world.observer", " without world.detail.rungs", "[world]\nobserver = [1, 2, 3]\n" + kShot,
+                "[world]\nobserver = [1, 2, 3]\ndetail = { rungs = [{ fidelity = \"artillery\", within = 9 }, "
+                "{ fidelity = \"game\" }] }\n" +
+                    kShot);
+  expect_unread("shot.drag", " beside shot.body.kinematic",
+                world + kShot + "drag = { table = \"g7\" }\nbody = { kinematic = true }\n",
+                world + kShot + "drag = { table = \"g7\" }\n");
+  expect_unread("shot.body.restitution", ": it bounces off nothing", world + kShot + "body = { restitution = 0.3 }\n",
+                bounce + kShot + "body = { restitution = 0.3 }\n");
+  expect_unread(
+      "shot.body.despawn.box_low", " without shot.body.despawn.outside_box",
+      world + kShot + "body = { despawn = { box_low = [1, 1, 1] } }\n",
+      world + kShot + "body = { despawn = { box_low = [1, 1, 1], box_high = [2, 2, 2], outside_box = true } }\n");
+  expect_unread("volley.seed", " without a spread", world + kShot + "[[volley]]\nshot = \"shot-1\"\nseed = 5\n",
+                world + kShot + "[[volley]]\nshot = \"shot-1\"\nseed = 5\nspread = { speed = 1 }\n");
+  expect_unread("force", ": no shot with motion \"force\"",
+                world + kShot + "fidelity = \"arcade\"\n[[force]]\nconstant_force = { force = [1, 0, 0] }\n",
+                world + kShot + "[[force]]\nconstant_force = { force = [1, 0, 0] }\n");
+}
+
+/// Wind of a [[force]] takes a projectile's drag in a world without air, too.
+TEST(Unread, drag_in_a_wind_zone) {
+  const std::string probe =
+      "[world]\n[environment]\natmosphere = \"vacuum\"\n" + kShot + "drag = { coefficient = 0.4 }\n";
+  expect_unread("shot.drag.coefficient", ": there is no air", probe,
+                probe + "[[force]]\nwind_zone = { velocity = [3, 0, 0], low = [-9, -9, -9], high = [9, 9, 9] }\n");
+}
+
+TEST(Unread, things_and_materials_that_nothing_has) {
+  const std::string wood = kShot + "[[material]]\nname = \"wood\"\n", slab = "[[shape]]\nname = \"slab\"\nsphere = 1\n";
+  expect_unread("material", ": no thing is made of it", wood,
+                wood + slab + "[[thing]]\nshape = \"slab\"\nmaterial = \"wood\"\n");
+  expect_unread("shape", ": no thing has it", kShot + slab, kShot + slab + "[[thing]]\nshape = \"slab\"\n");
+  const std::string thing = slab + "[[thing]]\nshape = \"slab\"\nmaterial = \"wood\"\n";
+  const std::string hard = "poncelet = { strength = 1e7 }\n";
+  expect_unread(
+      "material.poncelet", ": only shots with on_hit \"impact\"", wood + hard + thing,
+      kShot + "body = { collision = { on_hit = \"impact\" } }\n[[material]]\nname = \"wood\"\n" + hard + thing);
+  expect_unread(
+      "thing.layers", ": shots meet things of all layers", wood + thing + "layers = 2\n",
+      kShot + "body = { collision = { layers = 2 } }\n[[material]]\nname = \"wood\"\n" + thing + "layers = 2\n");
+}
+
+TEST(Unread, settings_of_emitters) {
+  const auto emitter = [](const std::string& keys) {
+    return "[world]\n" + kShot + "[[emitter]]\nshot = \"shot-1\"\n" + keys + "\n";
+  };
+  expect_unread("emitter.gun", " without emitter.gun.rounds_per_minute", emitter("gun = { magazine = 5 }"),
+                emitter("gun = { magazine = 5, rounds_per_minute = 60 }"));
+  expect_unread("emitter.from.angle", " beside emitter.from.shape = \"sphere\"",
+                emitter("from = { shape = \"sphere\", angle = 0.2 }"),
+                emitter("from = { shape = \"cone\", angle = 0.2 }"));
+  expect_unread("emitter.flight.noise_size", " without emitter.flight.noise", emitter("flight = { noise_size = 2 }"),
+                emitter("flight = { noise_size = 2, noise = 3 }"));
+  expect_unread("emitter.trail.time", " without emitter.trail.points", emitter("trail = { time = 2 }"),
+                emitter("trail = { time = 2, points = 3 }"));
+  expect_unread("emitter.per_metre", ": the emitter does not move", emitter("per_metre = 2"),
+                emitter("per_metre = 2\nmotion = { velocity = [1, 0, 0] }"));
+  expect_unread("emitter.life.fast", " without emitter.life.size_by_speed", emitter("life = { fast = 2 }"),
+                emitter("life = { fast = 2, size_by_speed = [[0, 1], [1, 2]] }"));
+}
+
+TEST(Unread, inputs_of_a_study_that_nothing_reads) {
+  const auto study = [](const std::string& wind) {
+    return "[environment.wind]\nvelocity = [0, 0, 1]\n" + kShot + "speed = 50\nfidelity = { wind = \"" + wind +
+           "\" }\n[study]\ninputs = [\"environment.wind.velocity.z = 0 m/s +- 1 m/s\"]\n";
+  };
+  EXPECT_TRUE(says(study("off"), "study.inputs: environment.wind: has no effect: no shot feels wind"));
+  EXPECT_FALSE(says(study("constant"), "study.inputs"));
+}
+
+/// A list of a table that nothing reads is told once, whatever its length.
+TEST(Unread, a_list_is_told_once) {
+  const std::string bands =
+      "drag = { bands = [{ above = 0, ballistic_coefficient = 100 }, "
+      "{ above = 300, ballistic_coefficient = 120 }] }\nfidelity = \"arcade\"\n";
+  const auto notes = notes_of(kShot + bands);
+  EXPECT_EQ(std::ranges::count_if(notes, [](const std::string& note) { return note.find("bands") != note.npos; }), 1);
+}
+
+}  // namespace scenario_unread_test
+}  // namespace physim
