@@ -109,7 +109,9 @@ TEST(EmitterPast, one_that_takes_too_many_steps_is_cut) {
     EXPECT_EQ(n.cut > 0, is_cut);
     EXPECT_EQ(n.taken, is_cut ? 1u : 0u) << "the one at hand";
     EXPECT_EQ(world.is_playing(emitter), !is_cut);
-    if (!is_cut) EXPECT_EQ(n.alive, 40u);
+    if (!is_cut) {
+      EXPECT_EQ(n.alive, 40u);
+    }
     ASSERT_TRUE(world.seek_emitter(emitter, 3)) << "it may be asked again";
     EXPECT_EQ(world.emitter_counts(emitter).alive, 30u);
     EXPECT_TRUE(world.is_playing(emitter));
