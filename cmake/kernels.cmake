@@ -96,8 +96,10 @@ function(physim_add_kernels target)
     set(kernels ${target}_kernels_${isa})
     set(narrow ${PHYSIM_SMALL_KERNELS})
     set(small "")
+    set(knows_rungs 1)
     if((PHYSIM_ISAS STREQUAL native OR PHYSIM_FOR_SIZE) AND isa STREQUAL base AND NOT isas STREQUAL base)
       set(narrow ON)  # a better copy flies: this one is for tests, compiles in a quarter of the time and is smaller
+      set(knows_rungs 0)
       # At -Os g++ 12 sees variables of another branch of a loop as uninitialized.
       set(small $<$<CXX_COMPILER_ID:GNU>:$<SEMICOLON>-Wno-maybe-uninitialized>)
       set(small $<$<CONFIG:Release,RelWithDebInfo>:-Os${small}>)
@@ -108,7 +110,7 @@ function(physim_add_kernels target)
       set_target_properties(${kernels} PROPERTIES PHYSIM_IS_WIDE ON)
     endif()
     target_compile_definitions(
-      ${kernels} PRIVATE PHYSIM_ISA=${isa} PHYSIM_PACKS_ALONE=$<STREQUAL:${isa},avx512>
+      ${kernels} PRIVATE PHYSIM_ISA=${isa} PHYSIM_KNOWS_RUNGS=${knows_rungs} PHYSIM_PACKS_ALONE=$<STREQUAL:${isa},avx512>
                          PHYSIM_BATCH_PACKS=$<IF:$<BOOL:${PHYSIM_SMALL_KERNELS}>,2,4>
                          "PHYSIM_PACK_BYTES=$<IF:$<BOOL:${narrow}>,1,2> * kNativeBytes")
     if(CMAKE_CXX_COMPILER_ID MATCHES "GNU|Clang")

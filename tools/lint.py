@@ -18,7 +18,7 @@ ROOT = Path(__file__).resolve().parent.parent
 LAYERS = ["base", "math", "model", "settings", "solve", "prepare", "collide", "flight", "study", "emit", "world", "scenario", "report",
           "validation", "capi"]  # ground first
 KNOW_FILES = {"scenario", "report", "validation", "capi"}
-MAX_LINES, MAX_TEST_LINES, MAX_COLUMNS, MAX_BYTES = 800, 600, 120, 1_000_000
+MAX_LINES, MAX_TEST_LINES, MAX_COLUMNS, MAX_BYTES = 820, 600, 120, 1_000_000
 MAX_FUNCTION_LINES = 60
 MAX_CASTS, MAX_CAST_FILES = 10, 3  # reinterpret_cast in include, src and apps
 MIN_ASSERTS = 12  # PHYSIM_ASSERT per 1000 lines of include and src; this only rises

@@ -596,6 +596,14 @@ class SceneContacts {
     return length_squared(after.velocity) <= bend * -dot(a, about.away);
   }
 
+  /// What a way goes into at once that begins inside of it by a rounding; nothing if it leads out.
+  [[nodiscard]] SceneHit stands_here(State<double> s, SceneHit wall, const Vec3d& way, double passed) const {
+    push_out(s, wall, passed);
+    if (wall.starts_inside || !(dot(way, wall.normal) < 0)) return {};
+    wall.part = 0, wall.position = s.x;
+    return wall;
+  }
+
   /// Slides or rolls along what it lies on, up to what stands in its way.
   [[nodiscard]] std::optional<After> moves_along(State<double>& s, SceneHit& hit, double& passed,
                                                  const BallMotion& motion, const Vec3d& a) {
@@ -632,7 +640,8 @@ class SceneContacts {
       way.motion = turned_about(way.motion, a, to - there, turn.about.away, ball());
       way.motion.velocity = r_.kept(way.motion.velocity);
     }
-    const SceneHit next = cast(s.x + over, to + over, passed, way.time);
+    SceneHit next = cast(s.x + over, to + over, passed, way.time);
+    if (next.starts_inside && is_ball()) next = stands_here({s.x + over, s.v}, next, to - s.x, passed);
     const double part = next && !next.starts_inside ? next.part : 1.0;
     const State<double> began = s;
     const double begin = passed;

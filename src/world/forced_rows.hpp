@@ -202,7 +202,8 @@ Advanced advance_packs(const ForcedJob<S>& job) {
     known = true;
     advanced = PushedRung<Rung>::template advance<R>(job);
   };
-  if (job.at_once && !job.own_force && !job.rows.watchdog.watched) each_known_rung<KnownRung>(try_rung);
+  if constexpr (PHYSIM_KNOWS_RUNGS)
+    if (job.at_once && !job.own_force && !job.rows.watchdog.watched) each_known_rung<KnownRung>(try_rung);
   return known ? advanced : advance_any<R>(job);
 }
 

@@ -4,6 +4,11 @@
 #include "physim/fidelity.hpp"
 #include "physim/math.hpp"
 
+/// 0: these kernels know no rungs. They are those that a better copy replaces; all other paths give the same bits.
+#ifndef PHYSIM_KNOWS_RUNGS
+#define PHYSIM_KNOWS_RUNGS 1
+#endif
+
 namespace physim {
 
 /// Calls f with a Rung of each, in one order everywhere.

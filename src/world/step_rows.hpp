@@ -522,7 +522,8 @@ bool step_packs_of(const WorldJob<S>& job) {
     known = true;
     attention = Rung::template step<R>(job);
   };
-  if (job.watchdog.simple) each_known_rung<KnownRung>(try_rung);
+  if constexpr (PHYSIM_KNOWS_RUNGS)
+    if (job.watchdog.simple) each_known_rung<KnownRung>(try_rung);
   if (!job.watchdog.watched) try_rung(KnownFall{});
   return known ? attention : step_any<R>(job);
 }

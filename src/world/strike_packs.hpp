@@ -216,10 +216,11 @@ template <class R, class S>
 void strike_packs(StrikeJob<S>& job) {
   PHYSIM_ASSERT(job.count <= job.kRows && job.kRows % unsigned(kLanes<R>) == 0);
   job.plain = 0;
-  each_known_rung<KnownRung>([&]<class Rung>(Rung) {
-    if (!Rung::matches(*job.rows.course->conditions)) return;
-    for (unsigned first = 0; first < job.count; first += unsigned(kLanes<R>)) Strike<Rung, R, S>(job, first).run();
-  });
+  if constexpr (PHYSIM_KNOWS_RUNGS)
+    each_known_rung<KnownRung>([&]<class Rung>(Rung) {
+      if (!Rung::matches(*job.rows.course->conditions)) return;
+      for (unsigned first = 0; first < job.count; first += unsigned(kLanes<R>)) Strike<Rung, R, S>(job, first).run();
+    });
 }
 
 PHYSIM_ISA_END

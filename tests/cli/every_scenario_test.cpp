@@ -51,6 +51,7 @@ constexpr Exception kExceptions[] = {
     {"emit_machine_gun", "table", "no range to show"},
     {"emit_rain", "table", "no range to show"},
     {"emit_shotgun", "table", "no range to show"},
+    {"emit_spiral", "table", "no range to show"},
     {"emit_volcano", "table", "no range to show"},
     // Its ships start at rest, under forces of their world.
     {"arcade_space", "table", "no range to show"},

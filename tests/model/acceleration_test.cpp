@@ -207,7 +207,8 @@ void expect_step_by_ledger(World& world, ProjectileId id, const char* name) {
     ASSERT_TRUE(world[id].is_alive());
     const bool stops = !world.events().empty();  // ignition, or the end of the rail, within the step
     if (!stops) {
-      ASSERT_TRUE(is_braked((world[id].velocity() - before) * (1 / h), a.total, 5e-3));
+      const double rate = length(a.drag) / length(before - windy().wind.velocity);
+      ASSERT_TRUE(is_braked((world[id].velocity() - before) * (1 / h), a.total, 1.01 * rate * h));
     }
   }
 }

@@ -313,6 +313,8 @@ class Room {
     for (int tries = 0; world_.size() < projectiles_ && tries < 1000; ++tries) spawn();
     const double dt = chance_.in(1.0 / 240, 1.0 / 30);
     world_.step(dt);
+    longer_ = std::abs(dt - step_);
+    step_ = dt;
     // Behind a contact what generators push with stays, for the rest of the step, as it was there.
     for (const Event& event : world_.events()) {
       const auto found = guests_.find(event.id.index);
@@ -333,7 +335,7 @@ class Room {
     const Company* of = nullptr;
     double energy = 0;  // at launch [J]
     bool tied = false;  // to the middle of the room
-    double held = 0;    // what its spring may have given it by being held [J]
+    double held = 0;    // what its spring may have given it by being held, or steps of other lengths [J]
   };
 
   void spawn() {
@@ -360,13 +362,18 @@ class Room {
     return 0.5 * (dot(s.velocity, s.velocity) + 0.4 * dot(spin, spin) + tie) + kGravity * (s.position.y + kHalf);
   }
   void look_at(ProjectileId id) {
-    const Guest& guest = guests_.at(id.index);
+    Guest& guest = guests_.at(id.index);
     const BodyState s = world_[id].state();
+    // A velocity of steps of order one is half a step from that of the path: it is off by so much, and a contact behind
+    // a step of another length leaves what that changed.
+    if (!guest.of->keeps) guest.held += 0.5 * kGravity * longer_ * length(s.velocity);
     for (std::size_t axis = 0; axis < 3; ++axis)
       if (!(std::abs(s.position[axis]) <= kHalf + 1e-4)) fail("somebody left the room: %.9g m\n", s.position[axis]);
     const double energy = energy_of(guest);
+    const double half_step = guest.of->keeps ? 0 : kGravity * step_ * (length(s.velocity) + kGravity * step_);
     const double off =
-        guest.of->single ? 1e-4 * guest.energy + 1e-2 : (guest.tied ? 1e-6 : 1e-9) * guest.energy + 1e-6 + guest.held;
+        guest.held + half_step +
+        (guest.of->single ? 1e-4 * guest.energy + 1e-2 : (guest.tied ? 1e-6 : 1e-9) * guest.energy + 1e-6);
     if (!(energy <= guest.energy + off))
       fail("in a room at rest somebody has %.17g J, from %.17g J; radius %g m, friction %g, float32 %d, tied %d\n",
            energy, guest.energy, guest.of->radius, guest.of->friction, guest.of->single, guest.tied);
@@ -377,6 +384,7 @@ class Room {
   World world_;
   std::vector<Company> kinds_;
   std::map<std::uint32_t, Guest> guests_;  // by slot
+  double step_ = 0, longer_ = 0;           // the last step, and by how much it differs from the one before [s]
 };
 
 }  // namespace

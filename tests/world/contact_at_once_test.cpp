@@ -189,6 +189,32 @@ TEST(ContactAtOnce, a_sleeper_that_is_hit_takes_part_from_that_moment) {
   }
 }
 
+TEST(ContactAtOnce, what_spins_in_a_corner_stays_between_its_walls) {
+  for (const Precision precision : {Precision::float32, Precision::float64})
+    for (const Integrator integrator : {Integrator::semi_implicit_euler, Integrator::rk4})
+      for (const double radius : {0.2, 0.3, 0.7}) {
+        Scene scene;
+        const auto stone = scene.add_material({.restitution = 0.5, .friction = 1}).value();
+        const auto wall = scene.add_shape(BoxShape{{1, 20, 20}}).value();
+        const double h = std::sqrt(0.5);
+        for (const auto& [at, turn] : {std::pair{Vec3d{-11, 0, 0}, Quatd{1, 0, 0, 0}},
+                                       {Vec3d{0, -11, 0}, Quatd{h, 0, 0, h}},
+                                       {Vec3d{0, 0, 11}, Quatd{h, 0, h, 0}}})
+          EXPECT_TRUE(scene.add({.shape = wall, .transform = {.position = at, .rotation = turn}, .material = stone}));
+        World world = world_with(scene);
+        ProjectileDef p = by_rk4(radius, precision);
+        p.fidelity.integrator = integrator;
+        const double side = 10 - radius - 1e-5;
+        const ProjectileId id = put(world, p, body_of(radius, 0.4, 0.6), {-side, -side, side});
+        ASSERT_TRUE(world[id].set_angular_velocity({23.3, -23.9, 26.5}));
+        for (int i = 0; i < 400; ++i) {
+          ASSERT_TRUE(world.step(1.0 / 240 + (i * 37 % 100) * 0.01 * (1.0 / 30 - 1.0 / 240)));
+          const Vec3d x = world[id].position();
+          ASSERT_GE(std::min({x.x + 10, x.y + 10, 10 - x.z}), radius - 1e-5) << i << " " << radius;
+        }
+      }
+}
+
 TEST(ContactAtOnce, light_links_hold_a_heavy_ball) {
   for (const double mass : {1.0, 1000.0})
     for (const double degrees : {30.0, 60.0}) {
