@@ -76,8 +76,23 @@ class Notes {
   }
 
   void of_shot(const ScenarioShot& shot, const Value& table) {
+    of_ground(shot, table);
     of_numbers(shot, table);
     of_motor(shot, table);
+  }
+
+  /// Adds a note if a shot of a world begins below the ground, where its flight is over.
+  void of_ground(const ScenarioShot& shot, const Value& table) {
+    const Ground& ground = scenario_.world.def.ground;
+    const bool ends_flights = ground.mode == GroundMode::land || ground.mode == GroundMode::stick;
+    if (!scenario_.world.given || !ends_flights || !(shot.launch.position.y < ground.height)) return;
+    const std::string& name = shot.projectile.name;
+    const auto fires = [&](const ScenarioEmitter& emitter) { return emitter.shot == name || emitter.tracer == name; };
+    if (std::ranges::any_of(scenario_.emitters, fires)) return;
+    note(table, "shot", {},
+         "it begins at a height of " + quantity_text(shot.launch.position.y, Quantity::length) +
+             ", below world.ground.height = " + quantity_text(ground.height, Quantity::length) +
+             ", and has landed there");
   }
 
   /// Adds a note if the thrust never exceeds the weight along the rail, even at the mass after burnout.

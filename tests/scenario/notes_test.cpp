@@ -64,6 +64,14 @@ TEST(Notes, numbers_far_from_what_is_usual) {
       << "Mars";
 }
 
+TEST(Notes, shots_that_begin_below_the_ground) {
+  const std::string world = "[world]\nground = { height = 0.3 }\n[[shot]]\nname = \"a\"\nposition = [0, ";
+  expect_note(world + "0.1, 0]\n", "f.toml:4:1",
+              "shot: it begins at a height of 0.1 m, below world.ground.height = 0.3 m");
+  EXPECT_TRUE(notes_of(world + "0.3, 0]\n").empty());
+  EXPECT_TRUE(notes_of(world + "0.1, 0]\n", {"world.ground.height=0"}).empty());
+}
+
 TEST(Notes, a_motor_that_is_too_weak) {
   const std::string rocket = "[[shot]]\nmass = \"350 g\"\nrail_length = 1\nelevation = \"90 deg\"\n";
   expect_note(rocket + "motor = { propellant_mass = \"30 g\", thrust = [[0, 3], [1, 0]] }\n", "f.toml:6:9",
