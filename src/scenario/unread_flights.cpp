@@ -163,8 +163,9 @@ constexpr UnreadRule kEnvironmentRules[] = {
      }},
     {"environment.atmosphere.sound_speed",
      [](R r) {
-       const bool is_read = r.any([](Rung f) { return is_in_air(f) && !computes_air(f); });
-       return read_by(is_read, "air \"constant\" and \"exponential\" read");
+       // The Mach numbers of a world are those of the environment, in shots that fly in no air, too.
+       const auto reads = [&](Rung f) { return (is_in_air(f) || r.scenario.world.given) && !computes_air(f); };
+       return read_by(r.any(reads), "air \"constant\" and \"exponential\" read");
      }},
     {"environment.atmosphere.scale_height",
      [](R r) {
@@ -271,7 +272,7 @@ bool reads_diameter(R r) {
   const auto is_in_spin = [](Rung f) {
     return flies_spin(f) || flies_body(f) || f.granted.rotation == RotationModel::spin_drift;
   };
-  return is_blown(r) || r.any(is_in_drag) || r.any(is_in_spin) || has_stability(r) || is_hit;
+  return (is_blown(r) && sizes_drag) || r.any(is_in_drag) || r.any(is_in_spin) || has_stability(r) || is_hit;
 }
 
 constexpr UnreadRule kProjectileRules[] = {

@@ -66,6 +66,24 @@ TEST(Unread, numbers_of_drag_beside_motions_that_no_force_moves) {
   expect_unread("shot.drag.coefficient", ": ", motion("velocity"), motion("force"));
 }
 
+TEST(Unread, a_diameter_in_a_wind_zone_beside_a_ballistic_coefficient) {
+  const auto blown = [](const std::string& drag) {
+    return "[[shot]]\nmass = 1\ndiameter = 0.1\nspeed = 5\ndrag = { table = \"g7\", " + drag +
+           " }\nfidelity = { air = \"vacuum\" }\n[world]\n[[force]]\n"
+           "wind_zone = { velocity = [3, 0, 0], low = [-9, -9, -9], high = [9, 9, 9] }\n";
+  };
+  const auto given = [&](const std::string& drag) {
+    const std::vector<std::string> wider = {"shot.diameter=0.2"};
+    const auto scenario = parse_scenario("physim = 1\n" + blown(drag), "f.toml", wider);
+    EXPECT_TRUE(scenario) << (scenario ? "" : scenario.error().text());
+    return scenario && std::ranges::any_of(scenario->notes, [](const std::string& note) {
+             return note.find("shot.diameter: has no effect") != note.npos;
+           });
+  };
+  EXPECT_TRUE(given("ballistic_coefficient = 60"));
+  EXPECT_FALSE(given("form_factor = 1"));
+}
+
 TEST(Unread, a_cant_about_the_bore) {
   const auto canted = [](const std::string& elevation, const std::string& look) {
     return kShot + "speed = 50\nelevation = " + elevation + "\nsight = { cant = 0.1, look_angle = " + look + " }\n";
