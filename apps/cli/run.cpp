@@ -160,6 +160,7 @@ Result<int> run_flights(const RunOptions& options, Scenario scenario, std::optio
   FlownScenario flown{.scenario = std::move(scenario), .shots = {}, .checks = {}};
   if (Status status = fly_all(flown, progress_bar("flying")); !status) return status.error();
   if (Status status = write_all(options, flown, interval); !status) return status.error();
+  for (const std::string& note : flown.notes) print_warning(note);
   const std::size_t odd_ends = warn_of_odd_ends(flown.shots);
   const auto missed = std::ranges::count(flown.checks, false, &Check::met);
   const int code = missed > 0 || odd_ends > 0 ? kExitCheckMissed : kExitOk;
@@ -258,6 +259,7 @@ Result<int> run_world(const RunOptions& options, Scenario scenario, std::optiona
                           [&] { return check(in_folder); }, [&] { return write(in_folder, make); },
                           [&] { return write(options.outputs, make); });
   if (!status) return status.error();
+  for (const std::string& note : log->notes) print_warning(note);
   warn_of_refusals(log->groups);
   warn_of_age(*log);
   warn_of_curves(scenario);

@@ -226,7 +226,7 @@ struct Sight {
   double height = 0;              ///< of the sight above the bore at the muzzle [m]
   double look_angle = 0;          ///< of the line of sight above the horizon [rad]
   double cant = 0;                ///< roll of launcher and sight, clockwise seen from behind [rad]
-  double zero_range = 0;          ///< > 0: the bore is elevated to hit the line of sight at this range [m]
+  double zero_range = 0;          ///< > 0: the bore hits the line of sight at this range on the level [m]
   bool zero_in_calm_air = false;  ///< the zero was shot without wind [-]
 };
 

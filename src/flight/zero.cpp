@@ -138,7 +138,12 @@ Result<double> zero_elevation(const ProjectileDef& projectile, const Launch& lau
 Result<double> elevation_of(const ProjectileDef& projectile, const Launch& launch, const Environment& environment,
                             const Fidelity& fidelity) {
   if (launch.sight.zero_range <= 0) return launch.elevation;
-  return zero_elevation(projectile, launch, environment, fidelity, launch.sight.zero_range);
+  // Sights are zeroed on the level; rifle and sight are raised together afterwards.
+  Launch level = launch;
+  level.sight.look_angle = 0;
+  const auto zeroed = zero_elevation(projectile, level, environment, fidelity, launch.sight.zero_range);
+  if (!zeroed) return zeroed.error();
+  return launch.sight.look_angle + *zeroed;
 }
 
 Result<Launch> aimed_launch(const ProjectileDef& projectile, Launch launch, const Environment& environment,

@@ -49,6 +49,7 @@ Status fly_all(FlownScenario& flown, const Progress& progress) {
   const Result<SceneParts> parts = scene_parts(scenario);
   if (!parts) return parts.error();
   if (!scenario.things.empty()) flown.scene = parts->scene;
+  flown.notes = notes_of_beginnings(scenario, parts->scene, parts->things);
   std::vector<FlightHits> hits;
   for (const ScenarioShot& shot : scenario.shots) {
     Flight flight = scenario.things.empty() ? fly_shot(scenario, shot) : fly_shot(scenario, shot, parts->scene);

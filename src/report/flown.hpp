@@ -47,8 +47,9 @@ struct FlownScenario {
   Scenario scenario;
   std::vector<FlownShot> shots;
   std::vector<Check> checks;
-  std::deque<ThingHit> hits = {};   // on things, shot by shot
-  std::optional<Scene> scene = {};  // of its things, where it has some
+  std::deque<ThingHit> hits = {};       // on things, shot by shot
+  std::optional<Scene> scene = {};      // of its things, where it has some
+  std::vector<std::string> notes = {};  // about how shots begin
 };
 
 /// What came out of an expectation on a shot or a group.

@@ -496,11 +496,16 @@ Result<WorldLog> run_world(const Scenario& scenario, const LogOptions& options, 
     if (!again) return again.error();
     past.emplace(std::move(*again));
   }
+  std::vector<std::string> notes;
+  if (options.load.empty() && run.world().scene())
+    notes = notes_of_beginnings(scenario, *run.world().scene(), run.things());
   Logger logger(past ? *past : run, options);
   if (Status status = past ? logger.run_up_to(run, progress) : logger.run(progress); !status) return status.error();
   if (!options.record.empty())
     if (Status status = run.world().stop_recording(); !status) return status.error();
-  return logger.finish();
+  WorldLog log = logger.finish();
+  log.notes = std::move(notes);
+  return log;
 }
 
 std::string world_text(const WorldLog& log, const Style& style) {

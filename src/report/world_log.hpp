@@ -64,6 +64,7 @@ struct WorldLog {
   std::uint64_t hash = 0;
   WorldCounters counters;
   std::vector<Check> checks;
+  std::vector<std::string> notes;  // about how shots begin; none of a run that goes on
 
   /// The numbers of events and samples after a round of samples.
   struct Round {

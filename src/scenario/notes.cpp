@@ -76,8 +76,37 @@ class Notes {
   }
 
   void of_shot(const ScenarioShot& shot, const Value& table) {
+    if (scenario_.world.given && !is_fired_by_emitter(shot)) of_beginning(shot, table);
     of_numbers(shot, table);
     of_motor(shot, table);
+  }
+
+  [[nodiscard]] bool is_fired_by_emitter(const ScenarioShot& shot) const {
+    const std::string& name = shot.projectile.name;
+    return std::ranges::any_of(scenario_.emitters, [&](const ScenarioEmitter& emitter) {
+      return emitter.shot == name || emitter.tracer == name;
+    });
+  }
+
+  /// Adds a note if a shot of a world begins where it ends at once: below the ground, or by a rule of despawning.
+  void of_beginning(const ScenarioShot& shot, const Value& table) {
+    const Ground& ground = scenario_.world.def.ground;
+    const DespawnRules& rules = shot.body.despawn;
+    const double height = shot.launch.position.y, speed = launch_speed(shot.launch);
+    const std::string begins = "it begins at a height of " + quantity_text(height, Quantity::length) + ", below ";
+    const bool ends_flights = ground.mode == GroundMode::land || ground.mode == GroundMode::stick;
+    if (ends_flights && height < ground.height)
+      note(table, "shot", {},
+           begins + "world.ground.height = " + quantity_text(ground.height, Quantity::length) +
+               ", and has landed there");
+    if (height < rules.below)
+      note(table, "shot", {},
+           begins + "shot.body.despawn.below = " + quantity_text(rules.below, Quantity::length) +
+               ", and leaves at once");
+    if (speed < rules.slower)
+      note(table, "shot", {},
+           "it begins with " + quantity_text(speed, Quantity::speed) + ", below shot.body.despawn.slower = " +
+               quantity_text(rules.slower, Quantity::speed) + ", and leaves unless it speeds up at once");
   }
 
   /// Adds a note if the thrust never exceeds the weight along the rail, even at the mass after burnout.

@@ -107,6 +107,7 @@ std::string why_not_of(R r, std::initializer_list<EmitShape> shapes) {
 }
 using enum EmitShape;
 std::string why_no_arc(R r) { return why_not_of(r, {cone, hemisphere, sphere, circle, ring}); }
+std::string why_no_arc_or_line(R r) { return why_not_of(r, {cone, hemisphere, sphere, circle, ring, line}); }
 std::string why_no_surface(R r) { return why_not_of(r, {mesh, mesh_edges, mesh_vertices, terrain}); }
 std::string why_no_terrain(R r) { return why_not_of(r, {terrain}); }
 
@@ -124,12 +125,10 @@ constexpr UnreadRule kShapeRules[] = {
        return why_not_of(r, {cone, sphere, hemisphere, circle, ring, box});
      }},
     {"emitter.from.arc", why_no_arc},
-    {"emitter.from.arc_mode",
-     [](R r) {
-       return why_not_of(r, {cone, hemisphere, sphere, circle, ring, line});
-     }},
+    {"emitter.from.arc_mode", why_no_arc_or_line},
     {"emitter.from.arc_speed",
      [](R r) {
+       if (std::string why = why_no_arc_or_line(r); !why.empty()) return why;
        const ArcMode mode = def(r).from.arc_mode;
        return read_with(mode == ArcMode::loop || mode == ArcMode::ping_pong,
                         "emitter.from.arc_mode = \"loop\" or \"ping_pong\"");

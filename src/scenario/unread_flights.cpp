@@ -1,5 +1,6 @@
 // Rules about settings of the environment, of shots and of tolerance.
 #include "base/assert.hpp"
+#include "math/elementary.hpp"
 #include "model/ladder.hpp"
 #include "model/rotor.hpp"
 #include "model/sight.hpp"
@@ -67,11 +68,24 @@ bool reads_density(Rung f) {
 }
 bool feels_wind(Rung f, bool is_drawn) {
   const bool is_flown = f.granted.wind != WindModel::off || (is_drawn && f.asked.wind != WindModel::off);
-  return is_flown && (is_in_air(f) || f.granted.drag == DragModel::linear_quadratic);
+  const DragDef& drag = f.shot->projectile.drag;
+  const bool by_numbers = f.granted.drag == DragModel::linear_quadratic && (drag.k1 != 0 || drag.k2 != 0);
+  return is_flown && (is_in_air(f) || by_numbers);
 }
 bool feels_turning(Rung f) {
   const bool is_in_weight = row(f.granted.gravity).field == GravityField::flattened;
   return (row(f.granted.earth).turning || is_in_weight) && !is_unmoved(f.shot->body);
+}
+/// Fired along a meridian, a shot is turned aside by the Earth, and by nothing else where the Earth's axis lies in the
+/// plane of fire.
+std::string why_no_turning(R r) {
+  const auto leaves_plane_alone = [&](Rung f) {
+    const double azimuth = r.scenario.environment.earth.azimuth + f.shot->launch.azimuth;
+    return f.granted.planar && !f.shot->launch.velocity && sincos(azimuth).sin == 0;
+  };
+  if (!r.any(feels_turning)) return ": only shots over an Earth that turns read it";
+  return read_unless(!r.any([&](Rung f) { return feels_turning(f) && !leaves_plane_alone(f); }),
+                     "shot.fidelity.planar: fired along a meridian, a shot is turned out of its plane alone");
 }
 /// Whether what pushes a shot in a world moves it.
 std::string why_unmoved(R r) {
@@ -83,8 +97,8 @@ std::string why_unmoved(R r) {
 
 /// A [[force]] that blows like wind reads drag and diameter of what it acts on.
 bool is_blown(R r) {
-  return std::ranges::any_of(r.scenario.forces,
-                             [](const ScenarioForce& force) { return std::holds_alternative<WindZone>(force.law); });
+  const auto blows = [](const ScenarioForce& force) { return std::holds_alternative<WindZone>(force.law); };
+  return r.any(is_pushed) && std::ranges::any_of(r.scenario.forces, blows);
 }
 
 /// Why no shot reads a coefficient of drag.
@@ -149,8 +163,9 @@ constexpr UnreadRule kEnvironmentRules[] = {
      }},
     {"environment.atmosphere.sound_speed",
      [](R r) {
-       const bool is_read = r.any([](Rung f) { return is_in_air(f) && !computes_air(f); });
-       return read_by(is_read, "air \"constant\" and \"exponential\" read");
+       // The Mach numbers of a world are those of the environment, in shots that fly in no air, too.
+       const auto reads = [&](Rung f) { return (is_in_air(f) || r.scenario.world.given) && !computes_air(f); };
+       return read_by(r.any(reads), "air \"constant\" and \"exponential\" read");
      }},
     {"environment.atmosphere.scale_height",
      [](R r) {
@@ -176,8 +191,7 @@ constexpr UnreadRule kEnvironmentRules[] = {
      [](R r) { return read_with(r.any(flies_profile), "environment.wind.profile and wind \"profile\""); }},
     {"environment.wind.interpolation",
      [](R r) { return read_with(r.any(flies_profile), "environment.wind.profile and wind \"profile\""); }},
-    {"environment.earth.rotation_rate",
-     [](R r) { return read_by(r.any(feels_turning), "shots over an Earth that turns read"); }},
+    {"environment.earth.rotation_rate", why_no_turning},
 };
 
 /// Something that may move a shot out of the plane of fire.
@@ -241,7 +255,6 @@ std::string why_no_formula(R r) {
 std::string why_no_body(R r) {
   return read_by(r.any(flies_body), "rotation \"rigid_body\" and \"modified_point_mass\" read");
 }
-std::string why_no_turning(R r) { return read_by(r.any(feels_turning), "shots over an Earth that turns read"); }
 std::string why_no_attitude(R r) { return read_by(r.any(flies_attitude), "rotation \"rigid_body\" reads"); }
 std::string why_no_forces(R r) { return read_by(r.any(is_pushed), "motion \"force\" reads"); }
 std::string why_no_drag(R r) {
@@ -259,7 +272,7 @@ bool reads_diameter(R r) {
   const auto is_in_spin = [](Rung f) {
     return flies_spin(f) || flies_body(f) || f.granted.rotation == RotationModel::spin_drift;
   };
-  return is_blown(r) || r.any(is_in_drag) || r.any(is_in_spin) || has_stability(r) || is_hit;
+  return (is_blown(r) && sizes_drag) || r.any(is_in_drag) || r.any(is_in_spin) || has_stability(r) || is_hit;
 }
 
 constexpr UnreadRule kProjectileRules[] = {
@@ -359,18 +372,24 @@ constexpr UnreadRule kFidelityRules[] = {
      }},
     {"shot.fidelity.precision", why_chosen},
     {"shot.fidelity.original_one_shot_forces",
-     [](R r) { return read_with(projectile(r).force != Vec3d{} || !r.scenario.forces.empty(), "forces"); }},
-    {"shot.fidelity.original_one_shot_forces",
      [](R r) {
-       return read_by(r.any([](Rung f) { return f.granted.integrator == Integrator::classic; }),
-                      "integrator \"classic\" reads");
+       const auto is_classic = [](Rung f) { return f.granted.integrator == Integrator::classic; };
+       if (!r.any(is_classic)) return std::string(": only integrator \"classic\" reads it");
+       const auto is_braked = [&](Rung f) { return is_classic(f) && row(f.granted.drag).is_force; };
+       const bool is_forced = projectile(r).force != Vec3d{} || !r.scenario.forces.empty() || r.any(is_braked);
+       return read_with(is_forced, "a force, of drag or another");
      }},
     {"shot.fidelity.wind", [](R r) { return read_with(blows(r), "environment.wind"); }},
     {"shot.fidelity.interpolation",
      [](R r) {
-       if (std::string why = why_no_coefficient(r); !why.empty()) return why;
        const ProjectileDef& p = projectile(r);
        const bool is_curve = p.drag.table != DragTable::constant && p.drag.table != DragTable::sphere;
+       // Adaptive steps end at the points of a linear curve, even of one that a table of spins stands before.
+       const auto ends_at_points = [](Rung f) {
+         return adapts(f) && is_in_air(f) && flies_equation(f) && f.granted.interpolation == Interpolation::linear;
+       };
+       if (is_curve && r.any(ends_at_points)) return std::string();
+       if (std::string why = why_no_coefficient(r); !why.empty()) return why;
        return read_by(is_curve || !p.motor.drag_curve.empty(), "a curve of drag reads");
      }},
     {"shot.fidelity.tolerance",
@@ -379,6 +398,17 @@ constexpr UnreadRule kFidelityRules[] = {
        return read_unless(r.scenario.tolerance.relative.has_value(), "tolerance.relative");
      }},
     {"shot.fidelity.body_form", why_no_attitude},
+    {"shot.fidelity.body_form",
+     [](R r) {
+       const auto is_chosen = [&](Rung f) {
+         Fidelity open = f.asked;
+         open.body_form = BodyForm::automatic;
+         const Fidelity granted = grant(open, f.shot->projectile, r.scenario.environment, f.shot->launch).fidelity;
+         return granted.body_form != f.granted.body_form;
+       };
+       return read_or(r.any(is_chosen), ": that form is flown anyway");
+     },
+     true},
     {"shot.fidelity.planar", [](R r) { return read_or(may_leave_plane(r), ": nothing moves it out of its plane"); }},
     {"shot.fidelity.aerodynamic_jump",
      [](R r) {

@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "base/assert.hpp"
+#include "model/rotor.hpp"
 #include "physim/names.hpp"
 #include "scenario/suggest.hpp"
 #include "scenario/unread.hpp"
@@ -96,11 +97,15 @@ std::string why_no_sight(R r) {
   return read_with(!r.scenario.world.given || sight.zero_range > 0, "shot.sight.zero_range in a [world]");
 }
 
-/// A launcher turns about the line of sight.
+/// A launcher turns about the line of sight: a bore along it stays where it is, and so does a sight without height.
 std::string why_no_elevation(R r) {
   const Launch& launch = shot(r).launch;
-  const bool is_turned = launch.elevation != 0 || launch.sight.zero_range > 0 || launch.sight.look_angle != 0;
-  return read_with(!r.scenario.world.given || is_turned, "shot.elevation or sight.zero_range in a [world]");
+  const bool is_drawn = r.is_drawn("shot.elevation") || r.is_drawn("shot.sight");
+  const bool is_raised = launch.elevation != launch.sight.look_angle || launch.sight.zero_range > 0 || is_drawn;
+  const bool is_turned = r.any([](const FlownRung& f) { return turns(f.granted); });  // by its attitude
+  if (is_raised || is_turned || launch.velocity) return {};
+  if (r.scenario.world.given) return ": the bore points along the line of sight";
+  return read_or(launch.sight.height != 0, ": the bore points along the line of sight, and the sight has no height");
 }
 
 std::string why_no_look(R r) {

@@ -217,6 +217,12 @@ struct FlightHits {
 [[nodiscard]] FlightHits flight_hits(const Scenario& scenario, const ScenarioShot& shot, const Flight& flight,
                                      const SceneParts& parts);
 
+/// Says which shots begin inside of solid things of the scenario's scene, such as: shot "b" begins inside of the thing
+/// "t". Left out are rounds of emitters, sensors, and things of layers that a shot does not meet. `things`: as
+/// SceneParts::things.
+[[nodiscard]] std::vector<std::string> notes_of_beginnings(const Scenario& scenario, const Scene& scene,
+                                                           std::span<const InstanceId> things);
+
 /// The value of an expectation on a flown shot and its hits [SI unit of the quantity], or why it has none: figures of
 /// hits ("hits", "hit_depth", ...) on Expectation::thing, or on all things; all others as measure() of the flight.
 [[nodiscard]] Result<double> measure(const Flight& flight, const FlightHits& hits, const Expectation& expectation);

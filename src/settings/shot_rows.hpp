@@ -159,7 +159,7 @@ inline constexpr auto kSightRows = std::tuple{
     PHYSIM_SETTING(sight.look_angle, "of the line of sight above the horizon", Quantity::angle, kHalfTurn),
     PHYSIM_SETTING(sight.cant, "roll of launcher and sight, clockwise seen from behind", Quantity::angle,
                    in_files(kTurn), kUncertain),
-    PHYSIM_SETTING(sight.zero_range, "the bore is elevated to hit the line of sight there; 0: it is not",
+    PHYSIM_SETTING(sight.zero_range, "on the level, the bore hits the line of sight there; 0: no zero",
                    Quantity::length, at_least(0)),
     PHYSIM_SETTING(sight.zero_in_calm_air, "the zero was shot without wind"),
     PHYSIM_SETTING(spin.backspin, "of a ball at launch: lifts it; negative: topspin", Quantity::angular_rate,

@@ -52,6 +52,22 @@ PHYSIM_INLINE double roundings(double t) {
   return 64.0 * std::numeric_limits<S>::epsilon() * t;
 }
 
+/// A state drawn back to where its step started by some roundings of S. If it is behind a corner even so, a step that
+/// ends there is behind it, too, however its last bits are rounded. Velocities are rounded as the airspeed is.
+template <class S>
+PHYSIM_INLINE State<double> drawn_back(const State<double>& s, const State<double>& start, double airspeed) {
+  constexpr double kRoundings = 4.0 * std::numeric_limits<S>::epsilon();
+  PHYSIM_ASSERT(!(airspeed < 0));
+  const auto nearer = [](double x, double goal, double size) {
+    const double most = kRoundings * size;
+    return x + max(-most, min(most, goal - x));
+  };
+  const auto place = [&](double x, double goal) { return nearer(x, goal, abs(x)); };
+  const auto rate = [&, speed = max(length(s.v), airspeed)](double v, double goal) { return nearer(v, goal, speed); };
+  return {{place(s.x.x, start.x.x), place(s.x.y, start.x.y), place(s.x.z, start.x.z)},
+          {rate(s.v.x, start.v.x), rate(s.v.y, start.v.y), rate(s.v.z, start.v.z)}};
+}
+
 /// How long the step of one lane may be to end behind its first corner [s]; nothing where it stands.
 template <class R, class S>
 std::optional<double> cut_at_corner(const Course<S>& course, const Lanes<R>& l, int lane, bool by_rail, bool jumps) {
@@ -77,7 +93,20 @@ std::optional<double> cut_at_corner(const Course<S>& course, const Lanes<R>& l, 
   const double before = by_rail ? 0 : max(soonest, shortest / h);
   double cut_h = h * first_corner(c, whole_body, at.turn->rotor, at.n0.t, h, before, at, rates);
   // Some roundings farther the state is surely behind the corner in its own precision, too, where the next step starts.
-  cut_h = by_rail ? max(cut_h, 2 * shortest) : cut_h + shortest;
+  const double corner = cut_h;
+  cut_h = by_rail ? max(corner, 2 * shortest) : corner + shortest;
+  // A flight that starts on a corner and leaves it slowly, from rest, say, moves by less than its state is rounded:
+  // cuts to the corner would follow each other without an end.
+  const State<double> start = at(0);
+  const Regime<double> here = regime(c, whole_body, at.turn->rotor, at.n0.t, start);
+  const auto is_behind = [&](double cut) {
+    const State<double> s = at(cut / h);
+    const State<double> back = drawn_back<S>(s, start, length(air_velocity(c, whole_body, at.n0.t + cut, s)));
+    return differ(here, regime(c, whole_body, at.turn->rotor, at.n0.t + cut, back));
+  };
+  constexpr double kLeast = std::numeric_limits<double>::epsilon();
+  for (double more = max(shortest, kLeast * corner); !by_rail && cut_h < h && !is_behind(cut_h); more *= 2)
+    cut_h = corner + more;
   if (cut_h >= h || cut_h <= shortest) return std::nullopt;
   return cut_h;
 }

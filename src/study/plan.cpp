@@ -6,6 +6,7 @@
 #include "base/archive.hpp"
 #include "base/ieee_mode.hpp"
 #include "base/text.hpp"
+#include "flight/zero.hpp"
 #include "physim/scene.hpp"
 #include "study/archive.hpp"
 #include "study/check_study.hpp"
@@ -215,8 +216,7 @@ Result<StudyPlan> plan_study(const Study& study) {
   fill_places(plan.study);
   Launch& launch = plan.study.launch;
   if (launch.sight.zero_range > 0) {
-    const auto elevation =
-        zero_elevation(study.projectile, launch, study.environment, study.fidelity, launch.sight.zero_range);
+    const auto elevation = elevation_of(study.projectile, launch, study.environment, study.fidelity);
     if (!elevation) return elevation.error();
     launch.elevation = *elevation;
     launch.sight.zero_range = 0;

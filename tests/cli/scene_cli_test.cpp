@@ -29,6 +29,34 @@ TEST(CliScene, RunTellsWhatFlightsHit) {
   EXPECT_TRUE(has(ran.out, "12 of 12 met")) << ran.out;
 }
 
+TEST(CliScene, RunSaysWhichShotsBeginInsideOfThings) {
+  const Folder folder;
+  const std::string flight = R"(physim = 1
+[[shot]]
+name = "b"
+mass = "10 g"
+diameter = "8 mm"
+position = [0, "1 m", 0]
+speed = "300 m/s"
+fidelity = "game"
+body.collision.on_hit = "impact"
+[[shape]]
+name = "s"
+box = ["5 m", "5 m", "5 m"]
+[[thing]]
+name = "t"
+shape = "s"
+)";
+  const std::string world = flight + "[world]\nduration = \"0.5 s\"\nground = \"none\"\n";
+  for (const std::string& text : {flight, world}) {
+    const Ran ran = physim({"run", folder.write("inside.toml", text)});
+    EXPECT_TRUE(has(ran.err, "warning: shot \"b\" begins inside of the thing \"t\"\n")) << ran.err;
+    const Ran outside =
+        physim({"run", folder.write("inside.toml", text), "--set", "shot.position=[\"-9 m\", \"1 m\", \"0 m\"]"});
+    EXPECT_FALSE(has(outside.err, "begins inside")) << outside.err;
+  }
+}
+
 TEST(CliScene, RunSaysWhichTrianglesAreLeftOut) {
   const Folder folder;
   const std::string path = folder.write("sliver.toml", R"(physim = 1

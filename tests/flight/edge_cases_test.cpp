@@ -223,5 +223,93 @@ TEST(EdgeCases, what_is_left_out_is_said) {
   EXPECT_TRUE(said);
 }
 
+/// Ends of a flight that starts at rest on a knot, and of one that starts `aside` of it; both fly 20 s.
+void expect_gets_away(const ProjectileDef& p, const Launch& launch, const Launch& aside, const Environment& e,
+                      const Fidelity& fidelity, const std::string& what) {
+  const Tolerance tolerance{.max_steps = 20'000};
+  const Flight flight = fly(p, launch, e, fidelity, tolerance, {.ground = {}, .time = 20});
+  const Flight beside = fly(p, aside, e, fidelity, tolerance, {.ground = {}, .time = 20});
+  ASSERT_FALSE(flight.error()) << what << ": " << flight.error()->text();
+  EXPECT_EQ(flight.outcome(), Outcome::time_limit) << what << " after " << flight.duration();
+  EXPECT_LT(flight.cost().steps + flight.cost().rejected, 1000) << what;
+  const double moved = length(beside.end().position - aside.position);
+  EXPECT_GT(moved, 10) << what;
+  const double bound = (fidelity.precision == Precision::float64 ? 1e-5 : 1e-3) * moved + 1e-3;
+  EXPECT_NEAR(length(flight.end().position - beside.end().position), 0, bound) << what;
+}
+
+std::vector<Fidelity> adaptive_in_both_precisions() {
+  std::vector<Fidelity> all;
+  for (const Integrator integrator : {Integrator::rk43, Integrator::tsit5, Integrator::dop853})
+    for (const Precision precision : {Precision::float64, Precision::float32}) {
+      Fidelity f = Fidelity::simulation();
+      f.integrator = integrator, f.precision = precision;
+      all.push_back(f);
+    }
+  return all;
+}
+
+std::string name_of(const Fidelity& f) {
+  return std::string(name(f.integrator)) + (f.precision == Precision::float64 ? " float64" : " float32");
+}
+
+// By less than its place is rounded, a flight from rest moves for 0.1 us: cuts of its steps to the knot that it starts
+// on do not move it, however many follow each other.
+TEST(EdgeCases, a_flight_that_starts_at_rest_on_a_knot_of_the_wind_gets_away) {
+  ProjectileDef chute{.mass = 1, .diameter = 0.737304, .drag = {.coefficient = 1.5}};
+  for (Fidelity f : adaptive_in_both_precisions())
+    for (const Vec3d push : {Vec3d{0, 0, 0}, Vec3d{0, 30, 0}, Vec3d{30, kG, 0}, Vec3d{-30, kG, 0}}) {
+      f.wind = WindModel::profile;
+      Environment e = still(1.225);
+      const bool along = push.x != 0;
+      const double knot = along ? 300 : 1000;
+      e.wind = {.profile = {{0, {1, 0, 9}}, {knot, {-1, 0, 9}}, {2 * knot, {1, 0, 5}}},
+                .by = along ? WindAxis::range : WindAxis::height};
+      chute.force = push;
+      const Launch launch{.position = {along ? knot : 0, 1000, 0}};
+      Launch aside = launch;
+      const double off = f.precision == Precision::float64 ? 1e-6 : 1e-3;
+      if (along) aside.position.x += push.x > 0 ? off : -off;
+      if (!along) aside.position.y += push.y > 0 ? off : -off;
+      const std::string what = name_of(f) + ' ' + std::to_string(push.x) + ' ' + std::to_string(push.y);
+      expect_gets_away(chute, launch, aside, e, f, what);
+    }
+}
+
+TEST(EdgeCases, a_flight_that_starts_at_rest_on_a_knot_of_its_drag_gets_away) {
+  // The wind alone flows past it, with the Mach number of the knot: faster, slower, and across.
+  ProjectileDef ball{.mass = 1, .diameter = 0.3};
+  ball.drag.table = DragTable::custom;
+  ball.drag.curve = {{0, 0.4}, {0.1, 0.5}, {0.2, 1.5}};
+  for (Fidelity f : adaptive_in_both_precisions())
+    for (const Vec3d push : {Vec3d{-20, 0, 0}, Vec3d{20, 0, 0}, Vec3d{0, 0, 0}}) {
+      f.interpolation = Interpolation::linear;
+      Environment e = still(1.225);
+      e.wind.velocity = {34, 0, 0};
+      ball.force = push;
+      const Launch launch{.position = {0, 9000, 0}};
+      Launch aside = launch;
+      aside.velocity = Vec3d{f.precision == Precision::float64 ? 1e-7 : 1e-4, 0, 0};
+      expect_gets_away(ball, launch, aside, e, f, name_of(f) + ' ' + std::to_string(push.x));
+    }
+}
+
+TEST(EdgeCases, a_body_that_starts_at_rest_on_a_knot_of_its_aerodynamics_gets_away) {
+  ProjectileDef body{.mass = 1, .diameter = 0.3, .drag = {.coefficient = 0.5}};
+  body.inertia.moments = {0.01, 0.01, 0.01};
+  body.aero.drag_yaw = {{.mach = 0, .value = 0.2}, {.mach = 0.1, .value = 0.4}, {.mach = 0.2, .value = 2}};
+  for (Fidelity f : adaptive_in_both_precisions())
+    for (const Vec3d push : {Vec3d{-20, 0, 0}, Vec3d{20, 0, 0}, Vec3d{0, 0, 0}}) {
+      f.rotation = RotationModel::rigid_body;
+      Environment e = still(1.225);
+      e.wind.velocity = {34, 0, 0};
+      body.force = push;
+      const Launch launch{.position = {0, 9000, 0}};
+      Launch aside = launch;
+      aside.velocity = Vec3d{f.precision == Precision::float64 ? 1e-7 : 1e-4, 0, 0};
+      expect_gets_away(body, launch, aside, e, f, name_of(f) + ' ' + std::to_string(push.x));
+    }
+}
+
 }  // namespace flight_edge_cases_test
 }  // namespace physim

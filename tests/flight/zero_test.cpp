@@ -43,6 +43,21 @@ TEST(Zero, fly_uses_the_zero_range) {
   EXPECT_NEAR(flight.at(0).drop, -0.04, 1e-15);
 }
 
+TEST(Zero, is_shot_on_the_level_and_the_look_angle_comes_afterwards) {
+  // Uphill a bullet zeroed on the level strikes high, by about (1 - cos L) of its drop below the bore.
+  Launch launch{.speed = 800, .sight = {.height = 0.05, .zero_range = 300}};
+  const Flight level = fly(bullet_308(), launch, {}, {}, {}, {.ground = {}, .range = 300});
+  for (const double look : {30 * kDegree, -30 * kDegree, 60 * kDegree}) {
+    launch.sight.look_angle = look;
+    const Flight flight = fly(bullet_308(), launch, {}, {}, {}, {.ground = {}, .range = 300});
+    EXPECT_NEAR(flight.elevation(), level.elevation() + look, 1e-15) << look;
+    const double below_bore = 300 * std::tan(level.elevation()) - 0.05;
+    EXPECT_NEAR(flight.end().drop, (1 - std::cos(look)) * below_bore, 0.02 * below_bore) << look;
+    EXPECT_EQ(fly_batch(bullet_308(), {&launch, 1}, {}, {}, {}, {.ground = {}, .range = 300}).shots[0].position,
+              flight.end().position);
+  }
+}
+
 TEST(Zero, from_a_tower_may_lie_below_the_horizon) {
   // A sight a metre above the bore at a very short range: the bore has to point up steeply, one below the bore, down.
   const auto up = zero_elevation({}, {.speed = 300, .sight = {.height = 1}}, constant_gravity(), vacuum(), 10);

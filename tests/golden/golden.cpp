@@ -22,7 +22,7 @@ namespace {
 /// What this version of the library must print. A change of the physics or the numerics changes it: say so in the
 /// commit.
 using Sums = std::array<std::uint64_t, 5>;
-constexpr Sums kExpectedSums = {0x703ff014e8b1c74f, 0x9ccdea6e239cb47a, 0x4e00955f69f0347b, 0x8675db0b063bd585,
+constexpr Sums kExpectedSums = {0xfd6d297010c55b2e, 0x5fa1630d6b0ba479, 0x4e00955f69f0347b, 0x5c754950b81bfee2,
                                 0x32ee5bb6fde66e87};
 
 void print(std::FILE* file, const Sums& sums) {

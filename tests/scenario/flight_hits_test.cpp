@@ -37,6 +37,31 @@ Flown flown(const Scenario& scenario, std::size_t shot = 0) {
   return {std::move(parts), std::move(flight), std::move(hits)};
 }
 
+std::vector<std::string> beginnings_of(const std::string& text) {
+  const Scenario scenario = read_scenario(text);
+  const SceneParts parts = scene_parts(scenario).value();
+  return notes_of_beginnings(scenario, parts.scene, parts.things);
+}
+
+TEST(FlightHits, SayWhichShotsBeginInsideOfThings) {
+  const std::string box = "[[shape]]\nname = \"s\"\nbox = [5, 5, 5]\n[[thing]]\nname = \"t\"\nshape = \"s\"\n";
+  const auto shot_at = [](const std::string& place, const std::string& more = "") {
+    return "[[shot]]\nname = \"b\"\nspeed = 300\nposition = " + place + "\n" + more;
+  };
+  const std::vector<std::string> inside = {"shot \"b\" begins inside of the thing \"t\""};
+  EXPECT_EQ(beginnings_of(box + shot_at("[0, 1, 0]")), inside);
+  EXPECT_EQ(beginnings_of(box + shot_at("[0, 1, 0]") + "[world]\n"), inside);
+  EXPECT_TRUE(beginnings_of(box + shot_at("[0, 6, 0]")).empty());
+  EXPECT_TRUE(beginnings_of(box + shot_at("[0, 5, 0]")).empty()) << "on its face";
+  EXPECT_TRUE(beginnings_of(box + "sensor = true\n" + shot_at("[0, 1, 0]")).empty());
+  EXPECT_TRUE(beginnings_of(box + shot_at("[0, 1, 0]", "body.collision.on_hit = \"pass\"\n")).empty());
+  // It stands where the thing will be when its volley fires.
+  const std::string moving = box + "velocity = [-10, 0, 0]\nposition = [20, 0, 0]\n" + shot_at("[0, 1, 0]");
+  const std::string volley = "[world]\n[[volley]]\nshot = \"b\"\nstart = ";
+  EXPECT_TRUE(beginnings_of(moving + volley + "1\n").empty());
+  EXPECT_EQ(beginnings_of(moving + volley + "2\n"), inside);
+}
+
 TEST(FlightHits, TellABounceByItsClosedForm) {
   const Flown ball = flown(read_scenario(kSlope + kNoGround));
   ASSERT_GE(ball.hits.all.size(), 2u);

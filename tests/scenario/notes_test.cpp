@@ -64,6 +64,22 @@ TEST(Notes, numbers_far_from_what_is_usual) {
       << "Mars";
 }
 
+TEST(Notes, shots_that_begin_below_the_ground) {
+  const std::string world = "[world]\nground = { height = 0.3 }\n[[shot]]\nname = \"a\"\nposition = [0, ";
+  expect_note(world + "0.1, 0]\n", "f.toml:4:1",
+              "shot: it begins at a height of 0.1 m, below world.ground.height = 0.3 m");
+  EXPECT_TRUE(notes_of(world + "0.3, 0]\n").empty());
+  EXPECT_TRUE(notes_of(world + "0.1, 0]\n", {"world.ground.height=0"}).empty());
+}
+
+TEST(Notes, shots_whose_rules_of_despawning_end_them_at_once) {
+  const std::string shot = "[world]\n[[shot]]\nspeed = 3\nposition = [0, 1, 0]\nbody = { despawn = { ";
+  expect_note(shot + "below = 1.5 } }\n", "f.toml:3:1", "below shot.body.despawn.below = 1.5 m, and leaves at once");
+  expect_note(shot + "slower = 11 } }\n", "f.toml:3:1",
+              "it begins with 3 m/s, below shot.body.despawn.slower = 11 m/s");
+  EXPECT_TRUE(notes_of(shot + "below = 0.5, slower = 1 } }\n").empty());
+}
+
 TEST(Notes, a_motor_that_is_too_weak) {
   const std::string rocket = "[[shot]]\nmass = \"350 g\"\nrail_length = 1\nelevation = \"90 deg\"\n";
   expect_note(rocket + "motor = { propellant_mass = \"30 g\", thrust = [[0, 3], [1, 0]] }\n", "f.toml:6:9",

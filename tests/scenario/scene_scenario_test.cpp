@@ -329,6 +329,55 @@ TEST(MeshFile, IsReadOrTheBuildSaysThatItCannot) {
             "f.toml:5:8: error: shape.mesh.file: there is no such file");
 }
 
+/// A file of glTF with one wedge between (0, 0, 0), (1, 0, 0), (0, 1, 0) and (0, 0, 1), which two nodes have.
+std::string two_wedges(const std::string& node, const std::string& other) {
+  return R"({"asset": {"version": "2.0"}, "scene": 0, "scenes": [{"nodes": [0, 1]}],
+"nodes": [{"mesh": 0, )" +
+         node + R"(}, {"mesh": 0, )" + other +
+         R"(}],
+"meshes": [{"primitives": [{"attributes": {"POSITION": 0}, "indices": 1}]}],
+"buffers": [{"byteLength": 72, "uri": "data:application/octet-stream;base64,)"
+         "AAAAAAAAAAAAAAAAAACAPwAAAAAAAAAAAAAAAAAAgD8AAAAAAAAAAAAAAAAAAIA/AAACAAEAAAABAAMAAAADAAIAAQACAAMA"
+         R"("}],
+"bufferViews": [{"buffer": 0, "byteLength": 48}, {"buffer": 0, "byteOffset": 48, "byteLength": 24}],
+"accessors": [{"bufferView": 0, "componentType": 5126, "count": 4, "type": "VEC3", "min": [0, 0, 0], "max": [1, 1, 1]},
+{"bufferView": 1, "componentType": 5123, "count": 12, "type": "SCALAR"}]})";
+}
+
+TEST(MeshFile, MirroredNodesGiveTheSameHitsMirrored) {
+  if (!reads_mesh_files()) GTEST_SKIP() << "this build reads no meshes from files";
+  const testing_cli::Folder folder;
+  // One, two and three mirrored axes; two of them are a turn. All scales are powers of 2, so that places are exact.
+  for (const Vec3d mirror : {Vec3d{-1, 1, 1}, Vec3d{1, -1, 1}, Vec3d{1, 1, -1}, Vec3d{-1, -1, 1}, Vec3d{-1, -1, -1}}) {
+    const std::string scale = "\"scale\": [" + std::to_string(2 * mirror.x) + ", " + std::to_string(2 * mirror.y) +
+                              ", " + std::to_string(2 * mirror.z) + "]";
+    std::ofstream(folder / "pair.gltf") << two_wedges("\"scale\": [2, 2, 2], \"translation\": [8, 0, 0]",
+                                                      scale + ", \"translation\": [-8, 0, 0]");
+    const auto scenario = parse_scenario(
+        "physim = 1\n[[shot]]\n[[shape]]\nname = \"pair\"\nmesh = \"pair.gltf\"\n[[thing]]\nshape = \"pair\"\n",
+        folder / "f.toml");
+    ASSERT_TRUE(scenario) << scenario.error().text();
+    const Scene scene = scene_of(*scenario).value();
+    const auto mirrored = [&](const Vec3d& v) { return Vec3d{v.x * mirror.x, v.y * mirror.y, v.z * mirror.z}; };
+    const auto cast = [&](const Vec3d& from, const Vec3d& to) { return scene.all_hits({from, to, 0, 0, 0}); };
+    for (const auto& [from, to] :
+         {std::pair{Vec3d{-1, 0.5, 0.25}, Vec3d{3, 0.5, 0.25}}, std::pair{Vec3d{0.25, 3, 0.5}, Vec3d{0.25, -1, 0.5}},
+          std::pair{Vec3d{0.5, 0.25, -1}, Vec3d{0.25, 0.5, 3}}}) {
+      const Vec3d there{8, 0, 0}, here{-8, 0, 0};
+      const auto plain = cast(from + there, to + there), turned = cast(mirrored(from) + here, mirrored(to) + here);
+      ASSERT_EQ(plain.size(), 2U);
+      ASSERT_EQ(turned.size(), 2U) << scale;
+      for (std::size_t i = 0; i < 2; ++i) {
+        EXPECT_EQ(turned[i].entering, plain[i].entering) << scale << ' ' << i;
+        EXPECT_EQ(plain[i].entering, i == 0);
+        EXPECT_NEAR(turned[i].part, plain[i].part, 1e-15);
+        EXPECT_NEAR(length(turned[i].position - here - mirrored(plain[i].position - there)), 0, 1e-14) << scale;
+        EXPECT_NEAR(length(turned[i].normal - mirrored(plain[i].normal)), 0, 1e-15) << scale;
+      }
+    }
+  }
+}
+
 TEST(HeightMap, IsReadOrTheBuildSaysThatItCannot) {
   const testing_cli::Folder folder;
   // 3 columns by 2 rows of 16 bits, from black to white in steps of a fifth, as zlib packs them.

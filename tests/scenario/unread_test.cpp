@@ -50,6 +50,60 @@ TEST(Unread, settings_of_the_air_and_the_earth) {
                 earth("flat_coriolis"));
 }
 
+TEST(Unread, turning_of_the_earth_beside_planar_flights_along_a_meridian) {
+  const auto planar = [](const std::string& azimuth) {
+    return "[environment.earth]\nrotation_rate = 1e-4\n" + kShot + "azimuth = " + azimuth +
+           "\nfidelity = { earth = \"flat_coriolis\", planar = true }\n";
+  };
+  expect_unread("environment.earth.rotation_rate", " beside shot.fidelity.planar", planar("0"), planar("0.1"));
+}
+
+TEST(Unread, numbers_of_drag_beside_motions_that_no_force_moves) {
+  const auto motion = [](const std::string& rung) {
+    return kShot + "speed = 5\ndrag = { coefficient = 0.3 }\nfidelity = { motion = \"" + rung +
+           "\" }\n[world]\n[[force]]\nwind_zone = { velocity = [3, 0, 0], low = [-9, -9, -9], high = [9, 9, 9] }\n";
+  };
+  expect_unread("shot.drag.coefficient", ": ", motion("velocity"), motion("force"));
+}
+
+TEST(Unread, a_diameter_in_a_wind_zone_beside_a_ballistic_coefficient) {
+  const auto blown = [](const std::string& drag) {
+    return "[[shot]]\nmass = 1\ndiameter = 0.1\nspeed = 5\ndrag = { table = \"g7\", " + drag +
+           " }\nfidelity = { air = \"vacuum\" }\n[world]\n[[force]]\n"
+           "wind_zone = { velocity = [3, 0, 0], low = [-9, -9, -9], high = [9, 9, 9] }\n";
+  };
+  const auto given = [&](const std::string& drag) {
+    const std::vector<std::string> wider = {"shot.diameter=0.2"};
+    const auto scenario = parse_scenario("physim = 1\n" + blown(drag), "f.toml", wider);
+    EXPECT_TRUE(scenario) << (scenario ? "" : scenario.error().text());
+    return scenario && std::ranges::any_of(scenario->notes, [](const std::string& note) {
+             return note.find("shot.diameter: has no effect") != note.npos;
+           });
+  };
+  EXPECT_TRUE(given("ballistic_coefficient = 60"));
+  EXPECT_FALSE(given("form_factor = 1"));
+}
+
+TEST(Unread, a_cant_about_the_bore) {
+  const auto canted = [](const std::string& elevation, const std::string& look) {
+    return kShot + "speed = 50\nelevation = " + elevation + "\nsight = { cant = 0.1, look_angle = " + look + " }\n";
+  };
+  expect_unread("shot.sight.cant", ": the bore points along the line of sight", canted("0.7", "0.7"),
+                canted("0.7", "0.6"));
+  EXPECT_TRUE(says(canted("0", "0") + "[world]\n", "shot.sight.cant: has no effect"));
+}
+
+TEST(Unread, one_shot_forces_of_the_original_loop) {
+  const std::string path = "shot.fidelity.original_one_shot_forces";
+  const auto loop = [](const std::string& integrator) {
+    return kShot + "speed = 50\nfidelity = { integrator = \"" + integrator +
+           "\", drag = \"linear_quadratic\", original_one_shot_forces = true }\n";
+  };
+  EXPECT_TRUE(says(kShot + "fidelity = { preset = \"classic\", original_one_shot_forces = true }\n",
+                   path + ": has no effect without a force"));
+  expect_unread(path, ": only integrator \"classic\" reads it", loop("rk4"), loop("classic"));
+}
+
 TEST(Unread, wind_that_no_shot_feels) {
   const auto wind = [](const std::string& keys, const std::string& rung) {
     return "[environment.wind]\n" + keys + "\n" + kShot + "fidelity = { wind = \"" + rung + "\" }\n";
