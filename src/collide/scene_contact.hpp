@@ -596,10 +596,11 @@ class SceneContacts {
     return length_squared(after.velocity) <= bend * -dot(a, about.away);
   }
 
-  /// What a way goes into at once that begins inside of it by a rounding; nothing if it leads out.
-  [[nodiscard]] SceneHit stands_here(State<double> s, SceneHit wall, const Vec3d& way, double passed) const {
+  /// Another thing than the one below that a way goes into at once, if it begins inside of it by a rounding.
+  [[nodiscard]] SceneHit stands_here(State<double> s, const SceneHit& below, SceneHit wall, const Vec3d& way,
+                                     double passed) const {
     push_out(s, wall, passed);
-    if (wall.starts_inside || !(dot(way, wall.normal) < 0)) return {};
+    if (wall.starts_inside || wall.instance == below.instance || !(dot(way, wall.normal) < 0)) return {};
     wall.part = 0, wall.position = s.x;
     return wall;
   }
@@ -641,7 +642,7 @@ class SceneContacts {
       way.motion.velocity = r_.kept(way.motion.velocity);
     }
     SceneHit next = cast(s.x + over, to + over, passed, way.time);
-    if (next.starts_inside && is_ball()) next = stands_here({s.x + over, s.v}, next, to - s.x, passed);
+    if (next.starts_inside && is_ball()) next = stands_here({s.x + over, s.v}, hit, next, to - s.x, passed);
     const double part = next && !next.starts_inside ? next.part : 1.0;
     const State<double> began = s;
     const double begin = passed;
