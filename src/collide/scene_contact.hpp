@@ -599,7 +599,9 @@ class SceneContacts {
   /// Another thing than the one below that a way goes into at once, if it begins inside of it by a rounding.
   [[nodiscard]] SceneHit stands_here(State<double> s, const SceneHit& below, SceneHit wall, const Vec3d& way,
                                      double passed) const {
+    const Vec3d was = s.x;
     push_out(s, wall, passed);
+    if (length(s.x - was) > 4 * gap_at(was)) return {};
     if (wall.starts_inside || wall.instance == below.instance || !(dot(way, wall.normal) < 0)) return {};
     wall.part = 0, wall.position = s.x;
     return wall;
@@ -642,7 +644,8 @@ class SceneContacts {
       way.motion.velocity = r_.kept(way.motion.velocity);
     }
     SceneHit next = cast(s.x + over, to + over, passed, way.time);
-    if (next.starts_inside && is_ball()) next = stands_here({s.x + over, s.v}, hit, next, to - s.x, passed);
+    if (next.starts_inside && is_ball() && over == Vec3d{})
+      next = stands_here({s.x + over, s.v}, hit, next, to - s.x, passed);
     const double part = next && !next.starts_inside ? next.part : 1.0;
     const State<double> began = s;
     const double begin = passed;
