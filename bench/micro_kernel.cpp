@@ -67,7 +67,7 @@ std::size_t run(Part part, const MicroJob<S>& job) {
       Vec3<R> a;
       return repeat(job, y, [&] {
         touch(lanes);
-        evaluate(c, lanes.body, lanes.step.t, lanes.step.start, a);
+        evaluate(c, lanes.body, lanes.step.t, lanes.step.start, no_step<R>(), a);
         y = a.x + a.y;
       });
     }
