@@ -12,8 +12,6 @@
 namespace physim::client {
 namespace {
 
-constexpr double kInfinite = std::numeric_limits<double>::infinity();
-
 Status save_picture(const Client& client, const Picture& picture, const std::string& path) {
   constexpr std::string_view kCannot = "cannot write";
   const std::string png = png_of(picture);
@@ -23,14 +21,14 @@ Status save_picture(const Client& client, const Picture& picture, const std::str
   return Error{"cannot write the picture" + status.error().message.substr(kCannot.size()), path, status.error().hint};
 }
 
-/// What was set for a picture alone is set back.
+/// Restores the settings that a picture replaced.
 class ForAPicture {
  public:
   explicit ForAPicture(Client& client)
       : client_(client), camera_(client.camera), show_(client.show), pointer_(client.pointer), cursor_(client.cursor) {
     client.pointer.reset();
     client.cursor.reset();
-    client.show.aim = client.session.tracks().empty();  // what was fired tells where it went
+    client.show.aim = client.session.tracks().empty();  // tracks of what was fired show where it went
   }
   ForAPicture(const ForAPicture&) = delete;
   ForAPicture& operator=(const ForAPicture&) = delete;
@@ -120,7 +118,7 @@ void App::draw_captions(const Scene& scene, const Camera& camera, float scale) {
   painter_.end();
 }
 
-/// Those that were asked for. In a script a failure ends it; else it is told.
+/// Takes the pictures that were asked for. A failure ends a script; otherwise a message names it.
 Status App::take_pictures() {
   const std::vector<PictureWish> wishes = std::move(client_.pictures);
   client_.pictures.clear();
@@ -193,7 +191,7 @@ Status App::film_one() {
   Filming& now = *filming_;
   const double time = now.begin + now.taken * now.each;
   client_.session.show_at(time);
-  client_.advance(0, kInfinite);
+  client_.advance(0, kInfinity);
   if (now.camera.mode == CameraMode::follow) now.camera.target = client_.camera.target;
   const Result<Picture> picture = picture_of_scene(now.camera, now.scale);
   Status status = picture ? film_.add(*picture) : Status(picture.error());
@@ -208,7 +206,7 @@ Status App::end_film(Status status) {
   if (status && !is_given_up) status = film_.finish();
   film_.give_up();
   client_.session.go_to(filming_->step);
-  client_.advance(0, kInfinite);
+  client_.advance(0, kInfinity);
   client_.session.set_paused(filming_->was_paused);
   if (status) client_.say(is_given_up ? "the film was given up" : "saved " + filming_->path);
   filming_.reset();

@@ -59,7 +59,7 @@ struct Question {
   std::string argument;
 };
 
-/// What a picture shows.
+/// Contents of a picture.
 enum class PictureOf {
   window,
   plots,  // the panel under the scene alone

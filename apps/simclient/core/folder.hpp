@@ -1,4 +1,4 @@
-// Folder: what a dialogue shows of one, and what its field of text means.
+// Folder: the entries that a dialog lists, and the file that its text field names.
 #pragma once
 
 #include <string>
@@ -12,7 +12,7 @@ struct FolderEntry {
   bool is_folder = false;
 };
 
-/// Whether a name holds all words of a text, in either case.
+/// True if a name contains all words of a text, without regard to case.
 [[nodiscard]] bool passes_filter(std::string_view name, std::string_view filter);
 
 /// Folders, then scenarios and recordings, by name; the folder above first. Hidden ones are left out. A filter holds

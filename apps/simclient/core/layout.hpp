@@ -14,7 +14,7 @@ struct Layout {
   Box menu, settings, statistics, bottom, play, status, scene;
 };
 
-/// How much larger letters and lines are on a screen of so many rows [pixels]: 1 up to 1600, 2 on one of 2160.
+/// Scale of letters and lines on a screen with a number of rows [pixels]: 1 up to 1600 rows, 2 at 2160 rows [-].
 [[nodiscard]] double scale_of_screen(double height);
 
 /// Lays out a window of this size. All sizes grow with `scale`. Settings and statistics stand one below the other at

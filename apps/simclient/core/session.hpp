@@ -109,9 +109,9 @@ class Session {
   /// "bullet #3", or its name alone where it is no track.
   [[nodiscard]] std::string title_of(const Hit& hit) const;
   [[nodiscard]] Colour colour_of(const Hit& hit) const;
-  /// What has become of a projectile, for people: "in flight", "at rest", "landed", "stopped by hill".
-  /// How much of a track is still shown, from 0 to 1: what emitters fired fades when it has left.
+  /// Opacity of a track, from 0 to 1: one that an emitter fired fades after it left the world [-].
   [[nodiscard]] double presence_of(const Track& track) const;
+  /// The state of a projectile in words: "in flight", "at rest", "landed", "stopped by hill".
   [[nodiscard]] std::string fate_of(const Track& track) const;
   [[nodiscard]] std::optional<double> ground() const;
   /// The time of what is shown: the world's, and what is left over since the last step [s].
@@ -132,7 +132,7 @@ class Session {
   [[nodiscard]] bool is_recording() const { return !is_replay() && run_->world().is_recording(); }
   /// Shots fired and projectiles changed by hand since the start.
   [[nodiscard]] std::uint64_t changes_by_hand() const { return by_hand_; }
-  /// What the moments that can be gone back to take [bytes].
+  /// Memory of the moments that the session can go back to [bytes].
   [[nodiscard]] std::size_t way_back_memory() const { return moment_memory_; }
   [[nodiscard]] bool is_over() const { return over_; }  // of a replay: its end, or its first difference
   [[nodiscard]] const ReplayReport* replay_report() const { return replay_ ? &replay_->report() : nullptr; }
@@ -159,7 +159,7 @@ class Session {
     std::size_t memory = 0;  // [bytes]
     bool changed = false;    // by hand, behind its step
   };
-  /// What is known behind the moment at hand.
+  /// The moments after the present one.
   struct Ahead {
     std::vector<Track> tracks;
     HitLog hits;
