@@ -67,6 +67,22 @@ TEST(Launcher, AZeroIsAimedFrom) {
   EXPECT_NEAR(slope() - zeroed, 5 * 0.017453292519943295, 1e-6);
 }
 
+/// Sights are zeroed on the level and raised with the rifle: the shot in hand is that of the flight.
+TEST(Launcher, AZeroBesideALookAngleIsThatOfTheFlight) {
+  Client client = client_of("308_168gr_g7");
+  ScenarioShot shot = client.launcher.shot();
+  shot.launch.sight.look_angle = 0.5;
+  client.launcher.set_shot(shot);
+  const auto slope = [&] {
+    const Vec3d v = client.prediction().velocity;
+    return std::atan2(v.y, std::hypot(v.x, v.z));
+  };
+  const double zeroed = slope();
+  EXPECT_NEAR(zeroed, 0.5, 0.005);
+  client.launcher.turn(0, 0.003);
+  EXPECT_NEAR(slope() - zeroed, 0.003, 1e-9);
+}
+
 /// Panels keep what they read by the version: another scenario must never look like the one before.
 TEST(Launcher, VersionsRiseAcrossScenarios) {
   Client client = client_of();

@@ -6,6 +6,7 @@
 #include <iterator>
 #include <utility>
 
+#include "flight/zero.hpp"
 #include "math/angles.hpp"
 #include "model/ladder.hpp"
 #include "physim/files.hpp"
@@ -110,12 +111,11 @@ const ScenarioShot& Client::next_shot() {
   next_at_ = versions();
   next_ = launcher.shot();
   if (launcher.raised() == 0) return next_;
-  Launch& launch = next_.launch;
-  const Result<double> zero = zero_elevation(next_.projectile, launch, session.scenario().environment,
-                                             next_.projectile.fidelity, launch.sight.zero_range);
-  if (!zero) return next_;  // the prediction shows the error
-  launch.elevation = *zero + launcher.raised();
-  launch.sight.zero_range = 0;
+  const Result<Launch> aimed =
+      aimed_launch(next_.projectile, next_.launch, session.scenario().environment, next_.projectile.fidelity);
+  if (!aimed) return next_;  // the prediction shows the error
+  next_.launch = *aimed;
+  next_.launch.elevation += launcher.raised();
   return next_;
 }
 

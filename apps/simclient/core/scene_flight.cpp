@@ -38,9 +38,12 @@ void mark(Scene& scene, const Session& session, const Camera& camera, double sca
   const Vec3d right = camera.right(), up = camera.up();
   if (track.apex) {
     const Vec3d at = track.apex->position;
-    cross(scene, camera, scale, at, right, up, track.colour);
     const double height = reach_of(session, track, at, at).height;
-    scene.label(at, formatted("apex %.2f m, %.2f s", height, track.apex->time), track.colour, -2);
+    constexpr double kShown = 0.005;  // [m]; a hop that the label shows as 0.00 m has no mark
+    if (std::abs(height) >= kShown) {
+      cross(scene, camera, scale, at, right, up, track.colour);
+      scene.label(at, formatted("apex %.2f m, %.2f s", height, track.apex->time), track.colour, -2);
+    }
   }
   if (track.whole && track.status == LifeStatus::expired) {  // at the end that its scenario sets
     const Sample end = track.whole->end();
