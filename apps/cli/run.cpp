@@ -197,11 +197,8 @@ void warn_of_age(const WorldLog& log) {
 
 /// Warns of shots of a world that leave their drag curves. Rounds of emitters have speeds of their own.
 void warn_of_curves(const Scenario& scenario) {
-  for (const ScenarioShot& shot : scenario.shots) {
-    const std::string& name = shot.projectile.name;
-    const auto fires = [&](const ScenarioEmitter& emitter) { return emitter.shot == name || emitter.tracer == name; };
-    if (std::ranges::none_of(scenario.emitters, fires)) warn_of_curve(scenario, shot);
-  }
+  for (const ScenarioShot& shot : scenario.shots)
+    if (!emitter_alone_of(scenario, shot.projectile.name)) warn_of_curve(scenario, shot);
 }
 
 /// When a run is to be saved.

@@ -244,7 +244,9 @@ class SceneContacts {
     return hit;
   }
 
-  [[nodiscard]] double gap_at(const Vec3d& x) const { return 1e-10 + 2 * spacing(x); }  // as physim::gap_at()
+  [[nodiscard]] double gap_at(const Vec3d& x) const {
+    return is_float32() ? physim::gap_at<float>(x) : physim::gap_at<double>(x);
+  }
 
   /// A place that its numbers can hold, from which what touches something at `x` can go on: outside of it, and of what
   /// stands beside it. It lies about a tenth of a nanometre off, or as far as those are apart.
@@ -644,8 +646,7 @@ class SceneContacts {
       way.motion.velocity = r_.kept(way.motion.velocity);
     }
     SceneHit next = cast(s.x + over, to + over, passed, way.time);
-    if (next.starts_inside && is_ball() && over == Vec3d{})
-      next = stands_here({s.x + over, s.v}, hit, next, to - s.x, passed);
+    if (next.starts_inside && is_ball() && over == Vec3d{}) next = stands_here(s, hit, next, to - s.x, passed);
     const double part = next && !next.starts_inside ? next.part : 1.0;
     const State<double> began = s;
     const double begin = passed;

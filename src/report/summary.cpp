@@ -162,10 +162,8 @@ std::string shot_text(const FlownShot& flown, const Scenario& scenario, const St
   return out;
 }
 
-}  // namespace
-
-namespace {
 bool flies_curve(const ProjectileDef& p) { return p.drag.table == DragTable::custom && !p.drag.curve.empty(); }
+
 }  // namespace
 
 bool has_own_curve(const ProjectileDef& p) { return flies_curve(p) || !p.motor.drag_curve.empty(); }

@@ -61,10 +61,9 @@ std::vector<std::string> notes_of_beginnings(const Scenario& scenario, const Sce
   std::vector<std::string> notes;
   for (const ScenarioShot& shot : scenario.shots) {
     const std::string& name = shot.projectile.name;
-    const auto fires = [&](const ScenarioEmitter& emitter) { return emitter.shot == name || emitter.tracer == name; };
+    if (scenario.world.given && emitter_alone_of(scenario, name)) continue;
     const auto volley = std::ranges::find(scenario.volleys, name, &Volley::shot);
     const bool is_of_volley = scenario.world.given && volley != scenario.volleys.end();
-    if (scenario.world.given && !is_of_volley && std::ranges::any_of(scenario.emitters, fires)) continue;
     const CollisionDef& collision = shot.body.collision;
     if (collision.on_hit == OnHit::pass) continue;
     const SceneFilter solid{.layers = collision.layers, .sensors = false};

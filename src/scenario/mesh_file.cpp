@@ -66,8 +66,10 @@ void add_mesh(MeshShape& to, const aiMesh& from, const aiMatrix4x4& node) {
 
 void add_node(MeshShape& to, const aiScene& scene, const aiNode& node, const aiMatrix4x4& parent) {
   const aiMatrix4x4 here = parent * node.mTransformation;
-  for (unsigned i = 0; i < node.mNumMeshes; ++i) PHYSIM_ASSERT(node.mMeshes[i] < scene.mNumMeshes);
-  for (unsigned i = 0; i < node.mNumMeshes; ++i) add_mesh(to, *scene.mMeshes[node.mMeshes[i]], here);
+  for (unsigned i = 0; i < node.mNumMeshes; ++i) {
+    PHYSIM_ASSERT(node.mMeshes[i] < scene.mNumMeshes);
+    add_mesh(to, *scene.mMeshes[node.mMeshes[i]], here);
+  }
   for (unsigned i = 0; i < node.mNumChildren; ++i) add_node(to, scene, *node.mChildren[i], here);
 }
 

@@ -76,16 +76,9 @@ class Notes {
   }
 
   void of_shot(const ScenarioShot& shot, const Value& table) {
-    if (scenario_.world.given && !is_fired_by_emitter(shot)) of_beginning(shot, table);
+    if (scenario_.world.given && !emitter_alone_of(scenario_, shot.projectile.name)) of_beginning(shot, table);
     of_numbers(shot, table);
     of_motor(shot, table);
-  }
-
-  [[nodiscard]] bool is_fired_by_emitter(const ScenarioShot& shot) const {
-    const std::string& name = shot.projectile.name;
-    return std::ranges::any_of(scenario_.emitters, [&](const ScenarioEmitter& emitter) {
-      return emitter.shot == name || emitter.tracer == name;
-    });
   }
 
   /// Adds a note if a shot of a world begins where it ends at once: below the ground, or by a rule of despawning.

@@ -123,6 +123,13 @@ Result<Scenario> read_scenario(const Value& document, const std::string& file, C
   return scenario;
 }
 
+const ScenarioEmitter* emitter_alone_of(const Scenario& scenario, std::string_view shot) {
+  const auto fires = [&](const ScenarioEmitter& emitter) { return emitter.shot == shot || emitter.tracer == shot; };
+  if (std::ranges::find(scenario.volleys, shot, &Volley::shot) != scenario.volleys.end()) return nullptr;
+  const auto emitter = std::ranges::find_if(scenario.emitters, fires);
+  return emitter == scenario.emitters.end() ? nullptr : &*emitter;
+}
+
 Result<Scenario> parse_scenario(const std::string& text, const std::string& file,
                                 std::span<const std::string> overrides) {
   const IeeeMode mode;

@@ -313,6 +313,9 @@ struct Scenario {
   std::vector<std::string> given{};
 };
 
+/// The emitter that fires the rounds or tracers of a shot by its name, which no volley fires; null: none.
+[[nodiscard]] const ScenarioEmitter* emitter_alone_of(const Scenario& scenario, std::string_view shot);
+
 /// Reads a scenario file. Each override is "path=value" as on the command line: "environment.gravity.model=off",
 /// "shot.mass=170 gr" for every shot, "shot.NAME.mass=170 gr" for one. Overrides replace what the file says before it
 /// is checked; later ones win. Errors carry file:line:col, or "--set path=value".

@@ -8,6 +8,7 @@
 #include <string_view>
 #include <vector>
 
+#include "base/assert.hpp"
 #include "scenario/document.hpp"
 #include "scenario/schema.hpp"
 
@@ -36,6 +37,11 @@ struct Reading {
   const Scope& scope;                // the pointers of the lists that the setting stands in
   std::span<const FlownRung> rungs;  // of all shots
 
+  /// The shot in whose table the setting stands.
+  [[nodiscard]] const ScenarioShot& shot() const {
+    PHYSIM_ASSERT(scope.shot != nullptr);
+    return *scope.shot;
+  }
   /// Whether the study draws a setting, or something in a table.
   [[nodiscard]] bool is_drawn(std::string_view path) const;
   /// Whether something is true of a rung: of one shot in its table, else of any shot.

@@ -44,17 +44,13 @@ bool falls_with_height(Rung f) {
          row(f.granted.earth).shape == EarthShape::sphere;
 }
 bool reads_coefficients(Rung f) { return flies_equation(f) && !flies_spin_by_table(f); }
-const ScenarioShot& shot(R r) {
-  PHYSIM_ASSERT(r.scope.shot != nullptr);  // rules of [[shot]] are asked in one
-  return *r.scope.shot;
-}
-const ProjectileDef& projectile(R r) { return shot(r).projectile; }
-const Launch& launch(R r) { return shot(r).launch; }
+const ProjectileDef& projectile(R r) { return r.shot().projectile; }
+const Launch& launch(R r) { return r.shot().launch; }
 /// Whether Miller's rule says the stability of a shot, which `run` prints.
 bool has_stability(R r, const ScenarioShot& shot) {
   return !r.scenario.world.given && stability_factor(shot.projectile, shot.launch, r.scenario.environment).has_value();
 }
-bool has_stability(R r) { return has_stability(r, shot(r)); }
+bool has_stability(R r) { return has_stability(r, r.shot()); }
 bool has_some_stability(R r) {
   return std::ranges::any_of(r.scenario.shots, [&](const ScenarioShot& shot) { return has_stability(r, shot); });
 }
@@ -89,7 +85,7 @@ std::string why_no_turning(R r) {
 }
 /// Whether what pushes a shot in a world moves it.
 std::string why_unmoved(R r) {
-  const BodyDef& body = shot(r).body;
+  const BodyDef& body = r.shot().body;
   if (!r.scenario.world.given || !is_unmoved(body)) return {};
   if (body.kinematic) return " beside shot.body.kinematic";
   return body.infinite_mass ? " beside shot.body.infinite_mass" : " beside shot.body.frozen";
@@ -201,7 +197,7 @@ bool may_leave_plane(R r) {
     return f.asked.wind != WindModel::off || f.asked.rotation != RotationModel::none ||
            f.asked.earth != EarthModel::flat;
   });
-  return is_world || is_turned || shot(r).projectile.force != Vec3d{} || !r.scenario.things.empty() ||
+  return is_world || is_turned || r.shot().projectile.force != Vec3d{} || !r.scenario.things.empty() ||
          !r.scenario.emitters.empty();
 }
 
@@ -245,7 +241,7 @@ constexpr UnreadRule kDragRules[] = {
 
 std::string why_no_spin(R r) { return read_by(r.any(flies_spin), "rotation \"magnus\" reads"); }
 std::string why_no_turn(R r) {
-  const bool is_turned_in_world = may_be_turned(r) || shot(r).body.angular_velocity != Vec3d{};
+  const bool is_turned_in_world = may_be_turned(r) || r.shot().body.angular_velocity != Vec3d{};
   return read_with(launch(r).spin != LaunchSpin{} || r.is_drawn("spin.") || is_turned_in_world, "shot.spin");
 }
 std::string why_no_formula(R r) {
@@ -265,7 +261,7 @@ std::string why_no_zero(R r) { return read_with(launch(r).sight.zero_range > 0, 
 
 /// Whether an area or a size of a shot counts: in air, for a spin, in what it meets.
 bool reads_diameter(R r) {
-  const bool is_hit = !r.scenario.things.empty() && shot(r).body.collision.on_hit == OnHit::impact;
+  const bool is_hit = !r.scenario.things.empty() && r.shot().body.collision.on_hit == OnHit::impact;
   const DragDef& drag = projectile(r).drag;
   const bool sizes_drag = (drag.ballistic_coefficient == 0 && drag.bands.empty()) || drag.table == DragTable::sphere;
   const auto is_in_drag = [&](Rung f) { return sizes_drag && is_in_air(f) && flies_equation(f); };
@@ -299,7 +295,7 @@ constexpr UnreadRule kProjectileRules[] = {
     {"shot.spin", why_unmoved},
     {"shot.gravity_scale",
      [](R r) {
-       const BodyDef& body = shot(r).body;
+       const BodyDef& body = r.shot().body;
        if (!body.use_gravity) return std::string(" beside shot.body.use_gravity = false");
        if (body.gravity_scale == 0) return std::string(" beside shot.body.gravity_scale = 0");
        return read_or(r.any([](Rung f) { return f.granted.gravity != GravityModel::off; }), ": it feels no gravity");
@@ -359,7 +355,7 @@ constexpr UnreadRule kProjectileRules[] = {
 
 std::string why_chosen(R r) {
   const bool is_aimed = r.scenario.target.position.has_value();  // at the fidelity itself
-  return read_unless(shot(r).cheapest_within && !is_aimed, "shot.fidelity.cheapest_within");
+  return read_unless(r.shot().cheapest_within && !is_aimed, "shot.fidelity.cheapest_within");
 }
 
 constexpr UnreadRule kFidelityRules[] = {

@@ -22,10 +22,6 @@ const ScenarioJoint& joint(R r) {
   PHYSIM_ASSERT(r.scope.joint != nullptr);
   return *r.scope.joint;
 }
-const ScenarioShot& shot(R r) {
-  PHYSIM_ASSERT(r.scope.shot != nullptr);
-  return *r.scope.shot;
-}
 const WorldDef& world(R r) { return r.scenario.world.def; }
 bool is_measured_by_place(const DetailRung& rung) { return std::isfinite(rung.within); }
 
@@ -62,44 +58,36 @@ constexpr UnreadRule kWorldRules[] = {
 constexpr UnreadRule kBodyRules[] = {
     {"shot.body.gravity_scale",
      [](R r) {
-       if (!shot(r).body.use_gravity) return std::string(" beside shot.body.use_gravity = false");
+       if (!r.shot().body.use_gravity) return std::string(" beside shot.body.use_gravity = false");
        return read_or(r.any([](const FlownRung& f) { return f.granted.gravity != GravityModel::off; }),
                       ": it feels no gravity");
      }},
-    {"shot.body.sleep_speed", [](R r) { return read_unless(!shot(r).body.can_sleep, "shot.body.can_sleep = false"); }},
-    {"shot.body.sleep_time", [](R r) { return read_unless(!shot(r).body.can_sleep, "shot.body.can_sleep = false"); }},
+    {"shot.body.sleep_speed", [](R r) { return read_unless(!r.shot().body.can_sleep, "shot.body.can_sleep = false"); }},
+    {"shot.body.sleep_time", [](R r) { return read_unless(!r.shot().body.can_sleep, "shot.body.can_sleep = false"); }},
     {"shot.body.despawn.box_low",
-     [](R r) { return read_with(shot(r).body.despawn.outside_box, "shot.body.despawn.outside_box"); }},
+     [](R r) { return read_with(r.shot().body.despawn.outside_box, "shot.body.despawn.outside_box"); }},
     {"shot.body.despawn.box_high",
-     [](R r) { return read_with(shot(r).body.despawn.outside_box, "shot.body.despawn.outside_box"); }},
+     [](R r) { return read_with(r.shot().body.despawn.outside_box, "shot.body.despawn.outside_box"); }},
     {"shot.body.within_time",
-     [](R r) { return read_with(shot(r).cheapest_within.has_value(), "shot.fidelity.cheapest_within"); }},
+     [](R r) { return read_with(r.shot().cheapest_within.has_value(), "shot.fidelity.cheapest_within"); }},
 };
 
 // --------------------------------------------------------------------------------------- shots that emitters fire
 // alone
-/// The emitter that fires a shot, which no volley fires; null: none.
-const ScenarioEmitter* emitter_of(R r) {
-  const std::string& name = shot(r).projectile.name;
-  const auto is_of_volley = [&](const Volley& volley) { return volley.shot == name; };
-  const auto fires = [&](const ScenarioEmitter& emitter) { return emitter.shot == name || emitter.tracer == name; };
-  if (std::ranges::any_of(r.scenario.volleys, is_of_volley)) return nullptr;
-  const auto emitter = std::ranges::find_if(r.scenario.emitters, fires);
-  return emitter == r.scenario.emitters.end() ? nullptr : &*emitter;
-}
+const ScenarioEmitter* emitter_of(R r) { return emitter_alone_of(r.scenario, r.shot().projectile.name); }
 std::string why_fired(R r) {
   const ScenarioEmitter* emitter = emitter_of(r);
   return emitter == nullptr ? std::string()
                             : " beside the emitter " + in_quotes(emitter->def.name) + ", which fires it";
 }
 std::string why_no_sight(R r) {
-  const Sight& sight = shot(r).launch.sight;
+  const Sight& sight = r.shot().launch.sight;
   return read_with(!r.scenario.world.given || sight.zero_range > 0, "shot.sight.zero_range in a [world]");
 }
 
 /// A launcher turns about the line of sight: a bore along it stays where it is, and so does a sight without height.
 std::string why_no_elevation(R r) {
-  const Launch& launch = shot(r).launch;
+  const Launch& launch = r.shot().launch;
   const bool is_drawn = r.is_drawn("shot.elevation") || r.is_drawn("shot.sight");
   const bool is_raised = launch.elevation != launch.sight.look_angle || launch.sight.zero_range > 0 || is_drawn;
   const bool is_turned = r.any([](const FlownRung& f) { return turns(f.granted); });  // by its attitude
@@ -109,13 +97,13 @@ std::string why_no_elevation(R r) {
 }
 
 std::string why_no_look(R r) {
-  const Sight& sight = shot(r).launch.sight;
+  const Sight& sight = r.shot().launch.sight;
   return read_with(!r.scenario.world.given || sight.cant != 0 || sight.zero_range > 0,
                    "shot.sight.cant or zero_range in a [world]");
 }
 std::string why_frozen(R r) {
-  const Axes frozen = shot(r).body.frozen;
-  const double azimuth = shot(r).launch.azimuth;
+  const Axes frozen = r.shot().body.frozen;
+  const double azimuth = r.shot().launch.azimuth;
   const bool is_free = !has(frozen, Axes::x) || !has(frozen, Axes::y) || (azimuth != 0 && !has(frozen, Axes::z));
   return read_unless(r.scenario.world.given && !is_free, "shot.body.frozen");
 }

@@ -187,7 +187,8 @@ class PairStep {
     if (apart > radius + slack) return note(first(a, b, radius, Touch::comes_near, from), EventKind::hit);
     if (apart < radius - slack && met_inside_.contains({i, j})) {
       const auto left = first(a, b, radius + slack, Touch::goes_away, from);
-      return left ? note(first(a, b, radius, Touch::comes_near, *left), EventKind::hit) : void();
+      if (left) note(first(a, b, radius, Touch::comes_near, *left), EventKind::hit);
+      return;
     }
     const double speed = dot(on_a.v - on_b.v, on_a.x - on_b.x);
     const double put = 4 * slack / context_.dt;  // so fast it may look that was put beside another one
@@ -316,7 +317,7 @@ class PairStep {
     std::uint32_t a, b;  // a < b
     Vec3d n;             // from b to a
     PairSurface surface;
-    bool nears, strikes, inside, lies, deep;
+    bool nears = true, strikes = false, inside = false, lies = false, deep = false;
   };
   /// A surface that one of those that meet lies at.
   struct WallNow {
@@ -342,7 +343,15 @@ class PairStep {
     const bool inside = time == 0 && length(on_a.x - on_b.x) < reach(a) + reach(b) - slack(a, b);
     const bool deep = is_deep(a, b, on_a, on_b);
     if (deep) met_inside_.insert({m.a, m.b});
-    return {m.a, m.b, n, surface, before < 0, strikes, inside, lies, deep};
+    return {.a = m.a,
+            .b = m.b,
+            .n = n,
+            .surface = surface,
+            .nears = before < 0,
+            .strikes = strikes,
+            .inside = inside,
+            .lies = lies,
+            .deep = deep};
   }
 
   /// As on the ground: a bounce that would be over within this step does not lift it any more.
@@ -419,7 +428,7 @@ class PairStep {
     if (dot(on_a.v - on_b.v, n) > put + rounding_of_speed(a, b, on_a, on_b)) return std::nullopt;
     const BodyDef &body_a = a.kind->body, &body_b = b.kind->body;
     const double restitution = lies ? 0 : body_a.restitution * body_b.restitution;
-    return TouchNow{i, j, n, {restitution, body_a.friction * body_b.friction}, true, false, false, lies, false};
+    return TouchNow{.a = i, .b = j, .n = n, .surface = {restitution, body_a.friction * body_b.friction}, .lies = lies};
   }
   /// The surfaces that it touches and does not part from.
   void find_walls(std::uint32_t i) {
@@ -460,7 +469,7 @@ class PairStep {
     }
     for (WallNow& w : walls_) touches.push_back({now_[w.body].moves, w.wall, w.n, w.surface});
     meet(touches);
-    // No impulses of balls inside of each other are right together: each pair is content once.
+    // Impulses of balls inside of each other have no common solution: each pair is solved by itself, once.
     for (const TouchNow& t : touches_)
       if (t.nears && t.deep) meet(std::array{PairTouch{now_[t.a].moves, now_[t.b].moves, t.n, t.surface}});
     for (auto& [i, body] : now_)
@@ -710,7 +719,7 @@ class PairStep {
   std::optional<PairSweep> sweep_;
   std::priority_queue<Meeting> queue_;
   std::set<std::pair<std::uint32_t, std::uint32_t>> lies_on_;
-  std::set<std::pair<std::uint32_t, std::uint32_t>> met_inside_;    // of those that began inside of each other
+  std::set<std::pair<std::uint32_t, std::uint32_t>> met_inside_;    // pairs that met while one was inside of the other
   std::map<std::pair<std::uint32_t, std::uint32_t>, bool> inside_;  // of those that pass: what was told last
   std::vector<std::pair<std::uint32_t, double>> cuts_;              // slots, and until when what they told holds
   std::vector<TouchNow> touches_;                                   // of the moment at hand
