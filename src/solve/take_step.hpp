@@ -41,9 +41,15 @@ PHYSIM_INLINE double stagger(const Fidelity& granted) {
 
 /// Semi-implicit Euler: positions move with the new velocity.
 template <class R>
+PHYSIM_INLINE_ALWAYS State<R> semi_implicit_end(const State<R>& start, const Vec3<R>& acceleration, const R& h) {
+  State<R> end;
+  end.v = start.v + acceleration * h;
+  end.x = start.x + end.v * h;
+  return end;
+}
+template <class R>
 PHYSIM_INLINE_ALWAYS void semi_implicit_end(Step<R>& s) {
-  s.end.v = s.start.v + s.slope[0].v * s.h;
-  s.end.x = s.start.x + s.end.v * s.h;
+  s.end = semi_implicit_end(s.start, s.slope[0].v, s.h);
 }
 
 /// Semi-implicit Euler of a rotation: what points is turned by the new rates.

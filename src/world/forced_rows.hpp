@@ -136,8 +136,7 @@ struct PushedRung {
     const Conditions<S> c = known(given);
     const R rate = first_drag_rate<R>(job, row);
     const Vec3<R> a = acceleration_over(c, b, R(S(0)), m.start, {h, rate});
-    m.end.v = m.start.v + a * h;
-    m.end.x = m.start.x + m.end.v * h;
+    m.end = semi_implicit_end(m.start, a, h);
     MaskOf<R> found = plainly_noteworthy(job.rows.watchdog, c, m) | further_noteworthy(job.rows, c, m, row);
     if (job.rows.columns.clear != nullptr) found = found | comes_near(job.rows, m, row);
     if (job.rows.restless != nullptr) {

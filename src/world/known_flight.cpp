@@ -30,10 +30,7 @@ struct ShortStep : KnownRung<drag, wind, air> {
   template <class R, class S>
   PHYSIM_INLINE static State<R> end(const Conditions<S>& c, const Body<R>& b, const State<R>& start, const R& h,
                                     const R& rate) {
-    State<R> end;
-    end.v = start.v + acceleration_over(c, b, R(S(0)), start, {h, rate}) * h;
-    end.x = start.x + end.v * h;
-    return end;
+    return semi_implicit_end(start, acceleration_over(c, b, R(S(0)), start, {h, rate}), h);
   }
   template <class S>
   static S length_of(const RowColumns<S>&, const SettleContext&, std::uint32_t, double length) {
@@ -73,9 +70,8 @@ struct AnyShortStep {
   static State<R> end(const Conditions<S>& c, const Body<R>& b, const State<R>& start, const R& h, const R& rate) {
     Vec3<R> a;
     evaluate(c, b, R(S(0)), start, {h, rate}, a);
-    State<R> end;
-    end.v = start.v + a * h;
-    end.x = start.x + (c.fidelity.integrator == Integrator::explicit_euler ? start.v : end.v) * h;
+    State<R> end = semi_implicit_end(start, a, h);
+    if (c.fidelity.integrator == Integrator::explicit_euler) end.x = start.x + start.v * h;
     return end;
   }
   template <class S>

@@ -418,8 +418,7 @@ struct KnownRung {
       m.start = load_state<R>(job, row);
       // Made again wherever it is read and just before, or compilers forget what is known.
       const Conditions<S> c = known(given);
-      m.end.v = m.start.v + acceleration_over(c, b, R(S(0)), m.start, {h, R(S(0))}) * h;
-      m.end.x = m.start.x + m.end.v * h;
+      m.end = semi_implicit_end(m.start, acceleration_over(c, b, R(S(0)), m.start, {h, R(S(0))}), h);
       m.lost = h != h;
       return m;
     }

@@ -114,10 +114,7 @@ class Strike {
     p.slope = slope(p.t, p.start, p.h);
     go(p);
   }
-  PHYSIM_INLINE static void go(Part& p) {
-    p.end.v = p.start.v + p.slope * p.h;
-    p.end.x = p.start.x + p.end.v * p.h;
-  }
+  PHYSIM_INLINE static void go(Part& p) { p.end = semi_implicit_end(p.start, p.slope, p.h); }
   /// As March::restagger().
   PHYSIM_INLINE static void restagger(const R& from, const R& to, const Vec3<R>& slope, Vec3<R>& v) {
     v += slope * (constant<R>(stagger_of<SemiImplicitEuler>) * (from - to));
