@@ -44,6 +44,7 @@ physim_add_random_check(calls_soak physim_calls_soak tests/soak/calls_soak.cpp 3
 physim_add_random_check(fuzz physim_fuzz tests/fuzz/aim_fuzz.cpp 500)  # questions to aim()
 physim_add_random_check(world_fuzz physim_world_fuzz tests/fuzz/world_fuzz.cpp 100)  # calls of the whole interface
 physim_add_random_check(extreme_fuzz physim_extreme_fuzz tests/fuzz/extreme_fuzz.cpp 300)  # one number far from usual
+physim_add_random_check(energy_fuzz physim_energy_fuzz tests/fuzz/energy_fuzz.cpp 3000)  # worlds that make no energy
 if(TARGET physim_scenario)
   physim_add_random_check(settings_fuzz physim_settings_fuzz tests/fuzz/settings_pairs.cpp 400)  # two settings at a time
   target_link_libraries(physim_settings_fuzz PRIVATE physim_scenario)

@@ -553,7 +553,7 @@ class SceneContacts {
   }
 
   /// Its way along a plane surface.
-  [[nodiscard]] BallWay ball_way(const BallMotion& motion, const Vec3d& a, const SceneHit& hit, const Surface& on,
+  [[nodiscard]] BallWay ball_way(const BallMotion& motion, const Pull& a, const SceneHit& hit, const Surface& on,
                                  double time) const {
     BallWay way = slid_or_rolled(motion, a, hit.normal, ball(), {on.friction, on.rolling_resistance}, time);
     way.way = r_.kept(way.way);
@@ -567,7 +567,7 @@ class SceneContacts {
     bool leaves = false;  // it is too fast to turn
   };
   /// The way is cut to where it turns by little; where the ball leaves, to less.
-  [[nodiscard]] Turn find_turn(const Vec3d& x, const BallMotion& motion, const Vec3d& a, const SceneHit& hit,
+  [[nodiscard]] Turn find_turn(const Vec3d& x, const BallMotion& motion, const Pull& a, const SceneHit& hit,
                                const Surface& on, double passed, BallWay& way) const {
     constexpr double kLittle = 0.02, kFine = 1e-3;  // of the radius
     const double radius = collision().radius, flat = 8 * gap_at(x);
@@ -578,7 +578,7 @@ class SceneContacts {
       if (!below || below.away == Vec3d{} || below.distance <= radius + flat) return {};
       double part = 0.9 * kLittle * radius / far;
       if (far <= kLittle * radius) {
-        if (dot(below.away, hit.normal) < 0.5 || holds_on(x, a, below, way)) return {below};
+        if (dot(below.away, hit.normal) < 0.5 || holds_on(x, a.moving, below, way)) return {below};
         if (far <= kFine * radius) return {{}, true};
         part = 0.3;
       }
@@ -615,13 +615,14 @@ class SceneContacts {
     const Vec3d u = hit.velocity;
     const Surface on = surface(hit);
     const double left = pressed_for(s, hit, passed);
+    const Pull along_it = braked(r_, a, s, hit.normal, {passed, left});
     BallWay way{};
     Turn turn;
     if (is_ball()) {
-      way = ball_way(motion, a, hit, on, left);
-      if (!moves(hit)) turn = find_turn(s.x, motion, a, hit, on, passed, way);
+      way = ball_way(motion, along_it, hit, on, left);
+      if (!moves(hit)) turn = find_turn(s.x, motion, along_it, hit, on, passed, way);
     } else {
-      const Rolled on_it = rolled(motion.velocity, a, hit.normal, on, left);
+      const Rolled on_it = rolled(motion.velocity, along_it, hit.normal, on, left);
       way = {left, on_it.way, {on_it.velocity, motion.spin}};
     }
     Vec3d there = s.x + way.way + u * way.time, then_at = u, over;
@@ -642,7 +643,7 @@ class SceneContacts {
     if (turn.about) {
       over += hit.normal * (0.5 * (turn.about.distance - collision().radius));  // the chord lies below the arc
       to = turned_place(turn.about, to);
-      way.motion = turned_about(way.motion, a, to - there, turn.about.away, ball());
+      way.motion = turned_about(way.motion, along_it.moving, to - there, turn.about.away, ball());
       way.motion.velocity = r_.kept(way.motion.velocity);
     }
     SceneHit next = cast(s.x + over, to + over, passed, way.time);
@@ -705,7 +706,11 @@ class SceneContacts {
     Surface rough = surface(one);
     if (is_ball()) rough.friction = 0;  // it rolls
     const Vec3d before = along_it * dot(s.v - u, along_it);
-    const Rolled on = rolled(before, along_it * dot(a, along_it) + n * dot(a, n), n, rough, left);
+    const Pull pull = braked(r_, a, s, n, {passed, left});
+    const Vec3d on_it = n * dot(a, n);
+    const Rolled on =
+        rolled(before, {along_it * dot(pull.moving, along_it) + on_it, along_it * dot(pull.at_rest, along_it) + on_it},
+               n, rough, left);
     const Vec3d way = on.way + u * left;
     carried_ = carried_ || u != Vec3d{};
     const SceneHit next = cast(s.x, s.x + way, passed, left);

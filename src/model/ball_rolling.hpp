@@ -37,10 +37,11 @@ struct BallWay {
 };
 
 /// Motion of a ball on a surface for a time, or until it begins to roll. Its velocity is along the surface.
-inline BallWay slid_or_rolled(const BallMotion& from, const Vec3d& a, const Vec3d& normal, const Ball& ball,
+inline BallWay slid_or_rolled(const BallMotion& from, const Pull& by, const Vec3d& normal, const Ball& ball,
                               const BallGrip& grip, double time) {
   PHYSIM_ASSERT(time >= 0 && ball.radius > 0 && ball.inertia > 0);
   constexpr double kNoSlip = 1e-9;  // [m/s]
+  const Vec3d& a = by.moving;
   const double pressure = max(-dot(a, normal), 0.0);
   const Vec3d a_t = a - normal * dot(a, normal);
   const Vec3d u = from.velocity - cross(from.spin, normal) * ball.radius;
@@ -50,8 +51,9 @@ inline BallWay slid_or_rolled(const BallMotion& from, const Vec3d& a, const Vec3
   const Vec3d a_roll = ball.is_free() ? a_t : cross(component_product(ball.turns, cross(normal, a_t)), normal);
   const double needed = ball.is_free() ? k / (1 + k) * length(a_t) : length(a_t - a_roll * (1 / (1 + k)));
   if (slip <= kNoSlip && needed <= grip.friction * pressure) {
-    const Vec3d pulls = ball.is_free() ? a : a - a_t + a_roll;
-    const Rolled on = rolled(from.velocity, pulls * (1 / (1 + k)), normal, {0, 0, grip.rolling_resistance}, time);
+    const auto left_of = [&](const Vec3d& pull) { return ball.is_free() ? pull : pull - a_t + a_roll; };
+    const Pull pulls(left_of(a) * (1 / (1 + k)), left_of(by.at_rest) * (1 / (1 + k)));
+    const Rolled on = rolled(from.velocity, pulls, normal, {0, 0, grip.rolling_resistance}, time);
     const Vec3d about = cross(normal, on.velocity) * (1 / ball.radius) + normal * dot(from.spin, normal);
     return {time, on.way, {on.velocity, component_product(ball.turns, about)}};
   }

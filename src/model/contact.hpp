@@ -54,8 +54,18 @@ struct Rolled {
   Vec3d way;
   Vec3d velocity;
 };
-inline Rolled rolled(const Vec3d& v, const Vec3d& a, const Vec3d& normal, const Surface& surface, double time) {
+/// An acceleration by everything but a surface [m/s^2]: over a time in which something moves on it, and what is left of
+/// it if that comes to rest, where drag ends.
+struct Pull {
+  Vec3d moving;
+  Vec3d at_rest;
+
+  Pull(const Vec3d& always) : moving(always), at_rest(always) {}  // NOLINT: nothing depends on the motion
+  Pull(const Vec3d& one, const Vec3d& other) : moving(one), at_rest(other) {}
+};
+inline Rolled rolled(const Vec3d& v, const Pull& by, const Vec3d& normal, const Surface& surface, double time) {
   PHYSIM_ASSERT(time >= 0 && surface.rolling_resistance >= 0 && surface.friction >= 0);
+  const Vec3d& a = by.moving;
   const Vec3d v_t = v - normal * dot(v, normal);
   const double a_n = dot(a, normal);
   const Vec3d a_t = a - normal * a_n;
@@ -70,8 +80,10 @@ inline Rolled rolled(const Vec3d& v, const Vec3d& a, const Vec3d& normal, const 
   if (speed <= lost || turns_around) {  // comes to rest on the way
     const double ends = resistance + against;
     const double stop = v_0 > 0 && ends > 0 ? min(v_0 / ends, time) : 0.0;
-    const double left = time - stop, rate = pull > resistance ? (pull - resistance) / pull : 0;
-    return {v_t * (0.5 * stop) + a_t * (0.5 * rate * left * left), a_t * (rate * left)};
+    const Vec3d then = by.at_rest - normal * dot(by.at_rest, normal);
+    const double pulls = length(then);
+    const double left = time - stop, rate = pulls > resistance ? (pulls - resistance) / pulls : 0;
+    return {v_t * (0.5 * stop) + then * (0.5 * rate * left * left), then * (rate * left)};
   }
   const Vec3d after = pushed * (1 - lost / speed);
   return {(v_t + after) * (0.5 * time), after};

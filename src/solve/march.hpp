@@ -105,14 +105,33 @@ class March {
   }
 
   /// Takes the velocity where a step starts from one of steps of a length to one of steps of another. Length 0: the
-  /// velocity of the motion itself, which contacts read and leave (stagger()). The slope there is known.
+  /// velocity of the motion itself, which contacts read and leave (stagger()). The slope there is known. Drag leaves
+  /// less of a long step's slope than of a short one's (BrakedSum): each length has its own.
   PHYSIM_INLINE void restagger(const R& from, const R& to) {
-    const double part = stagger(conditions().fidelity);
+    const Conditions<S>& c = conditions();
+    const double part = stagger(c.fidelity);
     if (part == 0) return;
     PHYSIM_ASSERT(!any(from < R(S(0))) && !any(to < R(S(0))));
     Step<R>& s = lanes.step;
-    s.start.v += s.slope[0].v * (constant<R>(part) * (from - to));
+    if (is_braked(c))
+      s.start.v += restaggered(slope_over(from), from, slope_over(to), to, constant<R>(part));
+    else
+      s.start.v += s.slope[0].v * (constant<R>(part) * (from - to));
     s.slope[0].x = s.start.v;
+  }
+  /// The acceleration where the step starts, of a step of length h; generators that push stage by stage do not count.
+  PHYSIM_INLINE Vec3<R> slope_over(const R& h) {
+    const Conditions<S>& c = conditions();
+    Step<R>& s = lanes.step;
+    if (!is_braked(c)) return s.slope[0].v;
+    const R length = s.h;
+    const Vec3<R> own = s.slope[0].v;
+    s.h = h;
+    set_slope(c, lanes, 0);
+    s.h = length;
+    const Vec3<R> found = s.slope[0].v;
+    s.slope[0].v = own;
+    return found;
   }
 
   /// Tries one step in each of some marches side by side, by what takes steps as take_steps() does; says in which lanes

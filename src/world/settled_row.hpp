@@ -281,7 +281,9 @@ class SettledRow final : public ContactHost {
     Trace& last = chunk_.traces.back();
     const Vec3d a = vec_cast<double>(s.slope[0].v) * part;
     last.state.v = here().v + a * static_cast<double>(s.h);
-    last.ahead = a * plain_step(*context_.def, context_.dt);  // its row is put for such steps
+    const double plain = plain_step(*context_.def, context_.dt);  // its row is put for such steps
+    const Vec3<S> slope = is_driven() ? s.slope[0].v : march.slope_over(static_cast<S>(plain));
+    last.ahead = vec_cast<double>(slope) * part * plain;
   }
   void forget_traces() {
     PHYSIM_ASSERT(chunk_.traces.size() >= told_.traces);

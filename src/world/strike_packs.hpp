@@ -115,9 +115,13 @@ class Strike {
     go(p);
   }
   PHYSIM_INLINE static void go(Part& p) { p.end = semi_implicit_end(p.start, p.slope, p.h); }
-  /// As March::restagger().
-  PHYSIM_INLINE static void restagger(const R& from, const R& to, const Vec3<R>& slope, Vec3<R>& v) {
-    v += slope * (constant<R>(stagger_of<SemiImplicitEuler>) * (from - to));
+  /// As March::restagger(), at the start or the end of a part.
+  PHYSIM_INLINE void restagger(const R& from, const R& to, const R& t, State<R>& s) const {
+    const R part = constant<R>(stagger_of<SemiImplicitEuler>);
+    if constexpr (Rung::kDrag == DragModel::off)
+      s.v += slope(t, s, to) * (part * (from - to));
+    else
+      s.v += restaggered(slope(t, s, from), from, slope(t, s, to), to, part);
   }
   PHYSIM_INLINE static NodeOf<W> node(const R& t, const State<R>& s, const Vec3<R>& a) {
     NodeOf<W> n;
@@ -178,12 +182,12 @@ class Strike {
     part.t_end = part.t + part.h;
     cast_numbers(s, part.start);
     part.slope = slope(part.t, part.start, part.h);
-    restagger(R(S(0)), part.h, part.slope, part.start.v);
+    restagger(R(S(0)), part.h, part.t, part.start);
     go(part);
     const Watching ground = watched(course_.watch.item[0].spec, part);
     const MaskOf<R> quiet = (part.t_end > part.t) & is_finite(part.start) & is_finite(part.end) & !ground.once &
                             !ground.twice & !crosses_other(part);
-    restagger(part.h, R(job_.rows.h), slope(part.t_end, part.end, part.h), part.end.v);
+    restagger(part.h, R(job_.rows.h), part.t_end, part.end);
     State<W> end;
     cast_numbers(part.end, end);
     const W speed = length(end.v);

@@ -22,8 +22,8 @@ namespace {
 /// What this version of the library must print. A change of the physics or the numerics changes it: say so in the
 /// commit.
 using Sums = std::array<std::uint64_t, 5>;
-constexpr Sums kExpectedSums = {0xfd6d297010c55b2e, 0x5fa1630d6b0ba479, 0x4e00955f69f0347b, 0x5c754950b81bfee2,
-                                0x32ee5bb6fde66e87};
+constexpr Sums kExpectedSums = {0xfd6d297010c55b2e, 0xe35e7f01a1f59919, 0x4e00955f69f0347b, 0x873d5efc40f1fb3c,
+                                0x6e10f9277d3ecae0};
 
 void print(std::FILE* file, const Sums& sums) {
   for (std::size_t i = 0; i < sums.size(); ++i)

@@ -51,21 +51,21 @@ TEST(BallRolling, what_cannot_turn_slides_to_rest) {
   EXPECT_TRUE(near(slide.way, {2.5, 0, 2.5 / 3 * 4}, 1e-14));
   EXPECT_LT(length(slide.motion.velocity), 1e-14);
   EXPECT_EQ(slide.motion.spin, Vec3d{});
-  const BallWay held = slid_or_rolled({}, {2.9, -10, 0}, kUp, stiff, grip, 1);
+  const BallWay held = slid_or_rolled({}, Vec3d{2.9, -10, 0}, kUp, stiff, grip, 1);
   EXPECT_EQ(held.way, Vec3d{});
-  EXPECT_TRUE(near(slid_or_rolled({}, {3.1, -10, 0}, kUp, stiff, grip, 1).motion.velocity, {0.1, 0, 0}, 1e-14));
-  EXPECT_TRUE(near(slid_or_rolled({}, {2.8, -10, 0}, kUp, wheel, grip, 1).motion.velocity, {2, 0, 0}, 1e-14));
-  EXPECT_LT(length(slid_or_rolled({}, {0, -10, 2.8}, kUp, wheel, grip, 1).motion.velocity), 1e-14);
+  EXPECT_TRUE(near(slid_or_rolled({}, Vec3d{3.1, -10, 0}, kUp, stiff, grip, 1).motion.velocity, {0.1, 0, 0}, 1e-14));
+  EXPECT_TRUE(near(slid_or_rolled({}, Vec3d{2.8, -10, 0}, kUp, wheel, grip, 1).motion.velocity, {2, 0, 0}, 1e-14));
+  EXPECT_LT(length(slid_or_rolled({}, Vec3d{0, -10, 2.8}, kUp, wheel, grip, 1).motion.velocity), 1e-14);
 }
 
 /// A point against friction on a slope: up for v / (a + f), and back with a - f.
 TEST(BallRolling, a_point_that_turns_around_stops_first) {
   const Surface rough{0, 0.3, 0};
-  const Rolled on = rolled({5, 0, 0}, {-7, -10, 0}, kUp, rough, 1);
+  const Rolled on = rolled({5, 0, 0}, Vec3d{-7, -10, 0}, kUp, rough, 1);
   const double up = 5 / 10.0, back = 1 - up;
   EXPECT_NEAR(on.way.x, 0.5 * 5 * up - 0.5 * 4 * back * back, 1e-14);
   EXPECT_NEAR(on.velocity.x, -4 * back, 1e-14);
-  const Rolled stays = rolled({5, 0, 0}, {-2, -10, 0}, kUp, rough, 3);
+  const Rolled stays = rolled({5, 0, 0}, Vec3d{-2, -10, 0}, kUp, rough, 3);
   EXPECT_NEAR(stays.way.x, 2.5, 1e-14);
   EXPECT_EQ(stays.velocity, Vec3d{});
 }
