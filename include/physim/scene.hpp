@@ -466,7 +466,7 @@ class Scene {
 };
 
 // ---------------------------------------------------------------------------------------------------------------------
-// Drawing of scenes for debugging: lines, triangles and texts, on a canvas of the caller.
+// Drawing of scenes and worlds for debugging: lines, triangles, balls and texts, on a canvas of the caller.
 
 /// The meaning of a drawn element; colours are the caller's.
 enum class SceneInk {
@@ -474,6 +474,14 @@ enum class SceneInk {
   sensor,  ///< a thing that only reports
   path,    ///< the path of a thing
   box,     ///< of the trees
+
+  // of a world
+  flying,    ///< a projectile that moves
+  asleep,    ///< a projectile that sleeps
+  held,      ///< a projectile that calls move, or that nothing moves
+  velocity,  ///< how far a projectile moves in a time
+  contact,   ///< the normal of what was hit in the last step, there
+  joint,     ///< between its ends
 };
 
 /// Draws. The calls come from the thread that asks, in the order of things.
@@ -482,12 +490,16 @@ class SceneCanvas {
   virtual ~SceneCanvas() = default;
   /// All that is drawn from now on is part of this thing.
   virtual void begin(InstanceId thing) { static_cast<void>(thing); }
+  /// All that is drawn from now on is part of this projectile.
+  virtual void begin_projectile(ProjectileId projectile) { static_cast<void>(projectile); }
   /// Triangles that are drawn from now on are made of this, up to the next thing.
   virtual void material(MaterialId of) { static_cast<void>(of); }
   /// Between two places in W [m].
   virtual void line(const Vec3d& a, const Vec3d& b, SceneInk ink) = 0;
   /// Counterclockwise as seen from outside [m].
   virtual void triangle(const Vec3d& a, const Vec3d& b, const Vec3d& c, SceneInk ink) = 0;
+  /// About a middle in W [m]; without a ball of its own, three circles of 16 lines.
+  virtual void ball(const Vec3d& middle, double radius, SceneInk ink);
   /// At a place in W [m].
   virtual void text(const Vec3d& place, std::string_view text) = 0;
 };
@@ -605,6 +617,8 @@ struct GeodeticGrid {
   std::uint32_t columns = 0;      ///< points along a parallel, at least 2 [-]
   std::uint32_t rows = 0;         ///< points along a meridian, at least 2 [-]
   std::vector<double> heights{};  ///< above the ellipsoid, within 1e5 m: heights[row * columns + column] [m]
+  std::uint32_t impossible = 0;   ///< points of a file whose height no ground has, and that got another [-]
+  double impossible_height = 0;   ///< the first such height, as the file has it [m]
 };
 
 /// Two triangles to each cell of a grid, in W as the frames of an environment have it: on a round Earth the terrain

@@ -94,6 +94,8 @@ Status read_terrain(ScenarioShape& shape, const Scenario& scenario) {
   if (!frames) return frames.error();
   const Result<GeodeticGrid> grid = read_terrain_file(beside_scenario(scenario, shape.terrain), shape.cut);
   if (!grid) return grid.error();
+  shape.impossible = grid->impossible;
+  shape.impossible_height = grid->impossible_height;
   Result<MeshShape> mesh = terrain_mesh(*grid, *frames);
   if (!mesh) return mesh.error();
   shape.shape = std::move(*mesh);

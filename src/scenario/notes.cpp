@@ -170,6 +170,11 @@ class Notes {
   }
 
   void of_shape(const ScenarioShape& shape, const Value& table) {
+    if (shape.impossible > 0)
+      note(table, "shape", {"mesh", "missing"},
+           "it replaces a height of " + quantity_text(shape.impossible_height, Quantity::length) +
+               ", which no ground has" +
+               (shape.impossible == 1 ? "" : ", and " + std::to_string(shape.impossible - 1) + " more such heights"));
     const bool is_picture = std::holds_alternative<HeightFieldShape>(shape.shape) && !shape.file.empty();
     if (is_picture && shape.low >= shape.high)
       note(table, "shape", {"height_field", "low"},

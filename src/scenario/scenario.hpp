@@ -82,6 +82,8 @@ struct ScenarioShape {
   double high = 1;                       ///< height of white in a file of heights [m]
   std::string terrain{};                 ///< a file of terrain that its mesh was read from, as the scenario says it [-]
   TerrainCut cut{};                      ///< what of that, about the place of the environment [-]
+  std::uint32_t impossible = 0;          ///< points of the terrain whose height no ground has [-]
+  double impossible_height = 0;          ///< the first such height [m]
   std::vector<ScenarioPart> parts{};     ///< of a compound [-]
   std::vector<std::string> materials{};  ///< names, of each triangle of a mesh or one of all; empty: of the thing [-]
   ShapeDef shape = CompoundShape{};      ///< `parts` names a compound's parts; without parts it is no shape yet [-]

@@ -14,6 +14,7 @@
 #include "scenario/files_in_use.hpp"
 #include "scenario/libraries.hpp"
 #include "scenario/text_file.hpp"
+#include "settings/units.hpp"
 
 #if PHYSIM_HAS_GDAL
 #include <dlfcn.h>
@@ -319,8 +320,10 @@ class Raster {
       if (const Status status = read_around(columns, of_file, line); !status) return status.error();
       for (int i = 0; i < wide; ++i) {
         double height = line.heights[static_cast<std::size_t>(i * every)];
-        if (!std::isfinite(height) && !cut.missing) return without_height(columns.first + i * every, of_file);
-        if (!std::isfinite(height)) height = *cut.missing;
+        const bool is_impossible = !(height >= kDeepest && height <= kHighest);  // or NaN
+        if (is_impossible && !cut.missing) return without_height(columns.first + i * every, of_file, height);
+        if (is_impossible && !std::isnan(height) && grid.impossible++ == 0) grid.impossible_height = height;
+        if (is_impossible) height = *cut.missing;
         grid.heights[static_cast<std::size_t>(row) * grid.columns + static_cast<std::size_t>(i)] = height + cut.geoid;
       }
     }
@@ -339,7 +342,7 @@ class Raster {
   };
 
   /// Reads `count` points from a column on to `into` and behind. A point that the file's number for nothing, its mask
-  /// or its alpha band leaves out has no height; nor has one beyond the Earth's heights, such as 32767 m.
+  /// or its alpha band leaves out has no height.
   [[nodiscard]] Status read(int column, int row, int count, int into, Line& line) const {
     const auto take = [&](GDALRasterBandH band, double* to) -> Status {
       if (gdal().GDALRasterIO(band, GF_Read, column, row, count, 1, to, count, 1, GDT_Float64, 0, 0) == CE_None)
@@ -356,8 +359,6 @@ class Raster {
       for (int i = 0; i < count; ++i)
         if (there[i] == 0) heights[i] = std::numeric_limits<double>::quiet_NaN();
     }
-    for (int i = 0; i < count; ++i)
-      if (!(heights[i] >= kDeepest && heights[i] <= kHighest)) heights[i] = std::numeric_limits<double>::quiet_NaN();
     return {};
   }
 
@@ -373,12 +374,15 @@ class Raster {
     return {};
   }
 
-  [[nodiscard]] Error without_height(int column, int row) const {
+  [[nodiscard]] Error without_height(int column, int row, double height) const {
     const double longitude = within_half_turn(columns_.first + column * columns_.step);
     const std::string where =
         warped_ ? "" : "row " + std::to_string(row + 1) + ", column " + std::to_string(column + 1) + ": ";
-    return Error{"has points without a height: " + where + "latitude " +
-                     std::to_string(rows_.first + row * rows_.step) + ", longitude " + std::to_string(longitude),
+    const std::string what = std::isnan(height)
+                                 ? "has points without a height: "
+                                 : "has points with a height of " + number_text(height) + " m, which no ground has: ";
+    return Error{what + where + "latitude " + std::to_string(rows_.first + row * rows_.step) + ", longitude " +
+                     std::to_string(longitude),
                  file_name_, "say which one they get, 0 for the sea; or give a smaller reach"};
   }
 

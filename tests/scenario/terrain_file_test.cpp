@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <bit>
 #include <cmath>
 #include <fstream>
@@ -235,6 +236,35 @@ TEST_F(TerrainFile, HasNoHeightWhereThereIsNone) {
     ASSERT_TRUE(grid) << grid.error().text();
     EXPECT_EQ(grid->heights, (std::vector<double>{3, 400, 100, 200})) << nothing;
   }
+}
+
+/// A height that no ground has is replaced, and a note says so; a void that the file declares needs no word.
+TEST_F(TerrainFile, WithImpossibleHeightsIsAskedAbout) {
+  Tiff tiff(3, 2, {100, 200, -9, 32767, 500, -32768});
+  tiff.lies_at(10, 50, 0.5, 2, 2048, 4326).means("m", "-9");
+  const std::string file = written("impossible.tif", tiff.bytes());
+  const auto grid = read_terrain_file(file, {.missing = 3});
+  ASSERT_TRUE(grid) << grid.error().text();
+  EXPECT_EQ(grid->heights, (std::vector<double>{3, 500, 3, 100, 200, 3}));
+  EXPECT_EQ(grid->impossible, 2u);
+  EXPECT_EQ(grid->impossible_height, 32767);
+  Tiff peak(2, 2, {100, 200, 300, 32767});
+  peak.lies_at(10, 50, 0.5, 2, 2048, 4326).means("m", "-9");
+  EXPECT_EQ(read_terrain_file(written("peak.tif", peak.bytes())).error().message,
+            "has points with a height of 32767 m, which no ground has: row 2, column 2: latitude 49.500000, longitude "
+            "10.500000");
+
+  const std::string text =
+      "physim = 1\nenvironment = { earth = { latitude = \"50 deg\", longitude = \"10.5 deg\" } }\n[[shot]]\n"
+      "[[thing]]\nshape = \"hill\"\n[[shape]]\nname = \"hill\"\nmesh = { terrain = \"impossible.tif\", missing = 3 }\n";
+  const std::string scenario = in_folder("impossible.toml");
+  std::ofstream(scenario) << text;
+  const auto read = load_scenario(scenario);
+  ASSERT_TRUE(read) << read.error().text();
+  const std::string end =
+      "shape.mesh.missing: it replaces a height of 32767 m, which no ground has, and 1 more such "
+      "heights";
+  EXPECT_TRUE(std::ranges::any_of(read->notes, [&](const std::string& note) { return note.ends_with(end); }));
 }
 
 TEST_F(TerrainFile, HasNoHeightWhereItsAlphaBandOrMaskHasNothing) {
