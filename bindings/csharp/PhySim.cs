@@ -80,6 +80,9 @@ public enum physim_on_hit {
   PHYSIM_HIT_BOUNCES = 3,
   PHYSIM_HIT_BY_MATERIAL = 4,
 }
+/// <summary>The meaning of a drawn element; colours are the caller's.</summary>
+public enum physim_ink {
+}
 public enum physim_emitter_action {
   PHYSIM_PLAY = 0,
   PHYSIM_STOP = 1,
@@ -830,6 +833,35 @@ public unsafe struct physim_replay_info {
   /// <summary>the first; empty: none</summary>
   public fixed byte difference[256];
 }
+/// <summary>A canvas: a table of functions, each of which may be null. Places have three numbers, x, y and z in W [m].</summary>
+[StructLayout(LayoutKind.Sequential)]
+public unsafe struct physim_canvas {
+  /// <summary>sizeof(physim_canvas) [bytes]</summary>
+  public uint size;
+  public uint reserved;
+  /// <summary>handed to each function</summary>
+  public IntPtr user;
+}
+[StructLayout(LayoutKind.Sequential)]
+public unsafe struct physim_drawing {
+  /// <summary>sizeof(physim_drawing) [bytes]</summary>
+  public uint size;
+  /// <summary>bits: projectiles of these</summary>
+  public uint layers;
+  /// <summary>the scene is not drawn</summary>
+  public int without_things;
+  public int without_joints;
+  /// <summary>are drawn at projectiles that have one, and names at things</summary>
+  public int labels;
+  /// <summary>of the trees of things</summary>
+  public int boxes;
+  /// <summary>half of the cross of a point; 0: none [m]</summary>
+  public double point_size;
+  /// <summary>duration of the drawn lines of velocities; 0: none [s]</summary>
+  public double ahead;
+  /// <summary>length of the drawn normals of contacts; 0: none [m]</summary>
+  public double normals;
+}
 [StructLayout(LayoutKind.Sequential)]
 public unsafe struct physim_transform {
   /// <summary>sizeof(physim_transform) [bytes]</summary>
@@ -1243,6 +1275,12 @@ public static unsafe class C {
   /// <summary>Makes the calls of the recording up to and with `frames` more that took steps; 0: the next call alone. `more` (may be null) is 0 if the recording ended, or a difference was found. `info` (may be null): all that was done so far.</summary>
   [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
   public static extern physim_result physim_replay_next(IntPtr world, ulong frames, int* more, physim_replay_info* info);
+  /// <summary>Goes to where physim_replay_info.steps is `steps`, back or forwards: behind the call that took that step; 0: to the beginning. `there` (may be null) is 0 if the recording ended, or a difference was found, before.</summary>
+  [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+  public static extern physim_result physim_replay_seek(IntPtr world, ulong steps, int* there, physim_replay_info* info);
+  /// <summary>Draws a world: its things, its projectiles as they are drawn between steps, joints, and what was hit in the last step. Numbers from 0 to 1e9. The world must not be changed inside.</summary>
+  [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+  public static extern physim_result physim_world_draw(IntPtr world, physim_drawing* what, physim_canvas* canvas);
   /// <summary>The things of a def.</summary>
   [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
   public static extern physim_result physim_scene_create(IntPtr def, out IntPtr scene);

@@ -256,6 +256,59 @@ PHYSIM_API physim_result physim_replay_open(const void* recording, size_t size, 
 /// be null) is 0 if the recording ended, or a difference was found. `info` (may be null): all that was done so far.
 PHYSIM_API physim_result physim_replay_next(physim_world* world, uint64_t frames, int32_t* more,
                                             physim_replay_info* info);
+/// Goes to where physim_replay_info.steps is `steps`, back or forwards: behind the call that took that step; 0: to the
+/// beginning. `there` (may be null) is 0 if the recording ended, or a difference was found, before.
+PHYSIM_API physim_result physim_replay_seek(physim_world* world, uint64_t steps, int32_t* there,
+                                            physim_replay_info* info);
+
+// ----------------------------------------------------------------------------------------------------------- drawing
+// A world as lines, triangles, balls and texts, for an engine's debug drawing.
+
+/// The meaning of a drawn element; colours are the caller's.
+typedef enum physim_ink {
+  PHYSIM_INK_SOLID,     ///< a thing that is hit
+  PHYSIM_INK_SENSOR,    ///< a thing that only reports
+  PHYSIM_INK_PATH,      ///< the path of a thing
+  PHYSIM_INK_BOX,       ///< of the trees of things
+  PHYSIM_INK_FLYING,    ///< a projectile that moves
+  PHYSIM_INK_ASLEEP,    ///< a projectile that sleeps
+  PHYSIM_INK_HELD,      ///< a projectile that calls move, or that nothing moves
+  PHYSIM_INK_VELOCITY,  ///< how far a projectile moves in a time
+  PHYSIM_INK_CONTACT,   ///< the normal of what was hit in the last step, there
+  PHYSIM_INK_JOINT      ///< between its ends
+} physim_ink;
+
+/// A canvas: a table of functions, each of which may be null. Places have three numbers, x, y and z in W [m].
+typedef struct physim_canvas {
+  uint32_t size;      ///< sizeof(physim_canvas) [bytes]
+  uint32_t reserved;  ///< [-]
+  void* user;         ///< handed to each function [-]
+  /// Before a projectile is drawn.
+  void (*begin)(void* user, physim_id projectile);
+  void (*line)(void* user, const double* a, const double* b, int32_t ink);
+  /// Counterclockwise as seen from outside.
+  void (*triangle)(void* user, const double* a, const double* b, const double* c, int32_t ink);
+  /// Null: three circles of lines.
+  void (*ball)(void* user, const double* middle, double radius, int32_t ink);
+  void (*text)(void* user, const double* place, const char* text);
+} physim_canvas;
+
+typedef struct physim_drawing {
+  uint32_t size;           ///< sizeof(physim_drawing) [bytes]
+  uint32_t layers;         ///< bits: projectiles of these [-]
+  int32_t without_things;  ///< the scene is not drawn [-]
+  int32_t without_joints;  ///< [-]
+  int32_t labels;          ///< are drawn at projectiles that have one, and names at things [-]
+  int32_t boxes;           ///< of the trees of things [-]
+  double point_size;       ///< half of the cross of a point; 0: none [m]
+  double ahead;            ///< duration of the drawn lines of velocities; 0: none [s]
+  double normals;          ///< length of the drawn normals of contacts; 0: none [m]
+} physim_drawing;
+
+/// Draws a world: its things, its projectiles as they are drawn between steps, joints, and what was hit in the last
+/// step. Numbers from 0 to 1e9. The world must not be changed inside.
+PHYSIM_API physim_result physim_world_draw(const physim_world* world, const physim_drawing* what,
+                                           const physim_canvas* canvas);
 
 // ------------------------------------------------------------------------------------------------------------ scenes
 // Where a call takes `scene` as a void pointer, it is a physim_scene, or a physim_world: the scene of that world.

@@ -197,6 +197,22 @@ struct JointCounts {
 };
 
 // ---------------------------------------------------------------------------------------------------------------------
+// Drawing of a world for debugging.
+
+/// The options of World::draw().
+struct WorldDrawing {
+  SceneDrawing scene{};               ///< of its things; `time` is not read: they stand where they are now [-]
+  bool things = true;                 ///< its scene is drawn [-]
+  bool bodies = true;                 ///< balls with their radius, points as crosses [-]
+  double point_size = 0.05;           ///< half of a cross, at least 0 [m]
+  double ahead = 0;                   ///< duration of the drawn lines of velocities; 0: none [s]
+  double normals = 0;                 ///< length of the drawn normals of contacts; 0: none [m]
+  bool joints = true;                 ///< a line for each [-]
+  bool labels = false;                ///< at projectiles that have one [-]
+  std::uint32_t layers = 0xffffffff;  ///< projectiles of these layers [-]
+};
+
+// ---------------------------------------------------------------------------------------------------------------------
 // A world's projectiles as they lie in memory: for renderers and others that read all of them in every frame.
 
 /// Projectiles of one rung, a column for each coordinate; the i-th number of each column is of the i-th of them. R is
@@ -611,6 +627,9 @@ class World {
   void forget_events();  ///< events() is empty then
   [[nodiscard]] const WorldCounters& counters() const;
   [[nodiscard]] std::vector<CohortInfo> cohorts() const;
+  /// Draws it on a canvas: its things, its projectiles as they are drawn between steps, joints, and what was hit in the
+  /// last step. Nothing for numbers below 0 or above 1e9.
+  void draw(SceneCanvas& canvas, const WorldDrawing& what = {}) const;
   /// Memory that grows with use: projectiles, kinds, rungs and cohorts, tables, forces, events. Snapshots have their
   /// own [bytes].
   [[nodiscard]] std::size_t memory() const;
@@ -710,6 +729,11 @@ class Replay {
   bool next();
   /// Makes calls up to and with the next one that took steps; false if there is no such call.
   bool next_frame();
+  /// Goes to where ReplayReport::steps is `steps`, back or forwards: behind the call that took that step; 0: to the
+  /// beginning. The report and the world are those of a replay that was played up to there. False if the recording ends
+  /// or differs before. Worlds on the way are kept from the first call on, up to 64 MB of saves, so that going back is
+  /// short; a recording with snapshots or functions is played again from its beginning.
+  bool seek(std::uint64_t steps);
   [[nodiscard]] const World& world() const;
   [[nodiscard]] const ReplayReport& report() const;
   /// The hash after every step of the last call, as far as the recording has them.

@@ -54,6 +54,7 @@ struct FunctionCounts {
     hit_function = hit_function || more.hit_function;
     return *this;
   }
+  bool operator==(const FunctionCounts&) const = default;
 };
 
 /// What all archives do alike. Self has: `number(bits, bytes, limit)`, which takes an unsigned number below a limit,

@@ -139,7 +139,8 @@ void Call::look_at(const std::shared_ptr<WorldObject>& world, bool changes) {
   PHYSIM_ASSERT(world != nullptr);
   if (world->lost) return fail(PHYSIM_LOST, "memory ran out while this world was being changed", "world", "free it");
   if (changes && world->replay)
-    return fail(PHYSIM_REFUSED, "a recording moves this world", "world", "physim_replay_next() goes on with it");
+    return fail(PHYSIM_REFUSED, "a recording moves this world", "world",
+                "physim_replay_next() and physim_replay_seek() do");
   if (changes) will_change(world);
 }
 

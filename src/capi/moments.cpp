@@ -212,7 +212,11 @@ physim_result physim_replay_open(const void* recording, size_t size, const physi
   });
 }
 
-physim_result physim_replay_next(physim_world* world, uint64_t frames, int32_t* more, physim_replay_info* info) {
+namespace {
+
+/// Moves a world by its recording: `move` says whether it got there.
+template <class Move>
+physim_result move_replay(physim_world* world, int32_t* there, physim_replay_info* info, const Move& move) {
   return guarded([&](Call& call) {
     const Kept found = kept(number_of(world));
     if (found.kind != Stands<physim_world>::kName)
@@ -223,9 +227,22 @@ physim_result physim_replay_next(physim_world* world, uint64_t frames, int32_t* 
     if (!call.ok()) return;
     if (!of->replay) return call.fail(PHYSIM_REFUSED, "no recording moves this world", "world", "physim_replay_open()");
     call.will_change(of);
-    bool goes_on = frames > 0 || of->replay->next();
-    for (std::uint64_t i = 0; goes_on && i < frames; ++i) goes_on = of->replay->next_frame();
-    if (more != nullptr) *more = goes_on;
+    const bool is_there = move(*of->replay);
+    if (there != nullptr) *there = is_there;
     if (info != nullptr) call.write(info, info_of(*of->replay));
   });
+}
+
+}  // namespace
+
+physim_result physim_replay_next(physim_world* world, uint64_t frames, int32_t* more, physim_replay_info* info) {
+  return move_replay(world, more, info, [&](Replay& replay) {
+    bool goes_on = frames > 0 || replay.next();
+    for (std::uint64_t i = 0; goes_on && i < frames; ++i) goes_on = replay.next_frame();
+    return goes_on;
+  });
+}
+
+physim_result physim_replay_seek(physim_world* world, uint64_t steps, int32_t* there, physim_replay_info* info) {
+  return move_replay(world, there, info, [&](Replay& replay) { return replay.seek(steps); });
 }

@@ -488,6 +488,60 @@ physim_result physim_world_events(const physim_world* world, size_t first, physi
   });
 }
 
+namespace {
+
+/// A canvas of the caller's functions; those that are null draw nothing.
+class GivenCanvas final : public SceneCanvas {
+ public:
+  explicit GivenCanvas(const physim_canvas& canvas) : canvas_(canvas) {}
+
+  void begin_projectile(ProjectileId projectile) override {
+    if (canvas_.begin != nullptr) canvas_.begin(canvas_.user, put_id(projectile));
+  }
+  void line(const Vec3d& a, const Vec3d& b, SceneInk ink) override {
+    if (canvas_.line != nullptr) canvas_.line(canvas_.user, &a.x, &b.x, int(ink));
+  }
+  void triangle(const Vec3d& a, const Vec3d& b, const Vec3d& c, SceneInk ink) override {
+    if (canvas_.triangle != nullptr) canvas_.triangle(canvas_.user, &a.x, &b.x, &c.x, int(ink));
+  }
+  void ball(const Vec3d& middle, double radius, SceneInk ink) override {
+    if (canvas_.ball != nullptr) return canvas_.ball(canvas_.user, &middle.x, radius, int(ink));
+    SceneCanvas::ball(middle, radius, ink);
+  }
+  void text(const Vec3d& place, std::string_view text) override {
+    if (canvas_.text != nullptr) canvas_.text(canvas_.user, &place.x, std::string(text).c_str());
+  }
+
+ private:
+  const physim_canvas canvas_;
+};
+static_assert(int(SceneInk::joint) == PHYSIM_INK_JOINT && int(SceneInk::flying) == PHYSIM_INK_FLYING);
+
+}  // namespace
+
+physim_result physim_world_draw(const physim_world* world, const physim_drawing* what, const physim_canvas* canvas) {
+  return guarded([&](Call& call) {
+    const auto of = call.find(world, "world");
+    call.need(what, "what");
+    call.need(canvas, "canvas");
+    const physim_drawing given = call.read(what, "what");
+    GivenCanvas onto(call.read(canvas, "canvas"));
+    for (const double size : {given.point_size, given.ahead, given.normals})
+      call.need(size >= 0 && size <= 1e9, "what", "its lengths and times lie between 0 and 1e9");
+    if (!call.ok()) return;
+    WorldDrawing drawing;
+    drawing.layers = given.layers;
+    drawing.things = given.without_things == 0;
+    drawing.joints = given.without_joints == 0;
+    drawing.labels = drawing.scene.names = given.labels != 0;
+    drawing.scene.boxes = given.boxes != 0;
+    drawing.point_size = given.point_size;
+    drawing.ahead = given.ahead;
+    drawing.normals = given.normals;
+    of->world().draw(onto, drawing);
+  });
+}
+
 physim_result physim_world_states(const physim_world* world, const physim_id* ids, size_t count,
                                   const physim_states* into, size_t* read) {
   return guarded([&](Call& call) {

@@ -165,6 +165,19 @@ void draw_box(const Bounds& box, SceneCanvas& canvas) {
 }  // namespace
 }  // namespace collide
 
+void SceneCanvas::ball(const Vec3d& middle, double radius, SceneInk ink) {
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    const auto on_circle = [&](int side) {
+      const double turn = collide::kTurn * side / collide::kSides;
+      Vec3d place = middle;
+      place[(axis + 1) % 3] += radius * cos(turn);
+      place[(axis + 2) % 3] += radius * sin(turn);
+      return place;
+    };
+    for (int side = 0; side < collide::kSides; ++side) line(on_circle(side), on_circle(side + 1), ink);
+  }
+}
+
 void Scene::draw(SceneCanvas& canvas, const SceneDrawing& what) const {
   const IeeeMode mode;
   if (!(std::abs(what.time) <= collide::kLatest && what.ahead >= 0 && what.ahead <= collide::kLatest)) return;

@@ -74,12 +74,17 @@ class Recorder {
 
   /// The parts of a world that is to be recorded.
   [[nodiscard]] static WorldImpl& parts_of(World& world) { return world.impl(); }
-  /// Makes a world's recorder. A replay continues with the check sum of the recording's `begin`.
+  /// Makes a world's recorder.
   static void attach(World& world, std::unique_ptr<Recorder> recorder);
 
   /// `save`: of the world where it is not new.
   void begin(const WorldDef& def, const std::vector<std::byte>& save);
-  void go_on(std::uint64_t chained) { chain_ = chained; }
+  /// A replay continues with the check sum of all frames up to a place in the recording, behind so many steps.
+  void go_on(std::uint64_t chained, std::uint64_t steps) {
+    chain_ = chained;
+    steps_ = steps;
+  }
+  [[nodiscard]] std::uint64_t chained() const { return chain_; }
   /// Completes the recording, once; what went wrong with it.
   Status finish();
   [[nodiscard]] bool is_good() const { return !finished_ && status_; }

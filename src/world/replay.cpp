@@ -16,6 +16,8 @@ namespace physim {
 namespace {
 
 constexpr std::size_t kHead = sizeof kRecordingMagic + sizeof kRecordingFormat;
+constexpr std::uint64_t kFirstApart = 60;                 // steps
+constexpr std::size_t kMostKept = std::size_t{64} << 20;  // of keyframes [bytes]
 
 Error damaged(std::size_t place, const std::string& message) {
   return {message, "byte " + std::to_string(place), "take another copy of it"};
@@ -179,13 +181,30 @@ struct Replay::Impl {
   Recorder* recorder = nullptr;  // of the world
   std::vector<std::uint64_t> hashes;
 
+  /// A world on the way, to go back to.
+  struct Keyframe {
+    ReplayReport report;
+    std::size_t at;
+    std::uint64_t chained;
+    std::vector<std::byte> save;
+  };
+  Keyframe beginning;  // of the recording, without a save
+  Moments first_moments;
+  std::vector<Keyframe> keyframes;    // in their order
+  std::uint64_t apart = kFirstApart;  // steps between two
+  bool keeps = false;                 // keyframes: somebody may go back
+  bool has_snapshots = false;         // in the recording: they belong to one world
+
   Impl(std::vector<std::byte> recording, const ReplayOptions& how) : bytes(std::move(recording)), options(how) {
     moments.hits = options.hit_function = [this](const HitBatch& batch) { answer(batch); };
   }
   ~Impl() { at = end; }  // the recorder's own end, as its world goes, is compared with nothing
   Status survey();
   Status read_begin(const Frame& frame);
-  void start(World made);
+  Result<World> begin_world();
+  void start(World made, std::uint64_t chain, std::uint64_t steps);
+  void keep();
+  Status go_back(std::uint64_t steps);
   Status compare(std::span<const std::byte> frame);
   void count_spawned(std::span<const std::byte> returned);
   void answer(const HitBatch& batch) const;
@@ -237,16 +256,23 @@ Status Replay::Impl::survey() {
   if (end == 0) return Error{"the recording ends before its world is told", "byte " + std::to_string(bytes.size()), ""};
   if (report.complete && end != bytes.size()) return damaged(end, "something follows the end of the recording");
   report.bytes = end;
+  has_snapshots = found.snapshots > 0;
   found.functions += begun_with;
   return check_given(found.functions, options, "the recording");
 }
 
 // --------------------------------------------------------------------------------------------- while it is played
-void Replay::Impl::start(World made) {
+/// The world that the recording begins with.
+Result<World> Replay::Impl::begin_world() {
+  functions = begun_with;
+  return save.empty() ? World::create(def) : World::load(save, options);
+}
+
+void Replay::Impl::start(World made, std::uint64_t chain, std::uint64_t steps) {
   world = std::move(made);
   const auto sink = [this](std::span<const std::byte> frame) { return compare(frame); };
   auto again = std::make_unique<Recorder>(Recorder::parts_of(world), sink, record, 0);
-  again->go_on(chained);
+  again->go_on(chain, steps);
   recorder = again.get();
   Recorder::attach(world, std::move(again));
 }
@@ -337,6 +363,44 @@ void Replay::Impl::make_next() {
   report.steps = recorder->steps();
 }
 
+// --------------------------------------------------------------------------------------------- going back
+/// Keeps the world as it is, if the last one kept is far enough behind.
+void Replay::Impl::keep() {
+  const bool is_whole = !has_snapshots && functions == FunctionCounts{} && !report.difference;
+  const std::uint64_t last = keyframes.empty() ? 0 : keyframes.back().report.steps;
+  if (!keeps || !is_whole || report.steps < last + apart) return;
+  Result<std::vector<std::byte>> saved = world.save();
+  if (!saved) return;
+  keyframes.push_back({report, at, recorder->chained(), std::move(*saved)});
+  std::size_t bytes_kept = 0;
+  for (const Keyframe& k : keyframes) bytes_kept += k.save.size();
+  if (bytes_kept <= kMostKept) return;
+  apart *= 2;
+  std::vector<Keyframe> fewer;
+  for (std::size_t i = 1; i < keyframes.size(); i += 2) fewer.push_back(std::move(keyframes[i]));
+  keyframes = std::move(fewer);
+}
+
+/// Takes up the last world that was kept up to a step, or the first one.
+Status Replay::Impl::go_back(std::uint64_t steps) {
+  const Keyframe* from = &beginning;
+  for (const Keyframe& k : keyframes)
+    if (k.report.steps <= steps) from = &k;
+  const bool is_first = from == &beginning;
+  Result<World> again = is_first ? begin_world() : World::load(from->save, options);
+  if (!again) return again.error();
+  if (is_first)
+    moments = first_moments;
+  else
+    functions = FunctionCounts{};  // worlds with functions are not kept
+  report = from->report;
+  hashes.clear();
+  at = end;  // the end of the recorder that goes is compared with nothing
+  start(std::move(*again), from->chained, report.steps);
+  at = from->at;
+  return {};
+}
+
 // --------------------------------------------------------------------------------------------- public
 Replay::Replay(std::unique_ptr<Impl> impl) : impl_(std::move(impl)) {}
 Replay::Replay(Replay&&) noexcept = default;
@@ -348,10 +412,11 @@ Result<Replay> Replay::open(std::vector<std::byte> recording, const ReplayOption
   if (Status status = impl->survey(); !status) return status.error();
   impl->def.threading = options.threading;
   if (!impl->begun_with.hit_function) impl->options.hit_function = {};  // a call that was recorded gives it
-  Result<World> world = impl->save.empty() ? World::create(impl->def) : World::load(impl->save, impl->options);
+  impl->beginning = {impl->report, impl->at, impl->chained, {}};
+  impl->first_moments = impl->moments;
+  Result<World> world = impl->begin_world();
   if (!world) return world.error();
-  impl->functions = impl->begun_with;
-  impl->start(std::move(*world));
+  impl->start(std::move(*world), impl->chained, 0);
   return Replay(std::move(impl));
 }
 
@@ -368,6 +433,19 @@ bool Replay::next_frame() {
   const std::uint64_t before = impl_->report.steps;
   while (impl_->report.steps == before)
     if (!next()) return impl_->report.steps != before && !impl_->report.difference;
+  return true;
+}
+
+bool Replay::seek(std::uint64_t steps) {
+  Impl& r = *impl_;
+  if (r.is_inside) return false;
+  r.keeps = true;
+  const bool is_before = steps < r.report.steps || (steps == 0 && r.report.calls > 0);
+  if (is_before && !r.go_back(steps)) return false;
+  while (r.report.steps < steps) {
+    r.keep();
+    if (!next_frame()) return false;
+  }
   return true;
 }
 

@@ -181,6 +181,8 @@ const std::vector<Try>& all_calls() {
       TRY(physim_replay, kPointer | kSize, g.at<char>(), 16, nullptr, g.at<physim_replay_info>()),
       TRY(physim_replay_open, kPointer, g.at<char>(), 16, nullptr, g.at<physim_world*>()),
       TRY(physim_replay_next, kHandle, g.h.world, 1, nullptr, nullptr),
+      TRY(physim_replay_seek, kHandle, g.h.world, 1, nullptr, nullptr),
+      TRY(physim_world_draw, kHandle | kPointer | kSize, g.h.world, g.at<physim_drawing>(), g.at<physim_canvas>()),
       TRY(physim_scene_load, kPointer, g.at<char>(), 16, nullptr, g.at<physim_scene*>()),
       TRY(physim_scene_set_engine, kHandle | kNumber, g.h.scene, nullptr, nullptr, g.number(0)),
       TRY(physim_scene_read_engine, kHandle | kPointer | kSize, g.h.scene, g.at<physim_engine_info>()),

@@ -54,6 +54,14 @@ static void test_replay_by_frames(void) {
   CHECK(hash == again);
   OK(physim_replay_next(played, 1, &more, &info));
   CHECK(more == 0 && info.complete && info.agrees && info.hash == hash);
+  for (i = 20; i-- > 0;) {
+    OK(physim_replay_seek(played, (i * 7) % 20 + 1, &more, &info));
+    CHECK(more == 1 && info.steps == (i * 7) % 20 + 1 && info.agrees);
+    OK(physim_world_states(played, NULL, 1, &states, &count));
+    CHECK(count == 1 && memcmp(places[(i * 7) % 20], place, sizeof place) == 0);
+  }
+  OK(physim_replay_seek(played, 21, &more, &info));
+  CHECK(more == 0 && info.complete && info.agrees && info.hash == hash);
   OK(physim_world_snapshot(played, &snapshot));
   OK(physim_free(recording));
   OK(physim_save(played, &recording));
@@ -61,6 +69,7 @@ static void test_replay_by_frames(void) {
   OK(physim_world_load(data, size, NULL, NULL, &other)); /* a world of its own, from here on */
   OK(physim_world_step(other, 1, 0));
   IS(PHYSIM_REFUSED, physim_replay_next(world, 1, &more, NULL));
+  IS(PHYSIM_REFUSED, physim_replay_seek(world, 1, &more, NULL));
   OK(physim_free(snapshot));
   OK(physim_free(recording));
   OK(physim_free(other));
@@ -163,7 +172,63 @@ static void test_trails(void) {
   OK(physim_free(def));
 }
 
+/* What is drawn of a world, by ink. */
+struct sheet {
+  physim_world* world;
+  size_t lines, triangles, balls, texts, bodies;
+  double middle[3];
+};
+static void draw_begin(void* user, physim_id projectile) {
+  (void)projectile;
+  ++((struct sheet*)user)->bodies;
+}
+static void draw_line(void* user, const double* a, const double* b, int32_t ink) {
+  ((struct sheet*)user)->lines += ink == PHYSIM_INK_VELOCITY && b[0] > a[0];
+}
+static void draw_triangle(void* user, const double* a, const double* b, const double* c, int32_t ink) {
+  (void)a, (void)b, (void)c;
+  ((struct sheet*)user)->triangles += ink == PHYSIM_INK_SOLID;
+}
+static void draw_ball(void* user, const double* middle, double radius, int32_t ink) {
+  struct sheet* sheet = (struct sheet*)user;
+  sheet->balls += ink == PHYSIM_INK_FLYING && is_near(radius, 0.05, 1e-12);
+  memcpy(sheet->middle, middle, sizeof sheet->middle);
+  CHECK(physim_world_step(sheet->world, 1, 0) != PHYSIM_OK); /* nothing is changed inside */
+}
+static void test_drawing(void) {
+  physim_def* def = made(kWall);
+  physim_world* world = NULL;
+  physim_drawing what = {.size = sizeof what, .layers = ~0U, .ahead = 0.1};
+  physim_canvas canvas = {.size = sizeof canvas, .line = draw_line, .triangle = draw_triangle};
+  physim_projectile one = {.size = sizeof one};
+  struct sheet sheet = {0};
+  physim_id ball;
+  uint32_t kind = 0;
+  OK(physim_world_create(def, PHYSIM_FIRE_NOTHING, &world));
+  OK(physim_world_add_kind(world, def, NULL, 0, 0, &kind));
+  OK(physim_world_spawn(world, kind, 1, NULL, &ball, NULL));
+  OK(physim_world_step(world, 3, 0));
+  OK(physim_world_projectile(world, ball, &one));
+  sheet.world = world;
+  canvas.user = &sheet;
+  canvas.begin = draw_begin;
+  canvas.ball = draw_ball;
+  OK(physim_world_draw(world, &what, &canvas));
+  CHECK(sheet.bodies == 1 && sheet.balls == 1 && sheet.lines == 1 && sheet.triangles == 12);
+  CHECK(is_near(sheet.middle[0], one.position[0], 1) && sheet.middle[0] > 0);
+  OK(physim_world_step(world, 1, 0));
+  what.without_things = 1;
+  what.layers = 0;
+  OK(physim_world_draw(world, &what, &canvas));
+  CHECK(sheet.bodies == 1 && sheet.triangles == 12);
+  what.ahead = -1;
+  IS(PHYSIM_BAD_ARGUMENT, physim_world_draw(world, &what, &canvas));
+  OK(physim_free(world));
+  OK(physim_free(def));
+}
+
 void test_more_worlds(void) {
+  test_drawing();
   test_replay_by_frames();
   test_engine();
   test_trails();

@@ -717,6 +717,12 @@ class Replay(World):
         more: bool = self._core.next()
         return more
 
+    def seek(self, steps: int) -> bool:
+        """Goes behind the call that took this step of the recording, back or forwards; 0: to the beginning. False if the
+        recording ends or differs before."""
+        there: bool = self._core.seek(steps)
+        return there
+
     def __iter__(self) -> Iterator[Replay]:  # type: ignore[override]
         while self.next():
             yield self

@@ -102,15 +102,23 @@ int PyWorld::advance(double real_dt) {
   return steps;
 }
 
-bool PyWorld::next() {
+bool PyWorld::moved_by(const std::function<bool(Replay&)>& move) {
   check();
   if (!replay_) fail("no recording moves this world", "world", "physim.Replay(file) is one");
   forget();
   const Stepping stepping(*this);
   const Released free;
-  const bool more = replay_->next_frame();
-  if (more) take_events();
-  return more;
+  const bool is_there = move(*replay_);
+  if (is_there) take_events();
+  return is_there;
+}
+
+bool PyWorld::next() {
+  return moved_by([](Replay& replay) { return replay.next_frame(); });
+}
+
+bool PyWorld::seek(std::uint64_t steps) {
+  return moved_by([&](Replay& replay) { return replay.seek(steps); });
 }
 
 const Function& PyWorld::keep(nb::object function, const char* name) {
@@ -807,6 +815,7 @@ void add_world(nb::module_& m) {
                   "on_hit"_a.none(), "engine"_a.none())
       .def_static("replay", &replay_world, "file"_a, "The world that a recording moves.")
       .def("next", &PyWorld::next, "Plays the recording up to the next steps.")
+      .def("seek", &PyWorld::seek, nb::arg("steps"), "Goes behind a step of the recording.")
       .def("report", [](const PyWorld& w) {
         if (!w.replay()) fail("no recording moves this world", "world");
         return report_table(w.replay()->report());

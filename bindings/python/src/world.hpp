@@ -2,6 +2,7 @@
 #pragma once
 
 #include <atomic>
+#include <functional>
 #include <thread>
 
 #include "physim/scene.hpp"
@@ -42,9 +43,11 @@ class PyWorld {
   int advance(double real_dt);
   /// Makes the calls of a recording up to and with the next one that took steps; false if there is none.
   bool next();
+  bool seek(std::uint64_t steps);
   [[nodiscard]] std::span<const Event> events() const { return events_; }
   [[nodiscard]] const std::vector<ThingHit>& hits() const { return hits_; }
   [[nodiscard]] const std::vector<WallHit>& wall_hits() const { return wall_hits_; }
+  bool moved_by(const std::function<bool(physim::Replay&)>& move);
   void forget() { events_.clear(), hits_.clear(), wall_hits_.clear(); }
 
   /// Keeps a function of Python, so that what it raises comes out of step().

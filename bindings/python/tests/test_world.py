@@ -528,6 +528,9 @@ def test_a_recording_is_played_frame_by_frame(tmp_path, ball):
         assert same_bits(frame.positions(), places[i]) and frame.time == pytest.approx((i + 1) / 60)
         assert frame.report().steps == i + 1
     assert i == 11 and played.hash() == world.hash()
+    for step in (3, 11, 1, 12):
+        assert played.seek(step) and same_bits(played.positions(), places[step - 1]) and played.report().steps == step
+    assert not played.seek(13) and played.hash() == world.hash()
     report = played.report()
     assert report.complete and report.difference is None and not played.next()
     for change in (lambda: played.step(), lambda: played.spawn(ball), lambda: played.set_scene(), lambda: played.restore(None)):
@@ -540,6 +543,8 @@ def test_a_recording_is_played_frame_by_frame(tmp_path, ball):
         pickle.dumps(played)
     with pytest.raises(physim.Error):
         world._core.next()
+    with pytest.raises(physim.Error):
+        world._core.seek(1)
 
 
 def test_the_end_of_a_world(ball):
