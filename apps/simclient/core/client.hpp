@@ -49,8 +49,8 @@ enum class BottomPanel { none, plots, compare, performance, hits, study };
 
 struct Action;
 
-/// Where a file is chosen.
-enum class Dialog { none, open, save };
+/// Where a file is chosen, or a scenario of the gallery.
+enum class Dialog { none, open, save, gallery };
 
 /// An action that would lose work: it waits until somebody says yes.
 struct Question {
