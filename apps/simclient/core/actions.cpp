@@ -127,12 +127,12 @@ Status open_file(Client& client, const std::string& file) {
   return client.dialog = Dialog::open, Status();
 }
 
-Status save_as(Client& client, const std::string& file) {
 Status use_gallery(Client& client, const std::string& scenario) {
   if (!scenario.empty()) return open_from_gallery(client, scenario);
   return client.dialog = Dialog::gallery, Status();
 }
 
+Status save_as(Client& client, const std::string& file) {
   if (!file.empty()) return client.save(file);
   return client.dialog = Dialog::save, Status();
 }
