@@ -52,7 +52,7 @@ TEST(ProjectileQueries, find_in_spheres_what_looking_at_all_finds) {
   Random r(561);
   const World world = crowd(r);
   std::size_t found = 0;
-  for (int i = 0; i < 300; ++i) {
+  for (int i = 0; i < 1000; ++i) {
     const Vec3d middle{r.in(-12, 12), r.in(-12, 12), r.in(-12, 12)};
     const double radius = r.one_in(5) ? 0 : r.in(0, 6);
     const auto layers = static_cast<std::uint32_t>(r.below(8));
@@ -125,7 +125,7 @@ TEST(ProjectileQueries, cast_touches_what_comes_near) {
   Random r(563);
   const World world = crowd(r);
   int touched = 0;
-  for (int i = 0; i < 200; ++i) {
+  for (int i = 0; i < 1000; ++i) {
     const Vec3d from{r.in(-12, 12), r.in(-12, 12), r.in(-12, 12)}, to{r.in(-12, 12), r.in(-12, 12), r.in(-12, 12)};
     const double radius = r.in(0, 0.5);
     const auto hits = *world.projectiles_along(from, to, radius, 3);
