@@ -23,6 +23,9 @@
 
 namespace physim::client {
 
+/// What trails are coloured by.
+enum class TrailColour { shot, speed, mach, energy };
+
 /// What is shown.
 struct Shown {
   bool settings = true;    // panel of the next shot
@@ -32,7 +35,9 @@ struct Shown {
   bool emitters = false;    // panel of their curves
   bool panel_keys = false;  // arrows, Enter, Space and Tab belong to the panels
   bool trails = true;
-  bool aim = true;  // the arrow, and the predicted path
+  TrailColour trails_by = TrailColour::shot;
+  bool aim = true;       // the arrow, and the predicted path
+  bool attitude = true;  // the cone of the yaw of bodies whose attitude is flown
   bool vectors = false;
   bool forces_add_up = false;  // each force begins where the one before ends
   bool prediction = true;
@@ -125,12 +130,12 @@ class Client {
   StudyDesk study;
   std::deque<float> frame_times;  // that the last frames took [s]
   bool leaves = false;
+  std::uint64_t slide = 0;  // the number of the slide of a slider that is held, which is one change; 0: none is
   std::optional<double>
       cursor;  // the time of the world that the mouse points at, on a path, a plot or the timeline [s]
   Pixel timeline_from, timeline_to;  // of the bar of play, in the window [pixels]
   Pixel scene_corner;                // of the scene, upper left, in the window [pixels]
 
-  std::uint64_t slide = 0;  // the number of the slide of a slider that is held, which is one change; 0: none is
   /// Time has passed on the screen [s]. `patience`: what the steps in it may take [s of the machine's clock].
   void advance(double real_dt, double patience = std::numeric_limits<double>::infinity());
   /// The picture changes by itself: something moves, a study counts on, or a picture was asked for.
@@ -258,12 +263,12 @@ class Client {
   double since_change_ = 1e9;   // of the screen [s]
   ScenarioShot next_;
   std::optional<Versions> next_at_, noted_, fired_at_;
+  std::uint64_t noted_slide_ = 0;
   ProjectileId fired_;  // by hand, the last one
   Predictor predictor_;
   Prediction prediction_;
   std::vector<ComparedRung> comparison_;
   CostTable costs_;
-  std::uint64_t noted_slide_ = 0;
   std::vector<std::string> compared_presets_;
   std::optional<Versions> compared_at_, predicted_at_;  // none: never
   std::vector<std::string> inputs_;                     // files that the scenario and its settings come from

@@ -29,6 +29,15 @@ void write_label(const std::string& name, float label, bool is_idle) {
   ImGui::SetNextItemWidth(-1);
 }
 
+/// What was granted instead of what was asked for, and why.
+void draw_notes(Client& client) {
+  constexpr std::size_t kMost = 2;
+  std::size_t told = 0;
+  for (const FidelityNote& note : client.prediction().granted.notes)
+    if (told++ < kMost)
+      coloured_text(colours::kWarning, note.effect + ": granted " + note.granted + ", " + note.reason);
+}
+
 }  // namespace
 
 void QuickPanel::draw(Client& client) {
@@ -36,6 +45,7 @@ void QuickPanel::draw(Client& client) {
   client.slide = 0;
   draw_accuracy(client, label);
   for (const QuickSetting& setting : quick_settings(client)) draw_slider(client, setting, label);
+  draw_notes(client);
   ImGui::Dummy({0, ImGui::GetStyle().ItemSpacing.y});
 }
 
@@ -70,7 +80,6 @@ void QuickPanel::draw_slider(Client& client, const QuickSetting& setting, float 
   ImGui::PopID();
 }
 
-/// Beside it the notes of what was not granted.
 void QuickPanel::draw_accuracy(Client& client, float label) {
   const Accuracy now = accuracy_of(client.launcher.shot().projectile.fidelity);
   const std::span<const AccuracyRung> rungs = accuracy_rungs();
@@ -85,11 +94,6 @@ void QuickPanel::draw_accuracy(Client& client, float label) {
   if (has_moved) tell(client, set_accuracy(client, static_cast<std::size_t>(rung)));
   tooltip("from arcade to simulation\n" + std::string(rungs[now.rung].label) + ": " + std::string(rungs[now.rung].doc) +
           (now.is_preset ? "" : "\nSome settings differ from it: search for fidelity."));
-  constexpr std::size_t kMost = 2;
-  std::size_t told = 0;
-  for (const FidelityNote& note : client.prediction().granted.notes)
-    if (told++ < kMost)
-      coloured_text(colours::kWarning, note.effect + ": granted " + note.granted + ", " + note.reason);
 }
 
 }  // namespace physim::client
