@@ -57,18 +57,18 @@ QuickSetting mass_of(const Launcher& launcher) {
 std::vector<QuickSetting> quick_settings(Client& client) {
   const Launcher& launcher = client.launcher;
   const ScenarioShot& shot = launcher.shot();
-  const Fidelity& granted = client.prediction().error ? shot.projectile.fidelity : client.prediction().granted.fidelity;
+  const Fidelity& asked = shot.projectile.fidelity;  // what is granted leaves out a wind that does not blow yet
   const Environment& environment = client.session.scenario().environment;
-  const bool is_in_vacuum = granted.air == AirModel::vacuum || environment.atmosphere.model == AirModel::vacuum;
+  const bool is_in_vacuum = asked.air == AirModel::vacuum || environment.atmosphere.model == AirModel::vacuum;
   const std::string no_air = is_in_vacuum ? "does nothing: it flies without air" : "";
   const Wind& wind = environment.wind;
-  const std::string no_wind = is_in_vacuum                     ? no_air
-                              : granted.wind == WindModel::off ? "does nothing: this accuracy knows no wind"
-                              : granted.drag == DragModel::off ? "does nothing: drag is off"
+  const std::string no_wind = is_in_vacuum                   ? no_air
+                              : asked.wind == WindModel::off ? "does nothing: this accuracy knows no wind"
+                              : asked.drag == DragModel::off ? "does nothing: drag is off"
                               : !wind.profile.empty() || !(wind.field == WindFunction{})
                                   ? "does nothing: the scenario's wind has a profile"
-                              : granted.drag == DragModel::damping ? "does nothing: damping knows no wind"
-                                                                   : "";
+                              : asked.drag == DragModel::damping ? "does nothing: damping knows no wind"
+                                                                 : "";
   const double usual = usual_speed(launcher);
   std::vector<QuickSetting> all = {
       {Quick::speed, "speed", "m/s", "speed at the muzzle", 0, usual > 0 ? round_above(2 * usual) : 100,
