@@ -22,7 +22,6 @@ TEST(Bodies, AreWhatScenariosFire) {
                                                       {"308_168gr_six_dof", BodyShape::bullet},
                                                       {"22lr", BodyShape::bullet},
                                                       {"105mm_m1_six_dof", BodyShape::shell},
-                                                      {"lob_16km", BodyShape::shell},
                                                       {"arrow", BodyShape::arrow},
                                                       {"model_rocket", BodyShape::rocket},
                                                       {"sounding_rocket", BodyShape::rocket},

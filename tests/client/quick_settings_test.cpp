@@ -82,6 +82,16 @@ TEST(Accuracy, IsOneSliderOverThePresets) {
   EXPECT_EQ(now().rung, 4U) << "the one that has most of it";
 }
 
+/// A shell whose attitude is flown is simulated, though some of its settings differ from the preset.
+TEST(Accuracy, IsNearestToWhatIsFlown) {
+  const std::pair<const char*, const char*> wanted[] = {
+      {"105mm_m1_six_dof", "simulation"}, {"golf_drive", "constant_air"}, {"world_force_field", "game"}};
+  for (const auto& [scenario, preset] : wanted)
+    EXPECT_EQ(accuracy_rungs()[accuracy_of(client_of(scenario).launcher.shot().projectile.fidelity).rung].preset,
+              preset)
+        << scenario;
+}
+
 TEST(Sliders, OneDragIsOneStepBack) {
   Client client = client_of("golf_drive");
   const double before = client.launcher.shot().projectile.mass;

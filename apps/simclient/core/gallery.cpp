@@ -18,7 +18,7 @@ constexpr GalleryItem kShooters[] = {
     {"308_168gr_six_dof", "Bullet that leaves with a yaw"},
     {"22lr", "A .22 to 600 yards"},
     {"arrow", "Olympic arrow at 70 m"},
-    {"105mm_m1_six_dof", "Howitzer shell, six degrees of freedom"},
+    {"105mm_m1_six_dof", "Howitzer shell and its yaw"},
     {"lob_16km", "A lob to 16 km"},
     {"mortar_over_hill", "Mortar behind a hill"},
     {"aim_moving_target", "A shell led onto a ship"},
@@ -40,7 +40,7 @@ constexpr GalleryItem kSport[] = {
     {"table_tennis", "Loop, flat ball and chop"},
     {"tennis_ball", "Tennis: serve and lob"},
     {"use_free_throw", "Free throw, least speed"},
-    {"study_free_throw", "How likely does it drop through?"},
+    {"study_free_throw", "Does the throw drop through?"},
     {"shot_put", "Shot put: what the air costs"},
 };
 constexpr GalleryItem kRocketeers[] = {

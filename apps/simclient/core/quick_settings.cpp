@@ -52,6 +52,20 @@ QuickSetting mass_of(const Launcher& launcher) {
           ""};
 }
 
+/// What a preset's rotation becomes where the data allow it, or is that itself.
+bool is_meant_by(RotationModel of_preset, RotationModel rotation) {
+  switch (rotation) {
+    case RotationModel::rigid_body:
+    case RotationModel::modified_point_mass: return of_preset == RotationModel::automatic;
+    case RotationModel::magnus:
+    case RotationModel::spin_drift: return of_preset == RotationModel::automatic_point;
+    case RotationModel::none:
+    case RotationModel::automatic_point:
+    case RotationModel::automatic: break;
+  }
+  return of_preset == rotation;
+}
+
 }  // namespace
 
 std::vector<QuickSetting> quick_settings(Client& client) {
@@ -127,7 +141,7 @@ Accuracy accuracy_of(const Fidelity& fidelity) {
     if (*preset == fidelity) return {i, true};
     const int same = (preset->motion == fidelity.motion) + (preset->gravity == fidelity.gravity) +
                      2 * (preset->drag == fidelity.drag) + (preset->air == fidelity.air) +
-                     (preset->wind == fidelity.wind) + 2 * (preset->rotation == fidelity.rotation) +
+                     (preset->wind == fidelity.wind) + 2 * is_meant_by(preset->rotation, fidelity.rotation) +
                      (preset->earth == fidelity.earth) + (preset->integrator == fidelity.integrator) +
                      (preset->interpolation == fidelity.interpolation);
     if (same > most) most = same, best.rung = i;

@@ -43,8 +43,12 @@ void draw_notes(Client& client) {
 void QuickPanel::draw(Client& client) {
   const float label = std::min(ImGui::GetFontSize() * 8.4F, ImGui::GetWindowWidth() * 0.5F);
   client.slide = 0;
+  ImVec4 grab = exact_tint(theme_in_use().accent);
+  grab.w = 0.5F;  // the value stands over it
+  ImGui::PushStyleColor(ImGuiCol_SliderGrab, grab);
   draw_accuracy(client, label);
   for (const QuickSetting& setting : quick_settings(client)) draw_slider(client, setting, label);
+  ImGui::PopStyleColor();
   draw_notes(client);
   ImGui::Dummy({0, ImGui::GetStyle().ItemSpacing.y});
 }
@@ -87,7 +91,7 @@ void QuickPanel::draw_accuracy(Client& client, float label) {
   write_label("accuracy", label, false);
   int rung = static_cast<int>(now.rung);
   const std::string shown =
-      is_original ? "the original" : (now.is_preset ? "" : "about ") + std::string(rungs[now.rung].label);
+      is_original ? "the original" : (now.is_preset ? "" : "~ ") + std::string(rungs[now.rung].label);
   const bool has_moved = ImGui::SliderInt("##accuracy", &rung, 0, static_cast<int>(rungs.size()) - 1, shown.c_str(),
                                           ImGuiSliderFlags_NoInput);
   note_slide(client);
