@@ -11,7 +11,6 @@
 #include "base/text.hpp"
 #include "math/angles.hpp"
 #include "scenario/suggest.hpp"
-#include "simclient/core/gallery.hpp"
 #include "simclient/core/original_tests.hpp"
 #include "simclient/core/timeline.hpp"
 
@@ -125,11 +124,6 @@ Status set_speed(Client& client, const std::string& text) {
 Status open_file(Client& client, const std::string& file) {
   if (!file.empty()) return client.open(file);
   return client.dialog = Dialog::open, Status();
-}
-
-Status use_gallery(Client& client, const std::string& scenario) {
-  if (!scenario.empty()) return open_from_gallery(client, scenario);
-  return client.dialog = Dialog::gallery, Status();
 }
 
 Status save_as(Client& client, const std::string& file) {
@@ -352,8 +346,6 @@ constexpr Action kActions[] = {
     {"picture-of-plots", "Ctrl+P", "File", "saves a picture of the plots", "FILE",
      act([](Client& c, auto& s) { c.pictures.push_back({s, PictureOf::plots}); })},
     {"quit", "Esc", "File", "leaves", "", act([](Client& c) { c.leaves = true; }), Loss::session},
-    {"gallery", "Ctrl+G", "File", "shows the scenarios that ship, with pictures; one that is opened flies",
-     "SCENARIO", use_gallery, Loss::session},
 };
 // clang-format on
 
@@ -411,7 +403,7 @@ std::string loss_of(const Client& client, const Action& action, const std::strin
     const bool replaces = !argument.empty() && argument != client.file() && std::filesystem::exists(argument);
     return replaces ? argument + " is there already, and would be replaced." : client.loss_of_saving(argument);
   }
-  if ((action.name == "open" || action.name == "gallery") && argument.empty()) return "";  // a file is chosen first
+  if (action.name == "open" && argument.empty()) return "";  // a file is chosen first
   std::string lost;
   const Session& session = client.session;
   if (action.name == "record" && session.is_recording()) return lost;  // completes it

@@ -84,9 +84,7 @@ void Client::note_changes() {
   const Versions before{launcher.version(), contents_};
   if (noted_ == before) return;
   noted_ = before;
-  const bool slides = slide != 0 && slide == noted_slide_;
-  noted_slide_ = slide;
-  history_.note(launcher, session.scenario(), content_, since_change_ < kGoesOn, slides);
+  history_.note(launcher, session.scenario(), content_, since_change_ < kGoesOn);
   since_change_ = 0;
 }
 

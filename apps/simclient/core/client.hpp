@@ -49,8 +49,8 @@ enum class BottomPanel { none, plots, compare, performance, hits, study };
 
 struct Action;
 
-/// Where a file is chosen, or a scenario of the gallery.
-enum class Dialog { none, open, save, gallery };
+/// Where a file is chosen.
+enum class Dialog { none, open, save };
 
 /// An action that would lose work: it waits until somebody says yes.
 struct Question {
@@ -130,7 +130,6 @@ class Client {
   Pixel timeline_from, timeline_to;  // of the bar of play, in the window [pixels]
   Pixel scene_corner;                // of the scene, upper left, in the window [pixels]
 
-  std::uint64_t slide = 0;  // the number of the slide of a slider that is held, which is one change; 0: none is
   /// Time has passed on the screen [s]. `patience`: what the steps in it may take [s of the machine's clock].
   void advance(double real_dt, double patience = std::numeric_limits<double>::infinity());
   /// The picture changes by itself: something moves, a study counts on, or a picture was asked for.
@@ -263,7 +262,6 @@ class Client {
   Prediction prediction_;
   std::vector<ComparedRung> comparison_;
   CostTable costs_;
-  std::uint64_t noted_slide_ = 0;
   std::vector<std::string> compared_presets_;
   std::optional<Versions> compared_at_, predicted_at_;  // none: never
   std::vector<std::string> inputs_;                     // files that the scenario and its settings come from

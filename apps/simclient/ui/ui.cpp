@@ -77,7 +77,6 @@ void Ui::draw(Client& client, const Scene& scene) {
   if (client.show.help) draw_help(client);
   files_.draw(client, {0, 0, size.x, size.y}, scale_);
   draw_question(client);
-  gallery_.draw(client, {0, 0, size.x, size.y}, scale_);
   draw_film(client);
 }
 
