@@ -203,8 +203,7 @@ struct JointCounts {
 struct WorldDrawing {
   SceneDrawing scene{};               ///< of its things; `time` is not read: they stand where they are now [-]
   bool things = true;                 ///< its scene is drawn [-]
-  bool bodies = true;                 ///< balls with their radius, points as crosses [-]
-  double point_size = 0.05;           ///< half of a cross, at least 0 [m]
+  double point_size = 0.05;           ///< half of the cross of a point; 0: none [m]
   double ahead = 0;                   ///< duration of the drawn lines of velocities; 0: none [s]
   double normals = 0;                 ///< length of the drawn normals of contacts; 0: none [m]
   bool joints = true;                 ///< a line for each [-]
@@ -731,8 +730,8 @@ class Replay {
   bool next_frame();
   /// Goes to where ReplayReport::steps is `steps`, back or forwards: behind the call that took that step; 0: to the
   /// beginning. The report and the world are those of a replay that was played up to there. False if the recording ends
-  /// or differs before. Worlds on the way are kept from the first call on, up to 64 MB of saves, so that going back is
-  /// short; a recording with snapshots or functions is played again from its beginning.
+  /// or differs before. Keeps saves of worlds on its way, up to 64 MB, so that going back is short; a recording with
+  /// snapshots or functions is played again from its beginning.
   bool seek(std::uint64_t steps);
   [[nodiscard]] const World& world() const;
   [[nodiscard]] const ReplayReport& report() const;

@@ -108,28 +108,28 @@ class March {
   /// velocity of the motion itself, which contacts read and leave (stagger()). The slope there is known. Drag leaves
   /// less of a long step's slope than of a short one's (BrakedSum): each length has its own.
   PHYSIM_INLINE void restagger(const R& from, const R& to) {
-    const Conditions<S>& c = conditions();
-    const double part = stagger(c.fidelity);
+    const double part = stagger(conditions().fidelity);
     if (part == 0) return;
     PHYSIM_ASSERT(!any(from < R(S(0))) && !any(to < R(S(0))));
     Step<R>& s = lanes.step;
-    if (is_braked(c))
-      s.start.v += restaggered(slope_over(from), from, slope_over(to), to, constant<R>(part));
-    else
+    if (!is_braked(conditions()))
       s.start.v += s.slope[0].v * (constant<R>(part) * (from - to));
+    else if (any(from > R(S(0))))
+      s.start.v += lead(slope_over(from), from, part) - lead(slope_over(to), to, part);
+    else
+      s.start.v -= lead(slope_over(to), to, part);
     s.slope[0].x = s.start.v;
   }
-  /// The acceleration where the step starts, of a step of length h; generators that push stage by stage do not count.
+  /// The acceleration where the step starts, of a step of length h, with what the body feels of generators there.
   PHYSIM_INLINE Vec3<R> slope_over(const R& h) {
-    const Conditions<S>& c = conditions();
     Step<R>& s = lanes.step;
-    if (!is_braked(c)) return s.slope[0].v;
+    if (!is_braked(conditions())) return s.slope[0].v;
     const R length = s.h;
     const Vec3<R> own = s.slope[0].v;
     s.h = h;
-    set_slope(c, lanes, 0);
-    s.h = length;
+    set_slope(conditions(), lanes, 0);
     const Vec3<R> found = s.slope[0].v;
+    s.h = length;
     s.slope[0].v = own;
     return found;
   }

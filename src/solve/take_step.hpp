@@ -39,12 +39,11 @@ PHYSIM_INLINE double stagger(const Fidelity& granted) {
   return with_method(granted.integrator, [](auto method) PHYSIM_INLINE_LAMBDA { return stagger_of<decltype(method)>; });
 }
 
-/// How a velocity changes that was one of steps of length `from`, whose slope is `before`, and becomes one of steps of
-/// length `to`, whose slope is `after`; `part` is that of stagger().
+/// By how much a motion is faster than its velocity of steps of length h: `slope` is that of such a step, `part` that
+/// of stagger().
 template <class R>
-PHYSIM_INLINE_ALWAYS Vec3<R> restaggered(const Vec3<R>& before, const R& from, const Vec3<R>& after, const R& to,
-                                         const R& part) {
-  return (before * from - after * to) * part;
+PHYSIM_INLINE_ALWAYS Vec3<R> lead(const Vec3<R>& slope, const R& h, double part) {
+  return slope * h * constant<R>(part);
 }
 
 /// Semi-implicit Euler: positions move with the new velocity.

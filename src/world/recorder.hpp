@@ -79,7 +79,7 @@ class Recorder {
 
   /// `save`: of the world where it is not new.
   void begin(const WorldDef& def, const std::vector<std::byte>& save);
-  /// A replay continues with the check sum of all frames up to a place in the recording, behind so many steps.
+  /// Continues a recording whose frames have this check sum, after `steps` steps.
   void go_on(std::uint64_t chained, std::uint64_t steps) {
     chain_ = chained;
     steps_ = steps;

@@ -167,33 +167,30 @@ struct Replay::Impl {
   ReplayOptions options;
   ReplayReport report;
   WorldDef def;
-  std::vector<std::byte> save;  // that the recording begins with, if it does
-  FunctionCounts begun_with;    // functions of the save, or of the definition of the world
-  bool is_inside = false;       // of next()
+  bool is_inside = false;  // of next()
   RecordOptions record;
-  std::uint64_t chained = 0;  // check sum of the recording's begin
-  std::size_t end = 0;        // of the last whole frame
-  std::size_t at = 0;         // the next frame
-  Call call = Call::end;      // at hand
+  std::size_t end = 0;    // of the last whole frame
+  std::size_t at = 0;     // the next frame
+  Call call = Call::end;  // at hand
   Moments moments;
   FunctionCounts functions;  // that were read
   World world;
   Recorder* recorder = nullptr;  // of the world
   std::vector<std::uint64_t> hashes;
 
-  /// A world on the way, to go back to.
+  /// A world to go back to: where the recording begins, or on the way.
   struct Keyframe {
     ReplayReport report;
-    std::size_t at;
-    std::uint64_t chained;
-    std::vector<std::byte> save;
+    std::size_t at = 0;           // the next frame
+    std::uint64_t chained = 0;    // check sum of all frames up to there
+    FunctionCounts functions;     // that were read
+    std::vector<std::byte> save;  // empty: a new world
   };
-  Keyframe beginning;  // of the recording, without a save
-  Moments first_moments;
+  Keyframe beginning;
+  Moments first_moments;              // as they are at the beginning
   std::vector<Keyframe> keyframes;    // in their order
   std::uint64_t apart = kFirstApart;  // steps between two
-  bool keeps = false;                 // keyframes: somebody may go back
-  bool has_snapshots = false;         // in the recording: they belong to one world
+  bool has_snapshots = false;         // the recording restores snapshots, which belong to one world
 
   Impl(std::vector<std::byte> recording, const ReplayOptions& how) : bytes(std::move(recording)), options(how) {
     moments.hits = options.hit_function = [this](const HitBatch& batch) { answer(batch); };
@@ -201,10 +198,9 @@ struct Replay::Impl {
   ~Impl() { at = end; }  // the recorder's own end, as its world goes, is compared with nothing
   Status survey();
   Status read_begin(const Frame& frame);
-  Result<World> begin_world();
-  void start(World made, std::uint64_t chain, std::uint64_t steps);
+  Status resume(const Keyframe& from);
   void keep();
-  Status go_back(std::uint64_t steps);
+  [[nodiscard]] const Keyframe& last_before(std::uint64_t steps) const;
   Status compare(std::span<const std::byte> frame);
   void count_spawned(std::span<const std::byte> returned);
   void answer(const HitBatch& batch) const;
@@ -216,17 +212,17 @@ struct Replay::Impl {
 // --------------------------------------------------------------------------------------------- before it is played
 Status Replay::Impl::read_begin(const Frame& frame) {
   Reader reader(frame.content, options);
-  reader(report.made_by, record.hash_every, def, save);
+  reader(report.made_by, record.hash_every, def, beginning.save);
   if (frame.call != Call::begin || !reader.complete())
     return damaged(frame.place, "the recording has no beginning" + by_another_version(report.made_by));
-  begun_with = reader.functions_used();
-  if (!save.empty()) {
-    const Result<FunctionCounts> found = functions_of(save);
+  beginning.functions = reader.functions_used();
+  if (!beginning.save.empty()) {
+    const Result<FunctionCounts> found = functions_of(beginning.save);
     if (!found) return damaged(frame.place, "the save that it begins with: " + found.error().message);
-    begun_with = *found;
+    beginning.functions = *found;
   }
-  chained = frame.chained;
-  at = end = frame.next();
+  beginning.chained = frame.chained;
+  beginning.at = end = frame.next();
   return {};
 }
 
@@ -256,25 +252,31 @@ Status Replay::Impl::survey() {
   if (end == 0) return Error{"the recording ends before its world is told", "byte " + std::to_string(bytes.size()), ""};
   if (report.complete && end != bytes.size()) return damaged(end, "something follows the end of the recording");
   report.bytes = end;
+  beginning.report = report;
+  first_moments = moments;
   has_snapshots = found.snapshots > 0;
-  found.functions += begun_with;
+  found.functions += beginning.functions;
   return check_given(found.functions, options, "the recording");
 }
 
 // --------------------------------------------------------------------------------------------- while it is played
-/// The world that the recording begins with.
-Result<World> Replay::Impl::begin_world() {
-  functions = begun_with;
-  return save.empty() ? World::create(def) : World::load(save, options);
-}
-
-void Replay::Impl::start(World made, std::uint64_t chain, std::uint64_t steps) {
-  world = std::move(made);
+/// Goes on from a world that was kept.
+Status Replay::Impl::resume(const Keyframe& from) {
+  Result<World> made = from.save.empty() ? World::create(def) : World::load(from.save, options);
+  if (!made) return made.error();
+  report = from.report;
+  functions = from.functions;
+  moments = first_moments;
+  hashes.clear();
+  at = end;  // the end of the recorder that goes is compared with nothing
+  world = std::move(*made);
+  at = from.at;
   const auto sink = [this](std::span<const std::byte> frame) { return compare(frame); };
   auto again = std::make_unique<Recorder>(Recorder::parts_of(world), sink, record, 0);
-  again->go_on(chain, steps);
+  again->go_on(from.chained, report.steps);
   recorder = again.get();
   Recorder::attach(world, std::move(again));
+  return {};
 }
 
 Frame Replay::Impl::frame_at(std::span<const std::byte> from, std::size_t place) const {
@@ -368,10 +370,10 @@ void Replay::Impl::make_next() {
 void Replay::Impl::keep() {
   const bool is_whole = !has_snapshots && functions == FunctionCounts{} && !report.difference;
   const std::uint64_t last = keyframes.empty() ? 0 : keyframes.back().report.steps;
-  if (!keeps || !is_whole || report.steps < last + apart) return;
+  if (!is_whole || report.steps < last + apart) return;
   Result<std::vector<std::byte>> saved = world.save();
   if (!saved) return;
-  keyframes.push_back({report, at, recorder->chained(), std::move(*saved)});
+  keyframes.push_back({report, at, recorder->chained(), functions, std::move(*saved)});
   std::size_t bytes_kept = 0;
   for (const Keyframe& k : keyframes) bytes_kept += k.save.size();
   if (bytes_kept <= kMostKept) return;
@@ -381,24 +383,11 @@ void Replay::Impl::keep() {
   keyframes = std::move(fewer);
 }
 
-/// Takes up the last world that was kept up to a step, or the first one.
-Status Replay::Impl::go_back(std::uint64_t steps) {
-  const Keyframe* from = &beginning;
+const Replay::Impl::Keyframe& Replay::Impl::last_before(std::uint64_t steps) const {
+  const Keyframe* last = &beginning;
   for (const Keyframe& k : keyframes)
-    if (k.report.steps <= steps) from = &k;
-  const bool is_first = from == &beginning;
-  Result<World> again = is_first ? begin_world() : World::load(from->save, options);
-  if (!again) return again.error();
-  if (is_first)
-    moments = first_moments;
-  else
-    functions = FunctionCounts{};  // worlds with functions are not kept
-  report = from->report;
-  hashes.clear();
-  at = end;  // the end of the recorder that goes is compared with nothing
-  start(std::move(*again), from->chained, report.steps);
-  at = from->at;
-  return {};
+    if (k.report.steps <= steps) last = &k;
+  return *last;
 }
 
 // --------------------------------------------------------------------------------------------- public
@@ -411,12 +400,9 @@ Result<Replay> Replay::open(std::vector<std::byte> recording, const ReplayOption
   auto impl = std::make_unique<Impl>(std::move(recording), options);
   if (Status status = impl->survey(); !status) return status.error();
   impl->def.threading = options.threading;
-  if (!impl->begun_with.hit_function) impl->options.hit_function = {};  // a call that was recorded gives it
-  impl->beginning = {impl->report, impl->at, impl->chained, {}};
-  impl->first_moments = impl->moments;
-  Result<World> world = impl->begin_world();
-  if (!world) return world.error();
-  impl->start(std::move(*world), impl->chained, 0);
+  // Else a call that was recorded gives it.
+  if (!impl->beginning.functions.hit_function) impl->options.hit_function = {};
+  if (Status status = impl->resume(impl->beginning); !status) return status.error();
   return Replay(std::move(impl));
 }
 
@@ -439,9 +425,8 @@ bool Replay::next_frame() {
 bool Replay::seek(std::uint64_t steps) {
   Impl& r = *impl_;
   if (r.is_inside) return false;
-  r.keeps = true;
   const bool is_before = steps < r.report.steps || (steps == 0 && r.report.calls > 0);
-  if (is_before && !r.go_back(steps)) return false;
+  if (is_before && !r.resume(r.last_before(steps))) return false;
   while (r.report.steps < steps) {
     r.keep();
     if (!next_frame()) return false;

@@ -279,11 +279,10 @@ class SettledRow final : public ContactHost {
     const double part = stagger(conditions().fidelity);
     if (!is_traced_ || part == 0 || chunk_.traces.empty()) return;
     Trace& last = chunk_.traces.back();
-    const Vec3d a = vec_cast<double>(s.slope[0].v) * part;
-    last.state.v = here().v + a * static_cast<double>(s.h);
     const double plain = plain_step(*context_.def, context_.dt);  // its row is put for such steps
-    const Vec3<S> slope = is_driven() ? s.slope[0].v : march.slope_over(static_cast<S>(plain));
-    last.ahead = vec_cast<double>(slope) * part * plain;
+    const Vec3<S> over_plain = is_driven() ? s.slope[0].v : march.slope_over(static_cast<S>(plain));
+    last.state.v = here().v + lead(vec_cast<double>(s.slope[0].v), static_cast<double>(s.h), part);
+    last.ahead = lead(vec_cast<double>(over_plain), plain, part);
   }
   void forget_traces() {
     PHYSIM_ASSERT(chunk_.traces.size() >= told_.traces);

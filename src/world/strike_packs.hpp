@@ -115,13 +115,15 @@ class Strike {
     go(p);
   }
   PHYSIM_INLINE static void go(Part& p) { p.end = semi_implicit_end(p.start, p.slope, p.h); }
-  /// As March::restagger(), at the start or the end of a part.
-  PHYSIM_INLINE void restagger(const R& from, const R& to, const R& t, State<R>& s) const {
-    const R part = constant<R>(stagger_of<SemiImplicitEuler>);
+  /// As March::restagger(), where a part ends, from steps of its length to whole ones.
+  PHYSIM_INLINE void restagger(Part& p) const {
+    constexpr double part = stagger_of<SemiImplicitEuler>;
+    const R whole(job_.rows.h);
+    const Vec3<R> a = slope(p.t_end, p.end, p.h);
     if constexpr (Rung::kDrag == DragModel::off)
-      s.v += slope(t, s, to) * (part * (from - to));
+      p.end.v += a * (constant<R>(part) * (p.h - whole));
     else
-      s.v += restaggered(slope(t, s, from), from, slope(t, s, to), to, part);
+      p.end.v += lead(a, p.h, part) - lead(slope(p.t_end, p.end, whole), whole, part);
   }
   PHYSIM_INLINE static NodeOf<W> node(const R& t, const State<R>& s, const Vec3<R>& a) {
     NodeOf<W> n;
@@ -182,12 +184,12 @@ class Strike {
     part.t_end = part.t + part.h;
     cast_numbers(s, part.start);
     part.slope = slope(part.t, part.start, part.h);
-    restagger(R(S(0)), part.h, part.t, part.start);
+    part.start.v -= lead(part.slope, part.h, stagger_of<SemiImplicitEuler>);
     go(part);
     const Watching ground = watched(course_.watch.item[0].spec, part);
     const MaskOf<R> quiet = (part.t_end > part.t) & is_finite(part.start) & is_finite(part.end) & !ground.once &
                             !ground.twice & !crosses_other(part);
-    restagger(part.h, R(job_.rows.h), part.t_end, part.end);
+    restagger(part);
     State<W> end;
     cast_numbers(part.end, end);
     const W speed = length(end.v);

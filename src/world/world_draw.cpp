@@ -32,8 +32,8 @@ void draw_body(SceneCanvas& canvas, const ProjectileView& projectile, const Worl
   const SceneInk ink = ink_of(projectile);
   const double radius = projectile.body().collision.radius;
   canvas.begin_projectile(projectile.id());
-  if (what.bodies && radius > 0) canvas.ball(at, radius, ink);
-  if (what.bodies && !(radius > 0) && what.point_size > 0) draw_cross(canvas, at, what.point_size, ink);
+  if (radius > 0) canvas.ball(at, radius, ink);
+  if (!(radius > 0) && what.point_size > 0) draw_cross(canvas, at, what.point_size, ink);
   if (what.ahead > 0) canvas.line(at, at + projectile.velocity() * what.ahead, SceneInk::velocity);
   if (what.labels && !projectile.label().empty()) canvas.text(at, projectile.label());
 }

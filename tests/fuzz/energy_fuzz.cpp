@@ -22,7 +22,7 @@ namespace physim::test {
 namespace {
 
 constexpr double kGravity = 9.80665;
-constexpr double kLowest = -60;  // nothing gets lower in the time [m]
+constexpr double kLowest = -60;  // potential energy is 0 there [m]
 
 class Chance {
  public:
