@@ -161,27 +161,21 @@ inline constexpr double kLongestPart = 1.0 / 30;
           .inside = hit.starts_inside};
 }
 
-/// A time of the step, from its beginning, and for how long from there [s].
-struct StepSpan {
-  double passed;
-  double time;
+/// A motion along a surface.
+struct AlongSurface {
+  Vec3d v_t;      // along it, as the surface has it [m/s]
+  Vec3d normal;   // of the surface [-]
+  double passed;  // of the step before it [s]
+  double time;    // that it lasts [s]
 };
-
-/// What drag leaves over a time of an acceleration `a` along a surface on which a host moves: drag of a rate k at the
-/// start takes v to v / (1 + k time), which is exact for drag by the square of a speed, and never turns v around
-/// [m/s^2]; and what acts on it at rest. Beside drag nothing depends on how fast it moves along the surface, but for
-/// what acts across its way.
+/// The pull on a host that slides; `a` is its acceleration as the surface has it, which may be accelerated itself.
+/// Nothing but drag depends on how fast the host slides, but for what acts across its way.
 template <class Host>
-[[nodiscard]] Pull braked(const Host& host, const Vec3d& a, const State<double>& s, const Vec3d& normal,
-                          const StepSpan& over) {
-  PHYSIM_ASSERT(over.time >= 0);
-  const Vec3d along = s.v - normal * dot(s.v, normal);
-  const double square = dot(along, along);
-  if (!(square > 0)) return a;
-  const Vec3d at_rest = host.acceleration_at({s.x, s.v - along}, over.passed);
-  const double rate = dot(at_rest - a, along) / square;
-  if (!(rate > 0)) return a;
-  return {a - (a - normal * dot(a, normal)) * (rate * over.time / (1 + rate * over.time)), at_rest};
+[[nodiscard]] Pull pull_along(const Host& host, const Vec3d& a, const State<double>& s, const AlongSurface& slide) {
+  if (slide.v_t == Vec3d{}) return a;
+  const Vec3d own = host.acceleration_at(s, slide.passed);
+  const Vec3d ending = host.acceleration_at({s.x, s.v - slide.v_t}, slide.passed) - own;
+  return braked(a, own - slide.normal * dot(own, slide.normal), ending, slide.v_t, slide.time);
 }
 
 }  // namespace physim

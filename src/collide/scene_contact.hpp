@@ -615,14 +615,15 @@ class SceneContacts {
     const Vec3d u = hit.velocity;
     const Surface on = surface(hit);
     const double left = pressed_for(s, hit, passed);
-    const Pull along_it = braked(r_, a, s, hit.normal, {passed, left});
+    const Vec3d v_t = s.v - u - hit.normal * dot(s.v - u, hit.normal);
+    const Pull pull = pull_along(r_, a, s, {v_t, hit.normal, passed, left});
     BallWay way{};
     Turn turn;
     if (is_ball()) {
-      way = ball_way(motion, along_it, hit, on, left);
-      if (!moves(hit)) turn = find_turn(s.x, motion, along_it, hit, on, passed, way);
+      way = ball_way(motion, pull, hit, on, left);
+      if (!moves(hit)) turn = find_turn(s.x, motion, pull, hit, on, passed, way);
     } else {
-      const Rolled on_it = rolled(motion.velocity, along_it, hit.normal, on, left);
+      const Rolled on_it = rolled(motion.velocity, pull, hit.normal, on, left);
       way = {left, on_it.way, {on_it.velocity, motion.spin}};
     }
     Vec3d there = s.x + way.way + u * way.time, then_at = u, over;
@@ -643,7 +644,7 @@ class SceneContacts {
     if (turn.about) {
       over += hit.normal * (0.5 * (turn.about.distance - collision().radius));  // the chord lies below the arc
       to = turned_place(turn.about, to);
-      way.motion = turned_about(way.motion, along_it.moving, to - there, turn.about.away, ball());
+      way.motion = turned_about(way.motion, pull.moving, to - there, turn.about.away, ball());
       way.motion.velocity = r_.kept(way.motion.velocity);
     }
     SceneHit next = cast(s.x + over, to + over, passed, way.time);
@@ -706,7 +707,7 @@ class SceneContacts {
     Surface rough = surface(one);
     if (is_ball()) rough.friction = 0;  // it rolls
     const Vec3d before = along_it * dot(s.v - u, along_it);
-    const Pull pull = braked(r_, a, s, n, {passed, left});
+    const Pull pull = pull_along(r_, a, s, {before, n, passed, left});
     const Vec3d on_it = n * dot(a, n);
     const Rolled on =
         rolled(before, {along_it * dot(pull.moving, along_it) + on_it, along_it * dot(pull.at_rest, along_it) + on_it},

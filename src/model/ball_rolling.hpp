@@ -9,7 +9,8 @@
 // Symbols: n unit normal towards the ball; v velocity along the surface [m/s]; w spin [rad/s]; r radius [m]; k moment
 // of
 //   inertia over m r^2 [-]; u slip of the point of contact [m/s]; a acceleration by everything but the surface, a_t
-//   along it, p = -a . n what presses the ball on, over its mass [m/s^2]; mu friction, c rolling resistance [-].
+//   along it, over the time by drag as in model/contact.hpp, p = -a . n what presses the ball on, over its mass
+//   [m/s^2]; mu friction, c rolling resistance [-].
 // Equations: u = v - r w x n.  Sliding: dv/dt = a_t - mu p u/|u|, dw/dt = mu p / (k r) n x u/|u|, so that
 //   du/dt = a_t - mu p (1 + 1/k) u/|u|.  Rolling (u = 0, w = n x v / r): dv/dt = (a_t - c p v/|v|) / (1 + k), as long
 //   as the friction that this needs, k |a_t| / (1 + k), is below mu p. What constraints do not let turn does not roll:

@@ -8,10 +8,13 @@
 //   surface neither gives way nor varies; restitution of real balls falls with speed.
 // Symbols: n unit normal, upwards; v velocity before and v' after [m/s]; v_n = v . n, v_t = v - v_n n; e restitution
 //   [-]; mu friction [-]; c rolling resistance, or mu where that is 0 [-]; a acceleration by everything but the ground
-//   [m/s^2]; g_n = -a . n.
+//   [m/s^2], a_0 what it is for v_t = 0, where drag along the surface ends; k rate of that drag [1/s]; g_n = -a . n; t
+//   time [s].
 // Equations: v_n' = -e v_n;  v_t' = v_t max(0, 1 - mu (1 + e) |v_n| / |v_t|).
 //   On the ground: dv_t/dt = a_t - c g_n v_t / |v_t|, and nothing moves while it is at rest and |a_t| <= c g_n. Where
-//   a_t turns it around it stops, and goes on from rest.
+//   a_t turns it around it stops, and goes on from rest, by a_0.
+//   With drag a_t / (1 + k t) stands for a_t over a time t, k = (a_0 - a) . v_t / |v_t|^2: v_t' = v_t / (1 + k t) where
+//   drag is all that acts. That is exact for drag by the square of the speed, and turns no motion around.
 // Source: W. J. Stronge, Impact Mechanics (2000), sec. 1.2 and 3.2 (restitution; impulse of dry friction while sliding
 //   continues); I. Millington, Game Physics Engine Development (2010), ch. 7 (resting contact).
 #pragma once
@@ -54,15 +57,22 @@ struct Rolled {
   Vec3d way;
   Vec3d velocity;
 };
-/// An acceleration by everything but a surface [m/s^2]: over a time in which something moves on it, and what is left of
-/// it if that comes to rest, where drag ends.
+/// Acceleration by everything but a surface, of what moves along it.
 struct Pull {
-  Vec3d moving;
-  Vec3d at_rest;
+  Vec3d moving;   // a [m/s^2]
+  Vec3d at_rest;  // a_0 [m/s^2]
 
-  Pull(const Vec3d& always) : moving(always), at_rest(always) {}  // NOLINT: nothing depends on the motion
-  Pull(const Vec3d& one, const Vec3d& other) : moving(one), at_rest(other) {}
+  Pull(const Vec3d& always) : moving(always), at_rest(always) {}  // NOLINT: no drag
+  Pull(const Vec3d& a, const Vec3d& a_0) : moving(a), at_rest(a_0) {}
 };
+/// The pull over a time on what moves with `v_t` along a surface. `pull_t` is the part of `a` along it that drag acts
+/// against, all but that of a frame which moves with the surface; `ending` is a_0 - a.
+inline Pull braked(const Vec3d& a, const Vec3d& pull_t, const Vec3d& ending, const Vec3d& v_t, double time) {
+  PHYSIM_ASSERT(time >= 0);
+  const double square = length_squared(v_t), rate = square > 0 ? dot(ending, v_t) / square : 0;
+  if (!(rate > 0)) return a;
+  return {a - pull_t * (rate * time / (1 + rate * time)), a + ending};
+}
 inline Rolled rolled(const Vec3d& v, const Pull& by, const Vec3d& normal, const Surface& surface, double time) {
   PHYSIM_ASSERT(time >= 0 && surface.rolling_resistance >= 0 && surface.friction >= 0);
   const Vec3d& a = by.moving;

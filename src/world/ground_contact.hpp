@@ -72,7 +72,8 @@ class GroundContacts {
       return {parts_.may_bounce() ? Then::flies_on : Then::lies, {s.x, along}};
     if (is_strike(dot(s.v, n), dot(a, n), frame)) r_.tell(EventKind::bounced, Reason::none, passed, {s.x, along});
     const double left = r_.step_length() - passed;
-    const Rolled on_it = rolled(v, braked(r_, a, {s.x, along}, n, {passed, left}), n, on, left);
+    const Pull pull = pull_along(r_, a, {s.x, along}, {along, n, passed, left});
+    const Rolled on_it = rolled(v, pull, n, on, left);
     return {Then::rolls, {s.x, along}, {put_on(s.x + on_it.way), on_it.velocity}};
   }
 

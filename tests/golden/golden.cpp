@@ -22,8 +22,8 @@ namespace {
 /// What this version of the library must print. A change of the physics or the numerics changes it: say so in the
 /// commit.
 using Sums = std::array<std::uint64_t, 5>;
-constexpr Sums kExpectedSums = {0xfd6d297010c55b2e, 0xe35e7f01a1f59919, 0x4e00955f69f0347b, 0x873d5efc40f1fb3c,
-                                0x6e10f9277d3ecae0};
+constexpr Sums kExpectedSums = {0xfd6d297010c55b2e, 0xa0186c8095e5d2c8, 0x4e00955f69f0347b, 0x5d4d1cab1c9b5e4f,
+                                0x5f3a83685f2ff570};
 
 void print(std::FILE* file, const Sums& sums) {
   for (std::size_t i = 0; i < sums.size(); ++i)
