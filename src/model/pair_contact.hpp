@@ -76,7 +76,8 @@ struct TouchImpulse {
 /// Brings one touch to its equations by the motion that the others leave, with or without friction; returns the
 /// change of velocity [m/s].
 inline double settle(const PairTouch& t, TouchImpulse& given, bool rubs) {
-  const auto& [a, b, n, surface] = t;
+  PairBody &a = t.a, &b = t.b;
+  const Vec3d n = t.normal;
   const Vec3d mobility = a.mobility + b.mobility;
   const auto give_along = [&](const Vec3d& way) { return dot(component_product(mobility, way), way); };
   const auto push = [&](const Vec3d& impulse) {
@@ -85,7 +86,7 @@ inline double settle(const PairTouch& t, TouchImpulse& given, bool rubs) {
   };
   const double give = give_along(n);
   if (!(give > 0)) return 0;  // nothing moves either of them there
-  const double asked = -surface.restitution * dot(given.before, n) - dot(a.velocity - b.velocity, n);
+  const double asked = -t.surface.restitution * dot(given.before, n) - dot(a.velocity - b.velocity, n);
   const double more = max(asked / give, -given.along);
   given.along += more;
   PHYSIM_ASSERT(!(given.along < 0));
@@ -93,13 +94,13 @@ inline double settle(const PairTouch& t, TouchImpulse& given, bool rubs) {
   const double change = abs(more) * give;
   const Vec3d w = slide(t), u = w - n * dot(w, n);
   const double slip = length(u);
-  if (!(rubs && surface.friction > 0 && slip > 0)) return change;
+  if (!(rubs && t.surface.friction > 0 && slip > 0)) return change;
   const Vec3d about = cross(n, u * (1 / slip));
   const double turned = a.radius * a.radius * a.turned_by(about) + b.radius * b.radius * b.turned_by(about);
   const double gives = give_along(u * (1 / slip)) + turned;
   if (!(gives > 0)) return change;
   Vec3d across = given.across - u * (1 / gives);
-  const double most = surface.friction * given.along, asked_across = length(across);
+  const double most = t.surface.friction * given.along, asked_across = length(across);
   if (asked_across > most) across *= most / asked_across;
   const Vec3d rub = across - given.across;
   given.across = across;

@@ -199,7 +199,7 @@ void BirthBatches::tell(const BirthPlan& plan, const BirthColumns& b, const Newb
                         std::size_t count) {
   w_.state.events.add_each<S>(count, [&](std::size_t i) {
     const std::size_t lane = b.next + i;
-    const auto vector = [lane](const auto& of) { return Vec3{of[0][lane], of[1][lane], of[2][lane]}; };
+    const auto vector = [lane](const auto& of) { return Vec3<S>{of[0][lane], of[1][lane], of[2][lane]}; };
     w_.state.pools.join(plan.pool, slot_[i]);
     const PlainEvent spawned{EventKind::spawned, Reason::none, w_.state.slots.id_of(slot_[i]), plan.emitter,
                              b.time[lane]};
