@@ -946,6 +946,17 @@ public unsafe struct physim_engine_info {
   public ulong refused;
 }
 [StructLayout(LayoutKind.Sequential)]
+public unsafe struct physim_projectile_hit {
+  /// <summary>of the projectile</summary>
+  public physim_id id;
+  /// <summary>of the way, 0 to 1</summary>
+  public double part;
+  /// <summary>of the point or ball that is cast, then [m]</summary>
+  public fixed double position[3];
+  /// <summary>from the projectile's middle to that, of length 1</summary>
+  public fixed double normal[3];
+}
+[StructLayout(LayoutKind.Sequential)]
 public unsafe struct physim_emitter_info {
   /// <summary>sizeof(physim_emitter_info) [bytes]</summary>
   public uint size;
@@ -1312,6 +1323,9 @@ public static unsafe class C {
   /// <summary>Bits that kinds and queries choose things by.</summary>
   [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
   public static extern physim_result physim_scene_set_layers(IntPtr scene, physim_id thing, uint layers);
+  /// <summary>Lets the surface of a thing run as a conveyor's, in the thing's own frame [m/s]; null: it stands.</summary>
+  [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+  public static extern physim_result physim_scene_set_conveyor(IntPtr scene, physim_id thing, double* velocity);
   [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
   public static extern physim_result physim_scene_remove(IntPtr scene, physim_id thing);
   /// <summary>The first hit of each segment on things of these layers. `each`: sizeof(physim_hit). `pool` may be null.</summary>
@@ -1326,6 +1340,15 @@ public static unsafe class C {
   /// <summary>The things that a ball touches at a time [s], up to `room`; `count` is how many there are.</summary>
   [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
   public static extern physim_result physim_scene_overlaps(IntPtr scene, double* middle, double radius, uint layers, double time, physim_id* ids, UIntPtr room, UIntPtr* count);
+  /// <summary>Those that a ball touches, by index, up to `room`; `count` is how many there are.</summary>
+  [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+  public static extern physim_result physim_world_in_ball(IntPtr world, double* middle, double radius, uint layers, physim_id* ids, UIntPtr room, UIntPtr* count);
+  /// <summary>Those that a box touches; `half`: half of its edges [m].</summary>
+  [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+  public static extern physim_result physim_world_in_box(IntPtr world, physim_transform* at, double* half, uint layers, physim_id* ids, UIntPtr room, UIntPtr* count);
+  /// <summary>Those that a ray touches, or a ball of the segment's radius, in order; its times are not looked at. `each`: sizeof(physim_projectile_hit).</summary>
+  [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+  public static extern physim_result physim_world_cast(IntPtr world, physim_segment* segment, uint layers, physim_projectile_hit* hits, UIntPtr each, UIntPtr room, UIntPtr* count);
   /// <summary>Adds an [[emitter]] of a def, by its name or its number from 1. `follows` (may be null): a projectile that it sits on. Emitters that its subs name are added to this world first, of whatever def.</summary>
   [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
   public static extern physim_result physim_world_add_emitter(IntPtr world, IntPtr def, string emitter, physim_id* follows, physim_id* id);

@@ -39,8 +39,10 @@ enum class GroundMode {
 struct Ground {
   GroundMode mode = GroundMode::land;  ///< [-]
   double height = 0;                   ///< above the origin of the world frame [m]
-  double restitution = 1;              ///< times BodyDef::restitution, 0..1 [-]
-  double friction = 1;                 ///< times BodyDef::friction [-]
+  double restitution = 1;              ///< combined with BodyDef::restitution, 0..1 [-]
+  double friction = 1;                 ///< combined with BodyDef::friction [-]
+  CombineDef combine{};                ///< of both with those of the body [-]
+  ConveyorDef conveyor{};              ///< that the ground is where it bounces [-]
 };
 
 /// Conditions that remove a projectile without a call; LifeStatus::expired. Rules are data, evaluated after every step.
@@ -80,6 +82,7 @@ struct BodyDef {
   double restitution = 0.5;           ///< speed kept by a bounce, 0..1 [-]
   double friction = 0.5;              ///< Coulomb's, of bounces and sliding [-]
   double rolling_resistance = 0.05;   ///< weight that resists rolling; 0: a point slides against friction [-]
+  CombineDef combine{};               ///< of restitution and friction with those of what it touches [-]
   CollisionDef collision{};           ///< with things of the scene, and with others [-]
   DespawnRules despawn{};             ///< [-]
   Smoothing smoothing = Smoothing::interpolate;  ///< of World::render_position() (live) [-]

@@ -393,6 +393,8 @@ PHYSIM_API physim_result physim_scene_move(void* scene, physim_id thing, const p
 PHYSIM_API physim_result physim_scene_set_motion(void* scene, physim_id thing, const physim_motion* motion);
 /// Bits that kinds and queries choose things by.
 PHYSIM_API physim_result physim_scene_set_layers(void* scene, physim_id thing, uint32_t layers);
+/// Lets the surface of a thing run as a conveyor's, in the thing's own frame [m/s]; null: it stands.
+PHYSIM_API physim_result physim_scene_set_conveyor(void* scene, physim_id thing, const double velocity[3]);
 PHYSIM_API physim_result physim_scene_remove(void* scene, physim_id thing);
 
 /// The first hit of each segment on things of these layers. `each`: sizeof(physim_hit). `pool` may be null.
@@ -408,6 +410,25 @@ PHYSIM_API physim_result physim_scene_nearest(const void* scene, const double po
 PHYSIM_API physim_result physim_scene_overlaps(const void* scene, const double middle[3], double radius,
                                                uint32_t layers, double time, physim_id* ids, size_t room,
                                                size_t* count);
+
+// Queries that see projectiles: all that were launched, of these layers (body.layers), as balls of their radius.
+/// Those that a ball touches, by index, up to `room`; `count` is how many there are.
+PHYSIM_API physim_result physim_world_in_ball(const physim_world* world, const double middle[3], double radius,
+                                              uint32_t layers, physim_id* ids, size_t room, size_t* count);
+/// Those that a box touches; `half`: half of its edges [m].
+PHYSIM_API physim_result physim_world_in_box(const physim_world* world, const physim_transform* at,
+                                             const double half[3], uint32_t layers, physim_id* ids, size_t room,
+                                             size_t* count);
+typedef struct physim_projectile_hit {
+  physim_id id;        ///< of the projectile [-]
+  double part;         ///< of the way, 0 to 1 [-]
+  double position[3];  ///< of the point or ball that is cast, then [m]
+  double normal[3];    ///< from the projectile's middle to that, of length 1 [-]
+} physim_projectile_hit;
+/// Those that a ray touches, or a ball of the segment's radius, in order; its times are not looked at. `each`:
+/// sizeof(physim_projectile_hit).
+PHYSIM_API physim_result physim_world_cast(const physim_world* world, const physim_segment* segment, uint32_t layers,
+                                           physim_projectile_hit* hits, size_t each, size_t room, size_t* count);
 
 // ------------------------------------------------------------------------------------------ emitters, forces, joints
 

@@ -70,7 +70,7 @@ enum class OnHit : std::uint8_t {
   pass,    ///< flies on
   stop,    ///< its flight ends; in a world: LifeStatus::landed, and it leaves the world
   stick,   ///< it stays where it struck, at rest; in a world LifeStatus::landed, until it is despawned or moved
-  bounce,  ///< it bounces by its restitution and friction times those of the material, slides, rolls to rest and sleeps
+  bounce,  ///< it bounces by its restitution and friction with those of the material, slides, rolls to rest and sleeps
   impact,  ///< as its material says (physim/scene.hpp): it ricochets, goes through, stays in it, or bounces as above
   ask,     ///< as World::set_hit_function() answers for this hit; in worlds alone
 };
@@ -88,13 +88,40 @@ struct CollisionDef {
   bool operator==(const CollisionDef&) const = default;
 };
 
+/// The rule by which a number of each of two that touch becomes the number of their contact.
+enum class Combine : std::uint8_t {
+  product,  ///< of both
+  mean,     ///< of both
+  minimum,  ///< the smaller one
+  maximum,  ///< the larger one
+};
+
+/// The rules by which restitution and friction of two that touch are combined. If the two have different rules, the one
+/// that stands later in Combine holds: each rule but product can be set on one side alone.
+struct CombineDef {
+  Combine restitution = Combine::product;  ///< [-]
+  Combine friction = Combine::product;     ///< [-]
+
+  bool operator==(const CombineDef&) const = default;
+};
+
+/// A surface that runs while what it belongs to stands or moves: a conveyor belt, a treadmill. Friction acts relative
+/// to it, on what bounces, slides, rolls or lies on the surface. What lies on it does not sleep.
+struct ConveyorDef {
+  Vec3d velocity{};  ///< of the surface, each component within 1e6 m/s: of a thing in its own frame, of the ground in
+                     ///< W. Only the part along the surface acts [m/s]
+
+  bool operator==(const ConveyorDef&) const = default;
+};
+
 /// Contact of a flight with the things of a scene, see Until::scene. Its numbers are those of a BodyDef.
 struct ContactDef {
   CollisionDef collision{};          ///< [-]
-  double restitution = 0.5;          ///< speed kept by a bounce, times that of the material, 0..1 [-]
-  double friction = 0.5;             ///< Coulomb's, of bounces and sliding, times that of the material [-]
+  double restitution = 0.5;          ///< speed kept by a bounce, combined with that of the material, 0..1 [-]
+  double friction = 0.5;             ///< Coulomb's, of bounces and sliding, combined with that of the material [-]
   double rolling_resistance = 0.05;  ///< weight that resists rolling; 0: a point slides against friction [-]
   double scene_time = 0;             ///< of the scene at launch: what moves is then where it is at that time [s]
+  CombineDef combine{};              ///< of restitution and friction with those of the material [-]
   std::uint64_t seed = 0;            ///< of what materials leave to chance (Material::spread) [-]
 
   bool operator==(const ContactDef&) const = default;
@@ -130,6 +157,8 @@ enum class EventKind : std::uint8_t {
   ricocheted,        ///< with a scene: was thrown off by what it met, as it came in flat; the velocity is that after
   penetrated,        ///< with a scene: came out behind what it met; place and velocity are those there, value the depth
   stopped,           ///< with a scene: stuck in what it met; value is the depth [m]
+  stayed,  ///< with a scene, in a world: was in a sensor at the start and at the end of a step that it moved in,
+           ///< if PassageDef::tells_stay
 };
 
 PHYSIM_UNORDERED(EventKind)

@@ -92,6 +92,7 @@ struct Material {
   std::string name{};            ///< for tables [-]
   double restitution = 0.5;      ///< part of the speed along the normal that is left after a bounce, 0 to 1 [-]
   double friction = 0.5;         ///< Coulomb's, of what slides on it [-]
+  CombineDef combine{};          ///< of restitution and friction with those of the projectile [-]
   double grip_restitution = 0;   ///< part of the slip that comes back after a ball gripped, 0 to 1 [-]
   double density = 0;            ///< 0: not known [kg/m^3]
   RicochetDef ricochet{};        ///< [-]
@@ -248,6 +249,16 @@ struct CompoundShape {
 using ShapeDef = std::variant<PlaneShape, SphereShape, BoxShape, CapsuleShape, CylinderShape, MeshShape,
                               HeightFieldShape, CompoundShape, ConvexHullShape>;
 
+/// How a thing lets projectiles through.
+struct PassageDef {
+  Vec3d front{};            ///< of a one-way thing, in its own frame, of any length: it stops what comes against this
+                            ///< direction to a surface that faces it within 60 degrees; all else passes it, and so does
+                            ///< what is inside. Zero: it stops from all sides [-]
+  bool tells_stay = false;  ///< of a sensor: EventKind::stayed in worlds [-]
+
+  bool operator==(const PassageDef&) const = default;
+};
+
 /// A thing in a scene.
 struct InstanceDef {
   ShapeId shape{};              ///< [-]
@@ -258,6 +269,8 @@ struct InstanceDef {
   std::uint64_t user_data = 0;  ///< for the caller [-]
   std::string name{};           ///< for tables [-]
   SceneMotion motion{};         ///< from its transform on [-]
+  ConveyorDef conveyor{};       ///< that its surface is [-]
+  PassageDef passage{};         ///< of what comes from behind, or stays in it [-]
 };
 
 /// The input of a cast: the points from one end to the other, or spheres about them; steadily, while things move.
@@ -273,6 +286,8 @@ struct SceneSegment {
 struct SceneFilter {
   std::uint32_t layers = 0xffffffff;  ///< those that have one of these bits [-]
   bool sensors = true;                ///< with sensors [-]
+  bool from_front = false;            ///< of one-way things only what stops projectiles: a front that is met from
+                                      ///< before it. all_hits() and lower bounds have all of them [-]
 };
 
 /// The hit of a segment on a surface.
@@ -382,6 +397,8 @@ class Scene {
   /// each thing that moves. A scene begins with time 0 alone.
   Status cover(double from, double to);
   Status set_layers(InstanceId instance, std::uint32_t layers);
+  /// Lets the surface of a thing run, or stand.
+  Status set_conveyor(InstanceId instance, const ConveyorDef& conveyor);
   /// Adds an engine that answers beside the things of this scene: first_hit(), first_hits(), any_hit() and all_hits()
   /// return what is met first of both. Its things are no sensors and not in motion to instance(), state() and others
   /// that name one; nearest(), overlaps() and is_reached() leave them out, clearance() and clear_part() are 0. An error
@@ -400,8 +417,15 @@ class Scene {
   [[nodiscard]] bool has_sensors() const;
   /// Whether this one is; false where it is gone.
   [[nodiscard]] bool is_sensor(InstanceId instance) const;
+  /// Whether some sensors tell who stays in them.
+  [[nodiscard]] bool tells_stay() const;
+  /// Whether this one stops only what comes from its front; false if it is gone.
+  [[nodiscard]] bool is_one_way(InstanceId instance) const;
   /// Whether some of them move.
   [[nodiscard]] bool has_motion() const;
+  /// The velocity, in W, with which the surface of a thing runs over it, where the surface has a normal, at a time
+  /// within 1e9 s; zero if the thing is no conveyor, or gone [m/s].
+  [[nodiscard]] Vec3d conveyor_velocity(InstanceId instance, const Vec3d& normal, double time = 0) const;
   /// The place and motion of a thing at a time within 1e9 s; nothing where it is gone.
   [[nodiscard]] std::optional<MotionState> state(InstanceId instance, double time = 0) const;
   /// Rises with each call that changed what may be met where: what was found out before may not hold any more [-].

@@ -352,6 +352,14 @@ struct Segment {
   Vec3d to{};         ///< [m]
 };
 
+/// A projectile that a cast touches.
+struct ProjectileHit {
+  ProjectileId id{};  ///< [-]
+  double part = 0;    ///< of the way, 0 to 1, up to where it is touched; 0: it is touched from the start [-]
+  Vec3d position{};   ///< of the point, or of the middle of the ball that is cast, then [m]
+  Vec3d normal{};     ///< from the projectile's middle to that, of length 1; zero if they coincide [-]
+};
+
 /// Counters of what was dropped, since the world was made.
 struct WorldCounters {
   std::uint64_t steps = 0;             ///< taken [-]
@@ -388,7 +396,7 @@ struct RecordOptions {
 
 inline constexpr char kSaveMagic[8] = {'P', 'H', 'Y', 'S', 'I', 'M', 'S', '\n'};
 /// The format of a save's bytes; others are refused.
-inline constexpr std::uint32_t kSaveFormat = 12;
+inline constexpr std::uint32_t kSaveFormat = 13;
 
 /// Parts that a save lacks: functions are no data. They are given again: custom forces in the order they were added;
 /// those of environments in the order of these, each once, however many have it. A scene has one engine, if any.
@@ -502,6 +510,20 @@ class World {
   void columns(std::vector<WorldColumns>& into) const;
   /// The projectile that is alive at an index; null where none is.
   [[nodiscard]] ProjectileId id_at(std::uint32_t index) const;
+  // Queries that see projectiles: all that are alive and launched, asleep or not, of some BodyDef::layers, as balls of
+  // their CollisionDef::radius at their present places. A query reads the place of each; things of the scene are not in
+  // its way.
+  /// Those that a sphere touches, by index: who is in a blast?
+  [[nodiscard]] Result<std::vector<ProjectileId>> projectiles_in(const Vec3d& middle, double radius,
+                                                                 std::uint32_t layers = 0xffffffff) const;
+  /// Those that a box touches, by index; `half`: half of its edges, before the transform's scale [m].
+  [[nodiscard]] Result<std::vector<ProjectileId>> projectiles_in(const Transform& at, const Vec3d& half,
+                                                                 std::uint32_t layers = 0xffffffff) const;
+  /// Those that a ray, or a ball on a straight way, touches, in order of part, then of index. Points are touched by a
+  /// ball only.
+  [[nodiscard]] Result<std::vector<ProjectileHit>> projectiles_along(const Vec3d& from, const Vec3d& to,
+                                                                     double radius = 0,
+                                                                     std::uint32_t layers = 0xffffffff) const;
   /// Moves projectiles to another rung, as they are; returns how many.
   std::size_t set_fidelity(std::span<const ProjectileId> ids, const Fidelity& fidelity);
   Status set_detail(const DetailRule& rule);
@@ -549,6 +571,7 @@ class World {
   /// Times of motions are those of the world.
   Status set_instance_motion(InstanceId instance, const SceneMotion& motion);
   Status set_instance_layers(InstanceId instance, std::uint32_t layers);
+  Status set_instance_conveyor(InstanceId instance, const ConveyorDef& conveyor);
   /// The function that decides what hits of kinds with OnHit::ask do: called in the thread that steps, with all hits of
   /// a step until then, then with those that follow in the rest of it. What is emitted or dies inside the step, and
   /// what met another projectile in it, asks alone. It may read the world, which then stands where the step began, but
@@ -681,7 +704,7 @@ class World {
 
 inline constexpr char kRecordingMagic[8] = {'P', 'H', 'Y', 'S', 'I', 'M', 'R', '\n'};
 /// The format of a recording's bytes; others are refused.
-inline constexpr std::uint32_t kRecordingFormat = 13;
+inline constexpr std::uint32_t kRecordingFormat = 14;
 
 /// Keeps a recording in memory: world.record(record_into(bytes)). The bytes must outlive the recording.
 [[nodiscard]] RecordSink record_into(std::vector<std::byte>& bytes);

@@ -151,8 +151,8 @@ class Archive {
   void take(Threading&) {}
   template <class T>
   requires(std::is_class_v<T> && !std::is_empty_v<T>) void take(T& x) {
-    if constexpr (requires { Self::says_nothing(x); })
-      if (Self::says_nothing(x)) return;
+    if constexpr (requires { self().says_nothing(x); })
+      if (self().says_nothing(x)) return;
     with_members(x, [this](auto&... members) { (this->take(members), ...); });
   }
 };
@@ -195,6 +195,20 @@ class Writer : public Archive<Writer> {
     std::vector<std::byte> save = shape.save();
     (*this)(save);
   }
+  /// What follows has no rules of combination and no conveyors, and is written without them.
+  void leave_out_conveyors() { without_conveyors_ = true; }
+  [[nodiscard]] bool says_nothing(const CombineDef& combine) const {
+    PHYSIM_ASSERT(!without_conveyors_ || combine == CombineDef{});
+    return without_conveyors_;
+  }
+  [[nodiscard]] bool says_nothing(const ConveyorDef& conveyor) const {
+    PHYSIM_ASSERT(!without_conveyors_ || conveyor == ConveyorDef{});
+    return without_conveyors_;
+  }
+  [[nodiscard]] bool says_nothing(const PassageDef& passage) const {
+    PHYSIM_ASSERT(!without_conveyors_ || passage == PassageDef{});
+    return without_conveyors_;
+  }
   void function(const CustomForce& force) { number(force.function ? 1 : 0, 1); }
   /// Its number among those written before, each counted once; 0 means null.
   template <class Batch>
@@ -212,6 +226,7 @@ class Writer : public Archive<Writer> {
   std::tuple<std::vector<WindFunction>, std::vector<ForceFunction>> fields_;
   std::vector<SharedShape> shapes_;
   bool good_ = true;
+  bool without_conveyors_ = false;
 };
 
 /// Reads from bytes. What is not there, or is no value of its type, makes it bad; it reads zeros from then on.
@@ -281,6 +296,11 @@ class Reader : public Archive<Reader> {
   }
   void function(WindFunction& wind) { field(wind, &LoadOptions::wind_fields, &FunctionCounts::wind_fields); }
   void function(ForceFunction& force) { field(force, &LoadOptions::force_fields, &FunctionCounts::force_fields); }
+  /// What follows was written without rules of combination and conveyors: they are left as they are.
+  void leave_out_conveyors() { without_conveyors_ = true; }
+  [[nodiscard]] bool says_nothing(const CombineDef&) const { return without_conveyors_; }
+  [[nodiscard]] bool says_nothing(const ConveyorDef&) const { return without_conveyors_; }
+  [[nodiscard]] bool says_nothing(const PassageDef&) const { return without_conveyors_; }
   [[nodiscard]] bool good() const { return good_; }
   /// All was read, and nothing is left over.
   [[nodiscard]] bool complete() const { return good_ && from_.empty(); }
@@ -305,6 +325,7 @@ class Reader : public Archive<Reader> {
   FunctionCounts used_;
   std::vector<SharedShape> shapes_;
   bool good_ = true;
+  bool without_conveyors_ = false;
 };
 
 /// Hashes what it is given.
@@ -323,6 +344,9 @@ class Hasher : public Archive<Hasher> {
   /// With default contact settings, hashes are those from before there were scenes.
   [[nodiscard]] static bool says_nothing(const CollisionDef& collision) { return collision == CollisionDef{}; }
   [[nodiscard]] static bool says_nothing(const ContactDef& contact) { return contact == ContactDef{}; }
+  [[nodiscard]] static bool says_nothing(const CombineDef& combine) { return combine == CombineDef{}; }
+  [[nodiscard]] static bool says_nothing(const ConveyorDef& conveyor) { return conveyor == ConveyorDef{}; }
+  [[nodiscard]] static bool says_nothing(const PassageDef& passage) { return passage == PassageDef{}; }
   [[nodiscard]] static bool says_nothing(const EmitSurface& surface) { return surface == EmitSurface{}; }
   [[nodiscard]] static bool says_nothing(const RainDef& rain) { return rain == RainDef{}; }
   [[nodiscard]] static bool says_nothing(const TrailDef& trail) { return trail == TrailDef{}; }

@@ -103,6 +103,7 @@ constexpr auto kEventTable = [] {
       rule(K::ricocheted, "ricocheted", 8),
       rule(K::penetrated, "penetrated", 9),
       rule(K::stopped, "stopped", 10),
+      rule(K::stayed, "stayed", 13),
   };
 }();
 constexpr std::size_t kEventKinds = kEventTable.size();
@@ -126,7 +127,7 @@ constexpr bool is_enumerator() {
   constexpr std::string_view text = __PRETTY_FUNCTION__;
   return text[text.rfind("value = ") + 8] != '(';
 }
-static_assert(is_enumerator<EventKind::stopped>());
+static_assert(is_enumerator<EventKind::stayed>());
 static_assert(!is_enumerator<static_cast<EventKind>(kEventKinds)>(), "the last kinds of events have no row");
 
 /// Number of kinds that an EventSpec may request: the first ones.

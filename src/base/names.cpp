@@ -33,6 +33,7 @@ PHYSIM_NAMES(Outcome, hit, "landed", "reached_range", "event", "time_limit", "st
 PHYSIM_NAMES(GroundMode, bounce, "none", "land", "stick", "bounce")
 PHYSIM_NAMES(MotionCurve, smooth, "straight", "smooth")
 PHYSIM_NAMES(OnHit, ask, "pass", "stop", "stick", "bounce", "impact", "ask")
+PHYSIM_NAMES(Combine, maximum, "product", "mean", "minimum", "maximum")
 PHYSIM_NAMES(Smoothing, extrapolate, "none", "interpolate", "extrapolate")
 PHYSIM_NAMES(WhenFull, replace_oldest, "refuse", "replace_oldest")
 PHYSIM_NAMES(LifeStatus, retired, "unknown", "pending", "in_flight", "landed", "expired", "retired")

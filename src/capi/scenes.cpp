@@ -31,6 +31,9 @@ struct AnyScene {
   Status set_layers(InstanceId id, std::uint32_t layers) const {
     return alone ? alone->scene.set_layers(id, layers) : of_world->world().set_instance_layers(id, layers);
   }
+  Status set_conveyor(InstanceId id, const ConveyorDef& conveyor) const {
+    return alone ? alone->scene.set_conveyor(id, conveyor) : of_world->world().set_instance_conveyor(id, conveyor);
+  }
   Status remove(InstanceId id) const { return alone ? alone->scene.remove(id) : of_world->world().remove_instance(id); }
 };
 
@@ -50,10 +53,10 @@ AnyScene find_scene(Call& call, const void* handle, bool changes, bool needs_one
   return any;
 }
 
-Transform transform_of(Call& call, const physim_transform* given) {
-  call.need(given, "to");
-  const physim_transform t = call.read(given, "to");
-  call.need(is_finite(t.position, 3) && is_finite(t.rotation, 4) && std::isfinite(t.scale), "to",
+Transform transform_of(Call& call, const physim_transform* given, const char* name = "to") {
+  call.need(given, name);
+  const physim_transform t = call.read(given, name);
+  call.need(is_finite(t.position, 3) && is_finite(t.rotation, 4) && std::isfinite(t.scale), name,
             "has a number that is none");
   return {vector_at(t.position), rotation_at(t.rotation), t.scale != 0 ? t.scale : 1};
 }
@@ -267,6 +270,15 @@ physim_result physim_scene_set_layers(void* scene, physim_id thing, uint32_t lay
   });
 }
 
+physim_result physim_scene_set_conveyor(void* scene, physim_id thing, const double velocity[3]) {
+  return guarded([&](Call& call) {
+    const AnyScene in = find_scene(call, scene, true);
+    if (!call.ok()) return;
+    const ConveyorDef conveyor{velocity == nullptr ? Vec3d{} : vector_at(velocity)};
+    call.take(in.set_conveyor(id_of<InstanceId>(thing), conveyor));
+  });
+}
+
 physim_result physim_scene_remove(void* scene, physim_id thing) {
   return guarded([&](Call& call) {
     const AnyScene in = find_scene(call, scene, true);
@@ -341,5 +353,68 @@ physim_result physim_scene_overlaps(const void* scene, const double middle[3], d
     const std::vector<InstanceId> found = in.scene()->overlaps(vector_at(middle), radius, {.layers = layers}, time);
     for (std::size_t i = 0; i < std::min(room, found.size()); ++i) ids[i] = put_id(found[i]);
     *count = found.size();
+  });
+}
+
+namespace physim::capi {
+namespace {
+
+/// Gives ids out, as far as there is room for them.
+void give_ids(Call& call, const Result<std::vector<ProjectileId>>& found, physim_id* ids, std::size_t room,
+              std::size_t* count) {
+  if (!call.take(found)) return;
+  for (std::size_t i = 0; i < std::min(room, found->size()); ++i) ids[i] = put_id((*found)[i]);
+  *count = found->size();
+}
+
+}  // namespace
+}  // namespace physim::capi
+
+physim_result physim_world_in_ball(const physim_world* world, const double middle[3], double radius, uint32_t layers,
+                                   physim_id* ids, size_t room, size_t* count) {
+  return guarded([&](Call& call) {
+    const auto of = call.find(world, "world");
+    call.need(middle, "middle");
+    call.need(radius >= 0, "radius", "is negative, or not a number");
+    call.need_rows(ids, room, "ids");
+    call.need(count, "count");
+    if (call.ok())
+      give_ids(call, std::as_const(*of).world().projectiles_in(vector_at(middle), radius, layers), ids, room, count);
+  });
+}
+
+physim_result physim_world_in_box(const physim_world* world, const physim_transform* at, const double half[3],
+                                  uint32_t layers, physim_id* ids, size_t room, size_t* count) {
+  return guarded([&](Call& call) {
+    const auto of = call.find(world, "world");
+    const Transform transform = transform_of(call, at, "at");
+    call.need(half, "half");
+    call.need_rows(ids, room, "ids");
+    call.need(count, "count");
+    if (call.ok())
+      give_ids(call, std::as_const(*of).world().projectiles_in(transform, vector_at(half), layers), ids, room, count);
+  });
+}
+
+physim_result physim_world_cast(const physim_world* world, const physim_segment* segment, uint32_t layers,
+                                physim_projectile_hit* hits, size_t each, size_t room, size_t* count) {
+  return guarded([&](Call& call) {
+    const auto of = call.find(world, "world");
+    call.need(segment, "segment");
+    call.need_rows(hits, room, "hits");
+    call.need(count, "count");
+    need_each(call, each, room);
+    if (!call.ok()) return;
+    const SceneSegment s = segment_of(*segment);
+    const auto found = std::as_const(*of).world().projectiles_along(s.from, s.to, s.radius, layers);
+    if (!call.take(found)) return;
+    for (std::size_t i = 0; i < std::min(room, found->size()); ++i) {
+      const ProjectileHit& hit = (*found)[i];
+      physim_projectile_hit out{.id = put_id(hit.id), .part = hit.part, .position = {}, .normal = {}};
+      put(out.position, hit.position);
+      put(out.normal, hit.normal);
+      put_row(hits, each, i, out);
+    }
+    *count = found->size();
   });
 }

@@ -73,6 +73,7 @@ struct Look {
     if (!slot.is_asked(filter)) return;
     Segment inside = slot.placement.inside(s);
     const auto taken = [&](const Crossing& crossing, Segment& within) {
+      if (!kExits && slot.lets_through(filter, crossing)) return;
       take(index, crossing, s);
       within.reach = s.reach;
     };
@@ -81,7 +82,9 @@ struct Look {
   void at_mover(std::uint32_t index, Segment& s) const {
     const SceneContent::InstanceSlot& slot = scene.instances[index];
     if (!slot.is_asked(filter)) return;
-    const auto taken = [&](const Crossing& crossing, Segment& within) { take(index, crossing, within); };
+    const auto taken = [&](const Crossing& crossing, Segment& within) {
+      if (kExits || !slot.lets_through(filter, crossing)) take(index, crossing, within);
+    };
     Sweep<kExits, decltype(taken)>(*slot.shape, *slot.path, asked.time, asked.duration, s, taken);
   }
 };

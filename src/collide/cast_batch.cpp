@@ -152,7 +152,10 @@ void run(void* self, std::size_t task) {
   const IeeeMode mode;
   const Batch& batch = *static_cast<const Batch*>(self);
   const std::size_t begin = task * kTask, end = std::min(batch.segments.size(), begin + kTask);
-  if (is_field_alone(batch.scene, batch.filter))
+  const bool is_plain = batch.scene.one_ways == 0 || !batch.filter.from_front;
+  if (!is_plain)
+    cast_one_by_one(batch, begin, end);
+  else if (is_field_alone(batch.scene, batch.filter))
     cast_into_field_alone(batch, begin, end);
   else if (batch.scene.meshes > 0 && end - begin >= kFew)
     cast_together(batch, begin, end);

@@ -7,9 +7,11 @@
 #include <vector>
 
 #include "collide/path_cast.hpp"
+#include "collide/scene_by_motion.hpp"
 #include "collide/seen_hit.hpp"
 #include "math/elementary.hpp"
 #include "math/vec3.hpp"
+#include "model/ball_rolling.hpp"
 #include "model/body.hpp"
 #include "model/contact.hpp"
 #include "model/pair_contact.hpp"
@@ -32,9 +34,82 @@ inline constexpr double kLongestPart = 1.0 / 30;
   return speed < acceleration * frame;
 }
 
-/// What a surface and what touches it are to each other.
-[[nodiscard]] inline Surface surface_between(double restitution, double friction, const Surface& own) {
-  return {restitution * own.restitution, friction * own.friction, own.rolling_resistance};
+/// A number of each of two that touch, as one.
+[[nodiscard]] inline double combined(double a, double b, Combine rule) {
+  switch (rule) {
+    case Combine::product: return a * b;
+    case Combine::mean: return 0.5 * a + 0.5 * b;
+    case Combine::minimum: return std::min(a, b);
+    case Combine::maximum: return std::max(a, b);
+  }
+  return a * b;
+}
+
+/// What a projectile brings to its contacts.
+struct OwnSurface {
+  double restitution;         // [-]
+  double friction;            // [-]
+  double rolling_resistance;  // [-]
+  CombineDef combine;
+
+  /// The surface of a BodyDef or a ContactDef.
+  template <class Def>
+  [[nodiscard]] static OwnSurface of(const Def& def) {
+    return {def.restitution, def.friction, def.rolling_resistance, def.combine};
+  }
+};
+
+/// Restitution and friction of the contact of two: materials, the ground, bodies.
+template <class A, class B>
+[[nodiscard]] PairSurface pair_surface(const A& a, const B& b) {
+  const CombineDef rules{std::max(a.combine.restitution, b.combine.restitution),
+                         std::max(a.combine.friction, b.combine.friction)};
+  PHYSIM_ASSERT(a.restitution >= 0 && b.restitution >= 0 && a.friction >= 0 && b.friction >= 0);
+  return {combined(a.restitution, b.restitution, rules.restitution), combined(a.friction, b.friction, rules.friction)};
+}
+
+/// Restitution, friction and rolling resistance of a projectile on a material or on the ground.
+template <class Of>
+[[nodiscard]] Surface surface_between(const Of& of, const OwnSurface& own) {
+  const PairSurface pair = pair_surface(of, own);
+  return {pair.restitution, pair.friction, own.rolling_resistance};
+}
+
+/// The way of a projectile along a plane surface, as seen from the thing; the surface of a conveyor runs over the thing
+/// by `over`. `f(motion)` gives the way along a surface that stands.
+template <class F>
+[[nodiscard]] BallWay way_on(BallMotion motion, const Vec3d& over, const F& f) {
+  if (over == Vec3d{}) return f(motion);
+  motion.velocity -= over;
+  BallWay way = f(motion);
+  PHYSIM_ASSERT(way.time >= 0);
+  way.way += over * way.time;
+  way.motion.velocity += over;
+  return way;
+}
+/// The way of a point along such a surface in all of a time.
+[[nodiscard]] inline BallWay point_way(const BallMotion& motion, const Vec3d& over, const Pull& pull, const Vec3d& n,
+                                       const Surface& on, double time) {
+  return way_on(motion, over, [&](const BallMotion& from) {
+    const Rolled it = rolled(from.velocity, pull, n, on, time);
+    return BallWay{time, it.way, {it.velocity, from.spin}};
+  });
+}
+
+/// A hit with the normal of a triangle towards the projectile that meets its back.
+[[nodiscard]] inline SceneHit with_facing_normal(SceneHit hit) {
+  if (!hit.entering && !hit.starts_inside) hit.normal = -hit.normal;
+  return hit;
+}
+
+/// A projectile continues in the body that it is inside of as if it came straight into it there.
+inline void enter_here(const State<double>& s, SceneHit& hit) {
+  PHYSIM_ASSERT(hit.starts_inside);
+  const Vec3d relative = s.v - hit.velocity;
+  if (!(length(relative) > 0)) return;
+  hit.normal = -normalized(relative);
+  hit.starts_inside = false;
+  hit.entering = true;
 }
 
 /// The motion of a ball, or of a point, behind a moment at which it meets several surfaces.
@@ -122,6 +197,26 @@ inline constexpr double kLongestPart = 1.0 / 30;
   return [from, to](double theta) {
     return State<double>{from.x + (to.x - from.x) * theta, from.v + (to.v - from.v) * theta};
   };
+}
+
+/// The sensors that tell who stays in them, of some layers, that hold two places, each at its time.
+[[nodiscard]] inline std::vector<SceneHit> sensors_around(const Scene& scene, std::uint32_t layers, const Vec3d& start,
+                                                          double from, const Vec3d& end, double to) {
+  PHYSIM_ASSERT(from <= to);
+  std::vector<InstanceId> before;
+  std::vector<SceneHit> both;
+  const auto each_around = [&](const Vec3d& place, double time, const auto& f) {
+    SceneByMotion(scene).each_beside(place, 0, {.layers = layers}, time, [&](const SceneNearest& near) {
+      if (near.distance == 0 && near.away == Vec3d{} && scene.is_sensor(near.instance)) f(near);
+    });
+  };
+  each_around(start, from, [&](const SceneNearest& near) { before.push_back(near.instance); });
+  each_around(end, to, [&](const SceneNearest& near) {
+    const bool tells = SceneByMotion(scene).content().instances[near.instance.index].def.passage.tells_stay;
+    if (tells && std::ranges::find(before, near.instance) != before.end())
+      both.push_back({.instance = near.instance, .primitive = near.primitive, .material = near.material});
+  });
+  return both;
 }
 
 /// Which draws of chance a hit takes: the so-manyth of a step. The step is told by a number, or by the bits of a time,

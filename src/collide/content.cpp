@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "base/checker.hpp"
+#include "prepare/check.hpp"
 
 namespace physim::collide {
 namespace {
@@ -112,6 +113,15 @@ Result<std::shared_ptr<const Path>> SceneContent::check(const InstanceDef& def) 
   if (def.material.index >= materials.size())
     return Error{"is no material of this scene", "instance.material", "add_material() gives them"};
   if (auto status = collide::check(def.transform, "instance.transform"); !status) return status.error();
+  if (auto status = physim::check(def.conveyor, "instance.conveyor"); !status) return status.error();
+  const double front = length(def.passage.front);
+  if (!(front >= 0 && front <= 1e15) || (front > 0 && front < 1e-15))
+    return Error{"must be a direction of a length between 1e-15 and 1e15, or zero", "instance.passage.front",
+                 "(0, 1, 0): it stops what falls on it"};
+  if (def.sensor && front > 0)
+    return Error{"a sensor stops nothing", "instance.passage.front", "leave one of both out"};
+  if (def.passage.tells_stay && !def.sensor)
+    return Error{"only a sensor tells who stays in it", "instance.passage.tells_stay", "set `sensor`"};
   if (std::holds_alternative<AtRest>(def.motion)) return std::shared_ptr<const Path>();
   auto path = Path::make(def.motion, def.transform);
   if (!path) return path.error();
@@ -125,6 +135,7 @@ void SceneContent::put(std::uint32_t index, const InstanceDef& def, std::shared_
   slot.def = def;
   slot.layers = def.layers;
   slot.sensor = def.sensor;
+  slot.one_way = def.passage.front != Vec3d{};
   slot.placement = Placement(def.transform);
   slot.path = std::move(path);
   slot.shape = shapes[def.shape.index].shape;
@@ -165,6 +176,9 @@ void SceneContent::enter_tree(std::uint32_t index) {
   PHYSIM_ASSERT(slot.alive && slot.shape && slot.leaf == Tree::kNone);
   sensors += slot.def.sensor ? 1 : 0;
   in_motion += slot.path ? 1 : 0;
+  conveyors += slot.def.conveyor == ConveyorDef{} ? 0 : 1;
+  one_ways += slot.one_way ? 1 : 0;
+  tells_stay += slot.def.passage.tells_stay ? 1 : 0;
   meshes += std::holds_alternative<Mesh>(*instances[index].shape) ? 1 : 0;
   const auto list = [index](std::vector<std::uint32_t>& in) { in.insert(std::ranges::lower_bound(in, index), index); };
   const Bounds own = bounds_of(*slot.shape);
@@ -179,6 +193,9 @@ void SceneContent::leave_tree(std::uint32_t index) {
   InstanceSlot& slot = instances[index];
   sensors -= slot.def.sensor ? 1 : 0;
   in_motion -= slot.path ? 1 : 0;
+  conveyors -= slot.def.conveyor == ConveyorDef{} ? 0 : 1;
+  one_ways -= slot.one_way ? 1 : 0;
+  tells_stay -= slot.def.passage.tells_stay ? 1 : 0;
   meshes -= std::holds_alternative<Mesh>(*instances[index].shape) ? 1 : 0;
   const auto unlist = [index](std::vector<std::uint32_t>& from) {
     const auto place = std::ranges::lower_bound(from, index);

@@ -28,6 +28,7 @@ struct SceneContent {
     std::shared_ptr<const Shape> shape;
     std::uint32_t layers = 0;  // as in `def`
     bool sensor = false;       // as in `def`
+    bool one_way = false;      // `def.passage.front` is a direction
     bool alive = false;
     std::uint32_t generation = 0;
     std::uint32_t leaf = Tree::kNone;  // of `moving`
@@ -43,6 +44,16 @@ struct SceneContent {
     }
     [[nodiscard]] bool is_asked(const SceneFilter& filter) const {
       return (layers & filter.layers) != 0 && (filter.sensors || !sensor);
+    }
+    /// Whether a surface of a normal, in the thing's frame, faces the front of a one-way thing.
+    [[nodiscard]] bool is_front(const Vec3d& normal) const {
+      constexpr double kFacing = 0.5;  // cosine
+      return dot(normal, def.passage.front) > kFacing * length(def.passage.front);
+    }
+    /// Whether a one-way thing lets a segment through, by which it is crossed so.
+    [[nodiscard]] bool lets_through(const SceneFilter& filter, const Crossing& crossing) const {
+      if (!one_way || !filter.from_front) return false;
+      return crossing.starts_inside || !crossing.entering || !is_front(crossing.normal);
     }
     [[nodiscard]] Placement placement_at(double time) const { return path ? path->placement(time) : placement; }
     [[nodiscard]] MotionState state_at(double time) const {
@@ -61,8 +72,9 @@ struct SceneContent {
   Tree moving;                              // its boxes hold the way of what moves over the time that is covered
   double covered_from = 0, covered_to = 0;  // [s]
   std::size_t alive = 0;
-  std::size_t sensors = 0, in_motion = 0;  // of those
-  std::size_t meshes = 0;                  // of those
+  std::size_t sensors = 0, in_motion = 0;                   // of those
+  std::size_t meshes = 0;                                   // of those
+  std::size_t conveyors = 0, one_ways = 0, tells_stay = 0;  // of those
   std::uint64_t changes = 0;
   std::shared_ptr<const Engine> engine;  // null: none
 

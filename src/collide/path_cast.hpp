@@ -106,7 +106,7 @@ template <class Path>
     const double delta = 0.125 * bend * width * width;
     const bool is_fine = asks_engine || delta <= fine || cast >= kMostCasts;
     const double wide = is_fine ? radius : radius + delta + rounding;
-    const SceneHit hit = casts.first_hit(time.chord(from, there, wide, at, to));
+    const SceneHit hit = casts.first_hit(time.chord(from, there, wide, at, to), !is_fine);
     if (!hit) {
       at = to;
       from = there;

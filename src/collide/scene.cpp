@@ -9,6 +9,7 @@
 #include "base/checker.hpp"
 #include "base/ieee_mode.hpp"
 #include "collide/content.hpp"
+#include "prepare/check.hpp"
 
 namespace physim {
 
@@ -138,6 +139,28 @@ Status Scene::set_layers(InstanceId id, std::uint32_t layers) {
   return {};
 }
 
+Status Scene::set_conveyor(InstanceId id, const ConveyorDef& conveyor) {
+  Impl::InstanceSlot* slot = impl_->find(id);
+  if (!slot) return Error{"is not there", "instance", ""};
+  if (auto status = check(conveyor, "conveyor"); !status) return status;
+  const auto runs = [&] { return slot->def.conveyor == ConveyorDef{} ? std::size_t{0} : std::size_t{1}; };
+  PHYSIM_ASSERT(impl_->conveyors >= runs());
+  impl_->conveyors -= runs();
+  slot->def.conveyor = conveyor;
+  impl_->conveyors += runs();
+  ++impl_->changes;
+  return {};
+}
+
+Vec3d Scene::conveyor_velocity(InstanceId id, const Vec3d& normal, double time) const {
+  if (impl_->conveyors == 0 || !(std::abs(time) <= collide::kLatest)) return {};
+  const IeeeMode mode;
+  const Impl::InstanceSlot* slot = impl_->find(id);
+  if (!slot || slot->def.conveyor == ConveyorDef{}) return {};
+  const Vec3d v = rotate(slot->state_at(time).rotation, slot->def.conveyor.velocity);
+  return v - normal * dot(v, normal);
+}
+
 Status Scene::set_engine(const EngineScene& engine) {
   if (!(engine.skin >= 1e-6 && engine.skin <= 0.1))
     return Error{"must lie between 1e-6 and 0.1 m", "engine.skin", "ten times what the engine may be off, or more"};
@@ -164,6 +187,11 @@ bool Scene::has_sensors() const { return impl_->sensors > 0; }
 bool Scene::is_sensor(InstanceId id) const {
   const Impl::InstanceSlot* slot = impl_->find(id);
   return slot && slot->sensor;
+}
+bool Scene::tells_stay() const { return impl_->tells_stay > 0; }
+bool Scene::is_one_way(InstanceId id) const {
+  const Impl::InstanceSlot* slot = impl_->find(id);
+  return slot && slot->one_way;
 }
 bool Scene::has_motion() const { return impl_->in_motion > 0; }
 

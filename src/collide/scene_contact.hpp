@@ -30,8 +30,8 @@ class ContactHost {
   /// The precision of the projectile's state.
   [[nodiscard]] virtual Precision precision() const = 0;
   [[nodiscard]] virtual const CollisionDef& collision() const = 0;
-  /// The projectile's factors of restitution and friction, and its rolling resistance [-].
-  [[nodiscard]] virtual Surface surface() const = 0;
+  /// The projectile's restitution and friction, how both are combined, and its rolling resistance [-].
+  [[nodiscard]] virtual OwnSurface surface() const = 0;
   /// 1 along the axes of W about which the projectile turns, 0 along others, as Ball::turns [-].
   [[nodiscard]] virtual Vec3d turns() const = 0;
   /// Time of the scene at the start of the step [s].
@@ -67,7 +67,7 @@ class SceneContacts {
   explicit SceneContacts(ContactHost& host)
       : r_(host),
         scene_(host.scene()),
-        solids_{.layers = scene_ ? collision().layers : 0, .sensors = false},
+        solids_{.layers = scene_ ? collision().layers : 0, .sensors = false, .from_front = true},
         casts_(scene_, solids_) {}
   explicit operator bool() const { return scene_ != nullptr; }
 
@@ -123,7 +123,7 @@ class SceneContacts {
 
   /// What follows from meeting something, `passed` into the step.
   [[nodiscard]] After struck(const State<double>& s, const SceneHit& hit, double passed) {
-    return followed(std::nullopt, s, facing(hit), passed);
+    return followed(std::nullopt, s, with_facing_normal(hit), passed);
   }
 
   struct Support {
@@ -236,12 +236,7 @@ class SceneContacts {
   }
 
   [[nodiscard]] SceneHit cast(const Vec3d& from, const Vec3d& to, double passed, double duration) const {
-    return facing(casts_.first_hit({from, to, collision().radius, r_.scene_time() + passed, duration}));
-  }
-  /// With the normal of a triangle towards who meets its back.
-  [[nodiscard]] static SceneHit facing(SceneHit hit) {
-    if (!hit.entering && !hit.starts_inside) hit.normal = -hit.normal;
-    return hit;
+    return with_facing_normal(casts_.first_hit({from, to, collision().radius, r_.scene_time() + passed, duration}));
   }
 
   [[nodiscard]] double gap_at(const Vec3d& x) const {
@@ -333,7 +328,7 @@ class SceneContacts {
   void push_out(State<double>& s, SceneHit& hit, double passed) const {
     const double radius = collision().radius, time = r_.scene_time() + passed, rounding = 4 * gap_at(s.x);
     const SceneNearest near = scene_->nearest(s.x, radius, solids_, time);
-    if (!near || near.away == Vec3d{}) return;
+    if (!near || near.away == Vec3d{} || scene_->is_one_way(near.instance)) return;
     // What lies there: at an edge a point may miss it.
     const Vec3d before = near.distance < rounding ? near.away * rounding : Vec3d{};
     const SceneHit there = scene_->first_hit({s.x + before, s.x - near.away * (2 * radius), 0, time, 0}, solids_);
@@ -392,15 +387,6 @@ class SceneContacts {
     for (const SceneHit& each : scene_->all_hits({s.x - off, s.x, 0, r_.scene_time() + passed, 0}, solids_))
       if (each.entering && !each.starts_inside && !is_one_body(*scene_, each, left)) return each;
     return {};
-  }
-  /// It goes on in what it is inside of as if it came straight into it there.
-  static void enter_here(const State<double>& s, SceneHit& hit) {
-    PHYSIM_ASSERT(hit.starts_inside);
-    const Vec3d relative = s.v - hit.velocity;
-    if (!(length(relative) > 0)) return;
-    hit.normal = -normalized(relative);
-    hit.starts_inside = false;
-    hit.entering = true;
   }
 
   [[nodiscard]] State<double> carried(const SceneHit& hit, const Vec3d& x, const Vec3d& along, double passed,
@@ -469,8 +455,18 @@ class SceneContacts {
   }
 
   [[nodiscard]] Surface surface(const SceneHit& hit) const {
-    const Material& material = scene_->material(hit.material);
-    return surface_between(material.restitution, material.friction, r_.surface());
+    return surface_between(scene_->material(hit.material), r_.surface());
+  }
+
+  /// Velocity with which a conveyor's surface runs over its thing, as far as constraints of motion leave it [m/s].
+  [[nodiscard]] Vec3d runs(const SceneHit& hit, double passed) const {
+    const Vec3d v = scene_->conveyor_velocity(hit.instance, hit.normal, r_.scene_time() + passed);
+    return v == Vec3d{} ? v : r_.kept(v);
+  }
+  /// Velocity of the surface that rubs [m/s].
+  [[nodiscard]] Vec3d running(const SceneHit& hit, double passed) const {
+    const Vec3d over = runs(hit, passed);
+    return over == Vec3d{} ? hit.velocity : hit.velocity + over;
   }
 
   /// Further surfaces that it meets at the moment at which it meets one: what stands in the rest of its way at once.
@@ -495,10 +491,11 @@ class SceneContacts {
   /// It meets several surfaces at one moment and leaves all of them: their impulses are found together, so that none
   /// comes first. Nothing if it meets one, or stays on some.
   [[nodiscard]] std::optional<After> leaves_together(State<double>& s, const SceneHit& first, double passed) {
-    const std::vector<SceneHit> all = met_at_once(s, first, passed);
+    std::vector<SceneHit> all = met_at_once(s, first, passed);
     if (all.size() == 1) return std::nullopt;
     std::vector<Surface> on;
     for (const SceneHit& hit : all) on.push_back(surface(hit));
+    for (SceneHit& hit : all) hit.velocity = running(hit, passed);
     const BallMotion came{s.v, spin(passed)}, gone = met_together(came, ball(), all, on);
     const Vec3d v = r_.kept(gone.velocity), a = r_.acceleration_at(s, passed);
     for (const SceneHit& hit : all)
@@ -515,10 +512,11 @@ class SceneContacts {
     return After{Then::flies_on, s, passed};
   }
 
-  /// Bounces, or lies on what it met. All in the frame of the surface. `own`: with that velocity, by whoever said so.
+  /// Bounces, or lies on what it met. All in the frame of the surface that rubs. `own`: with that velocity, by whoever
+  /// said so.
   [[nodiscard]] std::optional<After> rebound(State<double>& s, SceneHit& hit, double& passed,
                                              const std::optional<Vec3d>& own) {
-    const Vec3d n = hit.normal, u = hit.velocity;
+    const Vec3d n = hit.normal, u = running(hit, passed), over = runs(hit, passed);
     const Surface on = surface(hit);
     BallMotion motion{s.v - u, spin(passed)};
     const double before = dot(motion.velocity, n);
@@ -549,13 +547,16 @@ class SceneContacts {
     s.v = motion.velocity + u;
     if (is_strike(before, dot(a, n), frame()))
       r_.tell(EventKind::bounced, Reason::none, passed, s, hit, 0, energy_of(came) - energy_of(motion));
+    if (over != Vec3d{}) motion.velocity += over;
     return moves_along(s, hit, passed, motion, a);
   }
 
-  /// Its way along a plane surface.
+  /// A way along a plane surface.
   [[nodiscard]] BallWay ball_way(const BallMotion& motion, const Pull& a, const SceneHit& hit, const Surface& on,
-                                 double time) const {
-    BallWay way = slid_or_rolled(motion, a, hit.normal, ball(), {on.friction, on.rolling_resistance}, time);
+                                 const Vec3d& over, double time) const {
+    BallWay way = way_on(motion, over, [&](const BallMotion& from) {
+      return slid_or_rolled(from, a, hit.normal, ball(), {on.friction, on.rolling_resistance}, time);
+    });
     way.way = r_.kept(way.way);
     way.motion.velocity = r_.kept(way.motion.velocity);
     return way;
@@ -569,6 +570,7 @@ class SceneContacts {
   /// The way is cut to where it turns by little; where the ball leaves, to less.
   [[nodiscard]] Turn find_turn(const Vec3d& x, const BallMotion& motion, const Pull& a, const SceneHit& hit,
                                const Surface& on, double passed, BallWay& way) const {
+    const Vec3d over = runs(hit, passed);
     constexpr double kLittle = 0.02, kFine = 1e-3;  // of the radius
     const double radius = collision().radius, flat = 8 * gap_at(x);
     for (;;) {
@@ -583,7 +585,7 @@ class SceneContacts {
         part = 0.3;
       }
       PHYSIM_ASSERT(part > 0 && part < 1);
-      way = ball_way(motion, a, hit, on, way.time * part);
+      way = ball_way(motion, a, hit, on, over, way.time * part);
     }
   }
   /// Where it is beside the surface that it turns about.
@@ -612,19 +614,18 @@ class SceneContacts {
   /// Slides or rolls along what it lies on, up to what stands in its way.
   [[nodiscard]] std::optional<After> moves_along(State<double>& s, SceneHit& hit, double& passed,
                                                  const BallMotion& motion, const Vec3d& a) {
-    const Vec3d u = hit.velocity;
+    const Vec3d u = hit.velocity, over_it = runs(hit, passed);
     const Surface on = surface(hit);
     const double left = pressed_for(s, hit, passed);
-    const Vec3d v_t = s.v - u - hit.normal * dot(s.v - u, hit.normal);
+    const Vec3d w = s.v - u - over_it, v_t = w - hit.normal * dot(w, hit.normal);
     const Pull pull = pull_along(r_, a, s, {v_t, hit.normal, passed, left});
     BallWay way{};
     Turn turn;
     if (is_ball()) {
-      way = ball_way(motion, pull, hit, on, left);
+      way = ball_way(motion, pull, hit, on, over_it, left);
       if (!moves(hit)) turn = find_turn(s.x, motion, pull, hit, on, passed, way);
     } else {
-      const Rolled on_it = rolled(motion.velocity, pull, hit.normal, on, left);
-      way = {left, on_it.way, {on_it.velocity, motion.spin}};
+      way = point_way(motion, over_it, pull, hit.normal, on, left);
     }
     Vec3d there = s.x + way.way + u * way.time, then_at = u, over;
     if (moves(hit)) {
@@ -633,7 +634,7 @@ class SceneContacts {
       over = hit.normal * (0.25 * way.time * length(by.v - u));
       there = by.x, then_at = by.v;
     }
-    carried_ = u != Vec3d{} || then_at != Vec3d{};
+    carried_ = u != Vec3d{} || then_at != Vec3d{} || over_it != Vec3d{};
     Vec3d to = held(there);
     if (above_) {  // what its places are rounded to adds up
       const double gap = gap_at(to), then_above = *above_ + dot(to - there, hit.normal);
@@ -706,17 +707,16 @@ class SceneContacts {
     const Vec3d along_it = normalized(line), n = normalized(middle);
     Surface rough = surface(one);
     if (is_ball()) rough.friction = 0;  // it rolls
-    const Vec3d before = along_it * dot(s.v - u, along_it);
-    const Pull pull = pull_along(r_, a, s, {before, n, passed, left});
+    const Vec3d before = along_it * dot(s.v - u, along_it), over = along_it * dot(runs(one, passed), along_it);
+    const Pull pull = pull_along(r_, a, s, {before - over, n, passed, left});
     const Vec3d on_it = n * dot(a, n);
-    const Rolled on =
-        rolled(before, {along_it * dot(pull.moving, along_it) + on_it, along_it * dot(pull.at_rest, along_it) + on_it},
-               n, rough, left);
+    const Pull here{along_it * dot(pull.moving, along_it) + on_it, along_it * dot(pull.at_rest, along_it) + on_it};
+    const BallWay on = point_way({before, {}}, over, here, n, rough, left);
     const Vec3d way = on.way + u * left;
-    carried_ = carried_ || u != Vec3d{};
+    carried_ = carried_ || u != Vec3d{} || over != Vec3d{};
     const SceneHit next = cast(s.x, s.x + way, passed, left);
     if (is_at_once(next, s.x, way, left)) return rests(s.x, u, passed);
-    return along({s.x, before + u}, way, on.velocity + u, next, passed);
+    return along({s.x, before + u}, way, on.motion.velocity + u, next, passed);
   }
 
   // ------------------------------------------------------------------------------------------- into and through

@@ -96,7 +96,7 @@ SceneNearest collide::nearest_thing(const SceneContent& scene, std::uint32_t ind
   const Placement placement = slot.placement_at(time);
   double own = within / placement.scale();
   const auto near = nearest_of(*slot.shape, placement.inside(point), own);
-  if (!near) return {};
+  if (!near || (slot.one_way && filter.from_front && !slot.is_front(near->away))) return {};
   const double distance = own * placement.scale();
   return {distance,
           distance == 0 ? point : placement.outside(near->position),

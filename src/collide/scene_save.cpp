@@ -2,6 +2,7 @@
 //
 // A save is its magic and format, the length of what follows (8 bytes), that, and a check sum of it (8). What follows
 // begins with the version that wrote it.
+#include <algorithm>
 #include <cstring>
 #include <string>
 
@@ -20,6 +21,7 @@ constexpr char kSceneMagic[8] = {'P', 'H', 'Y', 'S', 'I', 'M', 'C', '\n'};
 constexpr std::uint32_t kSceneFormat = 5;
 constexpr std::uint32_t kEngineFormat = 6;     // likewise, with the skin of an engine behind it
 constexpr std::uint32_t kNamelessFormats = 2;  // lower by so much: the same without a version; they are read, too
+constexpr std::uint32_t kSurfaceFormats = 2;   // higher by so much: with rules of combination and conveyors
 constexpr std::size_t kSceneHead = sizeof kSceneMagic + sizeof kSceneFormat + 8, kSceneSum = 8;
 
 struct SavedShape {
@@ -133,9 +135,8 @@ struct SceneBytes {
   std::uint64_t format = 0;
 
   [[nodiscard]] bool has_version() const { return format >= kSceneFormat; }
-  [[nodiscard]] bool has_engine() const {
-    return format == kEngineFormat || format + kNamelessFormats == kEngineFormat;
-  }
+  [[nodiscard]] bool has_surfaces() const { return format >= kSceneFormat + kSurfaceFormats; }
+  [[nodiscard]] bool has_engine() const { return (kEngineFormat - format) % 2 == 0; }
 };
 Result<SceneBytes> scene_bytes(std::span<const std::byte> save) {
   if (save.size() < sizeof kSceneMagic || std::memcmp(save.data(), kSceneMagic, sizeof kSceneMagic) != 0)
@@ -144,7 +145,7 @@ Result<SceneBytes> scene_bytes(std::span<const std::byte> save) {
   std::uint64_t format = 0, length = 0, sum = 0;
   head.number(format, sizeof kSceneFormat);
   head.number(length, 8);
-  if (head.good() && (format + kNamelessFormats < kSceneFormat || format > kEngineFormat))
+  if (head.good() && (format + kNamelessFormats < kSceneFormat || format > kEngineFormat + kSurfaceFormats))
     return of_other_format("save", "save", format, kSceneFormat, version_at(save.subspan(kSceneHead)));
   if (save.size() < kSceneHead + kSceneSum || length != save.size() - kSceneHead - kSceneSum)
     return not_a_scene("the save was cut, or something follows it");
@@ -170,11 +171,17 @@ std::vector<std::byte> Scene::save() const {
     saved.shapes.push_back(
         {slot.generation, slot.shape ? std::optional(collide::definition_of(*slot.shape)) : std::nullopt});
   std::vector<std::byte> content, bytes;
-  Writer(content).write(std::string(kVersion), saved);
+  const bool has_surfaces =
+      impl_->conveyors > 0 || impl_->one_ways > 0 || impl_->tells_stay > 0 ||
+      std::ranges::any_of(impl_->materials, [](const Material& material) { return material.combine != CombineDef{}; });
+  Writer of_content(content);
+  if (!has_surfaces) of_content.leave_out_conveyors();
+  of_content.write(std::string(kVersion), saved);
   if (impl_->engine) Writer(content).write(skin());
   for (const char c : collide::kSceneMagic) bytes.push_back(static_cast<std::byte>(c));
   Writer writer(bytes);
-  writer.number(impl_->engine ? collide::kEngineFormat : collide::kSceneFormat, sizeof collide::kSceneFormat);
+  const std::uint32_t format = impl_->engine ? collide::kEngineFormat : collide::kSceneFormat;
+  writer.number(has_surfaces ? format + collide::kSurfaceFormats : format, sizeof format);
   writer.number(content.size(), 8);
   bytes.insert(bytes.end(), content.begin(), content.end());
   writer.number(collide::sum_of_bytes(content), collide::kSceneSum);
@@ -191,6 +198,7 @@ Result<Scene> Scene::load(std::span<const std::byte> save, const EngineQuery& qu
   std::string made_by;
   Reader reader(bytes->content);
   if (bytes->has_version()) reader(made_by);
+  if (!bytes->has_surfaces()) reader.leave_out_conveyors();
   reader(saved);
   if (has_engine) reader(engine.skin);
   if (!reader.complete()) return collide::not_a_scene("the save makes no sense" + by_another_version(made_by));

@@ -63,7 +63,7 @@ bool TubeCasts::find(const SceneSegment& tube) {
   PHYSIM_ASSERT(scene_ != nullptr);
   const SceneContent& content = SceneByMotion(*scene_).content();
   found_ = false;
-  if (content.engine || !is_sound(tube)) return true;
+  if (content.engine || content.one_ways > 0 || !is_sound(tube)) return true;
   tube_ = tube;
   along_ = tube.to - tube.from;
   const double square = dot(along_, along_);
@@ -102,8 +102,12 @@ bool TubeCasts::holds(const SceneSegment& asked) const {
   return is_then && holds(asked.from, asked.radius) && holds(asked.to, asked.radius);
 }
 
-SceneHit TubeCasts::first_hit(const SceneSegment& asked) const {
-  if (!found_ || !is_sound(asked) || !holds(asked)) return scene_->first_hit(asked, filter_);
+SceneHit TubeCasts::first_hit(const SceneSegment& asked, bool is_wider) const {
+  if (!found_ || !is_sound(asked) || !holds(asked)) {
+    SceneFilter filter = filter_;
+    filter.from_front = filter.from_front && !is_wider;
+    return scene_->first_hit(asked, filter);
+  }
   PHYSIM_ASSERT(things_ <= kMostThings && triangles_ <= kMostTriangles);
   const SceneContent& content = SceneByMotion(*scene_).content();
   Segment segment{asked.from, asked.to - asked.from, asked.radius, 1};

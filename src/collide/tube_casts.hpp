@@ -19,8 +19,9 @@ class TubeCasts {
   [[nodiscard]] const Scene& scene() const { return *scene_; }
   /// Finds what the spheres about a segment may touch. False where that is nothing.
   [[nodiscard]] bool find(const SceneSegment& tube);
-  /// Scene::first_hit(), bit for bit.
-  [[nodiscard]] SceneHit first_hit(const SceneSegment& asked) const;
+  /// Scene::first_hit(), bit for bit. `is_wider`: spheres that are larger than what flies meet one-way things from all
+  /// sides.
+  [[nodiscard]] SceneHit first_hit(const SceneSegment& asked, bool is_wider = false) const;
 
  private:
   /// A triangle of a thing, in its frame.

@@ -49,9 +49,7 @@ class MeetingLane final : public ContactHost {
   }
   [[nodiscard]] Precision precision() const override { return conditions().fidelity.precision; }
   [[nodiscard]] const CollisionDef& collision() const override { return from_.contact.collision; }
-  [[nodiscard]] Surface surface() const override {
-    return {from_.contact.restitution, from_.contact.friction, from_.contact.rolling_resistance};
-  }
+  [[nodiscard]] OwnSurface surface() const override { return OwnSurface::of(from_.contact); }
   [[nodiscard]] Vec3d turns() const override { return from_.turns; }
   [[nodiscard]] double scene_time() const override { return step_.scene_time; }
   [[nodiscard]] double step_length() const override { return step_.length; }

@@ -383,6 +383,19 @@ Status check(const CollisionDef& collision, const std::string& place) {
   return c.status();
 }
 
+Status check(const CombineDef& combine, const std::string& place) {
+  Checker c;
+  c.named(combine.restitution, Combine::maximum, place + ".restitution");
+  c.named(combine.friction, Combine::maximum, place + ".friction");
+  return c.status();
+}
+
+Status check(const ConveyorDef& conveyor, const std::string& place) {
+  const auto [x, y, z] = conveyor.velocity;
+  const bool good = abs(x) <= 1e6 && abs(y) <= 1e6 && abs(z) <= 1e6;
+  return Checker().require(good, place + ".velocity", "must have components within 1e6 m/s").status();
+}
+
 Status check(const ContactDef& contact, const std::string& place) {
   Checker c;
   c.also(check(contact.collision, place + ".collision"));
@@ -391,6 +404,7 @@ Status check(const ContactDef& contact, const std::string& place) {
   c.require(contact.restitution >= 0 && contact.restitution <= 1, place + ".restitution", "must lie between 0 and 1");
   c.not_negative(contact.friction, place + ".friction");
   c.not_negative(contact.rolling_resistance, place + ".rolling_resistance");
+  c.also(check(contact.combine, place + ".combine"));
   c.require(abs(contact.scene_time) <= 1e9, place + ".scene_time", "must lie between -1e9 and 1e9 s");
   return c.status();
 }

@@ -18,6 +18,8 @@ inline constexpr double kShortestStep = 1e-9;  // a part of a shorter one is not
 [[nodiscard]] Status check(const Environment& environment);
 [[nodiscard]] Status check(const Tolerance& tolerance, const Fidelity& fidelity);
 [[nodiscard]] Status check(const Until& until);
+[[nodiscard]] Status check(const CombineDef& combine, const std::string& place);
+[[nodiscard]] Status check(const ConveyorDef& conveyor, const std::string& place);
 [[nodiscard]] Status check(const CollisionDef& collision, const std::string& place);
 [[nodiscard]] Status check(const ContactDef& contact, const std::string& place);
 /// Whether a place [m] and a velocity [m/s] are numbers in a precision.

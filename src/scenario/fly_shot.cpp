@@ -67,7 +67,8 @@ ContactDef contact_of(const ScenarioShot& shot) {
   return {.collision = body.collision,
           .restitution = body.restitution,
           .friction = body.friction,
-          .rolling_resistance = body.rolling_resistance};
+          .rolling_resistance = body.rolling_resistance,
+          .combine = body.combine};
 }
 
 Flight fly_shot(const Scenario& scenario, const ScenarioShot& shot, const Scene& scene) {

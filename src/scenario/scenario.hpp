@@ -107,6 +107,8 @@ struct ScenarioThing {
   Vec3d angular_velocity{};                   ///< steady, in W [rad/s]
   std::vector<ScenarioKey> keys{};            ///< instead of a steady motion [-]
   MotionCurve curve = MotionCurve::straight;  ///< from key to key [-]
+  ConveyorDef conveyor{};                     ///< that its surface is [-]
+  PassageDef passage{};                       ///< what it lets through [-]
 };
 
 /// Triangles of its mesh that are left out, as they have no area [-].

@@ -140,7 +140,9 @@ Status SceneMaker::add_thing(std::size_t index) {
                   .sensor = thing.sensor,
                   .user_data = index,
                   .name = thing.name,
-                  .motion = motion_of(thing)};
+                  .motion = motion_of(thing),
+                  .conveyor = thing.conveyor,
+                  .passage = thing.passage};
   const Result<MaterialId> material = material_of(thing.material);
   if (!material) return material.error();
   def.material = *material;

@@ -186,6 +186,8 @@ constexpr Entry kSceneSettings[] = {
             Quantity::pressure, Range{.low = 13e6, .high = 100e6}),
     PHYSIM_MATERIAL(restitution, "part of the speed along the normal that is left after a bounce", kFraction),
     PHYSIM_MATERIAL(friction, "Coulomb's, of what slides on it", at_least(0)),
+    PHYSIM_MATERIAL(combine.restitution, "how it is combined with that of the projectile; of two rules the later one"),
+    PHYSIM_MATERIAL(combine.friction, "how it is combined with that of the projectile; of two rules the later one"),
     PHYSIM_MATERIAL(grip_restitution, "part of the slip that comes back after a ball gripped", kFraction),
     PHYSIM_MATERIAL(density, "0: not known", Quantity::density, at_least(0)),
     PHYSIM_MATERIAL(ricochet.critical_angle, "from the surface; what comes in flatter is thrown off", Quantity::angle,
@@ -293,6 +295,11 @@ constexpr Entry kSceneSettings[] = {
     PHYSIM_THING(keys, "where it is at rising times, instead of a position and steady motion", at_most(10000)),
     PHYSIM_KEYS("thing.keys"),
     PHYSIM_THING(curve, "which way it takes from key to key"),
+    PHYSIM_THING(passage.front,
+                 "of a one-way thing, in its own frame: it stops only what comes against this direction"),
+    PHYSIM_THING(passage.tells_stay, "of a sensor: an event stayed in each step for what is in it"),
+    PHYSIM_THING(conveyor.velocity, "with which its surface runs, in its own frame; the part along the surface acts",
+                 Quantity::speed, between(-1e6, 1e6), kShorthand),
 };
 
 }  // namespace

@@ -47,6 +47,7 @@ constexpr UnreadRule kMaterialRules[] = {
      [](R r) { return read_or(is_used_material(r.scenario, r.scope.material->name), ": no thing is made of it"); }},
     {"material.restitution", why_no_bounce},
     {"material.friction", why_no_bounce},
+    {"material.combine", why_no_bounce},
     {"material.grip_restitution",
      [](R r) {
        if (std::string why = why_no_bounce(r); !why.empty()) return why;
@@ -100,6 +101,7 @@ constexpr UnreadRule kThingRules[] = {
        const bool is_read = r.scope.thing->layers == 0 || !std::ranges::all_of(r.scenario.shots, takes_all);
        return read_or(is_read, ": shots meet things of all layers");
      }},
+    {"thing.conveyor", why_no_bounce},
     {"thing.curve", [](R r) { return read_with(!r.scope.thing->keys.empty(), "thing.keys"); }},
     {"thing.keys.velocity",
      [](R r) { return read_with(r.scope.thing->curve == MotionCurve::smooth, "thing.curve = \"smooth\""); }},
@@ -128,6 +130,7 @@ constexpr UnreadRule kContactRules[] = {
     {"shot.body.restitution", why_no_contact},
     {"shot.body.friction", why_no_contact},
     {"shot.body.rolling_resistance", why_no_contact},
+    {"shot.body.combine", why_no_contact},
     {"shot.body.angular_drag", why_no_turning},
     {"shot.body.frozen_rotation", why_no_turning},
     {"shot.body.collision.on_hit",

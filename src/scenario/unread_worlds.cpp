@@ -42,6 +42,8 @@ constexpr UnreadRule kWorldRules[] = {
     {"world.ground.height", why_no_ground},
     {"world.ground.restitution", why_no_bounce},
     {"world.ground.friction", why_no_bounce},
+    {"world.ground.combine", why_no_bounce},
+    {"world.ground.conveyor", why_no_bounce},
     {"world.detail.hysteresis", why_no_detail},
     {"world.detail.layers", why_no_detail},
     {"world.observer",

@@ -231,7 +231,8 @@ void WorldRun::Impl::count(std::span<const Event> news) {
       case EventKind::sensed:
       case EventKind::ricocheted:
       case EventKind::penetrated:
-      case EventKind::stopped: break;
+      case EventKind::stopped:
+      case EventKind::stayed: break;
     }
   }
   taken_over.clear();

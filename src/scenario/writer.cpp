@@ -250,6 +250,7 @@ BodyDef unsaid(BodyDef body, const Scenario& scenario) {
   body.restitution = usual.restitution;
   body.friction = usual.friction;
   body.rolling_resistance = usual.rolling_resistance;
+  body.combine = usual.combine;
   const std::uint32_t others = body.collision.others;
   body.collision = usual.collision;
   body.collision.others = others;

@@ -27,7 +27,8 @@ Status check(const Ground& g) {
   Checker c;
   c.named(g.mode, GroundMode::bounce, "ground.mode").is_number(g.height, "ground.height");
   c.require(g.restitution >= 0 && g.restitution <= 1, "ground.restitution", "must lie between 0 and 1");
-  c.not_negative(g.friction, "ground.friction");
+  c.not_negative(g.friction, "ground.friction").also(check(g.combine, "ground.combine"));
+  c.also(check(g.conveyor, "ground.conveyor"));
   return c.status();
 }
 
@@ -73,7 +74,7 @@ Status check(const BodyDef& b, const WorldDef& def, std::size_t environments) {
   c.not_negative(b.sleep_speed, "body.sleep_speed").not_negative(b.sleep_time, "body.sleep_time");
   c.require(b.restitution >= 0 && b.restitution <= 1, "body.restitution", "must lie between 0 and 1");
   c.not_negative(b.friction, "body.friction").not_negative(b.rolling_resistance, "body.rolling_resistance");
-  c.also(check(b.collision, "body.collision"));
+  c.also(check(b.combine, "body.combine")).also(check(b.collision, "body.collision"));
   c.require(b.pool < std::max<std::size_t>(def.pools.size(), 1), "body.pool", "there is no such pool",
             "WorldDef::pools lists them");
   c.require(b.environment < environments, "body.environment", "there is no such environment",

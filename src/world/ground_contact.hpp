@@ -60,9 +60,11 @@ class GroundContacts {
       return {ground_.mode == GroundMode::stick ? Then::sticks : Then::stops, s};
     }
     parts_.come_near(passed);
-    const Surface on = surface_between(ground_.restitution, ground_.friction, r_.surface());
+    const Surface on = surface_between(ground_, r_.surface());
     const double frame = frame_of_contact(r_.step_length());
-    const Vec3d v = bounced(s.v, n, on), along = v - n * dot(v, n);
+    const Vec3d runs = conveyor_along(n);
+    const Vec3d v = runs == Vec3d{} ? bounced(s.v, n, on) : bounced(s.v - runs, n, on) + runs;
+    const Vec3d along = v - n * dot(v, n);
     const Vec3d a = r_.acceleration_at(s, passed);
     if (lifts_off(dot(v, n), dot(a, n), frame) && parts_.may_bounce()) {
       r_.tell(EventKind::bounced, Reason::none, passed, {s.x, v});
@@ -72,17 +74,26 @@ class GroundContacts {
       return {parts_.may_bounce() ? Then::flies_on : Then::lies, {s.x, along}};
     if (is_strike(dot(s.v, n), dot(a, n), frame)) r_.tell(EventKind::bounced, Reason::none, passed, {s.x, along});
     const double left = r_.step_length() - passed;
-    const Pull pull = pull_along(r_, a, {s.x, along}, {along, n, passed, left});
-    const Rolled on_it = rolled(v, pull, n, on, left);
+    const Pull pull = pull_along(r_, a, {s.x, along}, {along - runs, n, passed, left});
+    Rolled on_it = rolled(v - runs, pull, n, on, left);
+    if (runs != Vec3d{}) on_it = {on_it.way + runs * left, on_it.velocity + runs}, carried_ = true;
     return {Then::rolls, {s.x, along}, {put_on(s.x + on_it.way), on_it.velocity}};
   }
+  /// It lies on ground that runs: it has no rest.
+  [[nodiscard]] bool is_carried() const { return carried_; }
 
  private:
   [[nodiscard]] double height_at(const Vec3d& x) const { return height(r_.conditions(), x); }
+  /// Velocity with which the ground runs [m/s].
+  [[nodiscard]] Vec3d conveyor_along(const Vec3d& n) const {
+    const Vec3d v = ground_.conveyor.velocity;
+    return v == Vec3d{} ? v : v - n * dot(v, n);
+  }
 
   Host& r_;
   const Ground& ground_;
   StepParts& parts_;
+  bool carried_ = false;
 };
 
 }  // namespace physim

@@ -334,8 +334,7 @@ class PairStep {
     const double before = dot(on_a.v - on_b.v, n);
     const double pull = dot(acceleration(a, time) - acceleration(b, time), n);
     const double frame = frame_of_contact(context_.dt);
-    const BodyDef &body_a = a.kind->body, &body_b = b.kind->body;
-    PairSurface surface{body_a.restitution * body_b.restitution, body_a.friction * body_b.friction};
+    PairSurface surface = pair_surface(a.kind->body, b.kind->body);
     ++a.hits, ++b.hits;
     const bool lies = is_low(surface, before, pull, frame) || std::max(a.hits, b.hits) > kMostMeetings;
     const bool strikes = !lies || is_strike(before, pull, frame);
@@ -426,9 +425,13 @@ class PairStep {
     const Vec3d n = normal_between(on_a, on_b);
     const double put = 4 * slack(a, b) / context_.dt;
     if (dot(on_a.v - on_b.v, n) > put + rounding_of_speed(a, b, on_a, on_b)) return std::nullopt;
-    const BodyDef &body_a = a.kind->body, &body_b = b.kind->body;
-    const double restitution = lies ? 0 : body_a.restitution * body_b.restitution;
-    return TouchNow{.a = i, .b = j, .n = n, .surface = {restitution, body_a.friction * body_b.friction}, .lies = lies};
+    PairSurface surface = pair_surface(a.kind->body, b.kind->body);
+    if (lies) surface.restitution = 0;
+    return TouchNow{.a = i, .b = j, .n = n, .surface = surface, .lies = lies};
+  }
+  /// Whether a ball is on its way through a one-way thing.
+  [[nodiscard]] bool is_passing(const SceneNearest& near, const CollisionDef& of) const {
+    return near.distance < of.radius * (1 - kDeep) && context_.scene->is_one_way(near.instance);
   }
   /// The surfaces that it touches and does not part from.
   void find_walls(std::uint32_t i) {
@@ -439,18 +442,16 @@ class PairStep {
     if (!context_.scene || of.layers == 0 || !(of.radius > 0)) return;
     const double time = context_.time + now.time, within = of.radius + 4e-10 + 16 * c.spacing;
     const auto add = [&](const SceneNearest& near) {
-      if (near.away == Vec3d{}) return;
+      if (near.away == Vec3d{} || is_passing(near, of)) return;
       const Vec3d u = velocity_at(*context_.scene->state(near.instance, time), near.position);
       const double put = (within - of.radius) / context_.dt;  // so fast it may look that was put beside the surface
       if (dot(now.v - u, near.away) > put + 8 * epsilon_of(c) * (length(now.v) + length(u))) return;
-      const Material& material = context_.scene->material(near.material);
-      const BodyDef& body = c.kind->body;
-      walls_.push_back({i,
-                        {.velocity = u},
-                        near.away,
-                        {material.restitution * body.restitution, material.friction * body.friction}});
+      const PairSurface surface = pair_surface(context_.scene->material(near.material), c.kind->body);
+      const Vec3d runs = context_.scene->conveyor_velocity(near.instance, near.away, time);
+      walls_.push_back({i, {.velocity = runs == Vec3d{} ? u : u + runs}, near.away, surface});
     };
-    SceneByMotion(*context_.scene).each_beside(now.x, within, {.layers = of.layers, .sensors = false}, time, add);
+    SceneByMotion(*context_.scene)
+        .each_beside(now.x, within, {.layers = of.layers, .sensors = false, .from_front = true}, time, add);
   }
 
   /// The impulses that they give each other.
@@ -664,12 +665,13 @@ class PairStep {
       const CollisionDef& of = c.kind->body.collision;
       if (c.is_gone || !may_move(c) || of.layers == 0) continue;
       const auto add = [&](const SceneNearest& near) {
-        if (near.away == Vec3d{}) return;
+        if (near.away == Vec3d{} || is_passing(near, of)) return;
         const Vec3d u = velocity_at(*context_.scene->state(near.instance, time), near.position);
         walls.push_back({i, near.away, near.position, u});
       };
       SceneByMotion(*context_.scene)
-          .each_beside(end[i].x, 1.1 * of.radius, {.layers = of.layers, .sensors = false}, time, add);
+          .each_beside(end[i].x, 1.1 * of.radius, {.layers = of.layers, .sensors = false, .from_front = true}, time,
+                       add);
     }
     return walls;
   }

@@ -82,6 +82,7 @@ Obstacles obstacles_of(const WorldImpl& w, const Slot& slot) {
                        .restitution = body.restitution,
                        .friction = body.friction,
                        .rolling_resistance = body.rolling_resistance,
+                       .combine = body.combine,
                        .seed = slot.generation};
   if (body.collision.on_hit == OnHit::ask) obstacles.contact.collision.on_hit = OnHit::stop;  // nobody is asked yet
   obstacles.number = w.state.slots.index_of(slot);

@@ -76,3 +76,5 @@ PHYSIM_CALL(set_projectile, w[id].set_projectile(projectile), ProjectileId id, c
 PHYSIM_CALL(set_mass, w[id].set_mass(mass), ProjectileId id, double mass)
 PHYSIM_CALL(set_drag, w[id].set_drag(drag), ProjectileId id, const DragDef& drag)
 PHYSIM_CALL(set_damping, w[id].set_damping(damping), ProjectileId id, double damping)
+PHYSIM_CALL(set_instance_conveyor, w.set_instance_conveyor(instance, conveyor), InstanceId instance,
+            const ConveyorDef& conveyor)

@@ -97,9 +97,18 @@ class Settling {
   }
   void follow_rules() {
     if (r_.gone()) return;
-    RowRules<S>(context_, r_).follow(scene_.is_carried() || lies_on_others_);
+    tell_stays();
+    RowRules<S>(context_, r_).follow(scene_.is_carried() || ground_.is_carried() || lies_on_others_);
     r_.write();
     if (r_.meets()) look_around();
+  }
+  /// Tells of the sensors that held it at the start of the step and hold it at the end.
+  void tell_stays() {
+    const Scene* scene = r_.scene();
+    if (scene == nullptr || !scene->tells_stay()) return;
+    const double start = r_.scene_time(), end = start + r_.step_length();
+    for (const SceneHit& in : sensors_around(*scene, r_.collision().layers, r_.at_start().x, start, r_.here().x, end))
+      r_.tell(EventKind::stayed, Reason::none, r_.step_length(), r_.here(), in);
   }
   /// What is clear about where it is now.
   void look_around() {

@@ -72,9 +72,7 @@ class SettledRow final : public ContactHost {
   [[nodiscard]] const Scene* scene() const override { return meets() ? context_.scene : nullptr; }
   [[nodiscard]] Precision precision() const override { return cohort_.key.fidelity.precision; }
   [[nodiscard]] const CollisionDef& collision() const override { return kind().body.collision; }
-  [[nodiscard]] Surface surface() const override {
-    return {kind().body.restitution, kind().body.friction, kind().body.rolling_resistance};
-  }
+  [[nodiscard]] OwnSurface surface() const override { return OwnSurface::of(kind().body); }
   [[nodiscard]] Vec3d turns() const override {
     return context_.state->extras.turns(slot_index_, kind().body.frozen_rotation);
   }

@@ -33,9 +33,10 @@ class StruckRows {
 
   /// Whether a strike may be all that happens to some of them.
   [[nodiscard]] bool may_strike() const {
-    const GroundMode mode = context_.def->ground.mode;
-    const bool bounces = mode == GroundMode::bounce && context_.dt <= kLongestPart;
-    if (!bounces && mode != GroundMode::land) return false;
+    const Ground& ground = context_.def->ground;
+    const bool stands = ground.conveyor == ConveyorDef{};
+    const bool bounces = ground.mode == GroundMode::bounce && context_.dt <= kLongestPart && stands;
+    if (!bounces && ground.mode != GroundMode::land) return false;
     const RowLayout& layout = rows_.layout();
     const bool plain = !cohort_.key.forced && !layout.clocked && !layout.carried && !layout.turning && !layout.meeting;
     if (!plain || context_.pairs || !job_.rows.watchdog.simple || layout.fields.size() > kMostFields) return false;
@@ -119,9 +120,7 @@ class StruckRows {
     for (unsigned i = 0; i < kRows; ++i) {
       const std::uint32_t kind = i < job_.count ? context_.state->slots[slot_[i]].kind : last;
       if (kind != last) {
-        const BodyDef& body = context_.registry->kind(kind).body;
-        surface = surface_between(ground.restitution, ground.friction,
-                                  {body.restitution, body.friction, body.rolling_resistance});
+        surface = surface_between(ground, OwnSurface::of(context_.registry->kind(kind).body));
         last = kind;
       }
       job_.restitution[i] = surface.restitution;

@@ -196,4 +196,11 @@ Status World::set_instance_layers(InstanceId instance, std::uint32_t layers) {
   return w.change_scene(instance, [&](Scene& scene) { return scene.set_layers(instance, layers); });
 }
 
+Status World::set_instance_conveyor(InstanceId instance, const ConveyorDef& conveyor) {
+  WorldImpl& w = impl();
+  const Recorded<Call::set_instance_conveyor> call(w, instance, conveyor);
+  if (call.is_refused()) return call.refusal();
+  return w.change_scene(instance, [&](Scene& scene) { return scene.set_conveyor(instance, conveyor); });
+}
+
 }  // namespace physim

@@ -314,6 +314,40 @@ static void test_parts(void) {
   OK(physim_free(def));
 }
 
+/* Balls of one metre at 0, 10 and 20 m: who is in a ball, in a box, and along a ray. */
+static void test_queries(void) {
+  static const char text[] =
+      "physim = 1\n[[shot]]\nspeed = 0\nfidelity = \"game\"\nbody.collision.radius = \"1 m\"\n"
+      "[world]\nduration = \"1 s\"\nground = \"none\"\n";
+  physim_def* def = made(text);
+  physim_world* world = NULL;
+  uint32_t kind = 0;
+  const double x[3] = {0, 10, 20};
+  const double middle[3] = {5, 0, 0}, half[3] = {1, 1, 1};
+  const physim_segment ray = {{-5, 0, 0}, {15, 0, 0}, 0, 0, 0};
+  physim_transform at = {.size = sizeof at, .position = {20, 0, 1.5}};
+  physim_launches launches = {.size = sizeof launches};
+  physim_projectile_hit hits[2];
+  physim_id ids[3], found[3];
+  size_t count = 0;
+  OK(physim_world_create(def, PHYSIM_FIRE_NOTHING, &world));
+  OK(physim_world_add_kind(world, def, NULL, 0, 0, &kind));
+  launches.x = x;
+  OK(physim_world_spawn(world, kind, 3, &launches, ids, NULL));
+  OK(physim_world_in_ball(world, middle, 4.5, 1, found, 3, &count));
+  CHECK(count == 2 && found[0].index == ids[0].index && found[1].index == ids[1].index);
+  OK(physim_world_in_ball(world, middle, 4.5, 2, found, 3, &count));
+  CHECK(count == 0);
+  OK(physim_world_in_box(world, &at, half, 1, found, 3, &count));
+  CHECK(count == 1 && found[0].index == ids[2].index);
+  OK(physim_world_cast(world, &ray, 1, hits, sizeof hits[0], 2, &count));
+  CHECK(count == 2 && hits[0].id.index == ids[0].index && is_near(hits[0].part, 0.2, 1e-12));
+  CHECK(is_near(hits[1].position[0], 9, 1e-12) && is_near(hits[1].normal[0], -1, 1e-12));
+  IS(PHYSIM_BAD_ARGUMENT, physim_world_in_ball(world, middle, -1, 1, found, 3, &count));
+  OK(physim_free(world));
+  OK(physim_free(def));
+}
+
 static void test_functions(void) {
   physim_def* def = made(kParts);
   physim_world *world = NULL, *loaded = NULL;
@@ -401,7 +435,7 @@ static void test_changes(void) {
   physim_hit hit;
   const physim_segment ray = {{0, 5, 0}, {100, 5, 0}, 0, 0, 0};
   double delay[3] = {0, 0.5, 1}, spin[9] = {0, 0, 10, 0, 0, 0, 0, 0, 0};
-  const double place[3] = {0, 50, 0}, velocity[3] = {1, 2, 3};
+  const double place[3] = {0, 50, 0}, velocity[3] = {1, 2, 3}, belt[3] = {2, 0, 0}, too_fast[3] = {2e6, 0, 0};
   uint32_t moon = 0, kind = 0, light = 0, steps = 0;
   size_t count = 0, pulled = 0;
   OK(physim_world_create(def, PHYSIM_FIRE_NOTHING, &world));
@@ -446,6 +480,9 @@ static void test_changes(void) {
   CHECK(hit.thing.index == 0);
   OK(physim_scene_cast(world, &ray, 1, 2, &hit, sizeof hit, NULL));
   CHECK(hit.thing.index == wall.index);
+  OK(physim_scene_set_conveyor(world, wall, belt));
+  IS(PHYSIM_REFUSED, physim_scene_set_conveyor(world, wall, too_fast));
+  OK(physim_scene_set_conveyor(world, wall, NULL));
 
   OK(physim_world_do(world, PHYSIM_PAUSE, 1));
   OK(physim_world_advance(world, 0.05, &steps));
@@ -520,6 +557,7 @@ void test_worlds(void) {
   test_world();
   test_scene();
   test_parts();
+  test_queries();
   test_functions();
   test_hits();
   test_changes();

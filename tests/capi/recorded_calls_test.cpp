@@ -86,6 +86,7 @@ const std::map<std::string, std::string> kMadeBy = {
     {"set_mass", "physim_world_set"},
     {"set_drag", "physim_world_set"},
     {"set_damping", "physim_world_set"},
+    {"set_instance_conveyor", "physim_scene_set_conveyor"},
 };
 
 TEST(RecordedCallsInC, each_is_made_by_a_function) {

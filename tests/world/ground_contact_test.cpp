@@ -16,11 +16,11 @@ constexpr double kG = 9.80665, kStep = 0.02;
 struct Stone {
   Conditions<double> known = prepare_conditions({}, Fidelity{});
   Vec3d pull{0, -kG, 0};
-  Surface own{1, 1, 0};
+  OwnSurface own{1, 1, 0, {}};
   std::vector<EventKind> told;
 
   [[nodiscard]] const Conditions<double>& conditions() const { return known; }
-  [[nodiscard]] Surface surface() const { return own; }
+  [[nodiscard]] OwnSurface surface() const { return own; }
   [[nodiscard]] static double step_length() { return kStep; }
   [[nodiscard]] Vec3d acceleration_at(const State<double>&, double) const { return pull; }
   void tell(EventKind kind, Reason, double, const State<double>&) { told.push_back(kind); }

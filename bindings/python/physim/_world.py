@@ -549,6 +549,33 @@ class World:
         id = self.things[thing] if isinstance(thing, str) else thing
         self._core.move_thing(id, _vector(position), [float(each) for each in rotation], scale)
 
+    def in_ball(self, middle: Sequence[float], radius: float, *, layers: int = 0xFFFFFFFF) -> Ids:
+        """Ids of the projectiles that a ball touches, each as a ball of its body_collision_radius."""
+        return np.asarray(self._core.in_ball(_vector(middle), radius, layers))
+
+    def in_box(
+        self,
+        middle: Sequence[float],
+        half: Sequence[float],
+        *,
+        rotation: Sequence[float] = (1, 0, 0, 0),
+        layers: int = 0xFFFFFFFF,
+    ) -> Ids:
+        """Ids of the projectiles that a box touches; half: half of its edges [m]; rotation: a quaternion w, x, y, z."""
+        turn = [float(each) for each in rotation]
+        return np.asarray(self._core.in_box(_vector(middle), _vector(half), turn, layers))
+
+    def cast(
+        self, start: Sequence[float], end: Sequence[float], *, radius: float = 0.0, layers: int = 0xFFFFFFFF
+    ) -> Columns:
+        """The projectiles that a ray, or a ball on a straight way, touches, in order: id, part of the way (0 to 1),
+        position of what is cast, normal. Points (body_collision_radius of 0) are touched by a ball only."""
+        return Columns(self._core.cast(_vector(start), _vector(end), radius, layers), _UNITS)
+
+    def set_conveyor(self, thing: int | str, velocity: Sequence[float]) -> None:
+        """Lets the surface of a thing run as a conveyor's, in the thing's own frame [m/s]; zeros: it stands."""
+        self._core.set_conveyor(self.things[thing] if isinstance(thing, str) else thing, _vector(velocity))
+
     def remove_thing(self, thing: int | str) -> None:
         self._core.remove_thing(self.things[thing] if isinstance(thing, str) else thing)
 

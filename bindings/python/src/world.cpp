@@ -236,6 +236,10 @@ std::vector<ProjectileId> ids_in(const World& world, nb::handle object) {
 // ------------------------------------------------------------------------------------------------------- bulk reads
 enum class What { position, velocity, render };
 
+nb::object id_column(const std::vector<ProjectileId>& ids) {
+  return column_of<std::uint64_t>(ids, [](const ProjectileId& id) { return number_of(id); });
+}
+
 nb::object rows(PyWorld& py, What what, nb::handle ids, nb::handle out) {
   const World& world = py.read();
   const std::vector<ProjectileId> all = ids_in(world, ids);
@@ -749,6 +753,40 @@ void add_changes(nb::class_<PyWorld>& c) {
             taken(w.get().move_instance(id_of<InstanceId>(id), transform_of(position, rotation, scale)));
           },
           "id"_a, "position"_a, "rotation"_a, "scale"_a)
+      .def(
+          "in_ball",
+          [](PyWorld& w, const std::vector<double>& middle, double radius, std::uint32_t layers) {
+            return id_column(taken(w.read().projectiles_in(vec_of(middle, "middle"), radius, layers)));
+          },
+          "middle"_a, "radius"_a, "layers"_a)
+      .def(
+          "in_box",
+          [](PyWorld& w, const std::vector<double>& middle, const std::vector<double>& half,
+             const std::vector<double>& rotation, std::uint32_t layers) {
+            const Transform at = transform_of(middle, rotation, 1);
+            return id_column(taken(w.read().projectiles_in(at, vec_of(half, "half"), layers)));
+          },
+          "middle"_a, "half"_a, "rotation"_a, "layers"_a)
+      .def(
+          "cast",
+          [](PyWorld& w, const std::vector<double>& from, const std::vector<double>& to, double radius,
+             std::uint32_t layers) {
+            const auto hits =
+                taken(w.read().projectiles_along(vec_of(from, "start"), vec_of(to, "end"), radius, layers));
+            nb::dict out;
+            out["id"] = column_of<std::uint64_t>(hits, [](const ProjectileHit& h) { return number_of(h.id); });
+            out["part"] = column_of<double>(hits, [](const ProjectileHit& h) { return h.part; });
+            out["position"] = rows_of(hits, [](const ProjectileHit& h) { return h.position; });
+            out["normal"] = rows_of(hits, [](const ProjectileHit& h) { return h.normal; });
+            return out;
+          },
+          "start"_a, "end"_a, "radius"_a, "layers"_a)
+      .def(
+          "set_conveyor",
+          [](PyWorld& w, std::uint64_t id, const std::vector<double>& velocity) {
+            taken(w.get().set_instance_conveyor(id_of<InstanceId>(id), {vec_of(velocity, "velocity")}));
+          },
+          "id"_a, "velocity"_a)
       .def(
           "remove_thing", [](PyWorld& w, std::uint64_t id) { taken(w.get().remove_instance(id_of<InstanceId>(id))); },
           "id"_a)

@@ -346,6 +346,32 @@ def test_things_are_hit(ball):
         world.move_thing(12345, (0, 0, 0))
 
 
+def test_queries_see_projectiles(ball):
+    world = physim.World(**WALL)
+    shot = ball.replace(elevation=0, speed=0, body_collision_radius=0.5)
+    ids = world.spawn(shot, x=[0.0, 3.0, 9.0], y=[2.0, 2.0, 2.0])
+    assert list(world.in_ball((0, 2, 0), 2.6)) == [ids[0], ids[1]]
+    assert list(world.in_ball((0, 2, 0), 2.6, layers=2)) == []
+    assert list(world.in_box((9, 2, 0), (0.1, 0.1, 0.1))) == [ids[2]]
+    hits = world.cast((-5, 2, 0), (5, 2, 0))
+    assert list(hits.id) == [ids[0], ids[1]]
+    assert hits.part[0] == pytest.approx(0.45) and hits.normal[0] == pytest.approx([-1, 0, 0])
+    with pytest.raises(physim.Error, match="radius"):
+        world.in_ball((0, 0, 0), -1)
+
+
+def test_a_belt_carries(ball):
+    slab = {"name": "slab", "box": {"half": [50, 0.5, 5]}}
+    world = physim.World(shape=[slab], thing=[{"name": "belt", "shape": "slab", "position": [0, -0.5, 0]}])
+    parcel = ball.replace(elevation=0, speed=0, position=(0, 0, 0), body_collision_on_hit="bounce")
+    (id,) = world.spawn(parcel.replace(body_restitution=0, body_rolling_resistance=0))
+    world.set_conveyor("belt", (2, 0, 0))
+    world.step(180)
+    assert world[id].velocity[0] == pytest.approx(2, abs=1e-3)
+    with pytest.raises(physim.Error, match="1e6"):
+        world.set_conveyor("belt", (2e6, 0, 0))
+
+
 def test_a_function_decides_hits(ball):
     world = physim.World(**WALL)
     asked = []
