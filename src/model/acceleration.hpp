@@ -251,14 +251,18 @@ PHYSIM_INLINE void sum_effects(const Conditions<S>& c, const Body<R>& b, const R
 }
 
 // ------------------------------------------------------------------------------------------- what is asked for
-/// Whether drag, its own or that of generators, may brake the steps of what flies (BrakedSum): those of order one but
-/// the original loop's.
+template <class S>
+PHYSIM_INLINE bool is_first_order(const Conditions<S>& c) {
+  const Integrator i = c.fidelity.integrator;
+  return i == Integrator::explicit_euler || i == Integrator::semi_implicit_euler;
+}
+/// Whether drag, its own or that of generators, may brake the steps of what flies (BrakedSum): those that do not choose
+/// their length, but the original loop's.
 template <class S>
 PHYSIM_INLINE bool is_braked(const Conditions<S>& c) {
   const Fidelity& f = c.fidelity;
-  const bool is_first_order =
-      f.integrator == Integrator::explicit_euler || f.integrator == Integrator::semi_implicit_euler;
-  return is_first_order && f.motion != Motion::closed_form && (f.drag != DragModel::off || c.has_applied);
+  const bool is_fixed = is_first_order(c) || f.integrator == Integrator::heun || f.integrator == Integrator::rk4;
+  return is_fixed && f.motion != Motion::closed_form && (f.drag != DragModel::off || c.has_applied);
 }
 
 /// How long a step is that an acceleration is asked for, and the rate of drag that generators give beside it.
@@ -271,6 +275,13 @@ struct StepAsked {
 template <class R>
 PHYSIM_INLINE StepAsked<R> no_step() {
   return {R(ScalarOf<R>(0)), R(ScalarOf<R>(0))};
+}
+
+/// What of the acceleration is left over a step.
+template <class R, class S>
+PHYSIM_INLINE Vec3<R> left_over(const Conditions<S>& c, const BrakedSum<R>& sum, const StepAsked<R>& step) {
+  if (!is_braked(c)) return sum.total;
+  return is_first_order(c) ? sum.over(step.h, step.rate) : sum.limited(step.h, step.rate);
 }
 
 /// The acceleration of a point mass.
@@ -296,7 +307,7 @@ PHYSIM_INLINE Vec3<R> acceleration_over(const Conditions<S>& c, const Body<R>& b
                                         const StepAsked<R>& step) {
   BrakedSum<R> sum;
   sum_effects(c, b, t, s, PointInAir{}, sum);
-  return is_braked(c) ? sum.over(step.h, step.rate) : sum.total;
+  return left_over(c, sum, step);
 }
 
 /// As acceleration_over(), behind one call, so that twelve stages do not become twelve copies of all models.
@@ -320,7 +331,7 @@ PHYSIM_FLAT PHYSIM_NOINLINE void evaluate(const Conditions<S>& c, const Body<R>&
                                           Turn<R>& slope) {
   BrakedSum<R> sum;
   sum_effects(c, b, rotor, t, s, turn, slope, sum);
-  a = is_braked(c) ? sum.over(step.h, step.rate) : sum.total;
+  a = left_over(c, sum, step);
 }
 
 /// The slopes at a time and state of what turns: that of its Turn, and the acceleration by value.

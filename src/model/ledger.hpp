@@ -42,10 +42,11 @@ struct Sum {
   }
 };
 
-/// The sum alone, for steps of order one. A step of length h that takes drag from where it starts turns a velocity u
-/// around where the rate k of the drag exceeds 1/h, and grows without end where k exceeds 2/h. The step that takes drag
-/// from where it ends, at the same rate, does neither: u' = (u + a h) / (1 + k h), with a all other accelerations. It
-/// is the first step with the sum of all accelerations over 1 + k h; both rest at the same terminal velocity.
+/// The sum alone, for steps of a given length, which drag may brake. A step of order one and of length h that takes
+/// drag from where it starts turns a velocity u around where the rate k of the drag exceeds 1/h, and grows without end
+/// where k exceeds 2/h. The step that takes drag from where it ends, at the same rate, does neither:
+/// u' = (u + a h) / (1 + k h), with a all other accelerations. It is the first step with the sum of all accelerations
+/// over 1 + k h; both rest at the same terminal velocity.
 template <class R>
 struct BrakedSum : Sum<R> {
   Vec3<R> through_air{}, drag{};
@@ -55,6 +56,14 @@ struct BrakedSum : Sum<R> {
   PHYSIM_INLINE Vec3<R> over(const R& h, const R& rate) const {
     const R square = dot(through_air, through_air) + constant<R>(1e-30);  // at rest there is nothing to brake
     return this->total * (square / (square - h * dot(drag, through_air) + h * rate * square));
+  }
+  /// For the stages of steps of higher orders: the sum over max(1, (k + rate) h / z). Explicit Runge-Kutta steps turn
+  /// a velocity around where k h exceeds 2 and grow without end soon behind; with k h held at z = 0.9 drag of v and of
+  /// v^2 takes less than all of a velocity in each stage, and steps about the terminal velocity, where the slope of
+  /// drag by v^2 is 2 k, are stable. The step is as it was, to the bit, where k h stays below z.
+  PHYSIM_INLINE Vec3<R> limited(const R& h, const R& rate) const {
+    const R square = dot(through_air, through_air) + constant<R>(1e-30), whole = square * constant<R>(0.9);
+    return this->total * (whole / max(whole, h * rate * square - h * dot(drag, through_air)));
   }
 };
 

@@ -164,6 +164,12 @@ struct FlyerSet {
   }
 };
 
+/// What the accelerations of its step are asked for.
+template <class R, class S>
+PHYSIM_INLINE_ALWAYS StepAsked<R> step_asked(const Conditions<S>& c, const Flyer<R>& l) {
+  return is_braked(c) ? StepAsked<R>{l.step.h, l.drag_rate} : no_step<R>();
+}
+
 /// Sets what points at the end of a step back to length one, where the rotation is flown.
 template <class R>
 PHYSIM_INLINE_ALWAYS void set_unit_length(const Fidelity& f, Step<R>& s) {
@@ -175,7 +181,7 @@ template <class R, class S>
 PHYSIM_NOINLINE void reach_turning_ends(const Conditions<S>& c, const FlyerSet<R>& w) {
   PHYSIM_ASSERT(c.fidelity.motion == Motion::force && w.count > 0);
   const auto f = [&](int i, const R& t, const State<R>& y, const Turn<R>& turn, Vec3<R>& a, Turn<R>& slope) {
-    evaluate(c, w.flyer[i]->body, *w.flyer[i]->rotor, t, y, turn, no_step<R>(), a, slope);
+    evaluate(c, w.flyer[i]->body, *w.flyer[i]->rotor, t, y, turn, step_asked(c, *w.flyer[i]), a, slope);
   };
   with_method(c.fidelity.integrator, [&](auto method) PHYSIM_INLINE_LAMBDA {
     using Method = decltype(method);
@@ -201,7 +207,7 @@ PHYSIM_INLINE_ALWAYS void reach_ends(const Conditions<S>& c, const FlyerSet<R>& 
     return;
   }
   const auto f = [&](int i, const R& t, const State<R>& y, Vec3<R>& a) {
-    evaluate(c, w.flyer[i]->body, t, y, no_step<R>(), a);
+    evaluate(c, w.flyer[i]->body, t, y, step_asked(c, *w.flyer[i]), a);
   };
   with_method(c.fidelity.integrator, [&](auto method) PHYSIM_INLINE_LAMBDA {
     using Method = decltype(method);
@@ -224,7 +230,7 @@ PHYSIM_INLINE_ALWAYS void set_slope(const Conditions<S>& c, Flyer<R>& l, int pla
   Step<R>& s = l.step;
   const State<R>& y = place == 0 ? s.start : s.end;
   s.slope[place].x = y.v;
-  const StepAsked<R> step = is_braked(c) ? StepAsked<R>{s.h, l.drag_rate} : no_step<R>();
+  const StepAsked<R> step = step_asked(c, l);
   if (turns(c.fidelity)) {
     const Turn<R>& turn = place == 0 ? s.turn->start : s.turn->end;
     evaluate(c, l.body, *l.rotor, t, y, turn, step, s.slope[place].v, s.turn->slope[place]);

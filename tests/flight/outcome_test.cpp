@@ -76,18 +76,16 @@ TEST(Outcome, non_finite) {
     }
 }
 
-TEST(Outcome, non_finite_by_an_unstable_step) {
-  // Quadratic drag blows up explicitly when a step is far too long; steps of order one are braked instead.
+TEST(Outcome, steps_that_are_far_too_long_are_braked) {
+  // Quadratic drag of such steps would blow up.
   ProjectileDef p;
   p.drag.k2 = 10;
-  for (const auto& [integrator, outcome] : {std::pair{Integrator::heun, Outcome::non_finite},
-                                            {Integrator::rk4, Outcome::non_finite},
-                                            {Integrator::explicit_euler, Outcome::landed},
-                                            {Integrator::semi_implicit_euler, Outcome::landed}}) {
+  for (const Integrator integrator :
+       {Integrator::explicit_euler, Integrator::semi_implicit_euler, Integrator::heun, Integrator::rk4}) {
     Fidelity f = vacuum(integrator);
     f.drag = DragModel::linear_quadratic;
     const Flight flight = fly(p, {.speed = 1000, .elevation = 0.5}, constant_gravity(), f, {.step = 1});
-    EXPECT_EQ(flight.outcome(), outcome) << text(integrator);
+    EXPECT_EQ(flight.outcome(), Outcome::landed) << text(integrator);
   }
 }
 

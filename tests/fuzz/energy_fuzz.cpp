@@ -152,11 +152,8 @@ class Case {
     p.fidelity.integrator = kIntegrators[chance_.pick(kIntegrators.size())];
     p.fidelity.precision = chance_.one_in(2) ? Precision::float32 : Precision::float64;
     p.fidelity.drag = chance_.one_in(3) ? DragModel::linear_quadratic : DragModel::off;
-    // Heun's and Runge's steps of more than the time in which drag stops a motion are unstable, as they are everywhere.
-    const Integrator method = p.fidelity.integrator;
-    const double most = method == Integrator::heun || method == Integrator::rk4 ? -1 : 2;
-    p.drag.k1 = p.mass * chance_.decade(-4, most);
-    p.drag.k2 = p.mass * chance_.decade(-4, most);
+    p.drag.k1 = p.mass * chance_.decade(-4, 2);
+    p.drag.k2 = p.mass * chance_.decade(-4, 2);
     return p;
   }
   BodyDef some_body() {

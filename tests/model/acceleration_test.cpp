@@ -115,8 +115,9 @@ testing::AssertionResult is_braked(const Vec3d& flown, const Vec3d& total, doubl
   return testing::AssertionFailure() << "the part that is left is " << part << ", with k h up to " << most;
 }
 bool brakes(const Fidelity& f) {
-  return f.drag != DragModel::off &&
-         (f.integrator == Integrator::explicit_euler || f.integrator == Integrator::semi_implicit_euler);
+  const bool is_fixed = f.integrator == Integrator::explicit_euler || f.integrator == Integrator::semi_implicit_euler ||
+                        f.integrator == Integrator::heun || f.integrator == Integrator::rk4;
+  return f.drag != DragModel::off && is_fixed;
 }
 
 /// At every step the ledger's total is the slope that was flown, to the bit, and its entries add up to it.

@@ -1,4 +1,4 @@
-// Steps of order one: drag slows, and turns no velocity around; what bounces keeps its energy.
+// Steps of a given length: drag slows, and turns no velocity around. Of order one: what bounces keeps its energy.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -11,9 +11,13 @@ namespace world_first_order_test {
 
 constexpr double kG = 9.80665, kStep = 1.0 / 64, kPi = 3.14159265358979324;
 
-std::vector<Fidelity> rungs(const Fidelity& like) {
+constexpr std::initializer_list<Integrator> kFirstOrder{Integrator::semi_implicit_euler, Integrator::explicit_euler};
+constexpr std::initializer_list<Integrator> kFixed{Integrator::semi_implicit_euler, Integrator::explicit_euler,
+                                                   Integrator::heun, Integrator::rk4};
+
+std::vector<Fidelity> rungs(const Fidelity& like, std::initializer_list<Integrator> integrators = kFirstOrder) {
   std::vector<Fidelity> all;
-  for (const Integrator integrator : {Integrator::semi_implicit_euler, Integrator::explicit_euler})
+  for (const Integrator integrator : integrators)
     for (const Precision precision : {Precision::float32, Precision::float64})
       all.push_back(like), all.back().integrator = integrator, all.back().precision = precision;
   return all;
@@ -36,9 +40,9 @@ ProjectileDef confetti(DragModel drag, const Fidelity& rung) {
   return p;
 }
 
-TEST(FirstOrder, drag_never_turns_a_velocity_around) {
+TEST(FixedSteps, drag_never_turns_a_velocity_around) {
   for (const DragModel drag : {DragModel::equation, DragModel::damping, DragModel::linear_quadratic}) {
-    for (const Fidelity& rung : rungs(Fidelity::game())) {
+    for (const Fidelity& rung : rungs(Fidelity::game(), kFixed)) {
       const ProjectileDef p = confetti(drag, rung);
       const WorldDef def = open_world();
       World world = make_world(def);
@@ -70,9 +74,9 @@ TEST(FirstOrder, drag_never_turns_a_velocity_around) {
   }
 }
 
-TEST(FirstOrder, drag_of_generators_and_emitters_never_turns_a_velocity_around) {
+TEST(FixedSteps, drag_of_generators_and_emitters_never_turns_a_velocity_around) {
   for (const DragModel drag : {DragModel::off, DragModel::equation}) {
-    for (const Fidelity& rung : rungs(Fidelity::game())) {
+    for (const Fidelity& rung : rungs(Fidelity::game(), kFixed)) {
       World world = make_world(open_world());
       ProjectileDef p{.mass = 2, .diameter = 0.01};
       p.fidelity = rung;
