@@ -124,7 +124,7 @@ Status read_file(ScenarioShape& shape, const Scenario& scenario) {
 Status check_material(const Value& table) {
   if (table.find("preset") && table.find("concrete"))
     return Error{"material.concrete: given together with preset", place_of(table, {"concrete"}), "give one of them"};
-  return check_one_kind(table, "material", "penetration", {"ricochet", "spread"});
+  return check_one_kind(table, "material", "penetration", {"combine", "ricochet", "spread"});
 }
 
 Status check_shape(const ScenarioShape& shape, const Value& table) {

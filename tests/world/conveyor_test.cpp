@@ -56,7 +56,9 @@ TEST(Conveyor, takes_points_along_at_any_frame_rate) {
       WorldDef def = space();
       if (ground) def.ground = {.mode = GroundMode::bounce, .conveyor = {{kBelt, 0, 0}}};
       World world = make_world(def);
-      if (!ground) ASSERT_TRUE(world.set_scene(belt({kBelt, 0, 0})));
+      if (!ground) {
+        ASSERT_TRUE(world.set_scene(belt({kBelt, 0, 0})));
+      }
       const ProjectileId id = *world.spawn(parcel(), {}, laid());
       run_for(world, 0.75 * reached, 1 / rate);
       EXPECT_NEAR(world[id].velocity().x, kFriction * kG * world.time(), 1e-9) << rate << ' ' << ground;
@@ -92,7 +94,9 @@ TEST(Conveyor, pulls_at_what_bounces) {
       def.environment = vacuum_of(0);
       if (ground) def.ground = {.mode = GroundMode::bounce, .conveyor = {{0, 0, kBelt}}};
       World world = make_world(def);
-      if (!ground) ASSERT_TRUE(world.set_scene(belt({0, 0, kBelt})));
+      if (!ground) {
+        ASSERT_TRUE(world.set_scene(belt({0, 0, kBelt})));
+      }
       BodyDef body = laid(0, friction);
       body.restitution = kRestitution;
       body.combine.restitution = ground ? Combine::product : Combine::maximum;

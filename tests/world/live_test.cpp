@@ -125,6 +125,8 @@ TEST(Live, the_list_of_settings_marks_what_set_body_takes) {
                                                      {"restitution", "0.3"},
                                                      {"friction", "0.3"},
                                                      {"rolling_resistance", "0.3"},
+                                                     {"combine.restitution", "mean"},
+                                                     {"combine.friction", "maximum"},
                                                      {"collision.on_hit", "bounce"},
                                                      {"collision.radius", "0.1 m"},
                                                      {"collision.inertia", "0.6"},

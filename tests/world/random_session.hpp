@@ -194,7 +194,9 @@ class RandomSession {
       case 4: return void(world_.remove_instance(thing()));
       case 5: return void(world_.move_instance(thing(), {.position = vector(20)}));
       case 6: return void(world_.set_instance_motion(thing(), SteadyMotion{world_.time(), vector(9), vector(1)}));
-      case 7: return void(world_.set_instance_layers(thing(), static_cast<std::uint32_t>(below(4))));
+      case 7:
+        if (const unsigned layers = below(8); layers < 4) return void(world_.set_instance_layers(thing(), layers));
+        return void(world_.set_instance_conveyor(thing(), {{3, 0, 0}}));
       default:
         if (shapes_.empty()) return void(world_.add_material({.restitution = real(0, 1)}));
         return things_.push_back(or_null(world_.add_instance(
