@@ -54,6 +54,13 @@ struct DenseLanes {
     return s;
   }
 
+  /// The velocity of the way itself, which that of the state may be behind or ahead of.
+  PHYSIM_INLINE Vec3<W> velocity_of_way(const W& t) const {
+    const Vec3<W> v = at_time(t).v;
+    const double part = stagger(conditions->fidelity);
+    return part == 0 ? v : v + ahead(part, n0, n1, place_between(n0, n1, t));
+  }
+
   /// The Turn, of rungs that turn.
   PHYSIM_INLINE Turn<W> turn_at(const W& theta) const {
     return dense_turn(conditions->fidelity, turn->n0, turn->n1, turn->coefficient, theta);

@@ -30,6 +30,8 @@ constexpr int kMostMeetings = 100;
 constexpr double kAtOnce = 1e-9;
 /// Slower it does not move for having passed on a blow [m/s].
 constexpr double kUnmoved = 1e-12;
+/// Part of a step: shorter legs of a path say nothing of an acceleration [-].
+constexpr double kShort = 1e-3;
 /// Part of their reach by which two may lie in each other; farther, one was put inside of the other [-].
 constexpr double kDeep = 1e-3;
 
@@ -150,13 +152,17 @@ class PairStep {
     return collide::leg_of(c.path, collide::leg_at(c.path, time)).at(time);
   }
   /// Without others that it lies on.
-  [[nodiscard]] static Vec3d free_acceleration(const Collider& c, double time) {
+  [[nodiscard]] Vec3d free_acceleration(const Collider& c, double time) const {
     return c.free ? *c.free : acceleration(c, time);
   }
-  /// Over the leg of its path: within one, steps of low order may bend to and fro.
-  [[nodiscard]] static Vec3d acceleration(const Collider& c, double time) {
-    const collide::Leg leg = collide::leg_of(c.path, collide::leg_at(c.path, time));
-    return leg.span() > 0 ? (leg.end.v - leg.begin.v) * (1 / leg.span()) : Vec3d{};
+  /// Over the leg of its path: within one, steps of low order may bend to and fro. Of a leg so short that rounding of
+  /// its velocities counts, the next one's.
+  [[nodiscard]] Vec3d acceleration(const Collider& c, double time) const {
+    for (std::size_t i = collide::leg_at(c.path, time); i + 1 < c.path.size(); ++i) {
+      const collide::Leg leg = collide::leg_of(c.path, i);
+      if (leg.span() > kShort * context_.dt) return (leg.end.v - leg.begin.v) * (1 / leg.span());
+    }
+    return {};
   }
 
   // ------------------------------------------------------------------------------------------- who meets whom

@@ -209,6 +209,7 @@ class Settling {
   void land(const State<double>& s, double t, double clock) {
     const double passed = passed_at(t, clock);
     r_.tell_last_trace_moves();
+    r_.trace(passed, {s.x, judgement_->at.velocity_of_way(t)});
     stop_at(t, passed);
     touch_ground(s, passed);
   }
@@ -218,6 +219,7 @@ class Settling {
     const double passed = passed_at(t, clock);
     const State<double> s{met.hit.position, judgement_->at.moving_at_time(t, met.hit.normal).v};
     r_.tell_last_trace_moves();
+    r_.trace(passed, {s.x, judgement_->at.velocity_of_way(t)});
     r_.trace(passed, s);
     put(s, passed);
     stop_at(t, passed);
