@@ -81,6 +81,7 @@ class PairStep {
     take_apart();
     swap_rows();
     forget_what_did_not_happen();
+    list_piles();
   }
 
  private:
@@ -594,7 +595,13 @@ class PairStep {
   }
   /// One that slept takes part from now on: its row is one of those that fly, as it was when the step began.
   void rouse(Collider& c) {
-    w_.wake(c.slot, context_.time + c.since);
+    c.rested = {};
+    if (context_.state->slots[c.slot].is(kPiled))
+      sweep_->each_beside(static_cast<std::uint32_t>(&c - all_.data()), [&](std::uint32_t j) {
+        const double apart = length(c.path.front().x - all_[j].path.front().x) - (reach(c) + reach(all_[j]));
+        if (all_[j].sleeps && apart <= 8 * slack(c, all_[j])) s_.disturbed.push_back(all_[j].slot);
+      });
+    w_.wake_alone(c.slot, context_.time + c.since);
     const Slot& slot = context_.state->slots[c.slot];
     PHYSIM_ASSERT(c.sleeps && !slot.is(kStill));
     c.cohort = slot.cohort, c.row = slot.row;
@@ -660,7 +667,7 @@ class PairStep {
     std::uint32_t body;
     Vec3d n, place, velocity;
   };
-  [[nodiscard]] std::vector<Beside> beside_those_that_lie(const std::vector<Knot>& end) const {
+  [[nodiscard]] std::vector<Beside> beside_those_that_lie(const std::vector<Knot>& end) {
     std::vector<Beside> walls;
     if (!context_.scene) return walls;
     std::set<std::uint32_t> bodies;
@@ -674,6 +681,8 @@ class PairStep {
         if (near.away == Vec3d{} || is_passing(near, of)) return;
         const Vec3d u = velocity_at(*context_.scene->state(near.instance, time), near.position);
         walls.push_back({i, near.away, near.position, u});
+        if (u != Vec3d{} || context_.scene->conveyor_velocity(near.instance, near.away, time) != Vec3d{})
+          carried_.insert(i);
       };
       SceneByMotion(*context_.scene)
           .each_beside(end[i].x, 1.1 * of.radius, {.layers = of.layers, .sensors = false, .from_front = true}, time,
@@ -695,6 +704,21 @@ class PairStep {
     on_a.v += component_product(a.mobility, impulse);
     on_b.v -= component_product(b.mobility, impulse);
     return true;
+  }
+
+  /// Those that lie on each other, in groups. They do not sleep by themselves.
+  void list_piles() {
+    std::erase_if(lies_on_, [this](const auto& pair) { return all_[pair.first].is_gone || all_[pair.second].is_gone; });
+    for (const auto& [i, first] : groups_of(lies_on_))
+      s_.piled.push_back({all_[i].slot, first, all_[i].rested, carried_.contains(i)});
+    std::ranges::stable_sort(s_.piled, {}, &Piled::pile);
+    const auto sleeps_alone = [&](const Change& change) {
+      const auto is_it = [&](const Piled& one) { return one.slot == change.slot; };
+      return change.kind == Change::Kind::sleep && std::ranges::any_of(s_.piled, is_it);
+    };
+    std::erase_if(s_.chunk.changes, sleeps_alone);
+    std::erase_if(w_.forced_scratch.chunk.changes, sleeps_alone);
+    for (std::size_t i = 0; i < w_.scratch.chunk_count; ++i) std::erase_if(w_.scratch.chunks[i].changes, sleeps_alone);
   }
 
   /// As they were while the step was flown, and back.
@@ -727,6 +751,7 @@ class PairStep {
   std::optional<PairSweep> sweep_;
   std::priority_queue<Meeting> queue_;
   std::set<std::pair<std::uint32_t, std::uint32_t>> lies_on_;
+  std::set<std::uint32_t> carried_;  // of those that lie on others: that lie on what moves, too
   std::set<std::pair<std::uint32_t, std::uint32_t>> met_inside_;    // pairs that met while one was inside of the other
   std::map<std::pair<std::uint32_t, std::uint32_t>, bool> inside_;  // of those that pass: what was told last
   std::vector<std::pair<std::uint32_t, double>> cuts_;              // slots, and until when what they told holds
@@ -759,6 +784,7 @@ void list_colliders(const WorldImpl& world, std::vector<Collider>& all) {
     c.row = slot.row;
     c.kind = &kind;
     c.layers = world.layers_of(index);
+    c.rested = world.state.slots.rest(index);
     c.sleeps = slot.is(kAsleep) && !slot.is(kStill & ~kAsleep);
     c.flies = !slot.is(kStill);
     if (!may_move(c)) return;
@@ -774,6 +800,7 @@ void list_colliders(const WorldImpl& world, std::vector<Collider>& all) {
 void begin_pairs(WorldImpl& world) {
   PairScratch& s = world.pairs;
   s.put.clear();
+  s.piled.clear();
   s.chunk.events.clear();
   s.chunk.changes.clear();
   s.used = world.registry.kinds.meet_others();

@@ -7,7 +7,10 @@
 // Nothing depends on threads, packs or the order of rows, and nothing is kept from step to step.
 #pragma once
 
+#include <map>
 #include <optional>
+#include <set>
+#include <utility>
 #include <vector>
 
 #include "collide/bvh.hpp"
@@ -32,6 +35,7 @@ struct Collider {
   double since = 0;           // its path counts from then on [s into the step]
   std::uint32_t version = 0;  // of its path
   int hits = 0;
+  Rest rested{};  // before the step
   bool sleeps = false;
   bool flies = false;           // its row is stepped
   bool is_roused = false;       // it slept when the step began
@@ -46,6 +50,14 @@ struct PutAfter {
   BodyState state;
 };
 
+/// One of a pile: of those that lie on each other at the end of a step.
+struct Piled {
+  std::uint32_t slot;
+  std::uint32_t pile;  // the same for all of it
+  Rest rested;         // before the step
+  bool is_carried;     // it lies on what moves, too
+};
+
 /// Memory that steps use again and again.
 struct PairScratch {
   bool used = false;                        // in the step at hand
@@ -53,6 +65,8 @@ struct PairScratch {
   std::vector<Collider> colliders;          // in order of slots
   Chunk chunk;                              // events and changes since the first meetings
   std::vector<PutAfter> put;
+  std::vector<Piled> piled;              // by pile
+  std::vector<std::uint32_t> disturbed;  // sleepers that wake at the end of the step
 };
 
 struct WorldImpl;
@@ -61,5 +75,10 @@ struct WorldImpl;
 void begin_pairs(WorldImpl& world);
 /// After it, before what follows from it: lets them meet.
 void meet_pairs(WorldImpl& world, const SettleContext& context);
+/// For each that is in a pair: the first of its group, which pairs join.
+[[nodiscard]] std::map<std::uint32_t, std::uint32_t> groups_of(
+    const std::set<std::pair<std::uint32_t, std::uint32_t>>& pairs);
+/// Behind that: those of a pile rest together, and if all have done so for long enough, all sleep.
+void rest_piles(WorldImpl& world);
 
 }  // namespace physim

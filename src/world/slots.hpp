@@ -30,13 +30,15 @@ enum SlotFlag : std::uint32_t {
   kSleepless = 1u << 9,
   kTurning = 1u << 10,  // has an orientation of its own
   kRailed = 1u << 11,   // started on a rail
+  kPiled = 1u << 12,    // went to sleep in a pile, or below it
   kStill = kAsleep | kKinematic | kInfiniteMass | kPending | kStuck,
 };
-static_assert((kOwn & (kStill | kAlive | kForced | kSleepless | kTurning | kRailed)) == 0, "each flag has a bit");
+static_assert((kOwn & (kStill | kAlive | kForced | kSleepless | kTurning | kRailed | kPiled)) == 0,
+              "each flag has a bit");
 inline constexpr unsigned kStatusShift = 16;     // LifeStatus, 3 bits
 inline constexpr unsigned kSmoothingShift = 20;  // Smoothing, 2 bits
-inline constexpr std::uint32_t kAllFlags =
-    kStill | kAlive | kForced | kOwn | kSleepless | kTurning | kRailed | 7u << kStatusShift | 3u << kSmoothingShift;
+inline constexpr std::uint32_t kAllFlags = kStill | kAlive | kForced | kOwn | kSleepless | kTurning | kRailed | kPiled |
+                                           7u << kStatusShift | 3u << kSmoothingShift;
 
 struct Slot {
   std::uint32_t generation = 0;

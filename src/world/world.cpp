@@ -356,6 +356,7 @@ void WorldImpl::retire(std::uint32_t index, Reason reason) {
 void WorldImpl::remove(std::uint32_t index, LifeStatus status) {
   Slot& slot = state.slots[index];
   PHYSIM_ASSERT(slot.is(kAlive));
+  const std::vector<std::uint32_t> beside = sleepers_at(index);
   placement.take_out(slot);
   state.pools.leave(registry.kind(slot.kind).body.pool, index);
   state.extras.forget(index);
@@ -366,6 +367,7 @@ void WorldImpl::remove(std::uint32_t index, LifeStatus status) {
                                                               : &EmitterCounts::taken);
   registry.kinds.leave(slot.kind, moments, living);
   state.slots.release(index, status);
+  disturb(beside);
 }
 
 Status Projectile::despawn() {

@@ -79,15 +79,22 @@ bool WorldImpl::put_to_sleep(std::uint32_t index) {
   return true;
 }
 
-bool WorldImpl::wake(std::uint32_t index, std::optional<double> moment) {
+bool WorldImpl::wake_alone(std::uint32_t index, std::optional<double> moment) {
   Slot& slot = state.slots[index];
   state.slots.rest(index) = {};
   if (!slot.is(kAsleep | kStuck)) return false;
-  slot.set(kAsleep | kStuck, false);
+  slot.set(kAsleep | kStuck | kPiled, false);
   slot.set_status(LifeStatus::in_flight);
   placement.relocate(index);
   tell(EventKind::woke, index, Reason::none, moment);
   return true;
+}
+
+bool WorldImpl::wake(std::uint32_t index) {
+  const std::vector<std::uint32_t> beside = sleepers_at(index);
+  const bool woke = wake_alone(index);
+  disturb(beside);
+  return woke;
 }
 
 Status Projectile::sleep() {

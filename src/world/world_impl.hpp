@@ -118,7 +118,15 @@ struct WorldImpl : Gate {
   /// A projectile comes, launched `age` ago [s]; if its motor has no delay, it is ignited by its launch.
   void tell_launch(std::uint32_t slot, const Coming& coming);
   bool put_to_sleep(std::uint32_t slot);
-  bool wake(std::uint32_t slot, std::optional<double> moment = {});
+  /// With what sleeps at it; says whether it slept.
+  bool wake(std::uint32_t slot);
+  bool wake_alone(std::uint32_t slot, std::optional<double> moment = {});
+  /// Wakes these, and what sleeps at them, and so on.
+  void wake_piled(std::vector<std::uint32_t> slots);
+  /// Wakes sleepers with what sleeps at them, now or at the end of the step at hand.
+  void disturb(const std::vector<std::uint32_t>& sleepers);
+  /// Those that sleep where they touch one of their pile, in order of slots.
+  [[nodiscard]] std::vector<std::uint32_t> sleepers_at(std::uint32_t slot) const;
   Status change_state(ProjectileId id, const BodyState& to);
   Status set_flag(ProjectileId id, std::uint32_t flag, bool on);
   Status change_own(std::uint32_t slot, const Own& to);

@@ -27,7 +27,7 @@ void WorldImpl::each_sleeper(const F& f) const {
 /// In order of slots, so that the order of rows does not matter.
 void WorldImpl::wake_all(std::vector<std::uint32_t>& slots) {
   std::ranges::sort(slots);
-  for (const std::uint32_t slot : slots) wake(slot);
+  for (const std::uint32_t slot : slots) wake_alone(slot);
 }
 
 /// Sleeping projectiles check if they still lie on something; of many changes between two steps only the first asks.
@@ -85,7 +85,8 @@ void WorldImpl::move_scene(double dt) {
     const SceneFilter filter{.layers = collision.layers, .sensors = false};
     if (state.scene->is_reached(x, collision.radius + kNear, filter, now, now + dt)) struck.push_back(slot);
   });
-  wake_all(struck);
+  std::ranges::sort(struck);
+  wake_piled(std::move(struck));
 }
 
 void WorldImpl::put_scene(std::shared_ptr<Scene> scene) {

@@ -273,6 +273,8 @@ void WorldImpl::finish_step() {
     prefetch(keys.size(), i, [&](std::size_t k) { return ChangeKey::slot(keys[k]); });
     carry_out(*scratch.changes[ChangeKey::at(keys[i])]);
   }
+  wake_piled(std::exchange(pairs.disturbed, {}));
+  rest_piles(*this);
 }
 
 void WorldImpl::carry_out(const Change& change) {

@@ -1,0 +1,191 @@
+// Piles rest, sleep and wake as a whole; what falls as one gains nothing.
+#include <string>
+#include <vector>
+
+#include "physim/scene.hpp"
+#include "world/joints_support.hpp"
+
+namespace physim {
+namespace world_piles_test {
+
+using test_joints::falling;
+using test_pairs::ball;
+using test_pairs::put;
+
+constexpr double kRadius = 0.05, kHz = 60;
+
+ProjectileDef ball_on(Integrator integrator, Precision precision) {
+  ProjectileDef p{.mass = 1, .diameter = 2 * kRadius};
+  p.fidelity = test::vacuum(integrator);
+  p.fidelity.precision = precision;
+  return p;
+}
+ProjectileDef wooden() { return ball_on(Integrator::semi_implicit_euler, Precision::float64); }
+
+BodyDef sleepy() {
+  BodyDef body = ball(kRadius, 0.5, 0.5);
+  body.gravity_scale = 1;
+  body.can_sleep = true;
+  return body;
+}
+
+Scene floor_of_wood(const ConveyorDef& belt = {}) {
+  Scene scene;
+  const MaterialId wood = *scene.add_material({.restitution = 0.5, .friction = 1});
+  EXPECT_TRUE(scene.add({.shape = *scene.add_shape(PlaneShape{}), .material = wood, .conveyor = belt}));
+  return scene;
+}
+World world_with(const ConveyorDef& belt = {}) {
+  World world = make_world(falling());
+  EXPECT_TRUE(world.set_scene(floor_of_wood(belt)));
+  return world;
+}
+
+/// Balls on top of each other.
+std::vector<ProjectileId> stack(World& world, int count, const ProjectileDef& p = wooden(),
+                                const BodyDef& body = sleepy()) {
+  std::vector<ProjectileId> all;
+  for (int i = 0; i < count; ++i) all.push_back(put(world, p, body, {0, kRadius + 2 * kRadius * i, 0}));
+  return all;
+}
+std::size_t asleep(const World& world, const std::vector<ProjectileId>& ids) {
+  std::size_t count = 0;
+  for (const ProjectileId id : ids) count += world[id].is_alive() && world[id].is_asleep();
+  return count;
+}
+
+TEST(Piles, at_rest_sleep_in_one_step_and_stay_where_they_are) {
+  for (const Integrator integrator : {Integrator::semi_implicit_euler, Integrator::rk4, Integrator::tsit5})
+    for (const Precision precision : {Precision::float32, Precision::float64})
+      for (const int count : {2, 3, 10}) {
+        const std::string what = std::to_string(static_cast<int>(integrator)) + " " +
+                                 std::to_string(static_cast<int>(precision)) + " " + std::to_string(count);
+        World world = world_with();
+        const std::vector<ProjectileId> pile = stack(world, count, ball_on(integrator, precision));
+        const auto slept = test::of_kind(run_for(world, 2, 1 / kHz), EventKind::slept);
+        ASSERT_EQ(slept.size(), pile.size()) << what;
+        for (const Event& e : slept) EXPECT_EQ(e.time, slept.front().time) << what;
+        EXPECT_NEAR(slept.front().time, sleepy().sleep_time, 3 / kHz) << what;
+        EXPECT_EQ(asleep(world, pile), pile.size());
+        const std::vector<Event> later = run_for(world, 1, 1 / kHz);
+        EXPECT_TRUE(later.empty()) << what;
+        for (int i = 0; i < count; ++i) {
+          const Vec3d x = world[pile[static_cast<std::size_t>(i)]].position();
+          EXPECT_NEAR(x.y, kRadius + 2 * kRadius * i, 1e-5) << what << " " << i;
+          EXPECT_NEAR(x.x, 0, 1e-5);
+        }
+      }
+}
+
+TEST(Piles, that_are_hit_wake_and_sleep_again) {
+  World world = world_with();
+  std::vector<ProjectileId> pile = stack(world, 3);
+  run_for(world, 1, 1 / kHz);
+  ASSERT_EQ(asleep(world, pile), 3u);
+  pile.push_back(put(world, wooden(), sleepy(), {0, 1, 0}));
+  const auto all = run_for(world, 1, 1 / kHz);
+  EXPECT_EQ(test::of_kind(all, EventKind::woke).size(), 3u);
+  run_for(world, 4, 1 / kHz);
+  EXPECT_EQ(asleep(world, pile), 4u);
+  for (std::size_t i = 0; i < pile.size(); ++i)
+    EXPECT_NEAR(world[pile[i]].position().y, kRadius + 2 * kRadius * static_cast<double>(i), 1e-4);
+}
+
+/// Whatever happens to the ball below, what lay on it falls.
+TEST(Piles, fall_where_the_lowest_goes_moves_or_wakes) {
+  for (const int way : {0, 1, 2, 3, 4}) {
+    World world = world_with();
+    const std::vector<ProjectileId> pile = stack(world, 4);
+    run_for(world, 1, 1 / kHz);
+    ASSERT_EQ(asleep(world, pile), 4u);
+    const ProjectileId low = pile.front();
+    if (way == 0) {
+      ASSERT_TRUE(world[low].despawn());
+    }
+    if (way == 1) {
+      ASSERT_TRUE(world[low].set_position({5, kRadius, 0}));
+    }
+    if (way == 2) {
+      ASSERT_TRUE(world[low].wake());
+    }
+    if (way == 3) {
+      ASSERT_TRUE(world[low].set_velocity({3, 0, 0}));
+    }
+    if (way == 4) {  // shot away
+      put(world, wooden(), sleepy(), {-1, kRadius, 0}, {20, 0, 0});
+      run_for(world, 0.2, 1 / kHz);
+    }
+    EXPECT_EQ(asleep(world, pile), 0u) << way;
+    run_for(world, 0.2, 1 / kHz);
+    const double lies = kRadius + 2 * kRadius;  // of the second in the pile
+    if (way == 2)
+      EXPECT_NEAR(world[pile[1]].position().y, lies, 1e-5);
+    else
+      EXPECT_LT(world[pile[1]].position().y, lies - 0.01) << way;
+  }
+}
+
+/// Three that touch fall on a floor beside a fourth: their blows are less than 1e-9 s apart.
+TEST(Piles, gain_no_energy_where_they_fall) {
+  for (const Integrator integrator : {Integrator::explicit_euler, Integrator::semi_implicit_euler, Integrator::rk4}) {
+    World world = world_with();
+    BodyDef awake = sleepy();
+    awake.can_sleep = false;
+    const std::vector<ProjectileId> pile = stack(world, 4, ball_on(integrator, Precision::float64), awake);
+    run_for(world, 1, 1 / kHz);
+    ASSERT_TRUE(world[pile.front()].set_velocity({3, 0, 0}));
+    for (int i = 0; i < 60; ++i) {
+      world.step(1 / kHz);
+      for (const ProjectileId id : pile) ASSERT_LE(length(world[id].velocity()), 3) << static_cast<int>(integrator);
+    }
+  }
+}
+
+TEST(Piles, do_not_sleep_where_one_may_not_or_the_floor_runs) {
+  {
+    World world = world_with();
+    std::vector<ProjectileId> pile = stack(world, 2);
+    BodyDef awake = sleepy();
+    awake.can_sleep = false;
+    pile.push_back(put(world, wooden(), awake, {0, 5 * kRadius, 0}));
+    run_for(world, 2, 1 / kHz);
+    EXPECT_EQ(asleep(world, pile), 0u);
+  }
+  World world = world_with({.velocity = {0.01, 0, 0}});
+  const std::vector<ProjectileId> pile = stack(world, 2);
+  run_for(world, 2, 1 / kHz);
+  EXPECT_EQ(asleep(world, pile), 0u);
+}
+
+TEST(Piles, are_the_same_straight_on_loaded_rolled_back_and_replayed) {
+  std::vector<std::byte> recording;
+  World world = make_world(falling());
+  ASSERT_TRUE(world.record(record_into(recording)));
+  ASSERT_TRUE(world.set_scene(floor_of_wood()));
+  stack(world, 3);
+  run_for(world, 0.4, 1 / kHz);  // some rest is counted
+  Result<World> loaded = World::load(*world.save());
+  ASSERT_TRUE(loaded) << loaded.error().text();
+  const Snapshot before = world.snapshot();
+  run_for(world, 0.5, 1 / kHz), run_for(*loaded, 0.5, 1 / kHz);
+  ASSERT_EQ(asleep(world, world.ids()), 3u);
+  EXPECT_EQ(loaded->hash(), world.hash());
+  const std::uint64_t slept = world.hash();
+  loaded = World::load(*world.save());  // asleep
+  ASSERT_TRUE(loaded) << loaded.error().text();
+  for (World* each : {&world, &*loaded}) {
+    ASSERT_TRUE((*each)[each->ids().front()].despawn());
+    run_for(*each, 0.5, 1 / kHz);
+  }
+  EXPECT_EQ(loaded->hash(), world.hash());
+  ASSERT_TRUE(world.restore(before));
+  run_for(world, 0.5, 1 / kHz);
+  EXPECT_EQ(world.hash(), slept);
+  ASSERT_TRUE(world.stop_recording());
+  const auto report = replay(recording);
+  ASSERT_TRUE(report) << report.error().text();
+  EXPECT_FALSE(report->difference) << report->difference->what;
+}
+
+}  // namespace world_piles_test
+}  // namespace physim
