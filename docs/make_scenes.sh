@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# Takes pictures of 14 scenes, to be looked at: docs/make_scenes.sh FOLDER [WIDTHxHEIGHT [THEME [SCENE ...]]], with
+# Takes pictures of 16 scenes, to be looked at: docs/make_scenes.sh FOLDER [WIDTHxHEIGHT [THEME [SCENE ...]]], with
 # SIMCLIENT=path/to/simclient and a display.
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
@@ -13,7 +13,8 @@ scene() { # name, script, scenario
   "$simclient" --hidden --size "$size" --screenshot "$folder/$1.png" --script "theme $theme; $2" ${3:+"scenarios/$3.toml"}
 }
 
-scene rifle "fire-whole; wait 60; vectors; wait 1" 308_168gr_g7
+scene gallery "gallery; wait 3"
+scene rifle "trail-colour speed; fire-whole; wait 60; vectors; wait 1" 308_168gr_g7
 scene golf "fire-whole; wait 210" golf_drive
 scene shell "fire-whole; faster; faster; faster; faster; faster; wait 100" 105mm_m1_six_dof
 scene rocket "fire; wait 240" model_rocket
@@ -26,4 +27,5 @@ scene fireworks "wait 330" emit_fireworks
 scene explosion "wait 60" world_sparks
 scene compare "compare; fire-compared; wait 100" golf_drive
 scene study "study-run; wait 120" study_308
+scene target "target 20 1.5 0; set shot.fidelity.preset=small_arms; shot rifle_bullet; turn-right; fire; wait 8"
 scene test_5 "test 5; wait 120"

@@ -55,7 +55,8 @@ bool App::has_to_draw() const {
   const bool has_clock = !client_.session.is_paused() && !client_.session.is_over();
   const bool is_clock_due = has_clock && glfwGetTime() - last_drawn_ > kClockDrawn;
   return frames_due_ > 0 || !inputs_.is_empty() || drag_.button >= 0 || ImGui::IsAnyMouseDown() ||
-         client_.is_changing() || filming_ || client_.messages().size() != messages_drawn_ || is_clock_due;
+         client_.is_changing() || filming_ || ui_->is_busy() || client_.messages().size() != messages_drawn_ ||
+         is_clock_due;
 }
 
 void App::wait_for_frame() {
@@ -116,6 +117,8 @@ Status App::open() {
   client_.fit_view();
   if (!options_.hidden) client_.recent = RecentFiles(list_of_recent_files());
   if (!options_.scenario.empty()) client_.recent.add(options_.scenario);
+  const bool is_bare = options_.scenario.empty() && options_.script.empty() && options_.frames == 0;
+  if (is_bare && !options_.hidden && !options_.range) client_.dialog = Dialog::gallery;
   last_time_ = glfwGetTime();
   return {};
 }
@@ -162,6 +165,7 @@ Status App::frame() {
   ui_->set_mouse(on_scene(mouse_x_, mouse_y_), points);
   ui_->draw(client_, scene_);
   ImGui::Render();
+  if (ui_->thumbnails().advance(renderer_, *client_.theme, ui_->scale(), options_.hidden)) frames_due_ = kSettling;
   render(scene_);
   ++frame_;
   frames_due_ = std::max(frames_due_ - 1, 0);

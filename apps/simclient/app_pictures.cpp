@@ -7,6 +7,7 @@
 #include "simclient/core/actions.hpp"
 #include "simclient/core/labels.hpp"
 #include "simclient/core/timeline.hpp"
+#include "simclient/ui/legend.hpp"
 #include "simclient/ui/panel.hpp"
 
 namespace physim::client {
@@ -115,6 +116,7 @@ void App::draw_captions(const Scene& scene, const Camera& camera, float scale) {
   painter_.write(left, top, title, shade(colours::kText), Painter::Face::title);
   painter_.write(left, top + title_line + 4 * scale, time, shade(colours::kText));
   draw_scale_bar(painter_, list, camera, height, scale);
+  if (scene.legend) draw_legend(list, *scene.legend, width, 0, scale);
   painter_.end();
 }
 

@@ -12,7 +12,7 @@ namespace {
 constexpr const char* kFooter =
     "Exit codes: 0 all well, 2 bad input or no display.\n\n"
     "Examples:\n"
-    "  simclient                                                     an open range\n"
+    "  simclient                                                     the gallery of scenarios\n"
     "  simclient scenarios/308_168gr_g7.toml                         the shots of a scenario\n"
     "  simclient --hidden --script \"fire; wait 60\" --screenshot a.png  without a person\n"
     "\nWhere there is no screen: xvfb-run -a simclient --hidden ...\n";
@@ -45,6 +45,7 @@ std::variant<Options, int> parse_command_line(int argc, char** argv) {
   app.add_option("--size", size, "of the window in pixels")->type_name("WIDTHxHEIGHT");
   app.add_option("--scale", o.scale, "of letters and lines; 2 for fine screens")->check(CLI::Range(0.5, 4.0));
   app.add_flag("--hidden", o.hidden, "shows no window; every frame is 1/60 s of simulation");
+  app.add_flag("--range", o.range, "begins on the open range, without the gallery");
   app.add_flag("--list-actions", lists_actions, "prints all actions and keys");
   try {
     app.parse(argc, argv);

@@ -21,6 +21,7 @@ struct Options {
   int width = 1280, height = 720;      // [pixels]
   double scale = 0;                    // of letters and lines; 0: as the screen asks
   bool hidden = false;
+  bool range = false;  // begins on the open range, without the gallery
 };
 
 /// What to run with; or the exit code to leave with at once, where help or a list was printed.

@@ -122,7 +122,8 @@ TEST(Actions, HaveNamesKeysAndHelpOfTheirOwn) {
 TEST(Actions, LettersCountInEitherCase) {
   for (const char* key : {"e", "E"}) EXPECT_EQ(action_of_key(key, false)->name, "elevation");
   for (const char* key : {"p", "P", "space", "Space"}) EXPECT_EQ(action_of_key(key, false)->name, "pause");
-  EXPECT_EQ(action_of_key("Q", false), nullptr);
+  EXPECT_EQ(action_of_key("Q", false)->name, action_of_key("q", false)->name);
+  EXPECT_EQ(action_of_key("Y", false), nullptr);
   EXPECT_EQ(action_of_key("s", true)->name, "save");
 }
 

@@ -101,11 +101,14 @@ struct Shot {
   }
 };
 
-/// The client in its window.
+/// The client in its window: on the open range where no scenario is named.
 class RunningClient {
  public:
+  static constexpr const char* kWithGallery = "with the gallery";  // among the arguments: as people start it
+
   RunningClient(const Screen& screen, std::vector<std::string> arguments) : screen_(screen.display()) {
     std::vector<std::string> words = {PHYSIM_SIMCLIENT, "--state", folder_ / "state"};
+    if (std::erase(arguments, kWithGallery) == 0) words.emplace_back("--range");
     words.insert(words.end(), arguments.begin(), arguments.end());
     process_ = start(words,
                      {"DISPLAY=" + screen.name(), "XDG_STATE_HOME=" + (folder_ / "state_home"),

@@ -11,8 +11,10 @@
 #include "base/text.hpp"
 #include "math/angles.hpp"
 #include "scenario/suggest.hpp"
+#include "simclient/core/gallery.hpp"
 #include "simclient/core/original_tests.hpp"
 #include "simclient/core/timeline.hpp"
+#include "simclient/core/trail_colours.hpp"
 
 namespace physim::client {
 namespace {
@@ -126,6 +128,11 @@ Status open_file(Client& client, const std::string& file) {
   return client.dialog = Dialog::open, Status();
 }
 
+Status use_gallery(Client& client, const std::string& scenario) {
+  if (!scenario.empty()) return open_from_gallery(client, scenario);
+  return client.dialog = Dialog::gallery, Status();
+}
+
 Status save_as(Client& client, const std::string& file) {
   if (!file.empty()) return client.save(file);
   return client.dialog = Dialog::save, Status();
@@ -189,6 +196,19 @@ Status choose_theme(Client& client, const std::string& name) {
   std::vector<std::string_view> names;
   for (const Theme& theme : all) names.push_back(theme.name);
   return Error{"there is no theme " + in_quotes(name), "", suggestion(name, names, "themes")};
+}
+
+/// By the one of a name, or by the next one.
+Status colour_trails(Client& client, const std::string& by) {
+  constexpr TrailColour kAll[] = {TrailColour::shot, TrailColour::speed, TrailColour::mach, TrailColour::energy};
+  TrailColour& now = client.show.trails_by;
+  if (by.empty()) return now = kAll[(static_cast<std::size_t>(now) + 1) % std::size(kAll)], Status();
+  std::vector<std::string_view> names;
+  for (const TrailColour each : kAll) {
+    if (name(each) == by) return now = each, Status();
+    names.push_back(name(each));
+  }
+  return Error{"trails have no colours by " + in_quotes(by), "trail-colour", suggestion(by, names, "they are")};
 }
 
 Status check_determinism(Client& client) {
@@ -255,6 +275,10 @@ constexpr Action kActions[] = {
     {"zoom-out", "PageDown", "View", "farther away", "", act([](Client& c) { zoom(c, 1.25); })},
     {"select", "Tab", "View", "selects the next projectile", "", act([](Client& c) { c.select_next(); })},
     {"trails", "T", "View", "trails", "", kToggle<&Shown::trails>},
+    {"trail-colour", "Ctrl+K", "View", "trails in colours by the next of: shot, speed, mach, energy", "NAME",
+     colour_trails},
+    {"attitude", "Q", "View", "the cone of the yaw of the selected one, where its attitude is flown", "",
+     kToggle<&Shown::attitude>},
     {"vectors", "V", "View", "velocity, acceleration and forces of the selected one", "", kToggle<&Shown::vectors>},
     {"add-up", "U", "View", "forces of the selected one from tip to tip: they add up to mass times acceleration", "",
      act([](Client& c) {
@@ -328,6 +352,8 @@ constexpr Action kActions[] = {
      act([](Client& c) { return check_determinism(c); })},
     {"open", "Ctrl+O", "File", "opens a scenario or recording; also by dropping it on the window", "FILE", open_file,
      Loss::session},
+    {"gallery", "Ctrl+G", "File", "shows the scenarios that ship, with pictures; one that is opened flies",
+     "SCENARIO", use_gallery, Loss::session},
     {"save", "Ctrl+S", "File", "saves the scenario with the next shot, in its own file", "FILE",
      act([](Client& c, auto& s) { return c.save(s); }), Loss::file},
     {"save-as", "Ctrl+Shift+S", "File", "saves the scenario with the next shot in another file", "FILE", save_as,
@@ -403,7 +429,7 @@ std::string loss_of(const Client& client, const Action& action, const std::strin
     const bool replaces = !argument.empty() && argument != client.file() && std::filesystem::exists(argument);
     return replaces ? argument + " is there already, and would be replaced." : client.loss_of_saving(argument);
   }
-  if (action.name == "open" && argument.empty()) return "";  // a file is chosen first
+  if ((action.name == "open" || action.name == "gallery") && argument.empty()) return "";  // a file is chosen first
   std::string lost;
   const Session& session = client.session;
   if (action.name == "record" && session.is_recording()) return lost;  // completes it

@@ -84,7 +84,9 @@ void Client::note_changes() {
   const Versions before{launcher.version(), contents_};
   if (noted_ == before) return;
   noted_ = before;
-  history_.note(launcher, session.scenario(), content_, since_change_ < kGoesOn);
+  const bool slides = slide != 0 && slide == noted_slide_;
+  noted_slide_ = slide;
+  history_.note(launcher, session.scenario(), content_, since_change_ < kGoesOn, slides);
   since_change_ = 0;
 }
 

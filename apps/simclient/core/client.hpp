@@ -23,6 +23,9 @@
 
 namespace physim::client {
 
+/// What trails are coloured by.
+enum class TrailColour { shot, speed, mach, energy };
+
 /// What is shown.
 struct Shown {
   bool settings = true;    // panel of the next shot
@@ -32,7 +35,9 @@ struct Shown {
   bool emitters = false;    // panel of their curves
   bool panel_keys = false;  // arrows, Enter, Space and Tab belong to the panels
   bool trails = true;
-  bool aim = true;  // the arrow, and the predicted path
+  TrailColour trails_by = TrailColour::shot;
+  bool aim = true;       // the arrow, and the predicted path
+  bool attitude = true;  // the cone of the yaw of bodies whose attitude is flown
   bool vectors = false;
   bool forces_add_up = false;  // each force begins where the one before ends
   bool prediction = true;
@@ -49,8 +54,8 @@ enum class BottomPanel { none, plots, compare, performance, hits, study };
 
 struct Action;
 
-/// Where a file is chosen.
-enum class Dialog { none, open, save };
+/// Where a file is chosen, or a scenario of the gallery.
+enum class Dialog { none, open, save, gallery };
 
 /// An action that would lose work: it waits until somebody says yes.
 struct Question {
@@ -125,6 +130,7 @@ class Client {
   StudyDesk study;
   std::deque<float> frame_times;  // that the last frames took [s]
   bool leaves = false;
+  std::uint64_t slide = 0;  // the number of the slide of a slider that is held, which is one change; 0: none is
   std::optional<double>
       cursor;  // the time of the world that the mouse points at, on a path, a plot or the timeline [s]
   Pixel timeline_from, timeline_to;  // of the bar of play, in the window [pixels]
@@ -257,6 +263,7 @@ class Client {
   double since_change_ = 1e9;   // of the screen [s]
   ScenarioShot next_;
   std::optional<Versions> next_at_, noted_, fired_at_;
+  std::uint64_t noted_slide_ = 0;
   ProjectileId fired_;  // by hand, the last one
   Predictor predictor_;
   Prediction prediction_;

@@ -1,13 +1,13 @@
 #include "simclient/core/compare.hpp"
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 
 #include "physim/names.hpp"
 #include "physim/solve.hpp"
 #include "report/ladder.hpp"
 #include "report/number.hpp"
+#include "report/world_steps.hpp"
 
 namespace physim::client {
 namespace {
@@ -33,36 +33,11 @@ void fill(ComparedRung& rung, const ComparedFlight& flown) {
   rung.flight = flown.flight;
 }
 
-/// Time of one step of one among so many projectiles [s].
-double time_step(World& world, double dt, std::size_t count) {
-  constexpr int kSteps = 12;
-  double best = 1e9;
-  for (int i = 0; i < kSteps; ++i) {
-    const auto start = std::chrono::steady_clock::now();
-    world.step(dt);
-    best = std::min(best, std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count());
-  }
-  return best / static_cast<double>(count);
-}
-
+/// Time of a step of the shot in the session's world, without what else flies there [s]; 0 if the world refuses it.
 double measure_cost(const Session& session, const ScenarioShot& shot) {
-  constexpr std::size_t kMany = 1024;
   WorldDef def = session.world().def();
   def.environment = session.scenario().environment;
-  def.pools.clear();
-  def.threading.threads = 1;
-  def.ground.mode = GroundMode::none;  // so that all of them fly all the time
-  Result<World> made = World::create(def);
-  if (!made) return 0;
-  World& world = *made;
-  BodyDef body = shot.body;
-  body.pool = 0;
-  body.despawn = {};
-  const Result<KindId> kind = world.add_kind(shot.projectile, body);
-  const std::vector<Launch> launches(kMany, shot.launch);
-  std::vector<ProjectileId> ids(kMany);
-  if (!kind || world.spawn(*kind, launches, ids) != kMany) return 0;
-  return time_step(world, def.step, kMany);
+  return report::time_of_step(def, shot, def.step).value_or(0);
 }
 
 }  // namespace

@@ -46,7 +46,8 @@ void History::start(const Launcher& launcher, const Scenario& scenario, const Co
   noted_ = launcher.version();
 }
 
-void History::note(const Launcher& launcher, const Scenario& scenario, const ContentVersions& content, bool goes_on) {
+void History::note(const Launcher& launcher, const Scenario& scenario, const ContentVersions& content, bool goes_on,
+                   bool slides) {
   const bool is_same_content = content == now_.content;
   if (noted_ == launcher.version() && is_same_content) return;
   noted_ = launcher.version();
@@ -56,7 +57,7 @@ void History::note(const Launcher& launcher, const Scenario& scenario, const Con
   Moment before = std::exchange(
       now_, {launcher, is_same_content ? now_.scenario : std::make_shared<const Scenario>(scenario), content, ""});
   redo_.clear();
-  if (goes_on && what == "aim" && undo_text() == "aim") return;
+  if ((slides || (goes_on && what == "aim")) && undo_text() == what) return;
   before.what = std::move(what);
   undo_.push_back(std::move(before));
   if (undo_.size() > kMostMoments) undo_.pop_front();

@@ -29,8 +29,9 @@ class History {
   /// Forgets all, and begins with what there is.
   void start(const Launcher& launcher, const Scenario& scenario, const ContentVersions& content);
   /// Notes what is different since the last call. Changes of the aim that follow one another are one step as long as
-  /// `goes_on`.
-  void note(const Launcher& launcher, const Scenario& scenario, const ContentVersions& content, bool goes_on);
+  /// `goes_on`; so are changes of any one setting as long as it `slides`.
+  void note(const Launcher& launcher, const Scenario& scenario, const ContentVersions& content, bool goes_on,
+            bool slides);
   /// The subject of the next undo or redo, such as "aim" or "mass"; empty if there is none.
   [[nodiscard]] std::string undo_text() const { return undo_.empty() ? "" : undo_.back().what; }
   [[nodiscard]] std::string redo_text() const { return redo_.empty() ? "" : redo_.back().what; }

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/assert.hpp"
 #include "base/text.hpp"
 #include "math/angles.hpp"
 #include "physim/body.hpp"
@@ -212,6 +213,14 @@ void Launcher::turn(double right, double up) {
   shot_.launch.azimuth = std::remainder(shot_.launch.azimuth + right, 360 * kDegree);
   double& elevation = is_zeroed() ? raised_ : shot_.launch.elevation;
   elevation = std::clamp(elevation + up, -kSteepest, kSteepest);
+  if (was_pushed) push();
+}
+
+void Launcher::set_speed(double speed) {
+  PHYSIM_ASSERT(speed >= 0);
+  const bool was_pushed = is_pushed();
+  use_angles();
+  shot_.launch.speed = speed;
   if (was_pushed) push();
 }
 

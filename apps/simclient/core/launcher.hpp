@@ -65,6 +65,8 @@ class Launcher {
   void cycle_drag();
   /// Turns the barrel, and keeps the speed [rad]. A zero range stays: the barrel is raised above where that puts it.
   void turn(double right, double up);
+  /// Changes the speed, along the barrel as it is [m/s].
+  void set_speed(double speed);
   /// Elevation of the barrel above that of the zero range [rad].
   [[nodiscard]] double raised() const { return is_zeroed() ? raised_ : 0; }
   [[nodiscard]] bool is_zeroed() const { return shot_.launch.sight.zero_range > 0; }

@@ -13,6 +13,8 @@ void Scene::clear() {
   lines.clear();
   on_top.clear();
   balls.clear();
+  bodies.clear();
+  legend.reset();
   discs.clear();
   crowd.clear();
   sprites.clear();
@@ -42,10 +44,17 @@ std::optional<Vec3d> on_curve(const TrackSample& a, const TrackSample& b, double
          b.velocity * (time * t * t * u);
 }
 
+/// A point of a path, and the number of the sample before it with the part of the way to the next.
+struct PathPoint {
+  Vec3d at;
+  std::size_t sample = 0;
+  double part = 0;
+};
+
 /// Points of a path so near on the screen that lines between them are as smooth as it is.
-std::vector<Vec3d> points_of(const std::vector<TrackSample>& samples, const Projector& view) {
+std::vector<PathPoint> points_of(const std::vector<TrackSample>& samples, const Projector& view) {
   constexpr double kApart = 14, kMostBetween = 32;  // [pixels]; points between two samples
-  std::vector<Vec3d> points;
+  std::vector<PathPoint> points;
   points.reserve(samples.size());
   std::optional<Pixel> last;
   for (std::size_t i = 0; i < samples.size(); ++i) {
@@ -53,8 +62,9 @@ std::vector<Vec3d> points_of(const std::vector<TrackSample>& samples, const Proj
     const double apart = at && last ? std::hypot(at->x - last->x, at->y - last->y) : 0;
     const double count = std::min(std::floor(apart / kApart), kMostBetween);
     for (double k = 1; k <= count; ++k)
-      if (const auto point = on_curve(samples[i - 1], samples[i], k / (count + 1))) points.push_back(*point);
-    points.push_back(samples[i].position);
+      if (const auto point = on_curve(samples[i - 1], samples[i], k / (count + 1)))
+        points.push_back({*point, i - 1, k / (count + 1)});
+    points.push_back({samples[i].position, i, 0});
     last = at;
   }
   return points;
@@ -65,9 +75,29 @@ std::vector<Vec3d> points_of(const std::vector<TrackSample>& samples, const Proj
 void Scene::polyline(const std::vector<TrackSample>& samples, const Camera& camera, Colour colour, double width,
                      double fog) {
   const Projector view = camera.projector();
-  const std::vector<Vec3d> points = points_of(samples, view);
-  const auto kept = points_of_stroke(points.size(), [&](std::size_t i) { return view.project(points[i]); });
-  for (std::size_t i = 1; i < kept.size(); ++i) line(points[kept[i - 1]], points[kept[i]], colour, width, fog);
+  const std::vector<PathPoint> points = points_of(samples, view);
+  const auto kept = points_of_stroke(points.size(), [&](std::size_t i) { return view.project(points[i].at); });
+  for (std::size_t i = 1; i < kept.size(); ++i) line(points[kept[i - 1]].at, points[kept[i]].at, colour, width, fog);
+}
+
+void Scene::ribbon(const std::vector<TrackSample>& samples, const Camera& camera, const SampleColour& colour_of,
+                   double opacity, double width, double fog) {
+  const Projector view = camera.projector();
+  const std::vector<PathPoint> points = points_of(samples, view);
+  const auto kept = points_of_stroke(points.size(), [&](std::size_t i) { return view.project(points[i].at); });
+  const auto colour_at = [&](const PathPoint& p) {
+    return colour_of(p.part > 0 ? between(samples[p.sample], samples[p.sample + 1], p.part) : samples[p.sample]);
+  };
+  for (std::size_t i = 1; i < kept.size(); ++i) {
+    std::size_t from = kept[i - 1];
+    Colour colour = colour_at(points[from]);
+    for (std::size_t k = from + 1; k <= kept[i]; ++k) {
+      const Colour next = colour_at(points[k]);
+      if (next == colour && k < kept[i]) continue;
+      line(points[from].at, points[k].at, faded(colour, opacity), width, fog);
+      from = k, colour = next;
+    }
+  }
 }
 
 /// Dots of equal distance on the screen, so that a path is dotted near and far.
@@ -164,9 +194,12 @@ void build_scene(Client& client, double scale, Scene& scene) {
   scene.contour_step = scale_step(client.camera.distance, 20);
   build_ground(client, scale, scene);
   build_things(client, scale, scene);
+  build_misses(client, scale, scene);
   build_particles(client, scale, scene);
   if (client.show.depth) build_depth(client, scale, scene);
   build_projectiles(client, scale, scene);
+  build_bodies(client, scale, scene);
+  build_dust(client, scale, scene);
   if (client.bottom == BottomPanel::compare) build_comparison(client, scale, scene);
   build_aim(client, scale, scene);
   if (client.show.vectors) build_vectors(client, scale, scene);

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <functional>
 #include <optional>
 #include <set>
 #include <string>
@@ -30,6 +31,15 @@ struct SceneBall {
   float pixels = 5;  // [pixels]
 };
 
+/// A body with a mesh, at its attitude.
+struct SceneBody {
+  Vec3d at;
+  Quatd attitude;
+  BodyLook look;
+  Colour colour = 0xFFFFFFFF;  // of its track
+  float pixels = 14;           // it is never drawn shorter [pixels]
+};
+
 /// One of very many: a few pixels of one colour.
 struct SceneDot {
   Vec3d at;
@@ -54,6 +64,12 @@ struct SceneLabel {
   double side = 0;  // moved by so much of half its width, to the right
 };
 
+/// What the colours of trails mean.
+struct SceneLegend {
+  std::string what;       // "speed"
+  std::string low, high;  // its least and largest value, with units
+};
+
 /// The Earth as a ball.
 struct SceneGlobe {
   Vec3d centre;
@@ -61,10 +77,14 @@ struct SceneGlobe {
   std::array<double, 9> to_geographic{};  // by columns: takes ways in W to those in E
 };
 
+/// The colour of a path at a sample, or between two.
+using SampleColour = std::function<Colour(const TrackSample&)>;
+
 struct Scene {
   const Theme* theme = &themes()[0];
   std::vector<SceneLine> lines, on_top;  // on_top: over balls
   std::vector<SceneBall> balls;
+  std::vector<SceneBody> bodies;
   std::vector<SceneBall> discs;  // that lie on the ground
   std::vector<SceneDot> crowd;
   std::vector<SceneSprite> sprites;  // from far to near
@@ -78,7 +98,8 @@ struct Scene {
   Vec3d grid_origin;                 // of the grid on the ground
   double grid_step = 1;              // between its lines [m]
   double contour_step = 1;           // between lines of equal height on terrain [m]
-  std::optional<SceneGlobe> globe;   // in the place of a ground, seen from far away
+  std::optional<SceneLegend> legend;
+  std::optional<SceneGlobe> globe;  // in the place of a ground, seen from far away
 
   void clear();
   void line(const Vec3d& a, const Vec3d& b, Colour colour, double width, double fog = 0);
@@ -86,6 +107,9 @@ struct Scene {
   /// A path as the camera sees it, smooth from near and far.
   void polyline(const std::vector<TrackSample>& samples, const Camera& camera, Colour colour, double width,
                 double fog = kCased);
+  /// A path in colours by what `colour_of` says of its samples; such colours change in steps.
+  void ribbon(const std::vector<TrackSample>& samples, const Camera& camera, const SampleColour& colour_of,
+              double opacity, double width, double fog = kCased);
   void dots(const std::vector<TrackSample>& samples, const Camera& camera, Colour colour, double scale);
   void arrow(const Vec3d& from, const Vec3d& to, Colour colour, double width, const Camera& camera);
   void label(const Vec3d& at, const std::string& text, Colour colour, double line = 0);
@@ -101,6 +125,9 @@ void build_comparison(Client& client, double scale, Scene& scene);
 void build_aim(Client& client, double scale, Scene& scene);
 void build_particles(const Client& client, double scale, Scene& scene);
 void build_projectiles(const Client& client, double scale, Scene& scene);
+void build_bodies(Client& client, double scale, Scene& scene);
+void build_dust(const Client& client, double scale, Scene& scene);
+void build_misses(Client& client, double scale, Scene& scene);
 void build_vectors(const Client& client, double scale, Scene& scene);
 void build_cursor(const Client& client, double scale, Scene& scene);
 void build_tools(Client& client, double scale, Scene& scene);

@@ -6,6 +6,7 @@
 #include "model/ladder.hpp"
 #include "physim/environment.hpp"
 #include "simclient/core/scene.hpp"
+#include "simclient/core/trail_colours.hpp"
 
 namespace physim::client {
 namespace {
@@ -100,6 +101,8 @@ static_assert(std::size(kShownForces) + 1 == kMemberCount<Accelerations>, "each 
 void build_projectiles(const Client& client, double scale, Scene& scene) {
   add_crowd(client.session, scale, scene);
   const Track* selected = client.selected_track();
+  const std::optional<TrailScale> by = trail_scale(client);
+  if (by) scene.legend = by->legend();
   if (client.show.trails && !client.filmed && client.session.step() < client.session.last_step())  // gone back from
     for (const Track& track : client.session.known_tracks())
       scene.polyline(track.samples, client.camera, faded(track.colour, 0.3), 1.2 * scale, 0);
@@ -107,12 +110,19 @@ void build_projectiles(const Client& client, double scale, Scene& scene) {
     const double width = (&track == selected ? 2.5 : 1.8) * scale, presence = client.session.presence_of(track);
     if (presence <= 0) continue;
     const double part = (track.is_flying() ? 0.9 : 0.6) * presence;
-    if (client.show.trails) scene.polyline(track.samples, client.camera, faded(track.colour, part), width);
+    if (client.show.trails && by) {
+      if (!client.theme->is_light) scene.ribbon(track.samples, client.camera, *by, 0.18 * part, 4 * width, 0);
+      scene.ribbon(track.samples, client.camera, *by, part, 1.3 * width);
+    } else if (client.show.trails) {
+      scene.polyline(track.samples, client.camera, faded(track.colour, part), width);
+    }
     if (client.show.marks && presence > 0.5) mark(scene, client.session, client.camera, scale, track);
     if (!track.is_flying()) continue;
     const Vec3d at = client.session.shown(track).position;
-    if (client.show.trails) scene.line(track.samples.back().position, at, faded(track.colour, 0.9), width, kCased);
-    scene.ball(at, track.colour, (&track == selected ? 6.5 : 5.5) * scale, track.radius);
+    const Colour colour = by ? (*by)(track.samples.back()) : track.colour;
+    if (client.show.trails) scene.line(track.samples.back().position, at, faded(colour, 0.9), width, kCased);
+    if (mesh_of(track.look.shape).empty())
+      scene.ball(at, track.colour, (&track == selected ? 6.5 : 5.5) * scale, track.radius);
     scene.label(at, "#" + std::to_string(track.number), track.colour, -1);
   }
 }

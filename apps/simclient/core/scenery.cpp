@@ -6,6 +6,7 @@
 #include <map>
 #include <unordered_map>
 
+#include "math/angles.hpp"
 #include "physim/scene.hpp"
 
 namespace physim::client {
@@ -97,6 +98,7 @@ class Gatherer final : public SceneCanvas {
     const Vec3d top = is_plane ? thing_->transform.position : Vec3d{(low.x + high.x) / 2, high.y, (low.z + high.z) / 2};
     if (!thing_->name.empty() && into_.names.size() < kMostNames) into_.names.push_back({top, thing_->name});
     add_faces();
+    if (!is_plane && !is_sensor_) add_rings();
     if (!is_plane && !is_sensor_ && faces_.size() < kMostEdges) add_edges();
     part.vertices = vertices.size() - part.vertex;
     part.edges = into_.edges.size() - part.edge;
@@ -104,6 +106,38 @@ class Gatherer final : public SceneCanvas {
     if (std::holds_alternative<AtRest>(thing_->motion)) return;
     parts_.push_back(part);
     of_sensors_.push_back(is_sensor_);
+  }
+
+  /// Rings of a target, a flat disc with that word in its name: before both faces, from the rim to the middle.
+  void add_rings() {
+    constexpr double kFlat = 0.35, kBefore = 0.002;  // parts of the radius
+    constexpr int kRings = 5, kSides = 40;
+    constexpr Colour kColours[kRings] = {0xF2F2EEFF, 0x2B2E33FF, 0x3B8FC2FF, 0xC9403AFF, 0xF0CF3AFF};
+    if (thing_->name.find("target") == std::string::npos) return;
+    const Vec3d middle = thing_->transform.position, axis = rotate(thing_->transform.rotation, Vec3d{0, 1, 0});
+    double radius = 0, half = 0;
+    for (const Face& face : faces_)
+      for (const Vec3d& p : face.corners) {
+        const Vec3d way = p - middle;
+        half = std::max(half, std::abs(dot(way, axis)));
+        radius = std::max(radius, length(way - axis * dot(way, axis)));
+      }
+    if (!(half < kFlat * radius)) return;
+    const Vec3d right = normalized(cross(std::abs(axis.y) < 0.9 ? Vec3d{0, 1, 0} : Vec3d{1, 0, 0}, axis));
+    const Vec3d up = cross(axis, right);
+    for (const double side : {-1.0, 1.0})
+      for (int ring = 0; ring < kRings; ++ring)
+        for (int i = 0; i < kSides; ++i) {
+          const auto at = [&](int rim, int k) {
+            const double angle = 2 * kPi * k / kSides, r = 0.98 * radius * (kRings - rim) / kRings;
+            return middle + axis * (side * (half + kBefore * radius)) +
+                   (right * std::cos(angle) + up * std::sin(angle)) * r;
+          };
+          const Vec3d corners[] = {at(ring, i), at(ring, i + 1),     at(ring + 1, i + 1),
+                                   at(ring, i), at(ring + 1, i + 1), at(ring + 1, i)};
+          for (const Vec3d& p : corners)
+            into_.vertices.push_back(vertex(p - into_.origin, axis * side, kColours[ring]));
+        }
   }
 
   /// Many faces that all look up: a height field or a mesh of one.

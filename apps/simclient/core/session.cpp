@@ -190,8 +190,15 @@ bool Session::is_moving() const {
   if (target_) return true;
   if (paused_ || over_) return false;
   const physim::Scene* scene = world().scene();
-  return cost_.moved > 0 || (scene != nullptr && scene->has_motion()) ||
+  return cost_.moved > 0 || (scene != nullptr && scene->has_motion()) || is_dusty() ||
          std::ranges::any_of(tracks_, [](const Track& track) { return track.whole && track.is_flying(); });
+}
+
+bool Session::is_dusty() const {
+  const auto is_new = [now = shown_time()](double time) { return now - time < kDustTime && now >= time; };
+  return (!hits_.hits().empty() && is_new(hits_.hits().back().time)) ||
+         std::ranges::any_of(
+             tracks_, [&](const Track& track) { return track.impact && is_new(track.born + track.impact->time); });
 }
 
 void Session::single_step() {
@@ -219,6 +226,7 @@ Result<ProjectileId> Session::fire(const ScenarioShot& shot) {
   ++by_hand_;
   const bool has_colour = body.colour != kNoColour;
   begin_track(id, shot.projectile.name, has_colour ? body.colour : palette(fired_), true);
+  tracks_.back().spin = spin_in_world(shot.launch);
   if (!has_colour) world[id].set_colour(tracks_.back().colour);
   remember_moment(true);
   return id;
@@ -339,6 +347,9 @@ void Session::begin_track(ProjectileId id, const std::string& name, Colour colou
   track.by_hand = by_hand;
   const ProjectileDef* what = world()[id].definition();
   track.radius = what ? what->diameter / 2 : 0;
+  if (what != nullptr) track.look = look_of(*what);
+  for (const ScenarioShot& shot : scenario_.shots)
+    if (!by_hand && shot.projectile.name == name) track.spin = spin_in_world(shot.launch);
   track.born = world().time() - world()[id].age();
   track.granted = world()[id].fidelity_in_use();
   if (what != nullptr && !what->motor.thrust.empty())

@@ -75,6 +75,8 @@ class Session {
   [[nodiscard]] double time_scale_reached() const { return time_scale_ * kept_; }
   [[nodiscard]] double time() const { return world().time(); }
   [[nodiscard]] std::uint64_t step() const { return step_; }
+  /// So long after something was hit, dust is in the air [s of the world].
+  static constexpr double kDustTime = 0.7;
   /// The next moments look different from this one: the clock runs, and something moved in the last step, moves by
   /// itself or is played.
   [[nodiscard]] bool is_moving() const;
@@ -123,6 +125,8 @@ class Session {
     Vec3d position, velocity;
     Accelerations accelerations;
     double mass = 0;  // [kg]
+    Quatd attitude;   // flown, or nose along the path, or as a ball spins
+    double yaw = 0;   // of its nose to its path, where the attitude is flown [rad]
   };
   [[nodiscard]] Shown shown(const Track& track) const;
   /// In the world, and of the flights that are played.
@@ -185,6 +189,7 @@ class Session {
   void look_at_hits();
   void follow_flights();
   [[nodiscard]] bool is_whole(ProjectileId id) const;
+  [[nodiscard]] bool is_dusty() const;
   void begin_track(ProjectileId id, const std::string& name, Colour colour, bool by_hand);
   void add_track(Track track);
   void remember_moment(bool changed);

@@ -1,6 +1,8 @@
 // Flights that were computed whole, played in a session out of their dense output.
 #include <algorithm>
+#include <cmath>
 
+#include "math/angles.hpp"
 #include "simclient/core/session.hpp"
 #include "simclient/core/thinning.hpp"
 
@@ -38,6 +40,8 @@ Result<ProjectileId> Session::play(const ScenarioShot& shot, const Flight& fligh
   track.name = shot.projectile.name;
   track.colour = shot.body.colour != kNoColour ? shot.body.colour : palette(fired_);
   track.radius = shot.projectile.diameter / 2;
+  track.look = look_of(shot.projectile);
+  track.spin = spin_in_world(shot.launch);
   track.born = world().time();
   track.granted = flight.fidelity_in_use();
   track.whole = std::make_shared<const Flight>(flight);
@@ -60,14 +64,36 @@ bool Session::is_whole(ProjectileId id) const {
   return found != nullptr && found->whole != nullptr;
 }
 
+namespace {
+
+/// Nose along the path; of a ball, as it has spun since its launch.
+Quatd attitude_of(const Track& track, const Vec3d& velocity, double age) {
+  const double rate = length(track.spin);
+  return rate > 0 ? turn_about(track.spin * (1 / rate), std::remainder(rate * age, 4 * kPi)) : nose_along(velocity);
+}
+
+double angle_between(const Vec3d& a, const Vec3d& b) { return std::atan2(length(cross(a, b)), dot(a, b)); }
+
+}  // namespace
+
 Session::Shown Session::shown(const Track& track) const {
+  const bool flies_attitude = turns(track.granted.fidelity);
+  const double age = world().time() + leftover_ - track.born;
+  Shown out;
   if (!track.whole) {
     const ProjectileView projectile = world()[track.id];
-    return {shown_position(track.id), projectile.velocity(), projectile.accelerations(), projectile.mass()};
+    out = {shown_position(track.id), projectile.velocity(), projectile.accelerations(), projectile.mass(), {}, 0};
+    const Quatd own = projectile.orientation();
+    const bool has_turned = flies_attitude || !(own == Quatd{});  // or rolls
+    out.attitude = has_turned ? own : attitude_of(track, out.velocity, age);
+  } else {
+    const Sample at = track.whole->at(age);
+    out = {at.position, at.velocity, track.whole->accelerations(at.time), at.mass, {}, 0};
+    out.attitude = flies_attitude ? at.orientation : attitude_of(track, at.velocity, age);
   }
-  const double age = world().time() + leftover_ - track.born;
-  const Sample at = track.whole->at(age);
-  return {at.position, at.velocity, track.whole->accelerations(at.time), at.mass};
+  if (flies_attitude && length(out.velocity) > 0)
+    out.yaw = angle_between(rotate(out.attitude, Vec3d{1, 0, 0}), out.velocity);
+  return out;
 }
 
 std::size_t Session::in_flight() const {

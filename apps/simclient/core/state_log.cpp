@@ -154,6 +154,8 @@ std::string state_line(Client& client, std::uint64_t frame) {
   if (client.session.is_paused()) line["hash"] = client.session.world().hash();  // it costs as much as a step
   if (client.study.run.state() != StudyRun::State::none) line["study"] = study_state(client.study);
   if (client.filmed) line["filmed"] = *client.filmed;
+  static constexpr std::string_view kDialogs[] = {"none", "open", "save", "gallery"};
+  if (client.dialog != Dialog::none) line["dialog"] = kDialogs[static_cast<int>(client.dialog)];
   if (client.question) line["question"] = client.question->text;
   if (!client.messages().empty()) line["message"] = client.messages().back().text;
   return report::json_line(line);

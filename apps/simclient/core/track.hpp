@@ -9,6 +9,7 @@
 
 #include "physim/flight.hpp"
 #include "physim/world.hpp"
+#include "simclient/core/bodies.hpp"
 #include "simclient/core/palette.hpp"
 
 namespace physim::client {
@@ -60,6 +61,8 @@ struct Track {
   std::string name;
   Colour colour = 0xFFFFFFFF;
   double radius = 0;                 // [m]
+  BodyLook look;                     // what it is drawn as
+  Vec3d spin;                        // of a ball, at launch [rad/s]
   double born = 0;                   // [s] of the world
   FidelityInUse granted;             // as it was at launch
   std::vector<TrackSample> samples;  // see thinning.hpp

@@ -1,5 +1,6 @@
 #include "simclient/gl/renderer.hpp"
 
+#include <algorithm>
 #include <initializer_list>
 #include <vector>
 
@@ -203,6 +204,7 @@ Status Renderer::make() {
   make_arrays(sprite_, &kSquare, {3, 4, 2, 2});
   make_arrays(ball_shadow_, &kSquare, {3, 4, 2});
   if (Status status = world_.make(); !status) return status;
+  if (Status status = bodies_.make(); !status) return status;
   return scenery_.make();
 }
 
@@ -221,6 +223,10 @@ void Renderer::draw_shadows(const Scene& scene, const Camera& camera) {
   with_size.theme = scene.theme;
   for (const SceneBall& ball : scene.balls)
     if (ball.radius > 0) with_size.balls.push_back(ball);
+  for (const SceneBody& body : scene.bodies) {
+    const double radius = 0.5 * std::min(body.look.size.x, body.look.size.z) * enlargement(body, camera);
+    with_size.balls.push_back({body.at, body.colour, static_cast<float>(radius), 0});
+  }
   glDrawArraysInstanced(GL_TRIANGLE_STRIP, 0, 4, upload_balls(ball_shadow_, with_size, camera));
   scenery_.end_shadows(static_cast<GLuint>(target));
 }
@@ -252,6 +258,7 @@ void Renderer::draw_in(const Scene& scene, const Camera& camera) {
   }
   draw_lines(line_, scene, scene.lines, camera, matrix, 1);
   draw_balls(ball_, scene, camera, matrix, 1);
+  bodies_.draw(scene, camera, has_depth);
   draw_lines(line_, scene, scene.on_top, camera, matrix, 1);
   glDepthMask(GL_TRUE);
   glDisable(GL_DEPTH_TEST);
@@ -265,7 +272,9 @@ void Renderer::draw(const Scene& scene, const Camera& camera, const Viewport& vi
   // Lines and balls have smooth edges of their own.
   constexpr int kMostSmoothed = 1 << 24;  // four samples of each pixel are in memory there
   const bool is_small = viewport.width * viewport.height <= kMostSmoothed;
-  const bool is_smoothed = scene.scenery != nullptr && is_small && canvas_.bind(viewport.width, viewport.height);
+  constexpr std::size_t kCrowd = 1000;  // is drawn often rather than smoothly
+  const bool has_edges = scene.scenery != nullptr || (!scene.bodies.empty() && scene.crowd.size() < kCrowd);
+  const bool is_smoothed = has_edges && is_small && canvas_.bind(viewport.width, viewport.height);
   if (is_smoothed) {
     glViewport(0, 0, viewport.width, viewport.height);
     draw_in(scene, camera);

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "simclient/core/scene.hpp"
+#include "simclient/gl/body_pass.hpp"
 #include "simclient/gl/canvas.hpp"
 #include "simclient/gl/scenery_pass.hpp"
 #include "simclient/gl/shader.hpp"
@@ -36,6 +37,7 @@ class Renderer {
   Pass line_, ball_, crowd_, sprite_, disc_, ball_shadow_;
   WorldPass world_;
   SceneryPass scenery_;
+  BodyPass bodies_;
   Canvas canvas_;
 };
 

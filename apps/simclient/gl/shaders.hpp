@@ -171,6 +171,49 @@ void main() {
 }
 )";
 
+// A body at its attitude. It is as near as its front: what it lies on, or hits, does not cut it.
+inline constexpr const char* kBodyVertex = R"(#version 330 core
+layout(location = 0) in vec3 at;
+layout(location = 1) in vec3 normal;
+layout(location = 2) in vec4 body_colour;
+uniform mat4 matrix;
+uniform vec3 centre;     // relative to the eye
+uniform mat3 turn;       // from body axes
+uniform vec3 extent;
+uniform float reach;     // half of its diagonal
+uniform vec3 track_colour;
+out vec3 place;
+out vec3 facing;
+out vec3 shade;
+void main() {
+  vec3 out_there = turn * (at * extent);
+  place = centre + out_there;
+  facing = turn * (normal / extent);
+  shade = abs(body_colour.a * 255.0 - 254.0) < 0.5 ? track_colour : body_colour.rgb;
+  gl_Position = matrix * vec4(place, 1.0);
+  float away = max(length(centre), 1e-6);
+  vec4 nearest = matrix * vec4(centre * max(1.0 - 1.5 * reach / away, 0.0), 1.0);
+  float behind = dot(out_there, centre / away) / reach;  // -1 to 1: parts of it hide others
+  if (nearest.w > 1e-4) gl_Position.z = (nearest.z / nearest.w + 4e-5 * (1.0 + behind)) * gl_Position.w;
+}
+)";
+
+inline constexpr const char* kBodyFragment = R"(#version 330 core
+in vec3 place;
+in vec3 facing;
+in vec3 shade;
+uniform vec3 to_sun, sunlight_colour, skylight, earthlight;
+out vec4 colour;
+void main() {
+  vec3 n = normalize(facing), to_eye = -normalize(place);
+  if (dot(n, to_eye) < 0.0) n = -n;
+  vec3 light = mix(earthlight, skylight, 0.5 + 0.5 * n.y) + sunlight_colour * max(dot(n, to_sun), 0.0);
+  float glint = pow(max(dot(n, normalize(to_sun + to_eye)), 0.0), 24.0);
+  float rim = 1.0 - 0.35 * smoothstep(0.5, 0.95, 1.0 - dot(n, to_eye));  // it stands out from any ground
+  colour = vec4(shade * light * 1.1 * rim + sunlight_colour * 0.3 * glint, 1.0);
+}
+)";
+
 inline constexpr const char* kShadowFragment = R"(#version 330 core
 void main() {}
 )";

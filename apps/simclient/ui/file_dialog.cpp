@@ -41,9 +41,11 @@ void FileDialog::choose(Client& client, const std::string& path) {
 }
 
 void FileDialog::draw(Client& client, const Box& box, float scale) {
-  const bool has_just_opened = client.dialog != shown_ && client.dialog != Dialog::none;
-  const char* title = (client.dialog != Dialog::none ? client.dialog : shown_) == Dialog::save ? kSave : kOpen;
-  if (client.dialog == Dialog::none && shown_ == Dialog::none) return;
+  const bool is_wanted = client.dialog == Dialog::open || client.dialog == Dialog::save;
+  const bool has_just_opened = client.dialog != shown_ && is_wanted;
+  const char* title = (is_wanted ? client.dialog : shown_) == Dialog::save ? kSave : kOpen;
+  if (!is_wanted && shown_ == Dialog::none) return;
+  if (client.dialog == Dialog::gallery) return void(shown_ = Dialog::none);
   shown_ = client.dialog;
   if (has_just_opened) begin(client), ImGui::OpenPopup(title);
   centre_window(box, 560 * scale, 460 * scale);

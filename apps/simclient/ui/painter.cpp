@@ -7,6 +7,8 @@
 
 namespace physim::client {
 
+ImTextureID texture_id(GLuint texture) { return reinterpret_cast<ImTextureID>(static_cast<std::intptr_t>(texture)); }
+
 Painter::~Painter() { forget_fonts(); }
 
 void Painter::forget_fonts() {
@@ -30,7 +32,7 @@ void Painter::make_fonts(float scale) {
   glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_LINEAR);
   glPixelStorei(GL_UNPACK_ROW_LENGTH, 0);
   glTexImage2D(GL_TEXTURE_2D, 0, GL_RGBA, width, height, 0, GL_RGBA, GL_UNSIGNED_BYTE, pixels);
-  atlas_.SetTexID(reinterpret_cast<ImTextureID>(static_cast<std::intptr_t>(texture_)));  // as Dear ImGui reads it
+  atlas_.SetTexID(texture_id(texture_));
 }
 
 ImDrawList& Painter::begin(int width, int height, float scale) {

@@ -10,6 +10,9 @@
 
 namespace physim::client {
 
+/// A texture as Dear ImGui names it.
+[[nodiscard]] ImTextureID texture_id(GLuint texture);
+
 class Painter {
  public:
   enum class Face { text, title };

@@ -4,6 +4,8 @@
 
 #include <algorithm>
 
+#include "simclient/core/folder.hpp"
+
 namespace physim::client {
 namespace {
 
@@ -84,20 +86,26 @@ void SettingsPanel::draw_sheet(Client& client, Sheet& sheet, bool is_shot) {
     }
   }
   ImGui::SetNextItemWidth(-1);
-  ImGui::InputTextWithHint("##filter", "search settings", &filter_);
+  ImGui::InputTextWithHint("##filter", is_shot ? "search all settings" : "search settings", &filter_);
   if (ImGui::BeginChild("rows")) {
-    std::vector<std::string> groups;
-    for (const SettingRow& row : sheet.rows)
-      if (std::find(groups.begin(), groups.end(), row.group) == groups.end()) groups.push_back(row.group);
-    std::stable_partition(groups.begin(), groups.end(), [](const std::string& g) { return g == "fidelity"; });
-    for (const std::string& group : groups) draw_group(client, sheet, group, is_shot);
+    const bool is_brief = is_shot && filter_.empty();
+    if (is_brief) quick_.draw(client);
+    if (!is_brief || ImGui::CollapsingHeader("All settings")) draw_groups(client, sheet, is_shot);
   }
   ImGui::EndChild();
 }
 
-bool SettingsPanel::passes(const SettingRow& row) const {
-  return filter_.empty() || row.path.find(filter_) != std::string::npos || row.doc.find(filter_) != std::string::npos;
+void SettingsPanel::draw_groups(Client& client, const Sheet& sheet, bool is_shot) {
+  if (std::ranges::none_of(sheet.rows, [&](const SettingRow& row) { return passes(row); }))
+    ImGui::TextWrapped("No setting has this in its name or in what it says.");
+  std::vector<std::string> groups;
+  for (const SettingRow& row : sheet.rows)
+    if (std::find(groups.begin(), groups.end(), row.group) == groups.end()) groups.push_back(row.group);
+  std::stable_partition(groups.begin(), groups.end(), [](const std::string& g) { return g == "fidelity"; });
+  for (const std::string& group : groups) draw_group(client, sheet, group, is_shot);
 }
+
+bool SettingsPanel::passes(const SettingRow& row) const { return passes_filter(row.path + " " + row.doc, filter_); }
 
 void SettingsPanel::draw_group(Client& client, const Sheet& sheet, const std::string& group, bool is_shot) {
   const bool is_filled = std::any_of(sheet.rows.begin(), sheet.rows.end(),

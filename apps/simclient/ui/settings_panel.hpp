@@ -8,6 +8,7 @@
 #include "simclient/core/client.hpp"
 #include "simclient/ui/flight_editor.hpp"
 #include "simclient/ui/panel.hpp"
+#include "simclient/ui/quick_panel.hpp"
 
 namespace physim::client {
 
@@ -27,12 +28,14 @@ class SettingsPanel {
   void draw_shot(Client& client);
   void draw_type(Client& client);
   void draw_sheet(Client& client, Sheet& sheet, bool is_shot);
+  void draw_groups(Client& client, const Sheet& sheet, bool is_shot);
   void draw_group(Client& client, const Sheet& sheet, const std::string& group, bool is_shot);
   void draw_row(Client& client, const SettingRow& row, const std::string& value, bool is_changed);
   [[nodiscard]] bool passes(const SettingRow& row) const;
 
   Sheet shot_, environment_;
   FlightEditor flight_;
+  QuickPanel quick_;
   std::string filter_;
   RowEditor editor_;
 };

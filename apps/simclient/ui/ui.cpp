@@ -9,6 +9,7 @@
 #include "simclient/core/actions.hpp"
 #include "simclient/core/labels.hpp"
 #include "simclient/core/original_tests.hpp"
+#include "simclient/ui/legend.hpp"
 
 namespace physim::client {
 namespace {
@@ -76,6 +77,7 @@ void Ui::draw(Client& client, const Scene& scene) {
   if (client.show.emitters) emitters_.draw(client, layout_.scene, scale_);
   if (client.show.help) draw_help(client);
   files_.draw(client, {0, 0, size.x, size.y}, scale_);
+  gallery_.draw(client, {0, 0, size.x, size.y}, scale_);
   draw_question(client);
   draw_film(client);
 }
@@ -322,6 +324,7 @@ void Ui::draw_labels(const Client& client, const Scene& scene) {
                         exact(theme_in_use().label));
     list->AddText({each.x, each.y}, shade(each.label->colour), text.c_str());
   }
+  if (scene.legend) draw_legend(*list, *scene.legend, s.x + s.width, s.y, scale_);
   list->PopClipRect();
 }
 

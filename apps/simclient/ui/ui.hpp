@@ -10,6 +10,7 @@
 #include "simclient/core/scene.hpp"
 #include "simclient/ui/emitter_panel.hpp"
 #include "simclient/ui/file_dialog.hpp"
+#include "simclient/ui/gallery_panel.hpp"
 #include "simclient/ui/play_bar.hpp"
 #include "simclient/ui/settings_panel.hpp"
 
@@ -28,6 +29,9 @@ class Ui {
   [[nodiscard]] const Layout& layout() const { return layout_; }
   /// The plots were drawn without buttons, as somebody asked for a picture of them.
   [[nodiscard]] bool has_bare_plots() const { return has_bare_plots_; }
+  [[nodiscard]] Thumbnails& thumbnails() { return gallery_.thumbnails(); }
+  /// A picture of the gallery is still to come.
+  [[nodiscard]] bool is_busy() const { return gallery_.is_busy(); }
   [[nodiscard]] float scale() const { return scale_; }
   /// Where the mouse is on the scene, to show what is under it.
   void set_mouse(const Pixel& pixel, bool on_scene) { mouse_ = pixel, mouse_on_scene_ = on_scene; }
@@ -62,6 +66,7 @@ class Ui {
   EmitterPanel emitters_;
   PlayBar play_;
   FileDialog files_;
+  GalleryPanel gallery_;
   Layout layout_;
   Pixel mouse_;
   bool mouse_on_scene_ = false, opens_menu_ = false, has_bare_plots_ = false;
