@@ -61,7 +61,7 @@ inline constexpr std::size_t kMemberCount = detail::count_members<T>();
 template <class T, class F>
 constexpr decltype(auto) with_members(T& x, F&& f) {
   constexpr std::size_t n = kMemberCount<std::remove_const_t<T>>;
-  static_assert(n <= 26, "one more line below");
+  static_assert(n <= 28, "one more line below");
   if constexpr (n == 0) return f();
   // clang-format off
   PHYSIM_TAKE(1, a)
@@ -90,6 +90,8 @@ constexpr decltype(auto) with_members(T& x, F&& f) {
   PHYSIM_TAKE(24, a, b, c, d, e, g, h, i, j, k, l, m, o, p, q, r, s, t, u, v, w, y, z, aa)
   PHYSIM_TAKE(25, a, b, c, d, e, g, h, i, j, k, l, m, o, p, q, r, s, t, u, v, w, y, z, aa, bb)
   PHYSIM_TAKE(26, a, b, c, d, e, g, h, i, j, k, l, m, o, p, q, r, s, t, u, v, w, y, z, aa, bb, cc)
+  PHYSIM_TAKE(27, a, b, c, d, e, g, h, i, j, k, l, m, o, p, q, r, s, t, u, v, w, y, z, aa, bb, cc, dd)
+  PHYSIM_TAKE(28, a, b, c, d, e, g, h, i, j, k, l, m, o, p, q, r, s, t, u, v, w, y, z, aa, bb, cc, dd, ee)
   // clang-format on
 }
 #undef PHYSIM_TAKE

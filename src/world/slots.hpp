@@ -30,7 +30,7 @@ enum SlotFlag : std::uint32_t {
   kSleepless = 1u << 9,
   kTurning = 1u << 10,  // has an orientation of its own
   kRailed = 1u << 11,   // started on a rail
-  kPiled = 1u << 12,    // went to sleep in a pile, or below it
+  kPiled = 1u << 22,    // went to sleep in a pile, or below it
   kStill = kAsleep | kKinematic | kInfiniteMass | kPending | kStuck,
 };
 static_assert((kOwn & (kStill | kAlive | kForced | kSleepless | kTurning | kRailed | kPiled)) == 0,
