@@ -204,10 +204,9 @@ class Fair {
   }
   void change() {
     InstanceId& thing = things_[chance_.pick(static_cast<unsigned>(things_.size()))];
-    switch (chance_.pick(5)) {
+    switch (chance_.pick(4)) {
       case 0: return must(world_.move_instance(thing, some_thing().transform));
       case 1: return must(world_.set_instance_layers(thing, chance_.pick(4) == 0 ? 2 : 1));
-      case 3: return must(world_.set_instance_conveyor(thing, {chance_.vector(3)}));
       case 2:
         return must(
             world_.set_instance_motion(thing, some_motion(world_.scene()->instance(thing)->transform.position)));
