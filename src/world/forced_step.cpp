@@ -340,7 +340,7 @@ class ForcedStep {
 
   template <class S>
   TakenStep<S> taken_by(const ForcedRun& r, std::uint32_t row) {
-    PHYSIM_ASSERT(row < r.count && r.count == rows_of(r).size());  // no row left meanwhile
+    PHYSIM_ASSERT(row < r.count && r.count <= rows_of(r).size());  // no row left; one that woke may have come
     const ForcedJob<S> j = job<S>(r, 0);
     const RowColumns<S>& c = j.rows.columns;
     const Fidelity& f = key(r.cohort).fidelity;
