@@ -57,6 +57,10 @@ struct FunctionCounts {
   bool operator==(const FunctionCounts&) const = default;
 };
 
+/// How surfaces act on what touches them: scenes were saved without it, and are still where all of it is default.
+template <class T>
+concept OfSurfaces = std::same_as<T, CombineDef> || std::same_as<T, ConveyorDef> || std::same_as<T, PassageDef>;
+
 /// What all archives do alike. Self has: `number(bits, bytes, limit)`, which takes an unsigned number below a limit,
 /// `count(n)` of a list, `text(string)`, `function(one's own)`, and whether it is reading.
 template <class Self>
@@ -195,19 +199,12 @@ class Writer : public Archive<Writer> {
     std::vector<std::byte> save = shape.save();
     (*this)(save);
   }
-  /// What follows has no rules of combination and no conveyors, and is written without them.
-  void leave_out_conveyors() { without_conveyors_ = true; }
-  [[nodiscard]] bool says_nothing(const CombineDef& combine) const {
-    PHYSIM_ASSERT(!without_conveyors_ || combine == CombineDef{});
-    return without_conveyors_;
-  }
-  [[nodiscard]] bool says_nothing(const ConveyorDef& conveyor) const {
-    PHYSIM_ASSERT(!without_conveyors_ || conveyor == ConveyorDef{});
-    return without_conveyors_;
-  }
-  [[nodiscard]] bool says_nothing(const PassageDef& passage) const {
-    PHYSIM_ASSERT(!without_conveyors_ || passage == PassageDef{});
-    return without_conveyors_;
+  /// What follows has defaults alone for how surfaces act, and is written without them.
+  void leave_out_surfaces() { without_surfaces_ = true; }
+  template <OfSurfaces T>
+  [[nodiscard]] bool says_nothing(const T& def) const {
+    PHYSIM_ASSERT(!without_surfaces_ || def == T{});
+    return without_surfaces_;
   }
   void function(const CustomForce& force) { number(force.function ? 1 : 0, 1); }
   /// Its number among those written before, each counted once; 0 means null.
@@ -226,7 +223,7 @@ class Writer : public Archive<Writer> {
   std::tuple<std::vector<WindFunction>, std::vector<ForceFunction>> fields_;
   std::vector<SharedShape> shapes_;
   bool good_ = true;
-  bool without_conveyors_ = false;
+  bool without_surfaces_ = false;
 };
 
 /// Reads from bytes. What is not there, or is no value of its type, makes it bad; it reads zeros from then on.
@@ -296,11 +293,12 @@ class Reader : public Archive<Reader> {
   }
   void function(WindFunction& wind) { field(wind, &LoadOptions::wind_fields, &FunctionCounts::wind_fields); }
   void function(ForceFunction& force) { field(force, &LoadOptions::force_fields, &FunctionCounts::force_fields); }
-  /// What follows was written without rules of combination and conveyors: they are left as they are.
-  void leave_out_conveyors() { without_conveyors_ = true; }
-  [[nodiscard]] bool says_nothing(const CombineDef&) const { return without_conveyors_; }
-  [[nodiscard]] bool says_nothing(const ConveyorDef&) const { return without_conveyors_; }
-  [[nodiscard]] bool says_nothing(const PassageDef&) const { return without_conveyors_; }
+  /// What follows was written without how surfaces act: that is left as it is.
+  void leave_out_surfaces() { without_surfaces_ = true; }
+  template <OfSurfaces T>
+  [[nodiscard]] bool says_nothing(const T&) const {
+    return without_surfaces_;
+  }
   [[nodiscard]] bool good() const { return good_; }
   /// All was read, and nothing is left over.
   [[nodiscard]] bool complete() const { return good_ && from_.empty(); }
@@ -325,7 +323,7 @@ class Reader : public Archive<Reader> {
   FunctionCounts used_;
   std::vector<SharedShape> shapes_;
   bool good_ = true;
-  bool without_conveyors_ = false;
+  bool without_surfaces_ = false;
 };
 
 /// Hashes what it is given.
@@ -344,9 +342,10 @@ class Hasher : public Archive<Hasher> {
   /// With default contact settings, hashes are those from before there were scenes.
   [[nodiscard]] static bool says_nothing(const CollisionDef& collision) { return collision == CollisionDef{}; }
   [[nodiscard]] static bool says_nothing(const ContactDef& contact) { return contact == ContactDef{}; }
-  [[nodiscard]] static bool says_nothing(const CombineDef& combine) { return combine == CombineDef{}; }
-  [[nodiscard]] static bool says_nothing(const ConveyorDef& conveyor) { return conveyor == ConveyorDef{}; }
-  [[nodiscard]] static bool says_nothing(const PassageDef& passage) { return passage == PassageDef{}; }
+  template <OfSurfaces T>
+  [[nodiscard]] static bool says_nothing(const T& def) {
+    return def == T{};
+  }
   [[nodiscard]] static bool says_nothing(const EmitSurface& surface) { return surface == EmitSurface{}; }
   [[nodiscard]] static bool says_nothing(const RainDef& rain) { return rain == RainDef{}; }
   [[nodiscard]] static bool says_nothing(const TrailDef& trail) { return trail == TrailDef{}; }

@@ -175,7 +175,7 @@ std::vector<std::byte> Scene::save() const {
       impl_->conveyors > 0 || impl_->one_ways > 0 || impl_->tells_stay > 0 ||
       std::ranges::any_of(impl_->materials, [](const Material& material) { return material.combine != CombineDef{}; });
   Writer of_content(content);
-  if (!has_surfaces) of_content.leave_out_conveyors();
+  if (!has_surfaces) of_content.leave_out_surfaces();
   of_content.write(std::string(kVersion), saved);
   if (impl_->engine) Writer(content).write(skin());
   for (const char c : collide::kSceneMagic) bytes.push_back(static_cast<std::byte>(c));
@@ -198,7 +198,7 @@ Result<Scene> Scene::load(std::span<const std::byte> save, const EngineQuery& qu
   std::string made_by;
   Reader reader(bytes->content);
   if (bytes->has_version()) reader(made_by);
-  if (!bytes->has_surfaces()) reader.leave_out_conveyors();
+  if (!bytes->has_surfaces()) reader.leave_out_surfaces();
   reader(saved);
   if (has_engine) reader(engine.skin);
   if (!reader.complete()) return collide::not_a_scene("the save makes no sense" + by_another_version(made_by));

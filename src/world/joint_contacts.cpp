@@ -1,7 +1,5 @@
 #include "world/joint_contacts.hpp"
 
-#include <limits>
-
 #include "base/assert.hpp"
 #include "model/ladder.hpp"
 #include "world/world_impl.hpp"
@@ -35,10 +33,7 @@ std::optional<NetContact> thing_on_way(const WorldImpl& w, const Slot& slot, con
   if (dot(hit.normal, way) >= 0) return std::nullopt;  // it leaves it
   // Outside of it also when its row has rounded its place.
   PHYSIM_ASSERT(hit.part >= 0 && hit.part <= 1);
-  const bool float32 = w.state.rows_of(slot).layout().float32;
-  const double epsilon =
-      float32 ? double{std::numeric_limits<float>::epsilon()} : std::numeric_limits<double>::epsilon();
-  const double skin = thinner + 1e-9 + 4 * epsilon * length(to);
+  const double skin = thinner + 1e-9 + 4 * w.state.rows_of(slot).layout().epsilon() * length(to);
   return NetContact{hit.normal, dot(hit.normal, hit.position) + skin, hit.position + hit.normal * skin};
 }
 

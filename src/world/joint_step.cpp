@@ -1,7 +1,6 @@
 // A step of held projectiles: nets of joints, which projectiles wake and sleep together, and where each is put.
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "base/assert.hpp"
 #include "base/checker.hpp"
@@ -150,9 +149,7 @@ class NetStep {
     const HeldBody* held = held_of(id);
     body.start = held ? held->start.position : now.position;
     body.start_velocity = held ? held->start.velocity : now.velocity;
-    const bool float32 = state_.rows_of(slot).layout().float32;
-    body.spacing = length(body.x) *
-                   (float32 ? double{std::numeric_limits<float>::epsilon()} : std::numeric_limits<double>::epsilon());
+    body.spacing = length(body.x) * state_.rows_of(slot).layout().epsilon();
     if (slot.is(kStill)) {
       body.start = body.x;
       return at->second;
@@ -259,18 +256,14 @@ class NetStep {
   [[nodiscard]] bool has_rested(std::uint32_t index, const Vec3d& v) {
     const Slot& slot = state_.slots[index];
     const BodyDef& body = w_.registry.kind(slot.kind).body;
-    const auto step = static_cast<std::uint32_t>(state_.clock.steps - 1);  // the one just taken
+    const std::uint64_t step = state_.clock.steps - 1;  // the one just taken
     Rest& rest = state_.slots.rest(index);
     const bool may_fire = w_.registry.cohort(slot.cohort).conditions.has_motor;
     if (slot.is(kSleepless) || may_fire || !(length(v) < body.sleep_speed)) {
       rest.time = 0;
       return false;
     }
-    if (rest.step != step) {
-      if (rest.step + 1 != step) rest.time = 0;
-      rest.step = step;
-      rest.time += static_cast<float>(dt_);
-    }
+    if (rest.step != static_cast<std::uint32_t>(step)) rest.count(step, dt_);
     return static_cast<double>(rest.time) >= body.sleep_time;
   }
 

@@ -4,7 +4,6 @@
 #include <array>
 #include <cmath>
 #include <deque>
-#include <limits>
 #include <map>
 #include <queue>
 #include <set>
@@ -41,7 +40,7 @@ constexpr double kDeep = 1e-3;
 
 /// Layers of both, as both want.
 [[nodiscard]] bool want_each_other(const Collider& a, const Collider& b) {
-  return (a.kind->body.collision.others & b.layers) != 0 && (b.kind->body.collision.others & a.layers) != 0;
+  return meet_by_layers(a.kind->body.collision, a.layers, b.kind->body.collision, b.layers);
 }
 [[nodiscard]] bool may_move(const Collider& c) { return c.flies || c.sleeps; }
 [[nodiscard]] double reach(const Collider& c) { return c.kind->body.collision.radius; }
@@ -145,10 +144,7 @@ class PairStep {
   }
 
   /// What the numbers of its row are rounded by [-].
-  [[nodiscard]] double epsilon_of(const Collider& c) const {
-    const bool float32 = context_.state->rows[c.cohort].layout().float32;
-    return float32 ? double{std::numeric_limits<float>::epsilon()} : std::numeric_limits<double>::epsilon();
-  }
+  [[nodiscard]] double epsilon_of(const Collider& c) const { return context_.state->rows[c.cohort].layout().epsilon(); }
   [[nodiscard]] static Knot at(const Collider& c, double time) {
     return collide::leg_of(c.path, collide::leg_at(c.path, time)).at(time);
   }
@@ -599,7 +595,8 @@ class PairStep {
     if (context_.state->slots[c.slot].is(kPiled))
       sweep_->each_beside(static_cast<std::uint32_t>(&c - all_.data()), [&](std::uint32_t j) {
         const double apart = length(c.path.front().x - all_[j].path.front().x) - (reach(c) + reach(all_[j]));
-        if (all_[j].sleeps && apart <= 8 * slack(c, all_[j])) s_.disturbed.push_back(all_[j].slot);
+        const bool touches = want_each_other(c, all_[j]) && apart <= 8 * slack(c, all_[j]);
+        if (all_[j].sleeps && touches) s_.disturbed.push_back(all_[j].slot);
       });
     w_.wake_alone(c.slot, context_.time + c.since);
     const Slot& slot = context_.state->slots[c.slot];

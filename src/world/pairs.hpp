@@ -71,6 +71,12 @@ struct PairScratch {
 
 struct WorldImpl;
 
+/// Whether each of two, which have layers, wants those of the other.
+[[nodiscard]] inline bool meet_by_layers(const CollisionDef& a, std::uint32_t layers_a, const CollisionDef& b,
+                                         std::uint32_t layers_b) {
+  return (a.others & layers_b) != 0 && (b.others & layers_a) != 0;
+}
+
 /// Before a step: finds which projectiles meet others, and their rows.
 void begin_pairs(WorldImpl& world);
 /// After it, before what follows from it: lets them meet.

@@ -4,7 +4,6 @@
 // all sleep in one step. If one that sleeps wakes, moves or goes, those that sleep at it wake, and so on: what lay on
 // it may fall. Kept from step to step are the time at rest of each and, of those that sleep, that they are in a pile.
 #include <algorithm>
-#include <limits>
 
 #include "world/pairs.hpp"
 #include "world/world_impl.hpp"
@@ -20,11 +19,11 @@ constexpr double kTouching = 1e-6;
   const Slot &one = world.state.slots[a], &other = world.state.slots[b];
   const CollisionDef& of_one = world.registry.kind(one.kind).body.collision;
   const CollisionDef& of_other = world.registry.kind(other.kind).body.collision;
-  if ((of_one.others & world.layers_of(b)) == 0 || (of_other.others & world.layers_of(a)) == 0) return false;
+  if (!meet_by_layers(of_one, world.layers_of(a), of_other, world.layers_of(b))) return false;
   const Vec3d x = world.state.state_of(one).position, y = world.state.state_of(other).position;
   const double reach = of_one.radius + of_other.radius;
-  const bool float32 = world.state.rows_of(one).layout().float32 || world.state.rows_of(other).layout().float32;
-  const double epsilon = float32 ? double{std::numeric_limits<float>::epsilon()} : 0;
+  const double epsilon =
+      std::max(world.state.rows_of(one).layout().epsilon(), world.state.rows_of(other).layout().epsilon());
   return reach > 0 && length(x - y) <= reach * (1 + kTouching) + 8 * epsilon * (length(x) + length(y));
 }
 
@@ -42,8 +41,8 @@ constexpr double kTouching = 1e-6;
     rest.time = 0;
     return false;
   }
-  const auto step = static_cast<std::uint32_t>(state.clock.steps - 1);
-  rest = {step, (one.rested.step + 1 == step ? one.rested.time : 0) + static_cast<float>(state.clock.dt)};
+  rest = one.rested;
+  rest.count(state.clock.steps - 1, state.clock.dt);
   return static_cast<double>(rest.time) >= rules.sleep_time;
 }
 

@@ -40,10 +40,7 @@ class RowRules {
   /// Counts the time at rest; enough of it, without a break, and it sleeps.
   void rest(double enough) {
     Rest& rest = context_.state->slots.rest(r_.slot_index());
-    const auto step = static_cast<std::uint32_t>(context_.state->clock.steps);
-    if (rest.step + 1 != step) rest.time = 0;
-    rest.step = step;
-    rest.time += static_cast<float>(context_.dt);
+    rest.count(context_.state->clock.steps, context_.dt);
     if (static_cast<double>(rest.time) < enough) return;
     r_.change(Change::Kind::sleep, LifeStatus::in_flight, Reason::none);
   }

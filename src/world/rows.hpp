@@ -32,6 +32,10 @@ struct RowLayout {
   bool burning = false;              // a motor: which piece of its table a projectile is in is its own, too
 
   bool operator==(const RowLayout&) const = default;
+  /// What its numbers are rounded by [-].
+  [[nodiscard]] double epsilon() const {
+    return float32 ? double{std::numeric_limits<float>::epsilon()} : std::numeric_limits<double>::epsilon();
+  }
 };
 
 /// The columns of a cohort, each an array of float or double. Current and previous positions change places in every

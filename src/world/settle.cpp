@@ -208,8 +208,7 @@ class Settling {
   /// Came to the ground inside a step.
   void land(const State<double>& s, double t, double clock) {
     const double passed = passed_at(t, clock);
-    r_.tell_last_trace_moves();
-    r_.trace(passed, {s.x, judgement_->at.velocity_of_way(t)});
+    trace_way(s.x, t, passed);
     stop_at(t, passed);
     touch_ground(s, passed);
   }
@@ -218,12 +217,16 @@ class Settling {
     const double t = judgement_->at.time(met.theta);
     const double passed = passed_at(t, clock);
     const State<double> s{met.hit.position, judgement_->at.moving_at_time(t, met.hit.normal).v};
-    r_.tell_last_trace_moves();
-    r_.trace(passed, {s.x, judgement_->at.velocity_of_way(t)});
+    trace_way(s.x, t, passed);
     r_.trace(passed, s);
     put(s, passed);
     stop_at(t, passed);
     touch_thing(s, met.hit, passed);
+  }
+  /// For others: the way up to a contact, which ends with its own velocity.
+  void trace_way(const Vec3d& x, double t, double passed) {
+    r_.tell_last_trace_moves();
+    if (r_.is_traced()) r_.trace(passed, {x, judgement_->at.velocity_of_way(t)});
   }
   /// What goes on from a time inside the step begins there.
   void stop_at(double t, double passed) {

@@ -260,6 +260,8 @@ class SettledRow final : public ContactHost {
     if (!accepted || ends_finite()) return true;
     return retire(Reason::non_finite), false;
   }
+  /// It meets others, who look at its path.
+  [[nodiscard]] bool is_traced() const { return is_traced_; }
   /// Keeps a moment for others that it may meet.
   void trace(double passed, const State<double>& s) {
     if (!is_traced_) return;

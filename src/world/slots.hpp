@@ -69,7 +69,15 @@ struct Slot {
 /// How long a projectile has been at rest.
 struct Rest {
   std::uint32_t step = 0;  // the last one in which it rested (low bits)
-  float time = 0;          // [s]
+  float time = 0;          // in steps without a break [s]
+
+  /// It rested in a step, too.
+  void count(std::uint64_t steps, double dt) {
+    const auto now = static_cast<std::uint32_t>(steps);
+    if (step + 1 != now) time = 0;
+    step = now;
+    time += static_cast<float>(dt);
+  }
 };
 
 /// Slots that are free, in the order in which they became so. A ring: those that are used soon can be seen ahead.

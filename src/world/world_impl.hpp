@@ -118,8 +118,9 @@ struct WorldImpl : Gate {
   /// A projectile comes, launched `age` ago [s]; if its motor has no delay, it is ignited by its launch.
   void tell_launch(std::uint32_t slot, const Coming& coming);
   bool put_to_sleep(std::uint32_t slot);
-  /// With what sleeps at it; says whether it slept.
+  /// Wakes a projectile and what sleeps at it; true if it slept.
   bool wake(std::uint32_t slot);
+  /// Wakes it and nothing else, now or at a time inside of the step at hand [s]; true if it slept.
   bool wake_alone(std::uint32_t slot, std::optional<double> moment = {});
   /// Wakes these, and what sleeps at them, and so on.
   void wake_piled(std::vector<std::uint32_t> slots);
@@ -152,7 +153,6 @@ struct WorldImpl : Gate {
   void move_scene(double dt);
   template <class F>
   void each_sleeper(const F& f) const;
-  void wake_all(std::vector<std::uint32_t>& slots);
 
   // ------------------------------------------------------------------------------------------- forces
   /// A generator, or its emitter, acts on it that it can feel.

@@ -24,18 +24,13 @@ void WorldImpl::each_sleeper(const F& f) const {
   }
 }
 
-/// In order of slots, so that the order of rows does not matter.
-void WorldImpl::wake_all(std::vector<std::uint32_t>& slots) {
-  std::ranges::sort(slots);
-  for (const std::uint32_t slot : slots) wake_alone(slot);
-}
-
 /// Sleeping projectiles check if they still lie on something; of many changes between two steps only the first asks.
 void WorldImpl::stir_scene() {
   if (std::exchange(is_stirred, true)) return;
   std::vector<std::uint32_t> asleep;
   each_sleeper([&](std::uint32_t slot) { asleep.push_back(slot); });
-  wake_all(asleep);
+  std::ranges::sort(asleep);  // so that the order of rows does not matter
+  for (const std::uint32_t slot : asleep) wake_alone(slot);
 }
 
 /// All rows look again for what is clear about them.
