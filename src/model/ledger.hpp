@@ -63,7 +63,9 @@ struct BrakedSum : Sum<R> {
   /// drag by v^2 is 2 k, are stable. The step is as it was, to the bit, where k h stays below z.
   PHYSIM_INLINE Vec3<R> limited(const R& h, const R& rate) const {
     const R square = dot(through_air, through_air) + constant<R>(1e-30), whole = square * constant<R>(0.9);
-    return this->total * (whole / max(whole, h * rate * square - h * dot(drag, through_air)));
+    const R braking = h * rate * square - h * dot(drag, through_air);
+    if (!any(braking > whole)) return this->total;
+    return this->total * (whole / max(whole, braking));
   }
 };
 
