@@ -63,7 +63,7 @@ TEST(Bodies, MeshesStayInTheirBoxAndFaceOutwards) {
     EXPECT_EQ(mesh.empty(), shape == BodyShape::ball);
     EXPECT_EQ(mesh.size() % 3, 0U);
     float most = 0;
-    for (const BodyVertex& v : mesh) {
+    for (const LitVertex& v : mesh) {
       for (const float x : v.at) {
         EXPECT_LE(std::abs(x), 0.5001F) << i;
         most = std::max(most, std::abs(x));

@@ -18,7 +18,7 @@ TEST(Scenery, PartsHaveTheColoursOfTheirMaterials) {
   SceneryMaker maker;
   const Scenery& scenery = maker.make(&scene, 1, 0, 100);
   std::map<Colour, int> of;
-  for (const SceneryVertex& v : scenery.vertices)
+  for (const LitVertex& v : scenery.vertices)
     ++of[static_cast<Colour>(v.colour[0]) << 24 | static_cast<Colour>(v.colour[1]) << 16 |
          static_cast<Colour>(v.colour[2]) << 8 | v.colour[3]];
   EXPECT_EQ(of, (std::map<Colour, int>{{colour_of_material("oak"), 36}, {colour_of_material("ice"), 36}}));

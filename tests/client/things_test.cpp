@@ -158,7 +158,7 @@ TEST(Scenery, IsTheSurfaceOfThings) {
   ASSERT_EQ(scenery.vertices.size(), 5U * 36);
   EXPECT_EQ(scenery.solid, scenery.vertices.size());
   EXPECT_EQ(scenery.names.size(), 5U);
-  for (const SceneryVertex& v : scenery.vertices) {
+  for (const LitVertex& v : scenery.vertices) {
     const Vec3d at = scenery.origin + Vec3d{v.at[0], v.at[1], v.at[2]}, normal{v.normal[0], v.normal[1], v.normal[2]};
     EXPECT_NEAR(length(normal), 1, 1e-6);
     EXPECT_LT(scene.nearest(at).distance, 1e-6);
@@ -214,7 +214,7 @@ TEST(Scenery, MovesWithItsThings) {
   ASSERT_TRUE(scene.add({.shape = box, .transform = at, .name = "turns", .motion = motion}));
   ASSERT_TRUE(scene.add({.shape = ball, .transform = at, .sensor = true, .motion = motion}));
   SceneryMaker moving;
-  const std::vector<SceneryVertex> first = moving.make(&scene, 1, 0, 64).vertices;
+  const std::vector<LitVertex> first = moving.make(&scene, 1, 0, 64).vertices;
   for (const double time : {0.5, 3.0, 0.0}) {
     const physim::Scene copy(scene);  // worlds copy a scene that a moment of them keeps
     const Scenery& moved = moving.make(&copy, 1, time, 64);

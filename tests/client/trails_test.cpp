@@ -103,7 +103,7 @@ TEST(Targets, HaveRings) {
     EXPECT_TRUE(client.session.set_scene(scenario));
     std::set<std::uint32_t> all;
     SceneryMaker maker;
-    for (const SceneryVertex& v : maker.make(client.session.world().scene(), 99, 0, 100).vertices)
+    for (const LitVertex& v : maker.make(client.session.world().scene(), 99, 0, 100).vertices)
       all.insert(static_cast<std::uint32_t>(v.colour[0] << 16 | v.colour[1] << 8 | v.colour[2]));
     return all.size();
   };

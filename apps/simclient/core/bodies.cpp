@@ -6,6 +6,7 @@
 #include <optional>
 #include <string_view>
 #include <utility>
+#include <vector>
 
 #include "base/assert.hpp"
 #include "math/angles.hpp"
@@ -112,18 +113,7 @@ constexpr Colour kCopper = 0xC07A4AFF, kBrass = 0xD2B15CFF, kOlive = 0x6E7550FF,
 constexpr Colour kWhite = 0xF4F4F0FF, kDimple = 0xD2D2CEFF, kRed = 0xC23B33FF, kFelt = 0xD6E34AFF, kCork = 0xC9A06EFF,
                  kClay = 0xA5604AFF;
 
-using Mesh = std::vector<BodyVertex>;
-
-BodyVertex vertex(const Vec3d& at, const Vec3d& normal, Colour colour) {
-  BodyVertex out;
-  const double places[] = {at.x, at.y, at.z}, ways[] = {normal.x, normal.y, normal.z};
-  for (std::size_t i = 0; i < 3; ++i) {
-    out.at[i] = static_cast<float>(places[i]);
-    out.normal[i] = static_cast<float>(ways[i]);
-  }
-  for (std::size_t i = 0; i < 4; ++i) out.colour[i] = static_cast<std::uint8_t>(colour >> (24 - 8 * i));
-  return out;
-}
+using Mesh = std::vector<LitVertex>;
 
 /// A place on a contour about the x axis.
 struct Contour {
@@ -143,9 +133,9 @@ void turn(Mesh& mesh, std::initializer_list<Contour> contour) {
     for (int i = 0; i < kSides; ++i) {
       const double a = 2 * kPi * i / kSides, b = 2 * kPi * (i + 1) / kSides;
       const auto corner = [&](const Contour& rim, double angle) {
-        return vertex(about_axis(rim.x, rim.radius, angle), about_axis(slope.x, slope.y, angle), from->colour);
+        return lit_vertex(about_axis(rim.x, rim.radius, angle), about_axis(slope.x, slope.y, angle), from->colour);
       };
-      for (const BodyVertex& each :
+      for (const LitVertex& each :
            {corner(*from, a), corner(*to, a), corner(*to, b), corner(*from, a), corner(*to, b), corner(*from, b)})
         mesh.push_back(each);
     }
@@ -161,7 +151,7 @@ void add_fins(Mesh& mesh, int count, double from, double to, double radius, Colo
     const Vec3d corners[] = {about_axis(to, radius, angle), about_axis(to - slant, 0.5, angle),
                              about_axis(from, 0.5, angle), about_axis(from, radius, angle)};
     for (const std::size_t k : {0, 1, 2, 0, 2, 3})
-      mesh.push_back(vertex(corners[k], normal, i == 0 ? kOfTrack : colour));
+      mesh.push_back(lit_vertex(corners[k], normal, i == 0 ? kOfTrack : colour));
   }
 }
 
@@ -178,7 +168,7 @@ Mesh ball_of(const ColourAt& colour_at, int rings = 2 * kRings, int sides = 2 * 
       const Vec3d corners[] = {at(ring, side), at(ring + 1, side), at(ring + 1, side + 1), at(ring, side + 1)};
       const Vec3d middle = normalized(corners[0] + corners[1] + corners[2] + corners[3]);
       for (const std::size_t k : {0, 1, 2, 0, 2, 3})
-        mesh.push_back(vertex(corners[k] * 0.5, corners[k], colour_at(middle)));
+        mesh.push_back(lit_vertex(corners[k] * 0.5, corners[k], colour_at(middle)));
     }
   return mesh;
 }
@@ -206,7 +196,8 @@ Mesh box() {
       const Colour colour = axis == 0 && side > 0 ? kOfTrack : kClay;  // its front
       const Vec3d corners[] = {turned(side, -0.5, -0.5), turned(side, 0.5, -0.5), turned(side, 0.5, 0.5),
                                turned(side, -0.5, 0.5)};
-      for (const std::size_t k : {0, 1, 2, 0, 2, 3}) mesh.push_back(vertex(corners[k], turned(2 * side, 0, 0), colour));
+      for (const std::size_t k : {0, 1, 2, 0, 2, 3})
+        mesh.push_back(lit_vertex(corners[k], turned(2 * side, 0, 0), colour));
     }
   return mesh;
 }
@@ -308,7 +299,7 @@ Mesh make_mesh(BodyShape shape) {
 
 }  // namespace
 
-std::span<const BodyVertex> mesh_of(BodyShape shape) {
+std::span<const LitVertex> mesh_of(BodyShape shape) {
   static const auto* const meshes = new std::array<Mesh, kBodyShapes>([] {
     std::array<Mesh, kBodyShapes> all;
     for (std::size_t i = 0; i < kBodyShapes; ++i) all[i] = make_mesh(static_cast<BodyShape>(i));

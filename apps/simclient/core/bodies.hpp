@@ -1,13 +1,11 @@
 // Bodies: what a projectile looks like, made in code: its form by what it is, its mesh, and its attitude.
 #pragma once
 
-#include <cstdint>
 #include <span>
-#include <vector>
 
 #include "physim/projectile.hpp"
 #include "physim/world.hpp"
-#include "simclient/core/palette.hpp"
+#include "simclient/core/lit_vertex.hpp"
 
 namespace physim::client {
 
@@ -35,15 +33,9 @@ struct BodyLook {
 /// By its motor, its inertia, its data of drag and spin, its size and mass; and by words in its name.
 [[nodiscard]] BodyLook look_of(const ProjectileDef& projectile);
 
-/// A corner of a triangle of a mesh. Meshes lie within +-0.5 along each axis.
-struct BodyVertex {
-  float at[3];
-  float normal[3];
-  std::uint8_t colour[4];  // opacity 254: in the colour of the projectile's track
-};
-
-/// The triangles of a shape, three corners each. A plain ball has none: it is drawn as a disc that is shaded.
-[[nodiscard]] std::span<const BodyVertex> mesh_of(BodyShape shape);
+/// The triangles of a shape, three corners each, within +-0.5 along each axis. Opacity 254 stands for the colour of the
+/// projectile's track. A plain ball has none: it is drawn as a disc that is shaded.
+[[nodiscard]] std::span<const LitVertex> mesh_of(BodyShape shape);
 
 /// The rotation about an axis of length one [rad].
 [[nodiscard]] Quatd turn_about(const Vec3d& axis, double angle);

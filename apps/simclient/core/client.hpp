@@ -23,7 +23,7 @@
 
 namespace physim::client {
 
-/// What trails are coloured by.
+/// The quantity that colours trails.
 enum class TrailColour { shot, speed, mach, energy };
 
 /// What is shown.
@@ -54,7 +54,7 @@ enum class BottomPanel { none, plots, compare, performance, hits, study };
 
 struct Action;
 
-/// Where a file is chosen, or a scenario of the gallery.
+/// The dialog that is open: one that chooses a file, or the gallery.
 enum class Dialog { none, open, save, gallery };
 
 /// An action that would lose work: it waits until somebody says yes.

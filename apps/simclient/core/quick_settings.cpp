@@ -52,7 +52,7 @@ QuickSetting mass_of(const Launcher& launcher) {
           ""};
 }
 
-/// What a preset's rotation becomes where the data allow it, or is that itself.
+/// True if a preset's model of rotation grants another one for some data, or is the same.
 bool is_meant_by(RotationModel of_preset, RotationModel rotation) {
   switch (rotation) {
     case RotationModel::rigid_body:

@@ -64,9 +64,9 @@ struct SceneLabel {
   double side = 0;  // moved by so much of half its width, to the right
 };
 
-/// What the colours of trails mean.
+/// The legend of the colours of trails.
 struct SceneLegend {
-  std::string what;       // "speed"
+  std::string what;       // the quantity: "speed"
   std::string low, high;  // its least and largest value, with units
 };
 

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "math/angles.hpp"
+#include "simclient/core/plane_axes.hpp"
 #include "simclient/core/scene.hpp"
 #include "simclient/core/target_report.hpp"
 
@@ -27,7 +28,7 @@ Quatd as_drawn(const Camera& camera, const Quatd& attitude, const Vec3d& velocit
   return nose_along(drawn) * conjugate(nose_along(velocity)) * attitude;
 }
 
-/// Out of the tail, as long as the motor burns.
+/// Adds the flame behind the tail while the motor burns.
 void add_flame(const Track& track, const SceneBody& body, double age, const Camera& camera, Scene& scene) {
   if (!track.burnout || age > *track.burnout || track.look.shape != BodyShape::rocket) return;
   const double drawn = std::max(body.look.size.x, static_cast<double>(body.pixels) * camera.pixel_size(body.at));
@@ -51,13 +52,10 @@ struct Yaw {
   double right = 0, up = 0;
   [[nodiscard]] double size() const { return std::hypot(right, up); }
 };
-struct PathAxes {
-  Vec3d along, right, up;
-  explicit PathAxes(const Vec3d& velocity) : along(normalized(velocity)) {
-    const Vec3d above = std::abs(along.y) < 0.999 ? Vec3d{0, 1, 0} : Vec3d{1, 0, 0};
-    right = normalized(cross(along, above));
-    up = cross(right, along);
-  }
+struct PathAxes : PlaneAxes {
+  Vec3d along;
+  explicit PathAxes(const Vec3d& velocity)
+      : PlaneAxes(axes_across(normalized(velocity))), along(normalized(velocity)) {}
   [[nodiscard]] Yaw yaw_of(const Vec3d& nose) const {
     const double x = dot(nose, right), y = dot(nose, up), across = std::hypot(x, y);
     const double angle = std::atan2(across, dot(nose, along));
@@ -69,7 +67,7 @@ struct PathAxes {
   }
 };
 
-/// Where its nose pointed lately, the last one now; that of a flight in a world is known for now alone.
+/// The yaw over the last 1.2 s, in order of time. A flight in a world has one entry, of the present moment.
 std::vector<Yaw> yaws_of(const Track& track, const Session::Shown& now, double age) {
   constexpr double kWindow = 1.2;  // [s]
   constexpr int kCount = 160;
@@ -84,7 +82,7 @@ std::vector<Yaw> yaws_of(const Track& track, const Session::Shown& now, double a
   return yaws;
 }
 
-/// Yaws of a degree or two cannot be seen: they are drawn so many times as large.
+/// The factor by which yaws are drawn larger, 1 to 50: one of a degree or two is not visible.
 double exaggeration(const std::vector<Yaw>& yaws) {
   constexpr double kWide = 24 * kDegree;
   double most = 0;
@@ -140,13 +138,12 @@ void add_puff(Scene& scene, const Camera& camera, double scale, const Vec3d& at,
               double radius, Colour colour) {
   const double part = age / Session::kDustTime, pixel = camera.pixel_size(at);
   const double size = std::max(5 * radius, 13 * scale * pixel) * (0.35 + 0.65 * std::sqrt(part));
-  const Vec3d other = std::abs(normal.y) < 0.9 ? Vec3d{0, 1, 0} : Vec3d{1, 0, 0};
-  const Vec3d right = normalized(cross(other, normal)), up = cross(normal, right);
+  const PlaneAxes plane = axes_across(normal);
   const double opacity = 0.55 * (1 - part) * (1 - part);
   constexpr int kClouds = 7;
   for (int i = 0; i < kClouds; ++i) {
     const double angle = 2.4 * i, out = size * (i == 0 ? 0 : 0.5 + 0.06 * i);
-    const Vec3d aside = right * std::cos(angle) + up * std::sin(angle);
+    const Vec3d aside = plane.right * std::cos(angle) + plane.up * std::sin(angle);
     const auto wide = static_cast<float>(size * (1.2 - 0.08 * i));
     scene.sprites.push_back({at + (aside * out + normal * (0.45 * size + 0.3 * out * part)), faded(colour, opacity),
                              wide, wide, 0, static_cast<float>(3 * scale)});
@@ -177,7 +174,7 @@ void build_bodies(Client& client, double scale, Scene& scene) {
   }
 }
 
-/// What was hit lately; and where something came down on the ground, a dark spot.
+/// Adds dust where hits were within the last Session::kDustTime, and a dark spot at each impact on the ground.
 void build_dust(const Client& client, double scale, Scene& scene) {
   if (scene.globe) return;
   const Session& session = client.session;
@@ -207,7 +204,7 @@ void build_dust(const Client& client, double scale, Scene& scene) {
   }
 }
 
-/// Beside each target, of the last shot by hand.
+/// Labels each target with the report of the selected shot, if it was fired by hand.
 void build_misses(Client& client, double scale, Scene& scene) {
   if (!client.show.marks) return;
   const Track* track = client.selected_track();

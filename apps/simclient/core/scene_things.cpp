@@ -4,6 +4,7 @@
 
 #include "math/angles.hpp"
 #include "physim/names.hpp"
+#include "simclient/core/plane_axes.hpp"
 #include "simclient/core/scene.hpp"
 #include "simclient/core/timeline.hpp"
 
@@ -12,16 +13,12 @@ namespace {
 
 constexpr std::size_t kMostLabels = 4;  // of hits of the selected projectile
 
-struct Plane {
-  Vec3d middle, right, up;  // of length one
+struct Plane : PlaneAxes {
+  Vec3d middle;
 };
 
 /// Across a direction.
-Plane plane_across(const Vec3d& middle, const Vec3d& normal) {
-  const Vec3d other = std::abs(normal.y) < 0.9 ? Vec3d{0, 1, 0} : Vec3d{1, 0, 0};
-  const Vec3d right = normalized(cross(other, normal));
-  return {middle, right, cross(normal, right)};
-}
+Plane plane_across(const Vec3d& middle, const Vec3d& normal) { return {axes_across(normal), middle}; }
 
 void circle(Scene& scene, const Camera& camera, const Plane& plane, double radius, Colour colour, double width) {
   const double pixels = radius / camera.pixel_size(plane.middle);
@@ -133,7 +130,7 @@ void build_cursor(const Client& client, double scale, Scene& scene) {
   for (const Track& track : client.session.known_tracks()) {
     const auto there = sample_at(track, *client.cursor);
     if (!there) continue;
-    const Plane plane{there->position, camera.drawn_as(camera.right()), camera.drawn_as(camera.up())};
+    const Plane plane{{camera.drawn_as(camera.right()), camera.drawn_as(camera.up())}, there->position};
     circle(scene, camera, plane, 7 * scale * camera.pixel_size(there->position), track.colour, 2 * scale);
   }
 }

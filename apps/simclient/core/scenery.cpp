@@ -8,6 +8,7 @@
 
 #include "math/angles.hpp"
 #include "physim/scene.hpp"
+#include "simclient/core/plane_axes.hpp"
 
 namespace physim::client {
 namespace {
@@ -76,7 +77,7 @@ class Gatherer final : public SceneCanvas {
     const auto shape = scene_.info(thing_->shape);
     const bool is_plane = faces_.size() == 2 && shape && shape->triangles == 0;  // else a mesh of two triangles
     has_planes_ |= is_plane;
-    const std::vector<SceneryVertex>& vertices = is_sensor_ ? sensors_ : into_.vertices;
+    const std::vector<LitVertex>& vertices = is_sensor_ ? sensors_ : into_.vertices;
     SceneryPart part{id_,
                      scene_.state(id_, time_).value_or(MotionState{}),
                      vertices.size(),
@@ -110,7 +111,7 @@ class Gatherer final : public SceneCanvas {
 
   /// Rings of a target, a flat disc with that word in its name: before both faces, from the rim to the middle.
   void add_rings() {
-    constexpr double kFlat = 0.35, kBefore = 0.002;  // parts of the radius
+    constexpr double kBefore = 0.002;  // part of the radius
     constexpr int kRings = 5, kSides = 40;
     constexpr Colour kColours[kRings] = {0xF2F2EEFF, 0x2B2E33FF, 0x3B8FC2FF, 0xC9403AFF, 0xF0CF3AFF};
     if (thing_->name.find("target") == std::string::npos) return;
@@ -122,13 +123,12 @@ class Gatherer final : public SceneCanvas {
         half = std::max(half, std::abs(dot(way, axis)));
         radius = std::max(radius, length(way - axis * dot(way, axis)));
       }
-    if (!(half < kFlat * radius)) return;
-    const Vec3d right = normalized(cross(std::abs(axis.y) < 0.9 ? Vec3d{0, 1, 0} : Vec3d{1, 0, 0}, axis));
-    const Vec3d up = cross(axis, right);
+    if (!(half < kFlatDisc * radius)) return;
+    const auto [right, up] = axes_across(axis);
     for (const double side : {-1.0, 1.0})
       for (int ring = 0; ring < kRings; ++ring)
         for (int i = 0; i < kSides; ++i) {
-          const auto at = [&](int rim, int k) {
+          const auto at = [&, right = right, up = up](int rim, int k) {
             const double angle = 2 * kPi * k / kSides, r = 0.98 * radius * (kRings - rim) / kRings;
             return middle + axis * (side * (half + kBefore * radius)) +
                    (right * std::cos(angle) + up * std::sin(angle)) * r;
@@ -136,7 +136,7 @@ class Gatherer final : public SceneCanvas {
           const Vec3d corners[] = {at(ring, i), at(ring, i + 1),     at(ring + 1, i + 1),
                                    at(ring, i), at(ring + 1, i + 1), at(ring + 1, i)};
           for (const Vec3d& p : corners)
-            into_.vertices.push_back(vertex(p - into_.origin, axis * side, kColours[ring]));
+            into_.vertices.push_back(lit_vertex(p - into_.origin, axis * side, kColours[ring]));
         }
   }
 
@@ -181,25 +181,14 @@ class Gatherer final : public SceneCanvas {
     std::unordered_map<Vec3d, std::vector<std::uint32_t>, PlaceHash, SamePlace> around;
     for (std::uint32_t i = 0; i < faces_.size(); ++i)
       for (const Vec3d& p : faces_[i].corners) around[p].push_back(i);
-    std::vector<SceneryVertex>& to = is_sensor_ ? sensors_ : into_.vertices;
+    std::vector<LitVertex>& to = is_sensor_ ? sensors_ : into_.vertices;
     for (const Face& face : faces_)
       for (const Vec3d& p : face.corners) {
         Vec3d normal;
         for (const std::uint32_t i : around[p])
           if (dot(faces_[i].normal, face.normal) > kSmooth) normal += faces_[i].normal;
-        to.push_back(vertex(p - into_.origin, normalized(normal), face.colour));
+        to.push_back(lit_vertex(p - into_.origin, normalized(normal), face.colour));
       }
-  }
-
-  static SceneryVertex vertex(const Vec3d& at, const Vec3d& normal, Colour colour) {
-    SceneryVertex out;
-    const double places[] = {at.x, at.y, at.z}, ways[] = {normal.x, normal.y, normal.z};
-    for (std::size_t i = 0; i < 3; ++i) {
-      out.at[i] = static_cast<float>(places[i]);
-      out.normal[i] = static_cast<float>(ways[i]);
-    }
-    for (std::size_t i = 0; i < 4; ++i) out.colour[i] = static_cast<std::uint8_t>(colour >> (24 - 8 * i));
-    return out;
   }
 
   const physim::Scene& scene_;
@@ -210,7 +199,7 @@ class Gatherer final : public SceneCanvas {
   std::vector<SceneryPart> parts_;
   std::vector<bool> of_sensors_;  // of each part
   std::vector<Face> faces_;
-  std::vector<SceneryVertex> sensors_;
+  std::vector<LitVertex> sensors_;
   Colour colour_ = 0;  // of what is drawn
   bool is_sensor_ = false, has_planes_ = false;
 };
@@ -230,7 +219,7 @@ void SceneryMaker::move_things(const physim::Scene& scene, double time) {
       to[0] = static_cast<float>(v.x), to[1] = static_cast<float>(v.y), to[2] = static_cast<float>(v.z);
     };
     for (std::size_t i = part.vertex; i < part.vertex + part.vertices; ++i) {
-      const SceneryVertex& was = made_.vertices[i];
+      const LitVertex& was = made_.vertices[i];
       set(scenery_.vertices[i].at, moved(scenery_.origin + Vec3d{was.at[0], was.at[1], was.at[2]}) - scenery_.origin);
       set(scenery_.vertices[i].normal, rotate(turn, Vec3d{was.normal[0], was.normal[1], was.normal[2]}));
     }

@@ -6,16 +6,12 @@
 #include <vector>
 
 #include "physim/scene.hpp"
-#include "simclient/core/palette.hpp"
+#include "simclient/core/lit_vertex.hpp"
 
 namespace physim::client {
 
-/// A corner of a triangle, as the renderer reads it.
-struct SceneryVertex {
-  float at[3];      // from Scenery::origin [m]
-  float normal[3];  // of the surface there; round things have those of what they stand for
-  std::uint8_t colour[4];
-};
+/// Half of the height of a disc that is a target, in radii, at most [-].
+inline constexpr double kFlatDisc = 0.35;
 
 /// A thing with a name.
 struct SceneryName {
@@ -37,10 +33,10 @@ struct SceneryPart {
 };
 
 struct Scenery {
-  Vec3d origin;
-  std::vector<SceneryVertex> vertices;  // three for each triangle; those of sensors, which are seen through, come last
-  std::size_t solid = 0;                // vertices before those of sensors
-  std::vector<SceneryEdge> edges;       // not of sensors, nor of planes
+  Vec3d origin;                     // of places of vertices
+  std::vector<LitVertex> vertices;  // three for each triangle; those of sensors, which are seen through, come last
+  std::size_t solid = 0;            // vertices before those of sensors
+  std::vector<SceneryEdge> edges;   // not of sensors, nor of planes
   std::vector<SceneryName> names;
   bool has_size = false;      // something in it ends somewhere: it is no plane
   Vec3d low, high;            // of all that does

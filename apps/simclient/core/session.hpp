@@ -75,7 +75,7 @@ class Session {
   [[nodiscard]] double time_scale_reached() const { return time_scale_ * kept_; }
   [[nodiscard]] double time() const { return world().time(); }
   [[nodiscard]] std::uint64_t step() const { return step_; }
-  /// So long after something was hit, dust is in the air [s of the world].
+  /// The time that dust of a hit stays in the air [s of the world].
   static constexpr double kDustTime = 0.7;
   /// The next moments look different from this one: the clock runs, and something moved in the last step, moves by
   /// itself or is played.

@@ -6,6 +6,7 @@
 #include "base/assert.hpp"
 #include "base/text.hpp"
 #include "math/angles.hpp"
+#include "simclient/core/scenery.hpp"
 
 namespace physim::client {
 namespace {
@@ -53,13 +54,12 @@ Axes axes_of(const Vec3d& normal, const Vec3d& way) {
 }  // namespace
 
 std::vector<TargetDisc> targets_of(const Scenario& scenario) {
-  constexpr double kFlat = 0.35;
   std::vector<TargetDisc> targets;
   for (const ScenarioThing& thing : scenario.things) {
     const auto shape = std::ranges::find(scenario.shapes, thing.shape, &ScenarioShape::name);
     if (shape == scenario.shapes.end() || !thing.keys.empty() || thing.velocity != Vec3d{}) continue;
     const auto* disc = std::get_if<CylinderShape>(&shape->shape);
-    if (disc == nullptr || disc->half_height > kFlat * disc->radius) continue;
+    if (disc == nullptr || !(disc->half_height < kFlatDisc * disc->radius)) continue;
     const Vec3d normal = rotate(thing.rotation.quaternion(), Vec3d{0, 1, 0});
     targets.push_back({thing.name, thing.position, normal, disc->radius * thing.scale});
   }

@@ -19,7 +19,7 @@ struct TargetDisc {
 /// The targets among the things of a scenario that stand still: flat cylinders.
 [[nodiscard]] std::vector<TargetDisc> targets_of(const Scenario& scenario);
 
-/// Where a path meets the plane of a target, as seen from where it was launched.
+/// The place where a path meets the plane of a target, seen from the launch.
 struct TargetReport {
   bool has_hit = false;
   double right = 0, up = 0;  // of the middle [m]

@@ -28,9 +28,9 @@ BodyPass::~BodyPass() {
 
 Status BodyPass::make() {
   if (Status status = shader_.make("bodies", kBodyVertex, kBodyFragment); !status) return status;
-  std::vector<BodyVertex> all;
+  std::vector<LitVertex> all;
   for (std::size_t i = 0; i < kBodyShapes; ++i) {
-    const std::span<const BodyVertex> mesh = mesh_of(static_cast<BodyShape>(i));
+    const std::span<const LitVertex> mesh = mesh_of(static_cast<BodyShape>(i));
     ranges_[i] = {static_cast<GLint>(all.size()), static_cast<GLsizei>(mesh.size())};
     all.insert(all.end(), mesh.begin(), mesh.end());
   }
@@ -38,13 +38,8 @@ Status BodyPass::make() {
   glGenBuffers(1, &vertices_);
   glBindVertexArray(array_);
   glBindBuffer(GL_ARRAY_BUFFER, vertices_);
-  glBufferData(GL_ARRAY_BUFFER, static_cast<GLsizeiptr>(all.size() * sizeof(BodyVertex)), all.data(), GL_STATIC_DRAW);
-  const char* const start = nullptr;
-  const GLsizei stride = sizeof(BodyVertex);
-  for (GLuint i = 0; i < 3; ++i) glEnableVertexAttribArray(i);
-  glVertexAttribPointer(0, 3, GL_FLOAT, GL_FALSE, stride, start + offsetof(BodyVertex, at));
-  glVertexAttribPointer(1, 3, GL_FLOAT, GL_FALSE, stride, start + offsetof(BodyVertex, normal));
-  glVertexAttribPointer(2, 4, GL_UNSIGNED_BYTE, GL_TRUE, stride, start + offsetof(BodyVertex, colour));
+  glBufferData(GL_ARRAY_BUFFER, static_cast<GLsizeiptr>(all.size() * sizeof(LitVertex)), all.data(), GL_STATIC_DRAW);
+  read_lit_vertices();
   glBindVertexArray(0);
   return {};
 }

@@ -28,7 +28,7 @@ class BodyPass {
   std::array<Range, kBodyShapes> ranges_;
 };
 
-/// How many times as large as it is a body is drawn.
+/// The factor by which a body is drawn larger than it is, at least 1.
 [[nodiscard]] double enlargement(const SceneBody& body, const Camera& camera);
 
 }  // namespace physim::client

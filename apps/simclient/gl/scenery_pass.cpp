@@ -48,12 +48,7 @@ Status SceneryPass::make() {
   glGenBuffers(1, &vertices_);
   glBindVertexArray(array_);
   glBindBuffer(GL_ARRAY_BUFFER, vertices_);
-  const char* const start = nullptr;
-  const GLsizei stride = sizeof(SceneryVertex);
-  for (GLuint i = 0; i < 3; ++i) glEnableVertexAttribArray(i);
-  glVertexAttribPointer(0, 3, GL_FLOAT, GL_FALSE, stride, start + offsetof(SceneryVertex, at));
-  glVertexAttribPointer(1, 3, GL_FLOAT, GL_FALSE, stride, start + offsetof(SceneryVertex, normal));
-  glVertexAttribPointer(2, 4, GL_UNSIGNED_BYTE, GL_TRUE, stride, start + offsetof(SceneryVertex, colour));
+  read_lit_vertices();
   glBindVertexArray(0);
   glGenTextures(1, &map_.texture);
   glBindTexture(GL_TEXTURE_2D, map_.texture);
@@ -73,7 +68,7 @@ void SceneryPass::upload(const Scenery& scenery) {
   if (uploaded_ == scenery.version) return;
   uploaded_ = scenery.version;
   glBindBuffer(GL_ARRAY_BUFFER, vertices_);
-  glBufferData(GL_ARRAY_BUFFER, static_cast<GLsizeiptr>(scenery.vertices.size() * sizeof(SceneryVertex)),
+  glBufferData(GL_ARRAY_BUFFER, static_cast<GLsizeiptr>(scenery.vertices.size() * sizeof(LitVertex)),
                scenery.vertices.data(), GL_DYNAMIC_DRAW);
 }
 

@@ -1,6 +1,9 @@
 #include "simclient/gl/shader.hpp"
 
+#include <cstddef>
 #include <string>
+
+#include "simclient/core/lit_vertex.hpp"
 
 namespace physim::client {
 
@@ -25,6 +28,15 @@ Status Shader::make(const char* name, const char* vertex, const char* fragment, 
   if (good != 0) return {};
   glGetProgramInfoLog(program_, sizeof log, nullptr, log);
   return Error{std::string("a shader does not link: ") + log, name, kHint};
+}
+
+void read_lit_vertices() {
+  const char* const start = nullptr;
+  const GLsizei stride = sizeof(LitVertex);
+  for (GLuint i = 0; i < 3; ++i) glEnableVertexAttribArray(i);
+  glVertexAttribPointer(0, 3, GL_FLOAT, GL_FALSE, stride, start + offsetof(LitVertex, at));
+  glVertexAttribPointer(1, 3, GL_FLOAT, GL_FALSE, stride, start + offsetof(LitVertex, normal));
+  glVertexAttribPointer(2, 4, GL_UNSIGNED_BYTE, GL_TRUE, stride, start + offsetof(LitVertex, colour));
 }
 
 void hand_colour(const Shader& shader, const char* name, Colour colour, double part) {

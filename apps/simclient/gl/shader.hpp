@@ -26,6 +26,9 @@ class Shader {
   GLuint program_ = 0;
 };
 
+/// The bound array takes the bound buffer for rows of LitVertex: locations 0 to 2 are its members.
+void read_lit_vertices();
+
 /// A uniform of three numbers: part of a colour's red, green and blue, from 0 to 1.
 void hand_colour(const Shader& shader, const char* name, Colour colour, double part = 1);
 
