@@ -64,6 +64,12 @@ constexpr UnreadRule kPlaceRules[] = {
        const bool goes = !motion.keys.empty() || motion.velocity != Vec3d{} || !emitter(r).follows.empty();
        return read_or(goes, ": the emitter does not move");
      }},
+    {"emitter.bursts",
+     [](R r) {
+       const EmitterDef& e = def(r);
+       const auto late = std::ranges::find_if(e.bursts, [&](const Burst& b) { return b.time >= e.cycle.duration; });
+       return read_or(late == e.bursts.end(), ": one is due behind the cycle's end, see emitter.cycle.duration");
+     }},
     {"emitter.cycle",
      [](R r) { return read_or(fires(r), ": the emitter fires only as the sub of others, or not at all"); }},
     {"emitter.cycle.duration",

@@ -11,6 +11,7 @@
 #include "model/sight.hpp"
 #include "physim/solve.hpp"
 #include "physim/study.hpp"
+#include "prepare/grant.hpp"
 #include "scenario/world_run.hpp"
 
 namespace physim::test {
@@ -181,6 +182,8 @@ class ResultHash {
   void of_world() {
     auto run = WorldRun::create(scenario_);
     if (!run) return refuse(run.error());
+    for (const ScenarioShot& shot : scenario_.shots)  // which may be gone before the first look
+      add(grant(shot.projectile.fidelity, shot.projectile, scenario_.environment));
     const std::uint64_t steps = std::min<std::uint64_t>(run->steps(), 90);
     add(scenario_.world.duration);
     for (std::uint64_t i = 0; i < steps; ++i) {

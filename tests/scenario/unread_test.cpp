@@ -225,6 +225,9 @@ TEST(Unread, settings_of_emitters) {
                 emitter("trail = { time = 2, points = 3 }"));
   expect_unread("emitter.per_metre", ": the emitter does not move", emitter("per_metre = 2"),
                 emitter("per_metre = 2\nmotion = { velocity = [1, 0, 0] }"));
+  expect_unread("emitter.bursts", ": one is due behind the cycle's end, see emitter.cycle.duration",
+                emitter("bursts = [{ time = 0.1, count = 3 }]\ncycle = { duration = 0.05 }"),
+                emitter("bursts = [{ time = 0.1, count = 3 }]\ncycle = { duration = 0.2 }"));
   expect_unread("emitter.life.fast", " without emitter.life.size_by_speed", emitter("life = { fast = 2 }"),
                 emitter("life = { fast = 2, size_by_speed = [[0, 1], [1, 2]] }"));
 }
