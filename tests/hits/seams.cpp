@@ -90,11 +90,12 @@ void cast(Tried& tried, const Floor& floor, const Frame& frame, Body left, Body 
   s.from = aim - rotate(frame.turn, down) * high;
   s.to = aim + rotate(frame.turn, down) * r.in(0.05, 1);
   s.radius = radius;
+  const double above = rotate(conjugate(frame.turn), s.from - frame.origin).y;  // floats have moved it
+  if (above < 8 * ulp) return;  // it begins below the floor, where a height field is met by nothing
   ++tried.casts;
   const SceneHit hit = floor.scene.first_hit(s);
   if (!hit) return tell(tried, "nothing is hit", left, right, far, down, radius);
   if (hit.starts_inside) {
-    const double above = rotate(conjugate(frame.turn), s.from - frame.origin).y;  // floats have moved it
     if (radius < above * (1 - 1e-9) - 8 * ulp) tell(tried, "it begins inside", left, right, far, down, radius);
     return;
   }
