@@ -14,18 +14,18 @@ scene() { # name, script, scenario
 }
 
 scene gallery "gallery; wait 3"
-scene rifle "trail-colour speed; fire-whole; wait 60; vectors; wait 1" 308_168gr_g7
-scene golf "fire-whole; wait 210" golf_drive
-scene shell "fire-whole; faster; faster; faster; faster; faster; wait 100" 105mm_m1_six_dof
-scene rocket "fire; wait 240" model_rocket
-scene brick "fire; wait 400" nesc_case03
-scene orbit "faster; faster; faster; faster; faster; faster; faster; faster; fire-whole; wait 900" low_orbit
-scene gun "wait 130" emit_machine_gun
-scene mortar "fire; shot high; fire; wait 500" mortar_over_hill
-scene billiards "wait 70" billiards
-scene fireworks "wait 330" emit_fireworks
-scene explosion "wait 60" world_sparks
-scene compare "compare; fire-compared; wait 100" golf_drive
+scene rifle "trail-colour speed; fire-whole; seek 1; vectors; wait 3" 308_168gr_g7
+scene golf "fire-whole; seek 4.5; wait 3" golf_drive
+scene shell "fire-whole; seek 54; wait 3" 105mm_m1_six_dof
+scene rocket "fire; seek 1.6; wait 3" model_rocket
+scene brick "fire; seek 6.7; wait 3" nesc_case03
+scene orbit "fire-whole; seek 3840; wait 3" low_orbit
+scene gun "seek 2.17; wait 3" emit_machine_gun
+scene mortar "fire; shot high; fire; seek 8.3; wait 3" mortar_over_hill
+scene billiards "seek 1.17; wait 3" billiards
+scene fireworks "seek 6.2; wait 3" emit_fireworks
+scene explosion "seek 1; wait 3" world_sparks
+scene compare "compare; fire-compared; seek 1.67; wait 3" golf_drive
 scene study "study-run; wait 120" study_308
 scene target "target 20 1.5 0; set shot.fidelity.preset=small_arms; shot rifle_bullet; turn-right; fire; wait 8"
 scene test_5 "test 5; wait 120"

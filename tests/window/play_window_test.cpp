@@ -80,9 +80,9 @@ TEST_F(PlayBar, ButtonsDoWhatTheirKeysDo) {
   EXPECT_TRUE(start["paused"].get<bool>());
   EXPECT_FALSE(press(2)["paused"].get<bool>());
   client.wait_for([](const Json& s) { return s["tracks"][0]["time"].get<double>() > 0.2; });
+  client.key("p");  // a busy machine may play far on between two frames
   client.chord({"Control_L", "Home"});
   EXPECT_LT(client.next_frames()["tracks"][0]["time"].get<double>(), 0.2);
-  client.key("p");
   client.chord({"Control_L", "Right"});
   const Json leapt = client.next_frames();
   client.chord({"Control_L", "Left"});

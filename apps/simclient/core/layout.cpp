@@ -12,13 +12,18 @@ double scale_of_screen(double height) {
 
 Layout make_layout(const Client& client, float width, float height, float scale) {
   constexpr float kDock = 320, kLeastDock = 200, kBottom = 280, kStudy = 460, kLeastHeight = 320;
-  constexpr float kScene = 0.6F, kSettings = 0.46F;  // parts: of the window, and of the dock
+  constexpr float kScene = 0.6F;                             // part of the window
+  constexpr float kSettings = 0.46F, kMostSettings = 0.56F;  // parts of the dock: what flights leave
+  constexpr float kTitle = 32, kFlight = 100;                // of the flights, as high as letters of 15 pixels make it
   const float menu = 26 * scale, status = 28 * scale, play = client.show.play ? 34 * scale : 0;
   const float room = std::max(height - menu - status - play, 1.0F);
   float dock = std::min(kDock * scale, width - kScene * width * height / room);
   if (dock < kLeastDock * scale || !(client.show.settings || client.show.statistics)) dock = 0;
   const bool has_both = client.show.settings && client.show.statistics && room >= kLeastHeight * scale;
-  const float upper = !client.show.settings ? 0 : has_both ? std::round(room * kSettings) : room;
+  const auto flights = static_cast<float>(std::clamp<std::size_t>(client.session.tracks().size(), 1, 3));
+  const float rest = room - (kTitle + kFlight * flights) * scale;
+  const float shared = std::round(std::clamp(rest, room * kSettings, room * kMostSettings));
+  const float upper = !client.show.settings ? 0 : has_both ? shared : room;
   const bool is_study = client.bottom == BottomPanel::study;  // has a picture that is as high as it is wide
   const float bottom = client.bottom == BottomPanel::none ? 0
                        : is_study                         ? std::min(kStudy * scale, room * 0.65F)

@@ -43,7 +43,8 @@ void mark(Scene& scene, const Session& session, const Camera& camera, double sca
     constexpr double kShown = 0.005;  // [m]; a hop that the label shows as 0.00 m has no mark
     if (std::abs(height) >= kShown) {
       cross(scene, camera, scale, at, right, up, track.colour);
-      scene.label(at, formatted("apex %.2f m, %.2f s", height, track.apex->time), track.colour, -2);
+      scene.label(at, "apex " + distance_text(std::round(100 * height) / 100) + formatted(", %.2f s", track.apex->time),
+                  track.colour, -2);
     }
   }
   if (track.whole && track.status == LifeStatus::expired) {  // at the end that its scenario sets

@@ -44,11 +44,12 @@ void pick_rungs(Client& client) {
     if (preset == "reference") continue;  // the truth is always there
     const std::string name(preset);
     bool on = std::find(client.compared.begin(), client.compared.end(), name) != client.compared.end();
+    if (preset != fidelity_presets().front()) go_beside(name.c_str(), ImGui::GetFrameHeight());
     is_changed |= ImGui::Checkbox(name.c_str(), &on);
     if (on) picked.push_back(name);
-    ImGui::SameLine();
   }
   if (is_changed) client.compared = picked;
+  go_beside("fire all");
   if (ImGui::Button("fire all")) run_action(client, *find_action("fire-compared"));
   tooltip("fires the next shot on all of them at once (F6)");
 }

@@ -37,6 +37,9 @@ void cell(const char* format, Values... values) {
 /// The first row of a table.
 void headings(std::initializer_list<const char*> titles);
 void end_panel();
+/// Puts the next item beside the one before, or under it if a button of this label, and so many pixels more, has no
+/// room.
+void go_beside(const char* label, float more = 0);
 
 void coloured_text(Colour colour, const std::string& text);  // wrapped
 /// Shown while the mouse rests on the item before.

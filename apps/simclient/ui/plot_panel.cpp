@@ -153,7 +153,7 @@ void pick_quantity(const char* id, std::size_t& quantity, float width) {
 /// What is plotted, in its place of the row.
 void draw_one(Client& client, PlotSpec& spec, float width, bool bare) {
   ImGui::BeginChild("plot", {width, 0}, false, ImGuiWindowFlags_NoScrollbar);
-  if (!bare) {
+  if (!bare && ImGui::GetContentRegionAvail().y > ImGui::GetFontSize() * 8) {  // else the curve needs the room
     const float half = (width - ImGui::CalcTextSize("over").x - 8) / 2;
     pick_quantity("##y", spec.y, half);
     ImGui::SameLine(0, 4);
@@ -187,13 +187,14 @@ void draw_one(Client& client, PlotSpec& spec, float width, bool bare) {
 }
 
 void button(Client& client, const char* label, const char* action) {
-  ImGui::SameLine();
+  go_beside(label);
   if (ImGui::Button(label)) run_action(client, *find_action(action));
   tooltip(std::string(find_action(action)->help) + " (" + std::string(find_action(action)->keys) + ")");
 }
 
 void draw_buttons(Client& client) {
-  ImGui::Checkbox("selected alone", &client.plots_selected_alone);
+  ImGui::Checkbox("selected", &client.plots_selected_alone);
+  tooltip("curves of the selected one alone");
   ImGui::SameLine();
   if (ImGui::Button("+") && client.plots.size() < 6) client.plots.push_back(client.plots.back());
   tooltip("one plot more");
@@ -203,9 +204,9 @@ void draw_buttons(Client& client) {
   for (const auto& [label, plots] : {std::pair{"path", "y/x y/z speed/range"},
                                      {"position", "x y z"},
                                      {"velocity", "vx vy vz"},
-                                     {"acceleration", "ax ay az"},
+                                     {"accel.", "ax ay az"},
                                      {"energy", "speed energy mach"}}) {
-    ImGui::SameLine();
+    go_beside(label);
     if (ImGui::Button(label)) client.plots = *parse_plots(plots);
   }
   button(client, "CSV", "save-csv");
@@ -218,13 +219,16 @@ void draw_plots(Client& client, bool bare) {
   if (!bare) draw_buttons(client);
   const float gap = ImGui::GetStyle().ItemSpacing.x;
   const auto count = static_cast<float>(client.plots.size());
-  const float width = (ImGui::GetContentRegionAvail().x - gap * (count - 1)) / count;
+  const float even = (ImGui::GetContentRegionAvail().x - gap * (count - 1)) / count;
+  const float width = bare ? even : std::max(even, ImGui::GetFontSize() * 9);  // else the row is scrolled
+  ImGui::BeginChild("row", {0, 0}, false, width > even ? ImGuiWindowFlags_HorizontalScrollbar : 0);
   for (std::size_t i = 0; i < client.plots.size(); ++i) {
     if (i > 0) ImGui::SameLine();
     ImGui::PushID(static_cast<int>(i));
     draw_one(client, client.plots[i], width, bare);
     ImGui::PopID();
   }
+  ImGui::EndChild();
 }
 
 }  // namespace physim::client

@@ -28,8 +28,14 @@ SettingsPanel::SettingsPanel() {
 }
 
 void SettingsPanel::draw(Client& client, const Box& box) {
-  if (begin_panel("Settings###settings", box) && ImGui::BeginTabBar("what")) {
-    if (ImGui::BeginTabItem("Next shot")) {
+  const bool is_drawn = begin_panel("Settings###settings", box);
+  const bool is_narrow = ImGui::GetContentRegionAvail().x < ImGui::GetFontSize() * 17;
+  const ImVec2 padding = ImGui::GetStyle().FramePadding;
+  ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, {is_narrow ? padding.x / 3 : padding.x, padding.y});
+  const bool has_tabs = is_drawn && ImGui::BeginTabBar("what");
+  ImGui::PopStyleVar();
+  if (has_tabs) {
+    if (ImGui::BeginTabItem(is_narrow ? "Shot###shot" : "Next shot###shot")) {
       draw_shot(client);
       ImGui::EndTabItem();
     }

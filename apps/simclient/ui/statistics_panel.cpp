@@ -1,4 +1,7 @@
 // Live numbers of every projectile, in its own colour.
+#include <algorithm>
+#include <cmath>
+
 #include "base/text.hpp"
 #include "physim/names.hpp"
 #include "simclient/core/scene.hpp"
@@ -7,14 +10,22 @@
 namespace physim::client {
 namespace {
 
+/// Where there is little room the unit says what a row is.
 void vector_row(const char* what, const char* unit, const Vec3d& v, bool is_narrow) {
   ImGui::TableNextRow();
   ImGui::TableNextColumn();
-  ImGui::TextDisabled("%s", what);
-  for (const double x : {v.x, v.y, v.z}) cell("%s", fitting_text(x, is_narrow ? 7 : 8).c_str());
-  if (is_narrow) return tooltip(unit);
+  ImGui::TextDisabled("%s", is_narrow ? unit : what);
+  tooltip(what);
+  for (const double x : {v.x, v.y, v.z}) cell("%s", fitting_text(x, is_narrow ? 6 : 8).c_str());
+  if (is_narrow) return;
   ImGui::TableNextColumn();
   ImGui::TextDisabled("%s", unit);
+}
+
+void position_row(const Vec3d& at, bool is_narrow) {
+  constexpr double kFar = 1e5;  // along an axis, from where positions are told in km [m]
+  const bool is_far = std::max({std::abs(at.x), std::abs(at.y), std::abs(at.z)}) >= kFar;
+  vector_row("position", is_far ? "km" : "m", is_far ? at * 1e-3 : at, is_narrow);
 }
 
 /// The last ones, the first of them on top.
@@ -32,21 +43,26 @@ void draw_track(Client& client, const Track& track, bool is_selected) {
   const TrackSample& s = track.samples.back();
   ImGui::PushID(static_cast<int>(track.number));
   ImGui::PushStyleColor(ImGuiCol_Text, tint(track.colour));
-  const std::string title = formatted("%s   %s%s   %.2f s###title", track.title().c_str(),
-                                      client.session.fate_of(track).c_str(), track.edited ? ", edited" : "", s.time);
-  if (ImGui::Selectable(title.c_str(), is_selected)) client.selected = track.id;
   const bool is_narrow = ImGui::GetContentRegionAvail().x < ImGui::GetFontSize() * 17.5F;
+  const std::string when = is_narrow ? "" : formatted("   %.2f s", s.time);  // else beside the mass
+  const std::string title =
+      formatted("%s%s%s%s%s", track.title().c_str(), is_narrow ? "  " : "   ", client.session.fate_of(track).c_str(),
+                track.edited ? ", edited" : "", when.c_str());
+  if (ImGui::Selectable((title + "###title").c_str(), is_selected)) client.selected = track.id;
+  tooltip(title);
   if (ImGui::BeginTable("numbers", is_narrow ? 4 : 5, ImGuiTableFlags_SizingStretchProp)) {
-    for (const float width : {1.1F, 1.2F, 1.2F, 1.2F})
+    for (const float width : {is_narrow ? 0.8F : 1.1F, 1.2F, 1.2F, 1.2F})
       ImGui::TableSetupColumn("", ImGuiTableColumnFlags_WidthStretch, width);
     if (!is_narrow) ImGui::TableSetupColumn("", ImGuiTableColumnFlags_WidthStretch, 0.7F);
-    vector_row("position", "m", s.position, is_narrow);
+    position_row(s.position, is_narrow);
     vector_row("velocity", "m/s", s.velocity, is_narrow);
-    vector_row("accel.", "m/s\u00b2", s.acceleration, is_narrow);
+    vector_row(is_narrow ? "acceleration" : "accel.", "m/s\u00b2", s.acceleration, is_narrow);
     ImGui::EndTable();
   }
-  ImGui::Text(is_narrow ? "%.2f m/s  Mach %.3f\n%.4g kg" : "speed %.2f m/s  Mach %.3f  %.4g kg", length(s.velocity),
-              s.mach, s.mass);
+  if (is_narrow)
+    ImGui::Text("%.2f m/s  Mach %.3f\n%.4g kg  %.2f s", length(s.velocity), s.mach, s.mass, s.time);
+  else
+    ImGui::Text("speed %.2f m/s  Mach %.3f  %.4g kg", length(s.velocity), s.mach, s.mass);
   draw_hits_of(client.session, track);
   ImGui::PopStyleColor();
   ImGui::Separator();

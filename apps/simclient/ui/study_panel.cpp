@@ -149,6 +149,7 @@ void draw_legend(ImDrawList& list, const Frame& frame, const StudyFace& face, co
   float x = frame.low.x + letter() * 0.5F;
   for (const auto& [text, colour] : words) {
     const std::string shown = text.starts_with("\u25a0") ? text.substr(std::string("\u25a0").size() + 1) : text;
+    if (x + letter() + ImGui::CalcTextSize(shown.c_str()).x > frame.high.x + letter()) break;
     if (shown.size() != text.size()) {
       const float side = letter() * 0.55F, top = frame.low.y - letter() * 0.95F;
       list.AddRectFilled({x, top}, {x + side, top + side}, shade(colour));
@@ -236,8 +237,12 @@ void draw_settling(const Settling& settling, const ImVec2& size) {
     }
   draw_band(list, frame, settling);
   list.AddRect(frame.low, frame.high, exact(theme_in_use().separator));
-  text_at(list, {frame.low.x, at.y}, colours::kText, settling.label);
-  text_at(list, {frame.low.x, frame.high.y + letter() * 1.2F}, colours::kDim, "shots, with the 95 % interval");
+  const auto write = [&](float y, Colour colour, const std::string& text) {  // from the axis, or farther left
+    const float wide = ImGui::CalcTextSize(text.c_str()).x;
+    text_at(list, {std::max(at.x, std::min(frame.low.x, at.x + size.x - wide)), y}, colour, text);
+  };
+  write(at.y, colours::kText, settling.label);
+  write(frame.high.y + letter() * 1.2F, colours::kDim, "shots, with the 95 % interval");
 }
 
 void draw_all_settling(const StudyResult& result, float width) {
@@ -260,6 +265,7 @@ void draw_figures(const StudyResult& result) {
     cell("%s", figure.value.c_str());
     ImGui::TableNextColumn();
     ImGui::TextDisabled("%s", figure.error.c_str());
+    tooltip(figure.error);  // its end may be clipped
   }
   ImGui::EndTable();
 }
@@ -278,7 +284,9 @@ void draw_inputs(const StudyTold& told) {
   if (!told.linear || !ImGui::BeginTable("inputs", 1 + static_cast<int>(shown),
                                          ImGuiTableFlags_RowBg | ImGuiTableFlags_SizingStretchSame))
     return;
-  ImGui::TableSetupColumn("a deviation of", ImGuiTableColumnFlags_WidthStretch, 1.15F);
+  const bool is_narrow = ImGui::GetContentRegionAvail().x < letter() * 23;
+  ImGui::TableSetupColumn(is_narrow ? "of" : "a deviation of", ImGuiTableColumnFlags_WidthStretch,
+                          is_narrow ? 0.7F : 1.15F);
   for (std::size_t q = 0; q < shown; ++q)
     ImGui::TableSetupColumn(("does to " + std::string(name(result.quantities[q].quantity))).c_str());
   ImGui::TableHeadersRow();
@@ -286,9 +294,11 @@ void draw_inputs(const StudyTold& told) {
     ImGui::TableNextRow();
     ImGui::TableNextColumn();
     ImGui::TextUnformatted(short_path(row.path).c_str());
-    tooltip(row.path);
-    ImGui::SameLine();
-    ImGui::TextDisabled("%s", row.deviation.c_str());
+    tooltip(row.path + ": " + row.deviation);
+    if (!is_narrow) {
+      ImGui::SameLine();
+      ImGui::TextDisabled("%s", row.deviation.c_str());
+    }
     for (std::size_t q = 0; q < shown; ++q) {
       ImGui::TableNextColumn();
       if (row.share[q] < 0.0005) {
@@ -405,7 +415,8 @@ void draw_buttons(Client& client) {
   const auto all = static_cast<double>(std::max<std::uint64_t>(run.plan()->shards(), 1));
   const bool is_done = run.state() == StudyRun::State::done;
   ImGui::PushStyleColor(ImGuiCol_PlotHistogram, exact_tint(is_done ? done_bar() : study_bar()));
-  ImGui::ProgressBar(is_done ? 1 : static_cast<float>(done / all), {letter() * 9, 0},
+  const float bar = std::clamp(ImGui::GetContentRegionAvail().x, letter() * 4, letter() * 9);
+  ImGui::ProgressBar(is_done ? 1 : static_cast<float>(done / all), {bar, 0},
                      is_done ? "done" : formatted("%.0f %%", 100 * done / all).c_str());
   ImGui::PopStyleColor();
   if (client.study.begun_at && *client.study.begun_at != client.versions()) {
@@ -430,14 +441,17 @@ void draw_study(Client& client) {
   }
   const ImVec2 room = ImGui::GetContentRegionAvail();
   const float gap = ImGui::GetStyle().ItemSpacing.x;
-  const float face = std::min(room.x * 0.4F, room.y * 1.35F);
-  const float settling = (room.x - face) * 0.46F - gap;
+  const bool has_settling = room.x > letter() * 44;  // else figures and the face need the room
+  const float face = std::min(room.x * (has_settling ? 0.36F : 0.42F), room.y * 1.35F);
+  const float settling = (room.x - face) * 0.42F - gap;
   const auto place = shown_place(client.study);
   const StudyTold told = run.told(place);
   draw_face(told, face);
   ImGui::SameLine();
-  draw_all_settling(told.result, settling);
-  ImGui::SameLine();
+  if (has_settling) {
+    draw_all_settling(told.result, settling);
+    ImGui::SameLine();
+  }
   ImGui::BeginChild("figures");
   if (const std::string lacking = place ? lacking_at(told, run.plan()->study()) : ""; !lacking.empty())
     coloured_text(colours::kDim, lacking);

@@ -101,6 +101,12 @@ void headings(std::initializer_list<const char*> titles) {
 
 void end_panel() { ImGui::End(); }
 
+void go_beside(const char* label, float more) {
+  ImGui::SameLine();
+  const float wide = ImGui::CalcTextSize(label).x + 2 * ImGui::GetStyle().FramePadding.x + more;
+  if (ImGui::GetContentRegionAvail().x < wide) ImGui::NewLine();
+}
+
 void coloured_text(Colour colour, const std::string& text) {
   ImGui::PushStyleColor(ImGuiCol_Text, tint(colour));
   ImGui::TextWrapped("%s", text.c_str());

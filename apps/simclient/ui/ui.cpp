@@ -121,7 +121,7 @@ void Ui::draw_menu_bar(Client& client) {
   const std::string& title = client.session.scenario().title;
   const float at = ImGui::GetWindowWidth() - ImGui::CalcTextSize(title.c_str()).x - 12 * scale_;
   if (at > ImGui::GetCursorPosX() + 8 * scale_) {  // left out where there is no room for it
-    ImGui::SameLine(at);
+    ImGui::SetCursorPosX(at);
     ImGui::TextDisabled("%s", title.c_str());
   }
   ImGui::EndMainMenuBar();
@@ -260,7 +260,7 @@ std::vector<Ui::Item> Ui::status_items(Client& client) const {
       for (const FidelityNote& each : next.granted.notes)
         if (!is_as_asked && each.effect == effect) note += ": " + each.reason;
       items.push_back({effect, std::string(name(granted.*of_effect)), is_as_asked ? colours::kText : colours::kWarning,
-                       std::move(note)});
+                       std::move(note), is_as_asked});
     };
     rung("motion", &Fidelity::motion);
     if (launcher.is_original()) {
@@ -279,7 +279,7 @@ std::vector<Ui::Item> Ui::status_items(Client& client) const {
   items.push_back({"camera",
                    formatted(client.camera.stretch != 1 ? "%s, heights \u00d7%g" : "%s", mode_text(client.camera.mode),
                              client.camera.stretch),
-                   colours::kText, ""});
+                   colours::kText, "", client.camera.stretch == 1});
   items.push_back({"in flight", std::to_string(session.in_flight()), colours::kText, ""});
   return items;
 }
@@ -292,11 +292,19 @@ void Ui::draw_status(Client& client) {
   ImGui::Begin("status", nullptr,
                ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoNav |
                    ImGuiWindowFlags_NoSavedSettings);
-  const std::vector<Item> items = status_items(client);
+  std::vector<Item> items = status_items(client);
   const auto width = [](const std::string& text) { return ImGui::CalcTextSize(text.c_str()).x; };
   float gap = 14 * scale_, total = 16 * scale_;
-  for (const Item& item : items)
-    total += width(item.what) + (item.what.empty() ? 0 : 4 * scale_) + width(item.value) + gap;
+  const auto width_of = [&](const Item& item) {
+    return width(item.what) + (item.what.empty() ? 0 : 4 * scale_) + width(item.value) + gap;
+  };
+  for (const Item& item : items) total += width_of(item);
+  for (auto item = items.rbegin(); item != items.rend() && total > b.width; ++item) {  // what matters least goes first
+    if (!item->is_detail) continue;
+    total -= width_of(*item);
+    item->value.clear();
+  }
+  std::erase_if(items, [](const Item& item) { return item.value.empty(); });
   const bool has_room = total <= b.width;  // else what things are called gives way to what they are
   if (!has_room) gap = 8 * scale_;
   for (const Item& item : items) {

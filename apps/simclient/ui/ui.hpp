@@ -47,7 +47,8 @@ class Ui {
   struct Item {
     std::string what, value;
     Colour colour = colours::kText;
-    std::string note;  // shown while the mouse rests on it
+    std::string note;        // shown while the mouse rests on it
+    bool is_detail = false;  // is left out where there is no room for all
   };
   [[nodiscard]] std::vector<Item> status_items(Client& client) const;
   void draw_status(Client& client);
