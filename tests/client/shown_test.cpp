@@ -191,11 +191,11 @@ TEST(Labels, OverARoundEarthTellAltitudeAndTheWayAround) {
   build_projectiles(client, 1, scene);
   double apex = 0, distance = 0;
   for (const SceneLabel& label : scene.labels) {
-    std::sscanf(label.text.c_str(), "apex %lf m", &apex);
+    std::sscanf(label.text.c_str(), "apex %lf km", &apex);
     std::sscanf(label.text.c_str(), "%lf km in", &distance);
   }
-  EXPECT_NEAR(apex, frames.geodetic(track.apex->position).height, 0.01);
-  EXPECT_GT(apex, track.apex->position.y + 1e5) << "the plane of the muzzle lies far below the ground there";
+  EXPECT_NEAR(apex, frames.geodetic(track.apex->position).height / 1000, 0.01) << "to the last digit that is shown";
+  EXPECT_GT(1000 * apex, track.apex->position.y + 1e5) << "the plane of the muzzle lies far below the ground there";
   EXPECT_NEAR(distance, 47.5358469047 * 0.017453292519943295 * 6371, 0.01) << "as its scenario expects in degrees";
 }
 
