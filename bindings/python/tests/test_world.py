@@ -362,7 +362,8 @@ def test_queries_see_projectiles(ball):
 
 def test_a_belt_carries(ball):
     slab = {"name": "slab", "box": {"half": [50, 0.5, 5]}}
-    world = physim.World(shape=[slab], thing=[{"name": "belt", "shape": "slab", "position": [0, -0.5, 0]}])
+    belt = {"name": "belt", "shape": "slab", "position": [0, -0.5, 0]}
+    world = physim.World(ground_mode="none", shape=[slab], thing=[belt])  # or it would rest on the ground, not on the belt
     parcel = ball.replace(elevation=0, speed=0, position=(0, 0, 0), body_collision_on_hit="bounce")
     (id,) = world.spawn(parcel.replace(body_restitution=0, body_rolling_resistance=0))
     world.set_conveyor("belt", (2, 0, 0))
