@@ -163,7 +163,7 @@ file(GLOB addition_sources CONFIGURE_DEPENDS tests/additions/*.cpp)
 if(addition_sources AND GTest_FOUND)
   physim_add_executable(physim_additions ${addition_sources})
   target_include_directories(physim_additions PRIVATE tests)
-  target_link_libraries(physim_additions PRIVATE GTest::gtest_main)
+  target_link_libraries(physim_additions PRIVATE GTest::gtest_main physim_c)
 endif()
 
 # The examples are what users read and copy: clean under the warnings that users compile with.

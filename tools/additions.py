@@ -8,6 +8,9 @@ be a rung of the library, and one that is made of test hooks would not pass thro
 `./dev lint` checks that every patch still applies and touches no more files than it may: cheap, at every change.
 `./dev additions` applies all of them to a copy of the sources, builds the library, the command line and their tests,
 without any optional library, and runs them.
+`./dev additions --python` builds the Python package over that library, too, in the environment of `./dev python`: each
+setting that a patch adds as a row must be a keyword with its text and in the list of settings, by that row alone. The list
+of docs/settings.md and the C interface are looked at by every run.
 `./dev additions --write NAME` writes a patch anew from the files changed in the working tree.
 `./dev additions --taken-out [NAME ...]` takes out what the patches add to the sources, one run of lines at a time, and
 says what notices it: a build that fails, or tests. Fails where nothing does.
@@ -102,10 +105,10 @@ def fill(tree, wanted):
     shutil.rmtree(fresh)
 
 
-def build():
+def build(*more):
     """What the compiler says where the patched copy does not build; nothing where it does."""
     done = subprocess.run(["cmake", "--build", str(COPY / "build"), "-j", str(os.cpu_count() or 2), "--target",
-                           "physim_additions", "physim_cli"], check=False, stdout=subprocess.PIPE, stderr=subprocess.STDOUT,
+                           "physim_additions", "physim_cli", *more], check=False, stdout=subprocess.PIPE, stderr=subprocess.STDOUT,
                           text=True)
     return "" if done.returncode == 0 else done.stdout or "no output"
 
@@ -116,7 +119,51 @@ def failing_tests():
     return done.returncode, re.findall(r"^\[  FAILED  \] (\S+) \(", done.stdout, re.M)
 
 
-def build_and_test():
+def settings_added():
+    """Names of settings that patches add as rows."""
+    return [name for patch in patches() for name in
+            re.findall(r"^\+\s*PHYSIM_SETTING\((\w+)", patch.read_text(encoding="utf-8"), re.M)]
+
+
+def are_documented(names):
+    """Whether the page of settings, as the patched program writes it, has them."""
+    page = subprocess.run([str(COPY / "build" / "bin" / "physim"), "list", "settings", "--markdown"], check=True,
+                          capture_output=True, text=True).stdout
+    missing = [name for name in names if not re.search(rf"\b{name}\b", page)]
+    for name in missing:
+        print(f"additions: docs/settings.md would not have {name}", file=sys.stderr)
+    return bool(names) and not missing
+
+
+IN_PYTHON = """
+import sys, physim
+for name in sys.argv[1:]:
+    (row,) = (row for row in physim.settings().values() if row.path.endswith("." + name))
+    assert f"    {row.keyword}: {row.doc}" in physim.Shot.__doc__, f"{row.keyword} is not in the text of Shot"
+    assert (row.path, row.default) in physim.Shot(**{row.keyword: row.default})._given(), row.keyword
+    print("Python has", row.keyword)
+"""
+
+
+def test_python(names):
+    """The package over the patched library: the keywords are there, and the tests of settings pass."""
+    python, package, into = ROOT / "build" / "python" / "bin" / "python", COPY / "tree" / "bindings" / "python", COPY / "python"
+    if not python.exists():
+        sys.exit("additions: there is no environment for Python; ./dev python makes it")
+    if failure := build("physim_report"):
+        sys.exit(failure)
+    shutil.copytree(package / "physim", into / "physim", dirs_exist_ok=True)
+    subprocess.run(["cmake", "-G", "Ninja", "-S", str(package), "-B", str(into / "cmake"), f"-DPHYSIM_BUILT={COPY / 'build'}",
+                    f"-DPHYSIM_INTO={into / 'physim'}", "-DCMAKE_BUILD_TYPE=Release", "-DCMAKE_CXX_FLAGS_RELEASE=-O0",
+                    f"-DPython_EXECUTABLE={python}"], check=True, stdout=subprocess.DEVNULL)
+    subprocess.run(["cmake", "--build", str(into / "cmake"), "-j", str(os.cpu_count() or 2)], check=True)
+    environment = {**os.environ, "PYTHONPATH": str(into)}
+    subprocess.run([str(python), "-c", IN_PYTHON, *names], check=True, env=environment)
+    return subprocess.run([str(python), "-m", "pytest", "bindings/python/tests/test_settings.py"], check=False,
+                          cwd=COPY / "tree", env=environment).returncode
+
+
+def build_and_test(with_python=False):
     tree, wanted = copy_sources()
     fill(tree, wanted)
     subprocess.run(["cmake", "-S", str(tree), "-B", str(COPY / "build"), "-G", "Ninja", "-DCMAKE_BUILD_TYPE=Debug",
@@ -128,7 +175,9 @@ def build_and_test():
         sys.exit("additions: the patched sources do not build")
     for patch in patches():
         print(f"{patch.stem}: {len(touched(patch))} files of at most {limit(patch)}: {', '.join(touched(patch))}")
-    return subprocess.run([str(COPY / "build" / "bin" / "physim_additions")], check=False).returncode
+    code = subprocess.run([str(COPY / "build" / "bin" / "physim_additions")], check=False).returncode
+    code = code or (0 if are_documented(settings_added()) else 1)
+    return code or (test_python(settings_added()) if with_python else 0)
 
 
 def blocks(patch):
@@ -176,4 +225,4 @@ if __name__ == "__main__":
     elif sys.argv[1:2] == ["--taken-out"]:
         sys.exit(taken_out(sys.argv[2:]))
     else:
-        sys.exit(build_and_test())
+        sys.exit(build_and_test("--python" in sys.argv[1:]))
