@@ -69,6 +69,17 @@ TEST(ScenarioText, EscapesNoMoreQuotesThanItMust) {
   EXPECT_EQ(parse_scenario(said, "written.toml")->title, titled.title);
 }
 
+/// Digits alone are an integer of TOML, which ends below 2^63.
+TEST(ScenarioText, HasRealNumbersBeyondIntegers) {
+  const std::string said =
+      "physim = 1\n[[shot]]\ndrag = { table = \"constant\", coefficient = 9223372036854775808.0 }\n";
+  const Result<Scenario> scenario = parse_scenario(said, "said.toml");
+  ASSERT_TRUE(scenario) << scenario.error().text();
+  const Result<Scenario> after = parse_scenario(scenario_text(*scenario), "written.toml");
+  ASSERT_TRUE(after) << after.error().text();
+  EXPECT_EQ(effective_settings(*after), effective_settings(*scenario));
+}
+
 TEST(ScenarioText, SaysWhatDiffersFromDefaultsAndPresets) {
   const std::string said =
       "physim = 1\n"
