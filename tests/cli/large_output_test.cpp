@@ -72,6 +72,16 @@ TEST(CliLarge, AFileThatFindsNoRoomLeavesNothing) {
   EXPECT_EQ(physim({"run", file, "--interval", "4 s", "--steps", "20", "--events", "/dev/full"}).code, 2);
 }
 
+/// A flight that stalls at once: with another default it would take a million steps.
+TEST(CliLarge, WhatWasAssumedIsFoundByShortFlights) {
+  const Ran ran =
+      limited("-t 15", {"run", PHYSIM_SOURCE_DIR "/scenarios/nesc_case05.toml", "--json", "-", "--set",
+                        "shot.sphere.inertia.moments=[\"4.88 kg m^2\", \"7.5e-40 kg m^2\", \"4.88 kg m^2\"]"});
+  const auto json = nlohmann::json::parse(ran.out);
+  EXPECT_EQ(json.at("shots").at(0).at("outcome"), "stalled");
+  EXPECT_FALSE(json.at("shots").at(0).at("assumed").empty());
+}
+
 }  // namespace cli_large_output_test
 }  // namespace physim::testing_cli
 
