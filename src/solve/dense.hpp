@@ -153,13 +153,11 @@ template <class W>
 PHYSIM_INLINE Vec3<W> ahead(double stagger, const NodeOf<W>& n0, const NodeOf<W>& n1, const W& theta) {
   return (n0.a + (n1.a - n0.a) * theta) * ((n1.t - n0.t) * W(stagger));
 }
-/// Gives a state at a surface the velocity of its motion. Towards the surface it does so only if the state comes fast
-/// beside what `ahead` changes.
+/// Gives a state the velocity of its motion, if it comes to a surface fast beside what `ahead` changes.
 template <class W>
 PHYSIM_INLINE void move_on(const Vec3<W>& ahead, const Vec3<W>& normal, State<W>& s) {
-  const W towards = dot(ahead, normal);
-  const MaskOf<W> comes = dot(s.v, normal) < abs(towards) * W(-4.0);
-  s.v += select(comes, ahead, ahead - normal * towards);
+  const MaskOf<W> comes = dot(s.v, normal) < abs(dot(ahead, normal)) * W(-4.0);
+  s.v = select(comes, s.v + ahead, s.v);
 }
 /// Hermite interpolation of a step of order one: between places, with the velocities that they move with.
 template <class W>
