@@ -74,9 +74,9 @@ TEST(CliLarge, AFileThatFindsNoRoomLeavesNothing) {
 
 /// A flight that stalls at once: with another default it would take a million steps.
 TEST(CliLarge, WhatWasAssumedIsFoundByShortFlights) {
-  const Ran ran =
-      limited("-t 15", {"run", PHYSIM_SOURCE_DIR "/scenarios/nesc_case05.toml", "--json", "-", "--set",
-                        "shot.sphere.inertia.moments=[\"4.88 kg m^2\", \"7.5e-40 kg m^2\", \"4.88 kg m^2\"]"});
+  const Ran ran = limited("-t 15", {"run", PHYSIM_SOURCE_DIR "/scenarios/nesc_case05.toml", "--json", "-", "--set",
+                                    "shot.sphere.inertia.moments=[\"4.880944613993042 kg m^2\", \"7.51e-40 kg m^2\", "
+                                    "\"4.880944613993042 kg m^2\"]"});
   const auto json = nlohmann::json::parse(ran.out);
   EXPECT_EQ(json.at("shots").at(0).at("outcome"), "stalled");
   EXPECT_FALSE(json.at("shots").at(0).at("assumed").empty());
