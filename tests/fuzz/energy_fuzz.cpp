@@ -42,8 +42,7 @@ struct Guest {
   ProjectileId id{};
   double mass = 1, radius = 0, inertia = 0.4, gravity = kGravity;
   bool is_first_order = false, is_single = false;
-  double k1 = 0, k2 = 0;  // of drag, per mass; 0 where its steps are not of a given order [1/s], [1/m]
-  double fastest = 0;     // up to now [m/s]
+  double fastest = 0;  // up to now [m/s]
 };
 
 /// A world, what it holds, and the most energy that it may have.
@@ -199,12 +198,9 @@ class Case {
         const Result<ProjectileId> id = world_->spawn(*kind, launch);
         if (!id) return fault("nothing is spawned"), false;
         const Integrator method = p.fidelity.integrator;
-        const bool has_stages = method == Integrator::heun || method == Integrator::rk4;
-        const bool is_slowed = p.fidelity.drag == DragModel::linear_quadratic;
         guests_.push_back({*id, p.mass, body.collision.radius, body.collision.inertia, body.gravity_scale * kGravity,
                            method == Integrator::explicit_euler || method == Integrator::semi_implicit_euler,
-                           p.fidelity.precision == Precision::float32, has_stages && is_slowed ? p.drag.k1 / p.mass : 0,
-                           has_stages && is_slowed ? p.drag.k2 / p.mass : 0});
+                           p.fidelity.precision == Precision::float32});
         ++tally.spawned;
         break;
       }
@@ -231,9 +227,7 @@ class Case {
       const double v = guest.fastest, g = guest.gravity;
       const double whole = guest.mass * (0.5 * v * v + kGravity * (60 + 4));
       sum += (guest.is_single ? 1e-4 : 1e-9) * whole;
-      // Where stages of heun and rk4 hold the drag of a step (model/ledger.hpp), it is of order one.
-      const bool is_held = (guest.k1 + guest.k2 * v) * step_ > 0.9;
-      if (guest.is_first_order || is_held) sum += guest.mass * g * (step_ + longer_) * (v + g * step_);
+      if (guest.is_first_order) sum += guest.mass * g * (step_ + longer_) * (v + g * step_);
     }
     return sum;
   }
