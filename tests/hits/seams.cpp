@@ -91,7 +91,8 @@ void cast(Tried& tried, const Floor& floor, const Frame& frame, Body left, Body 
   s.to = aim + rotate(frame.turn, down) * r.in(0.05, 1);
   s.radius = radius;
   const double above = rotate(conjugate(frame.turn), s.from - frame.origin).y;  // floats have moved it
-  if (above < 8 * ulp) return;  // it begins below the floor, where a height field is met by nothing
+  const bool has_field = left == Body::field || right == Body::field;
+  if (has_field && above + radius < 0) return;  // a height field has no inside: nothing below it meets it
   ++tried.casts;
   const SceneHit hit = floor.scene.first_hit(s);
   if (!hit) return tell(tried, "nothing is hit", left, right, far, down, radius);
