@@ -17,7 +17,7 @@ class Assumed {
  public:
   Assumed(const FlownScenario& flown, std::size_t shot)
       : flown_(flown), scenario_(flown.scenario), shot_(shot), changed_(flown.scenario), end_(flight().end()) {
-    // A flight that takes that many steps more ends elsewhere, whatever it does later.
+    // A flight that exceeds this number of steps ends there: its end differs.
     const FlightCost& cost = flight().cost();
     std::int64_t& most = changed_.tolerance.max_steps;
     most = std::min(most, 1000 + 10 * (cost.steps + cost.rejected));

@@ -121,7 +121,7 @@ std::string number_text(double value) {
   char buffer[64];
   const double size = std::abs(value);
   const bool readable = value == 0 || (size >= 1e-3 && size < 1e9);  // without an exponent
-  const bool is_long = size >= 0x1p63 && std::isfinite(value);       // TOML refuses such digits without an exponent
+  const bool is_long = size >= 0x1p63;                               // TOML refuses such digits without an exponent
   const auto done = readable  ? std::to_chars(buffer, std::end(buffer), value, std::chars_format::fixed)
                     : is_long ? std::to_chars(buffer, std::end(buffer), value, std::chars_format::scientific)
                               : std::to_chars(buffer, std::end(buffer), value);

@@ -37,8 +37,8 @@ void cell(const char* format, Values... values) {
 /// The first row of a table.
 void headings(std::initializer_list<const char*> titles);
 void end_panel();
-/// Puts the next item beside the one before, or under it if a button of this label, and so many pixels more, has no
-/// room.
+/// Puts the next item beside the previous one. The item starts a new line if a button with this label, wider by `more`
+/// pixels, does not fit.
 void go_beside(const char* label, float more = 0);
 
 void coloured_text(Colour colour, const std::string& text);  // wrapped

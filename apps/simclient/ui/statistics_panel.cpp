@@ -10,7 +10,7 @@
 namespace physim::client {
 namespace {
 
-/// Where there is little room the unit says what a row is.
+/// A narrow row is named by its unit.
 void vector_row(const char* what, const char* unit, const Vec3d& v, bool is_narrow) {
   ImGui::TableNextRow();
   ImGui::TableNextColumn();
@@ -23,7 +23,7 @@ void vector_row(const char* what, const char* unit, const Vec3d& v, bool is_narr
 }
 
 void position_row(const Vec3d& at, bool is_narrow) {
-  constexpr double kFar = 1e5;  // along an axis, from where positions are told in km [m]
+  constexpr double kFar = 1e5;  // the least coordinate of a position in km [m]
   const bool is_far = std::max({std::abs(at.x), std::abs(at.y), std::abs(at.z)}) >= kFar;
   vector_row("position", is_far ? "km" : "m", is_far ? at * 1e-3 : at, is_narrow);
 }

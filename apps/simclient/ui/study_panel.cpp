@@ -149,7 +149,7 @@ void draw_legend(ImDrawList& list, const Frame& frame, const StudyFace& face, co
   float x = frame.low.x + letter() * 0.5F;
   for (const auto& [text, colour] : words) {
     const std::string shown = text.starts_with("\u25a0") ? text.substr(std::string("\u25a0").size() + 1) : text;
-    if (x + letter() + ImGui::CalcTextSize(shown.c_str()).x > frame.high.x + letter()) break;
+    if (x + ImGui::CalcTextSize(shown.c_str()).x > frame.high.x) break;
     if (shown.size() != text.size()) {
       const float side = letter() * 0.55F, top = frame.low.y - letter() * 0.95F;
       list.AddRectFilled({x, top}, {x + side, top + side}, shade(colour));
