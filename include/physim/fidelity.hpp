@@ -132,6 +132,8 @@ struct Fidelity {
   static Fidelity simulation();    ///< every effect over a flat Earth, bodies in six degrees of freedom
   static Fidelity reference();     ///< simulation by the integrator of order 8, as exact as doubles allow
   static Fidelity classic();       ///< the original PhySim loop, float32
+
+  [[deprecated("its name is constant_air()")]] static Fidelity sport_ball() { return constant_air(); }
 };
 
 /// The rotation is part of what is flown: a flight knows where the projectile points and how fast it turns.
