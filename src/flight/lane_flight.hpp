@@ -376,7 +376,7 @@ class LaneFlight {
     met_ = true;
     const double clock = j_->at.time(met.theta);
     const double passed = std::min(clock + into_step_, parts_.end());
-    State<double> s = drifted(j_->at.moving_at_time(clock, met.hit.normal), clock);
+    State<double> s = drifted(j_->at.moving_at_time(clock, met.hit.normal, met.hit.velocity), clock);
     s.x = met.hit.position;
     if (turns(fidelity())) cast_numbers(j_->at.turn_at_time(clock), lane().step.turn->start);
     begin_contact(passed);

@@ -60,12 +60,18 @@ struct BrakedSum : Sum<R> {
   /// For the stages of steps of higher orders: the sum over max(1, (k + rate) h / z). Explicit Runge-Kutta steps turn
   /// a velocity around where k h exceeds 2 and grow without end soon behind; with k h held at z = 0.9 drag of v and of
   /// v^2 takes less than all of a velocity in each stage, and steps about the terminal velocity, where the slope of
-  /// drag by v^2 is 2 k, are stable. The step is as it was, to the bit, where k h stays below z.
+  /// drag by v^2 is 2 k, are stable. The step is as it was, to the bit, where k h stays below z. What pulls against u
+  /// pulls in full: else a rise would cost less than it gains.
   PHYSIM_INLINE Vec3<R> limited(const R& h, const R& rate) const {
     const R square = dot(through_air, through_air) + constant<R>(1e-30), whole = square * constant<R>(0.9);
-    const R braking = h * rate * square - h * dot(drag, through_air);
+    const R against_air = rate * square - dot(drag, through_air), braking = h * against_air;
     if (!any(braking > whole)) return this->total;
-    return this->total * (whole / max(whole, braking));
+    const R part = whole / max(whole, braking), others = dot(this->total, through_air) + against_air;
+    const R against = min(others, constant<R>(0)) / square * (constant<R>(1) - part);
+    const auto along = [&](const R& sum, const R& u)
+                           PHYSIM_INLINE_LAMBDA { return select(braking > whole, sum * part + u * against, sum); };
+    return {along(this->total.x, through_air.x), along(this->total.y, through_air.y),
+            along(this->total.z, through_air.z)};
   }
 };
 

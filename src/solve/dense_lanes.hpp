@@ -45,12 +45,12 @@ struct DenseLanes {
   /// Flight::at() knows a time only: going through it gives events and ends the bits that it gives.
   PHYSIM_INLINE State<W> at_time(const W& t) const { return (*this)(place_between(n0, n1, t)); }
 
-  /// With the velocity at which it moves towards a surface of a normal, which contacts read. What comes slower than
-  /// some steps let it fall lies soon, or was laid there, and keeps the velocity that it has.
-  PHYSIM_INLINE State<W> moving_at_time(const W& t, const Vec3<W>& normal) const {
+  /// With the velocity at which it moves towards a surface of a normal and a velocity, which contacts read. What comes
+  /// slower than some steps let it fall lies soon, or was laid there, and keeps the velocity that it has.
+  PHYSIM_INLINE State<W> moving_at_time(const W& t, const Vec3<W>& normal, const Vec3<W>& surface = {}) const {
     State<W> s = at_time(t);
     const double part = stagger(conditions->fidelity);
-    if (part != 0) move_on(ahead(part, n0, n1, place_between(n0, n1, t)), normal, s);
+    if (part != 0) move_on(ahead(part, n0, n1, place_between(n0, n1, t)), normal, dot(s.v - surface, normal), s);
     return s;
   }
 

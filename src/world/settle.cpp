@@ -216,7 +216,9 @@ class Settling {
   void strike(const collide::PathHit& met, double clock) {
     const double t = judgement_->at.time(met.theta);
     const double passed = passed_at(t, clock);
-    const State<double> s{met.hit.position, judgement_->at.moving_at_time(t, met.hit.normal).v};
+    PHYSIM_ASSERT(met.theta >= 0 && met.theta <= 1);
+    const Vec3d v = judgement_->at.moving_at_time(t, met.hit.normal, met.hit.velocity).v;
+    const State<double> s{met.hit.position, v};
     trace_way(s.x, t, passed);
     r_.trace(passed, s);
     put(s, passed);

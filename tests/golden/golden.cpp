@@ -22,8 +22,8 @@ namespace {
 /// What this version of the library must print. A change of the physics or the numerics changes it: say so in the
 /// commit.
 using Sums = std::array<std::uint64_t, 5>;
-constexpr Sums kExpectedSums = {0x398e177c37dc393e, 0xa0186c8095e5d2c8, 0x4e00955f69f0347b, 0x5d4d1cab1c9b5e4f,
-                                0x5f3a83685f2ff570};
+constexpr Sums kExpectedSums = {0x8e3c55fa68b57a4e, 0xa0186c8095e5d2c8, 0x4e00955f69f0347b, 0x5d4d1cab1c9b5e4f,
+                                0xf917560e62cae783};
 
 void print(std::FILE* file, const Sums& sums) {
   for (std::size_t i = 0; i < sums.size(); ++i)

@@ -158,6 +158,37 @@ TEST(FirstOrder, what_bounces_without_loss_rises_as_high_as_before) {
   }
 }
 
+TEST(FirstOrder, what_skims_a_round_thing_gains_no_energy) {
+  Scene scene;
+  const MaterialId smooth = *scene.add_material({.restitution = 0, .friction = 0});
+  ASSERT_TRUE(scene.add({.shape = *scene.add_shape(SphereShape{2}), .material = smooth}));
+  constexpr double kRadius = 0.07, kSpeed = 3.3, kShort = 0.0122;
+  for (const Fidelity& rung : rungs(Fidelity::game(), {Integrator::semi_implicit_euler})) {
+    for (const double angle : {0.2, 0.5, 0.8}) {  // from the horizontal [rad]
+      ProjectileDef p{.mass = 0.7, .diameter = 2 * kRadius};
+      p.fidelity = rung;
+      p.fidelity.drag = DragModel::off;
+      World world = make_world(open_world());
+      ASSERT_TRUE(world.set_scene(scene));
+      BodyDef body;
+      body.collision = {.on_hit = OnHit::bounce, .radius = kRadius};
+      body.restitution = 0, body.friction = 0;
+      const Vec3d out{std::cos(angle), std::sin(angle), 0}, up{-out.y, out.x, 0};
+      const ProjectileId id =
+          *world.spawn(p, {.position = out * (2 + kRadius + 1e-3), .velocity = up * kSpeed - out * 0.2}, body);
+      const auto energy = [&] {
+        const Vec3d v = world[id].velocity();
+        return 0.5 * dot(v, v) + kG * world[id].position().y;
+      };
+      const double first = energy(), may = kG * kShort * (kSpeed + kG * kShort);
+      for (int i = 0; i < 60; ++i) {
+        world.step(kShort);
+        ASSERT_LE(energy(), first + may) << name(rung.integrator) << " " << name(rung.precision) << " " << angle;
+      }
+    }
+  }
+}
+
 TEST(FirstOrder, balls_that_meet_without_loss_keep_their_energy) {
   Fidelity falls = Fidelity::game();
   falls.drag = DragModel::off;
