@@ -31,6 +31,14 @@ bool fires(R r) {
   const bool has_rate = e.per_second.value != 0 || e.per_second.to || e.per_metre != 0;
   return e.cycle.plays && (has_rate || !e.bursts.empty() || e.gun.rounds_per_minute > 0 || e.rain.density > 0);
 }
+/// What fires for others alone fires where their particles are.
+std::string why_not_its_own_place(R r) {
+  const auto names_it = [&](const ScenarioEmitter& other) {
+    return std::ranges::any_of(other.subs, [&](const ScenarioSub& sub) { return sub.emitter == def(r).name; });
+  };
+  const bool is_sub = std::ranges::any_of(r.scenario.emitters, names_it);
+  return read_or(!is_sub || fires(r) || !def(r).cycle.plays, ": the emitter fires only as the sub of others");
+}
 /// Whether something of it goes over the cycle.
 bool reads_cycle(R r) {
   const EmitterDef& e = def(r);
@@ -44,7 +52,14 @@ std::string why_no_gun(R r) { return read_with(def(r).gun.rounds_per_minute > 0,
 std::string why_no_rain(R r) { return read_with(def(r).rain.density > 0, "emitter.rain.density"); }
 
 constexpr UnreadRule kPlaceRules[] = {
-    {"emitter.position", [](R r) { return read_unless(!emitter(r).follows.empty(), "emitter.follows"); }},
+    {"emitter.position",
+     [](R r) {
+       if (std::string why = why_not_its_own_place(r); !why.empty()) return why;
+       return read_unless(!emitter(r).follows.empty(), "emitter.follows");
+     }},
+    {"emitter.follows", why_not_its_own_place},
+    {"emitter.motion.velocity", why_not_its_own_place},
+    {"emitter.motion.keys.position", why_not_its_own_place},
     {"emitter.rotation.axis", [](R r) { return read_with(emitter(r).rotation.angle != 0, "emitter.rotation.angle"); }},
     {"emitter.motion.start",
      [](R r) {
@@ -55,6 +70,7 @@ constexpr UnreadRule kPlaceRules[] = {
     {"emitter.motion.curve", [](R r) { return read_with(!emitter(r).motion.keys.empty(), "emitter.motion.keys"); }},
     {"emitter.motion.keys.velocity",
      [](R r) {
+       if (std::string why = why_not_its_own_place(r); !why.empty()) return why;
        return read_with(emitter(r).motion.curve == MotionCurve::smooth, "emitter.motion.curve = \"smooth\"");
      }},
     {"emitter.inherit_velocity", why_it_is_still},

@@ -228,6 +228,16 @@ TEST(Unread, settings_of_emitters) {
   expect_unread("emitter.bursts", ": one is due behind the cycle's end, see emitter.cycle.duration",
                 emitter("bursts = [{ time = 0.1, count = 3 }]\ncycle = { duration = 0.05 }"),
                 emitter("bursts = [{ time = 0.1, count = 3 }]\ncycle = { duration = 0.2 }"));
+  const std::string puffs =
+      "per_second = 30\nsub = [{ on = \"death\", emitter = \"puff\" }]\n[[emitter]]\nname = \"puff\"\nshot = "
+      "\"shot-1\"\n";
+  const std::pair<const char*, const char*> places[] = {
+      {"emitter.position", "position = [1, 2, 3]"},
+      {"emitter.motion.velocity", "motion = { velocity = [1, 0, 0] }"},
+      {"emitter.motion.keys.position", "motion = { keys = [{ position = [0, 1, 0] }, { time = 1 }] }"}};
+  for (const auto& [path, own] : places)
+    expect_unread(path, ": the emitter fires only as the sub of others", emitter(puffs + "per_second = 0\n" + own),
+                  emitter(puffs + "per_second = 5\n" + own));
   expect_unread("emitter.life.fast", " without emitter.life.size_by_speed", emitter("life = { fast = 2 }"),
                 emitter("life = { fast = 2, size_by_speed = [[0, 1], [1, 2]] }"));
 }
