@@ -48,6 +48,7 @@ physim_add_random_check(energy_fuzz physim_energy_fuzz tests/fuzz/energy_fuzz.cp
 if(TARGET physim_scenario)
   physim_add_random_check(settings_fuzz physim_settings_fuzz tests/fuzz/settings_pairs.cpp 400)  # two settings at a time
   target_link_libraries(physim_settings_fuzz PRIVATE physim_scenario)
+  target_compile_definitions(physim_settings_fuzz PRIVATE PHYSIM_SOURCE_DIR="${PROJECT_SOURCE_DIR}")
   physim_add_random_check(text_fuzz physim_text_fuzz tests/fuzz/text_fuzz.cpp 2000)  # texts of scenarios and motors
   target_link_libraries(physim_text_fuzz PRIVATE physim_scenario)
   target_compile_definitions(physim_text_fuzz PRIVATE PHYSIM_SOURCE_DIR="${PROJECT_SOURCE_DIR}")

@@ -2,17 +2,21 @@
 //
 //   physim_settings_fuzz [COUNT [SEED]]
 //
-// Each case puts two settings of the list into a scenario. If the second one leaves every bit of the result as it is
-// with the first one alone, whichever of several values it has, a note or an error must name its path.
-#include <cstring>
+// Each case puts two settings of the list into a scenario of tests/fuzz/bases. If the second one leaves every bit of
+// the result as it is with the first one alone, whichever of several values it has, a note or an error must name its
+// path.
+#include <filesystem>
+#include <fstream>
+#include <iterator>
 #include <map>
 #include <optional>
 #include <random>
 #include <set>
 
 #include "arguments.hpp"
-#include "settings_bases.hpp"
+#include "scenario/by_path.hpp"
 #include "settings_result.hpp"
+#include "settings_values.hpp"
 
 namespace physim::test {
 namespace {
@@ -75,9 +79,37 @@ std::vector<std::string> values_of(const Setting& setting) {
   return {};
 }
 
+/// A path without the numbers of elements.
+std::string without_numbers(const std::string& path) {
+  std::string plain;
+  for (std::size_t at = 0; at < path.size(); ++at) {
+    if (path[at] == '.' && path[at + 1] >= '0' && path[at + 1] <= '9')
+      at = std::min(path.find('.', at + 1), path.size()) - 1;
+    else
+      plain += path[at];
+  }
+  return plain;
+}
+
+/// The paths of a setting: that of all elements of the lists that it is in, then those of single elements.
+std::vector<std::string> paths_of(const std::string& path, Scenario& scenario) {
+  std::vector<std::string> paths{path};
+  for (const Setting& list : settings()) {
+    if (list.type != "list" || !path.starts_with(list.path + ".")) continue;
+    const std::string behind = path.substr(list.path.size());
+    const std::vector<std::string> so_far = paths;
+    for (const std::string& each : so_far) {
+      const std::string head = each.substr(0, each.size() - behind.size());
+      const Result<std::size_t> elements = length_at(scenario, head);
+      for (std::size_t i = 1; elements && i <= *elements; ++i) paths.push_back(head + "." + std::to_string(i) + behind);
+    }
+  }
+  return paths;
+}
+
 /// A setting of a base with the values that it can have there, best those that change the result alone.
 struct Usable {
-  std::string path{};
+  std::string path{}, setting{};  // with numbers of elements, and without
   std::vector<std::string> values{}, telling{};
 };
 
@@ -85,9 +117,12 @@ std::string joined(const Usable& setting, std::size_t value) { return setting.pa
 
 class Base {
  public:
-  explicit Base(const BaseScenario& base) : name(base.name), text_(base.text) {
+  explicit Base(const std::filesystem::path& file) : name(file.stem().string()) {
+    std::ifstream in(file);
+    text_.assign(std::istreambuf_iterator<char>(in), {});
+    scenario_ = std::move(parse_scenario(text_, "f.toml").value());
     plain_ = result_of({});
-    if (!plain_.error.empty()) std::printf("%s: %s\n", name, plain_.error.c_str());
+    if (!plain_.error.empty()) std::printf("%s: %s\n", name.c_str(), plain_.error.c_str());
     const bool is_study = text_.find("[study]") != text_.npos, is_aim = text_.find("[target]") != text_.npos;
     for (const Setting& setting : settings()) {
       if (is_beside_results(setting.path)) continue;
@@ -128,38 +163,51 @@ class Base {
 
   /// Whether notes say that nothing reads a setting in any of the tables that have it.
   [[nodiscard]] bool is_called_unread(const SettingsResult& result, const std::string& path) const {
-    const std::string list = "[[" + path.substr(0, path.find('.')) + "]]";
+    const std::string plain = without_numbers(path), list = "[[" + path.substr(0, path.find('.')) + "]]";
     long tables = 0;
-    for (std::size_t at = text_.find(list); at != text_.npos; at = text_.find(list, at + 1)) ++tables;
+    if (plain == path)
+      for (std::size_t at = text_.find(list); at != text_.npos; at = text_.find(list, at + 1)) ++tables;
     return std::ranges::count_if(result.notes, [&](const std::string& note) {
-             return note.find(" " + path + ": has no effect") != note.npos;
+             return note.find(" " + plain + ": has no effect") != note.npos;
            }) >= std::max(tables, 1L);
   }
 
-  const char* name;
+  std::string name;
 
  private:
+  /// Adds the first path of a setting that changes the result, or else the first that can be given.
   void add(const Setting& setting) {
-    Usable usable{.path = setting.path};
+    std::optional<Usable> first;
+    for (const std::string& path : paths_of(setting.path, *scenario_)) {
+      Usable usable = tried(setting, path);
+      if (!usable.telling.empty()) return usable_.push_back(std::move(usable));
+      if (!usable.values.empty() && !first) first = std::move(usable);
+    }
+    if (first) usable_.push_back(std::move(*first));
+  }
+  Usable tried(const Setting& setting, const std::string& path) {
+    Usable usable{.path = path, .setting = setting.path};
     for (const std::string& value : values_of(setting)) {
-      const std::string given = setting.path + "=" + value;
+      const std::string given = path + "=" + value;
       const SettingsResult& alone = with(given);
       if (!alone.error.empty() || says_nothing_new("", given)) continue;
       usable.values.push_back(value);
       if (alone.bits != plain_.bits) usable.telling.push_back(value);
     }
-    if (!usable.values.empty()) usable_.push_back(std::move(usable));
+    return usable;
   }
 
   std::string text_;
+  std::optional<Scenario> scenario_;
   SettingsResult plain_;
   std::vector<Usable> usable_;
   std::map<std::string, SettingsResult> alone_;
 };
 
 /// Whether a note or an error is about a setting: it names its path, a table that it is in, or something in it.
-bool is_named(const SettingsResult& result, const std::string& path) {
+bool is_named(const SettingsResult& result, const std::string& given) {
   if (!result.error.empty()) return true;
+  const std::string path = without_numbers(given);
   return std::ranges::any_of(result.notes, [&](const std::string& note) {
     if (note.find(" " + path + ".") != note.npos) return true;
     for (std::string here = path;; here.resize(here.rfind('.'))) {
@@ -170,14 +218,16 @@ bool is_named(const SettingsResult& result, const std::string& path) {
   });
 }
 
-/// Bounds of a flight, of an error or of what is asked, which may not be reached, and reports of what may not happen.
+/// Bounds of a flight, of a place, of an error or of what is asked, which may not be reached, and reports of what may
+/// not happen.
 bool is_limit(std::string_view path) {
   constexpr std::string_view kParts[] = {
-      "until.",        ".despawn.",        ".max_",        ".maximum",   "pools",
-      ".wall",         "flight.limit",     "detail.rungs", ".duration",  ".magazine",
-      ".delay",        ".when_full",       "apex_events",  "tolerance",  ".sleep_",
-      "gravity.model", "atmosphere.model", ".planar",      "target.arc", "study.shots",
-      "trail.time",    ".preset"};
+      "until.",        ".despawn.",        ".max_",         ".maximum",       "pools",
+      ".wall",         "flight.limit",     "detail.rungs",  ".duration",      ".magazine",
+      ".delay",        ".when_full",       "apex_events",   "tolerance",      ".sleep_",
+      "gravity.model", "atmosphere.model", ".planar",       "target.arc",     "study.shots",
+      "trail.time",    ".preset",          "wind_zone.low", "wind_zone.high", "cycle.looping",
+      "bands.above"};
   return std::ranges::any_of(kParts, [&](std::string_view part) { return path.find(part) != path.npos; });
 }
 bool is_of_contact(std::string_view path) {
@@ -188,9 +238,11 @@ bool is_of_contact(std::string_view path) {
 class SettingsFuzz {
  public:
   explicit SettingsFuzz(long seed) : random_(static_cast<std::uint64_t>(seed)) {
-    for (const BaseScenario& base : kBases) bases_.emplace_back(base);
-    if (const char* one = std::getenv("PHYSIM_FUZZ_BASE"))
-      std::erase_if(bases_, [&](const Base& base) { return std::strcmp(base.name, one) != 0; });
+    const char* one = std::getenv("PHYSIM_FUZZ_BASE");
+    std::set<std::filesystem::path> files;  // by name
+    for (const auto& entry : std::filesystem::directory_iterator(PHYSIM_SOURCE_DIR "/tests/fuzz/bases"))
+      if (one == nullptr || entry.path().stem() == one) files.insert(entry.path());
+    for (const std::filesystem::path& file : files) bases_.emplace_back(file);
   }
 
   /// Settings that do nothing alone, each once; and those that do nothing in any base.
@@ -200,8 +252,8 @@ class SettingsFuzz {
       if (!is_beside_results(setting.path)) tells[setting.path] = false;
     for (Base& base : bases_)
       for (const Usable& setting : base.usable()) {
-        tells[setting.path] |= !setting.telling.empty();
-        if (!setting.telling.empty() || is_limit(setting.path) || is_of_contact(setting.path)) continue;
+        tells[setting.setting] |= !setting.telling.empty();
+        if (!setting.telling.empty() || is_limit(setting.setting) || is_of_contact(setting.setting)) continue;
         bool silent = true;
         for (std::size_t i = 0; i < setting.values.size() && silent; ++i)
           silent = !is_named(base.with(joined(setting, i)), setting.path);
@@ -226,7 +278,7 @@ class SettingsFuzz {
       const SettingsResult both = base.result_of({a, b});
       if (!both.error.empty()) return true;
       if (both.bits != alone.bits) {
-        const bool is_chosen = first.path == "shot.fidelity.cheapest_within" || is_limit(first.path);
+        const bool is_chosen = first.setting == "shot.fidelity.cheapest_within" || is_limit(first.setting);
         if (!is_chosen && differ_clearly(both, alone) && base.is_called_unread(both, second.path))
           found(base, a, second, "is wrongly said to have no effect");
         return true;
@@ -248,18 +300,18 @@ class SettingsFuzz {
   /// comes after the end, or what hits would need.
   static bool is_out_of_the_way(const Base& base, const Usable& first, const Usable& setting,
                                 const SettingsResult& alone) {
-    if (is_limit(setting.path) || is_of_contact(setting.path)) return true;
-    if (first.path == "shot.fidelity.cheapest_within") return true;  // it leaves out what is below its error
-    if (first.path == "shot.body.frozen") return true;               // others may push along that axis alone
-    constexpr double kLittle = 0.1;                                  // of the way
+    if (is_limit(setting.setting) || is_of_contact(setting.setting)) return true;
+    if (first.setting == "shot.fidelity.cheapest_within") return true;  // it leaves out what is below its error
+    if (first.setting == "shot.body.frozen") return true;               // others may push along that axis alone
+    constexpr double kLittle = 0.1;                                     // of the way
     if (setting.telling.empty()) return false;
     return alone.time < base.plain().time || alone.moved < kLittle * base.plain().moved;
   }
 
   void found(const Base& base, const std::string& first, const Usable& second, const char* what) {
     const std::string values = second.telling.empty() ? second.values.front() : second.telling.front();
-    const std::string text = std::string(base.name) + ": " + second.path + " = " + values + " " + what +
-                             (first.empty() ? "" : " beside " + first);
+    const std::string text =
+        base.name + ": " + second.path + " = " + values + " " + what + (first.empty() ? "" : " beside " + first);
     if (found_.insert(text).second) std::printf("%s\n", text.c_str());
   }
 
