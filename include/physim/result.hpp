@@ -2,8 +2,6 @@
 #pragma once
 
 #include <cstddef>
-#include <cstdio>
-#include <cstdlib>
 #include <functional>
 #include <memory>
 #include <optional>
@@ -34,12 +32,16 @@ struct Error {
   }
 };
 
+/// Receives the text of what ends a program: a value is taken out of a Result that has none, or the library finds a
+/// mistake of its own (in builds with asserts). If it returns, the program ends by std::abort().
+using FailureHandler = void (*)(const char* text);
+/// Sets the handler of the program, for an engine's own log; null: the text goes to stderr. Returns the one before. Any
+/// thread may call it. The library writes nothing else to stderr.
+FailureHandler set_failure_handler(FailureHandler handler);
+
 namespace result_detail {
 /// Asked for what is not there: says so and ends the program, in every build.
-[[noreturn]] inline void end(const char* what, const std::string& text) {
-  std::fprintf(stderr, "physim: %s\n%s\n", what, text.c_str());
-  std::abort();
-}
+[[noreturn]] void end(const char* what, const std::string& text);
 }  // namespace result_detail
 
 /// Either a T or an Error; true where it is a T. Nothing in the library throws; ask before you take.

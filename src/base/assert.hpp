@@ -12,7 +12,7 @@
 
 namespace physim {
 
-/// Prints the condition and its place to stderr, and aborts.
+/// Gives the condition and its place to the handler (set_failure_handler()), or prints them to stderr, and aborts.
 [[noreturn, gnu::cold, gnu::noinline]] void assertion_failed(const char* condition, const char* file, int line);
 
 }  // namespace physim
