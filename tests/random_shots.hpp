@@ -144,6 +144,7 @@ inline Fidelity random_fidelity(Random& r) {
   f.wind = r.one_in(4) ? static_cast<WindModel>(r.below(3)) : WindModel::profile;
   f.earth = static_cast<EarthModel>(r.below(3));
   f.rotation = static_cast<RotationModel>(r.below(2));
+  f.integrator = Integrator::tsit5, f.tolerance = 0;
   f.interpolation = static_cast<Interpolation>(r.below(3));
   f.planar = r.one_in(6);
   f.original_one_shot_forces = r.one_in(6);

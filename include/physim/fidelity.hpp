@@ -103,22 +103,22 @@ PHYSIM_UNORDERED(BodyForm)
 PHYSIM_UNORDERED(Interpolation)
 PHYSIM_UNORDERED(Precision)
 
-/// The rung of the ladder that each effect stands on.
+/// The rung of the ladder that each effect stands on; as it begins, small_arms().
 struct Fidelity {
-  Motion motion = Motion::force;                       ///< equations of motion [-]
-  Integrator integrator = Integrator::tsit5;           ///< time stepping [-]
-  GravityModel gravity = GravityModel::constant;       ///< gravity [-]
-  DragModel drag = DragModel::equation;                ///< drag [-]
-  AirModel air = AirModel::isa;                        ///< air density and sound speed [-]
-  WindModel wind = WindModel::profile;                 ///< wind [-]
-  EarthModel earth = EarthModel::flat;                 ///< shape and rotation of the Earth [-]
-  RotationModel rotation = RotationModel::none;        ///< effects of the projectile's spin [-]
-  BodyForm body_form = BodyForm::automatic;            ///< of RotationModel::rigid_body [-]
-  Precision precision = Precision::float64;            ///< number type of the computation [-]
-  Interpolation interpolation = Interpolation::pchip;  ///< of drag curves [-]
-  double tolerance = 0;  ///< of adaptive integrators, relative, if Tolerance::relative is not given; 1e-15 at least, in
-                         ///< float32 2e-6; 0: 1e-9, in float32 2e-6 [-]
-  bool planar = false;   ///< confine the flight to the vertical plane of fire [-]
+  Motion motion = Motion::force;                            ///< equations of motion [-]
+  Integrator integrator = Integrator::rk43;                 ///< time stepping [-]
+  GravityModel gravity = GravityModel::constant;            ///< gravity [-]
+  DragModel drag = DragModel::equation;                     ///< drag [-]
+  AirModel air = AirModel::isa;                             ///< air density and sound speed [-]
+  WindModel wind = WindModel::profile;                      ///< wind [-]
+  EarthModel earth = EarthModel::flat;                      ///< shape and rotation of the Earth [-]
+  RotationModel rotation = RotationModel::automatic_point;  ///< effects of the projectile's spin [-]
+  BodyForm body_form = BodyForm::automatic;                 ///< of RotationModel::rigid_body [-]
+  Precision precision = Precision::float64;                 ///< number type of the computation [-]
+  Interpolation interpolation = Interpolation::pchip;       ///< of drag curves [-]
+  double tolerance = 1e-8;  ///< of adaptive integrators, relative, if Tolerance::relative is not given; 1e-15 at least,
+                            ///< in float32 2e-6; 0: 1e-9, in float32 2e-6 [-]
+  bool planar = false;      ///< confine the flight to the vertical plane of fire [-]
   bool aerodynamic_jump = false;  ///< with RotationModel::spin_drift: Litz's deflection by crosswind at the muzzle [-]
   bool original_one_shot_forces = false;  ///< classic only: applied forces act for one frame and never stop [-]
 

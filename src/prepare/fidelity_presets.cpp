@@ -13,7 +13,9 @@ Fidelity Fidelity::arcade() {
           .drag = DragModel::off,
           .air = AirModel::vacuum,
           .wind = WindModel::off,
-          .precision = Precision::float32};
+          .rotation = RotationModel::none,
+          .precision = Precision::float32,
+          .tolerance = 0};
 }
 
 Fidelity Fidelity::game() {
@@ -34,9 +36,7 @@ Fidelity Fidelity::constant_air() {
   return fidelity;
 }
 
-Fidelity Fidelity::small_arms() {
-  return {.integrator = Integrator::rk43, .rotation = RotationModel::automatic_point, .tolerance = 1e-8};
-}
+Fidelity Fidelity::small_arms() { return {}; }
 
 Fidelity Fidelity::artillery() {
   Fidelity fidelity = small_arms();
@@ -66,7 +66,9 @@ Fidelity Fidelity::classic() {
           .drag = DragModel::damping,
           .air = AirModel::vacuum,
           .wind = WindModel::off,
-          .precision = Precision::float32};
+          .rotation = RotationModel::none,
+          .precision = Precision::float32,
+          .tolerance = 0};
 }
 
 namespace {

@@ -21,7 +21,8 @@ Method integrator_method(const char* name, Integrator integrator) {
                      .drag = DragModel::off,
                      .air = AirModel::vacuum,
                      .wind = WindModel::off,
-                     .earth = EarthModel::flat};
+                     .earth = EarthModel::flat,
+                     .rotation = RotationModel::none};
   method.tolerance = {.relative = kTight, .absolute = kTight};
   return method;
 }

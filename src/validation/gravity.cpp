@@ -23,7 +23,8 @@ Felt felt_at(double latitude, double height, GravityModel gravity) {
                           .drag = DragModel::off,
                           .air = AirModel::vacuum,
                           .wind = WindModel::off,
-                          .earth = EarthModel::ellipsoid};
+                          .earth = EarthModel::ellipsoid,
+                          .rotation = RotationModel::none};
   const Launch launch{.velocity = Vec3d{}};
   const Flight flight = fly({}, launch, environment, fidelity, {}, {.ground = std::nullopt, .time = 0.01});
   Felt felt{.problem = complaint(flight, fidelity)};

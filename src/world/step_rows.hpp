@@ -449,6 +449,7 @@ struct KnownFall {
     k.fidelity.gravity = GravityModel::constant;
     k.fidelity.earth = EarthModel::flat;
     k.fidelity.drag = DragModel::off;
+    k.fidelity.rotation = RotationModel::none;
     k.gravity = c.gravity;
     return k;
   }

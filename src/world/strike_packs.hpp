@@ -94,7 +94,7 @@ class Strike {
 
   static constexpr Fidelity rung() {
     Fidelity f;
-    f.drag = Rung::kDrag;
+    f.drag = Rung::kDrag, f.rotation = RotationModel::none;
     return f;
   }
   static constexpr NumberRuns kBody = parts_read(rung(), Features{}).runs();

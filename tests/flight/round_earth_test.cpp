@@ -300,7 +300,7 @@ TEST(RoundEarth, the_ground_is_a_height_above_the_ellipsoid) {
   e.altitude = 1200;
   e.earth = {.latitude = 40 * kDegree, .longitude = 179.9 * kDegree, .azimuth = 90 * kDegree};
   const Flight flight = fly(bullet_308(), {.speed = 800, .elevation = 30 * kDegree}, e,
-                            {.earth = EarthModel::ellipsoid}, {}, {.ground = -200.0});
+                            {.earth = EarthModel::ellipsoid, .rotation = RotationModel::none}, {}, {.ground = -200.0});
   ASSERT_EQ(flight.outcome(), Outcome::landed);
   const Geodetic end = flight.earth_frames().geodetic(flight.end().position);
   EXPECT_NEAR(end.height, 1000, 1e-8);

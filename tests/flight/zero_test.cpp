@@ -26,10 +26,11 @@ TEST(Zero, the_shot_crosses_the_line_of_sight_at_the_range) {
   for (const double look : {0.0, 0.35, -0.5})
     for (const double range : {25.0, 100.0, 300.0, 900.0}) {
       const Launch launch{.speed = 800, .azimuth = 0.7, .sight = {.height = 0.05, .look_angle = look}};
-      const auto elevation = zero_elevation(bullet_308(), launch, {}, {}, range);
+      const Fidelity f{.integrator = Integrator::tsit5, .tolerance = 1e-9};
+      const auto elevation = zero_elevation(bullet_308(), launch, {}, f, range);
       ASSERT_TRUE(elevation) << look << ' ' << range;
       // The zero is found with flights at a tolerance of 1e-9 of the range per step.
-      EXPECT_NEAR(drop_at(bullet_308(), launch, {}, {}, *elevation, range), 0, 1e-9 * range) << look << ' ' << range;
+      EXPECT_NEAR(drop_at(bullet_308(), launch, {}, f, *elevation, range), 0, 1e-9 * range) << look << ' ' << range;
       EXPECT_GT(*elevation, look - 0.01);
       EXPECT_LT(*elevation, look + 0.05);
     }

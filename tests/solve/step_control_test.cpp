@@ -207,6 +207,7 @@ TEST(Corners, custom_curves_on_odd_points_count_too) {
   p.drag.curve = {{0.1, 0.12}, {0.8718281, 0.14}, {1.0314159, 0.4}, {1.6180339, 0.33}, {3.3, 0.24}};
   Fidelity f;
   f.interpolation = Interpolation::linear;
+  f.rotation = RotationModel::none;  // drift by formula changes the speed, and the march does not know it
   const auto shoot = [&](Integrator integrator, double tolerance) {
     f.integrator = integrator;
     return fly(p, {.speed = 800}, {}, f, {tolerance, tolerance}, {.ground = {}, .time = 3});
@@ -220,7 +221,8 @@ TEST(Corners, layers_of_the_atmosphere_and_edges_of_bands_are_met) {
   ProjectileDef p = bullet_308();
   p.drag.bands = {{0, 120}, {250, 140}, {500, 160}};
   const Flight flight =
-      fly(p, {.position = {0, 12000, 0}, .speed = 800, .elevation = -0.6}, {}, {}, {1e-10, 1e-10}, {.ground = 9000});
+      fly(p, {.position = {0, 12000, 0}, .speed = 800, .elevation = -0.6}, {},
+          {.integrator = Integrator::tsit5, .rotation = RotationModel::none}, {1e-10, 1e-10}, {.ground = 9000});
   double layer = 1e9, band = 1e9;
   for (const double t : flight.step_times()) {
     layer = std::min(layer, std::abs(flight.at(t).position.y - 11019.067832000108));
