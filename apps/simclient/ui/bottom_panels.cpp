@@ -87,6 +87,7 @@ void draw_performance(Client& client) {
     ImGui::Text(format, values...);
   };
   row("frame", "%.2f ms, the worst of %d: %.2f ms", 1e3 * mean, static_cast<int>(times.size()), 1e3 * worst);
+  row("quality", "%s", client.quality.text().c_str());
   row("step", "%.3f ms", 1e3 * cost.seconds);
   if (const auto each = cost.per_projectile_step())
     row("projectile-step", "%.1f ns", 1e9 * *each);
