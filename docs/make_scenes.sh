@@ -18,9 +18,10 @@ scene rifle "trail-colour speed; fire-whole; seek 1; vectors; wait 3" 308_168gr_
 scene golf "fire-whole; seek 4.5; wait 3" golf_drive
 scene shell "fire-whole; seek 54; wait 3" 105mm_m1_six_dof
 scene rocket "fire; seek 1.6; wait 3" model_rocket
-scene brick "fire; seek 6.7; wait 3" nesc_case03
+nearer=$(printf 'zoom-in; %.0s' {1..36})
+scene brick "fire; camera; seek 6.7; wait 3; $nearer wait 3" nesc_case03
 scene orbit "fire-whole; seek 3840; wait 3" low_orbit
-scene gun "seek 2.17; wait 3" emit_machine_gun
+scene gun "seek 1.96; wait 3" emit_machine_gun
 scene mortar "fire; shot high; fire; seek 8.3; wait 3" mortar_over_hill
 scene billiards "seek 1.17; wait 3" billiards
 scene fireworks "seek 6.2; wait 3" emit_fireworks

@@ -65,10 +65,12 @@ void App::wait_for_frame() {
     const double rest = last_drawn_ + kShortestFrame - glfwGetTime();
     const double calm = client_.session.is_paused() ? kPausedTick : kTick;
     const double wait = has_to_draw() ? rest : std::max(rest, calm);
+    const double before = glfwGetTime();
     if (wait > 0)
       glfwWaitEventsTimeout(wait);
     else
       glfwPollEvents();
+    waited_ += glfwGetTime() - before;
     if (glfwWindowShouldClose(window_.get()) == GLFW_TRUE) return has_changed();
     pass_time();
   } while (!has_to_draw() || glfwGetTime() < last_drawn_ + kShortestFrame);
@@ -159,6 +161,7 @@ Status App::frame() {
     pass_time();
   }
   client_.keep_view();
+  client_.quality.now = quality_of_frame();
   const bool points = is_over_scene(mouse_x_, mouse_y_) && drag_.button < 0;
   client_.pointer = points ? std::optional(on_scene(mouse_x_, mouse_y_)) : std::nullopt;
   build_scene(client_, ui_->scale(), scene_);
@@ -174,9 +177,25 @@ Status App::frame() {
   if (Status status = take_pictures(); !status) return status;
   if (!target_) glfwSwapBuffers(window_.get());
   client_.frame_times.push_back(static_cast<float>(glfwGetTime() - start));
+  watch_frame(start);
   if (client_.frame_times.size() > 240) client_.frame_times.pop_front();
   if (state_.is_open()) state_ << state_line(client_, frame_) << std::endl;
   return {};
+}
+
+Quality App::quality_of_frame() const {
+  if (draws_every_frame() || !client_.pictures.empty() || filming_) return Quality::high;
+  return client_.quality.by_hand.value_or(picker_.now());
+}
+
+/// Takes the time of a frame, from the end of the one before, for the quality of the next.
+void App::watch_frame(double drawn_at) {
+  constexpr double kIdle = 0.5;  // frames after which nothing is known of the next [s]
+  const double now = glfwGetTime(), worked = now - last_end_ - waited_;
+  const bool is_usual = client_.quality.now == picker_.now() && now - last_end_ < kIdle;
+  if (is_usual && !draws_every_frame()) picker_.add(std::max(worked, now - drawn_at));
+  last_end_ = now;
+  waited_ = 0;
 }
 
 double App::frame_time() {

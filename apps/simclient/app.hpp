@@ -56,6 +56,9 @@ class App {
   void wait_for_frame();
   [[nodiscard]] bool has_to_draw() const;
   [[nodiscard]] bool draws_every_frame() const;
+  /// Pictures, films and what scripts show have everything.
+  [[nodiscard]] Quality quality_of_frame() const;
+  void watch_frame(double drawn_at);
   void pass_time();
   [[nodiscard]] Status frame();
   [[nodiscard]] Picture picture_of_window(bool of_plots);
@@ -92,8 +95,10 @@ class App {
   Scene scene_;
   std::ofstream state_;
   InputQueue inputs_;
+  QualityPicker picker_;
   Drag drag_;
   double mouse_x_ = -1, mouse_y_ = -1, last_time_ = 0, last_drawn_ = 0;
+  double last_end_ = 0, waited_ = 0;  // of the last frame; without anything to do since then [s]
   std::uint64_t frame_ = 0;
   int frames_due_ = kSettling;
   std::size_t messages_drawn_ = 0;

@@ -26,7 +26,13 @@ Status save_picture(const Client& client, const Picture& picture, const std::str
 class ForAPicture {
  public:
   explicit ForAPicture(Client& client)
-      : client_(client), camera_(client.camera), show_(client.show), pointer_(client.pointer), cursor_(client.cursor) {
+      : client_(client),
+        camera_(client.camera),
+        show_(client.show),
+        pointer_(client.pointer),
+        cursor_(client.cursor),
+        quality_(client.quality.now) {
+    client.quality.now = Quality::high;
     client.pointer.reset();
     client.cursor.reset();
     client.show.aim = client.session.tracks().empty();  // tracks of what was fired show where it went
@@ -36,6 +42,7 @@ class ForAPicture {
   ~ForAPicture() {
     client_.camera = camera_, client_.show = show_;
     client_.pointer = pointer_, client_.cursor = cursor_;
+    client_.quality.now = quality_;
   }
 
  private:
@@ -44,6 +51,7 @@ class ForAPicture {
   const Shown show_;
   const std::optional<Pixel> pointer_;
   const std::optional<double> cursor_;
+  const Quality quality_;
 };
 
 /// A bar as long as a round distance where the view looks, and its length.
@@ -127,7 +135,8 @@ Status App::take_pictures() {
   for (const PictureWish& wish : wishes) {
     const bool is_of_plots = wish.of == PictureOf::plots;
     const bool has_plots = ui_->layout().bottom.height > 0 && client_.bottom == BottomPanel::plots;
-    if (is_of_plots && has_plots && !ui_->has_bare_plots()) {  // asked for by a button: the next frame shows them
+    const bool needs_frame = wish.of == PictureOf::window && client_.quality.now != Quality::high;
+    if (needs_frame || (is_of_plots && has_plots && !ui_->has_bare_plots())) {  // asked for by a button: the next frame
       client_.pictures.push_back(wish);
       continue;
     }

@@ -48,15 +48,49 @@ std::string note_text(const FidelityNote& note) {
   return note.effect + " " + note.granted + where + ": " + note.reason;
 }
 
-std::string physics_left_out(const Fidelity& full, const Fidelity& fidelity) {
-  std::string out;
+std::vector<RungApart> rungs_apart(const Fidelity& full, const Fidelity& fidelity) {
+  std::vector<RungApart> apart;
   const auto all = fidelity_fields(full), some = fidelity_fields(fidelity);
   for (std::size_t i = 0; i < std::min(all.size(), some.size()); ++i) {  // a body form, the last one, few have
     const std::string_view effect = all[i].effect;
     PHYSIM_ASSERT(some[i].effect == effect);
     const bool is_numerics = effect == "integrator" || effect == "precision" || effect == "body_form";
-    if (is_numerics || all[i].rung == some[i].rung) continue;
-    out += (out.empty() ? "" : "; ") + std::string(some[i].effect) + " " + std::string(some[i].rung);
+    if (!is_numerics && all[i].rung != some[i].rung) apart.push_back({effect, all[i].rung, some[i].rung});
+  }
+  return apart;
+}
+
+std::string physics_left_out(const Fidelity& full, const Fidelity& fidelity) {
+  std::string out;
+  for (const RungApart& each : rungs_apart(full, fidelity))
+    out += (out.empty() ? "" : "; ") + std::string(each.effect) + " " + std::string(each.rung);
+  return out;
+}
+
+namespace {
+
+/// "no drag", "flat earth".
+std::string words_of(const RungApart& apart) {
+  PHYSIM_ASSERT(apart.full != apart.rung);
+  const bool is_off = apart.rung == "off" || apart.rung == "none" || apart.rung == "vacuum";
+  if (apart.effect == "rotation" && is_off)
+    return apart.full == "magnus" ? "no lift from spin" : apart.full == "rigid_body" ? "no attitude" : "no spin drift";
+  if (apart.rung == "false") return "no " + std::string(apart.effect);
+  if (apart.rung == "true") return std::string(apart.effect);
+  return (is_off ? "no" : std::string(apart.rung)) + " " + std::string(apart.effect);
+}
+
+}  // namespace
+
+/// What follows from another one, or hardly counts beside others, is left out.
+std::string why_apart(const Fidelity& full, const Fidelity& fidelity) {
+  const std::vector<RungApart> apart = rungs_apart(full, fidelity);
+  std::string out;
+  for (const RungApart& each : apart) {
+    const bool is_implied = each.effect == "air" && fidelity.drag == DragModel::off;
+    const bool is_small = each.effect == "interpolation" && apart.size() > 1;
+    if (is_implied || is_small) continue;
+    out += (out.empty() ? "" : ", ") + words_of(each);
   }
   return out;
 }

@@ -80,6 +80,44 @@ TEST(Comparison, ShowsWhatIsFlownOfAShotThatAsksForAnError) {
   EXPECT_NE(own.asked, Fidelity::reference());
 }
 
+/// The command line's list of what a rung leaves out, as a sentence.
+TEST(Comparison, SaysWhyInASentence) {
+  Client client = client_of("golf_drive");
+  ASSERT_TRUE(client.set("shot.fidelity.rotation = none"));
+  client.compared = {"arcade", "game", "artillery"};
+  const auto& rungs = client.comparison();
+  const ComparedRung& truth = rungs.back();
+  const std::string own = rungs.front().why(truth);
+  EXPECT_TRUE(own.ends_with("no lift from spin")) << own;
+  EXPECT_NE(own.find(" m short: "), std::string::npos) << own;
+  EXPECT_NEAR(std::stod(own), truth.end.range - rungs.front().end.range, 1);
+  EXPECT_EQ(truth.why(truth), "the truth");
+  const auto ladder = report::climb_presets(client.session.scenario(), client.launcher.shot());
+  ASSERT_TRUE(ladder) << ladder.error().text();
+  int found = 0;
+  for (const ComparedRung& rung : rungs)
+    for (const report::RungResult& result : ladder->rungs) {
+      if (result.rung.name() != rung.name || rung.is_truth) continue;
+      const std::string why = rung.why(truth);
+      const bool is_same = why.ends_with("float32") || why.ends_with("the same physics, other steps");
+      EXPECT_EQ(is_same, result.leaves_out.empty()) << rung.name << ": " << why << " | " << result.leaves_out;
+      EXPECT_EQ(why.find("no drag") != why.npos, result.leaves_out.find("drag off") != std::string::npos) << why;
+      EXPECT_EQ(why.find("flat earth") != why.npos, result.leaves_out.find("earth flat") != std::string::npos) << why;
+      EXPECT_EQ(why.find("no air"), why.npos) << "follows from no drag: " << why;
+      ++found;
+    }
+  EXPECT_EQ(found, 3);
+}
+
+TEST(Comparison, SaysToWhichSide) {
+  Client client = client_of("308_168gr_g7");
+  client.compared = {"arcade", "game"};
+  const auto& rungs = client.comparison();
+  const std::string arcade = rungs[1].why(rungs.back());
+  EXPECT_NE(arcade.find(" m high: "), std::string::npos)
+      << "without drag a bullet drops less up to its range: " << arcade;
+}
+
 // -------------------------------------------------------------------------------------------------------------- forces
 struct Arrows {
   std::vector<SceneLine> forces;  // their shafts, in order

@@ -198,6 +198,27 @@ Status choose_theme(Client& client, const std::string& name) {
   return Error{"there is no theme " + in_quotes(name), "", suggestion(name, names, "themes")};
 }
 
+/// The quality of a name; without one the next of high, medium, low and picked.
+Status choose_quality(Client& client, const std::string& wanted) {
+  std::optional<Quality>& chosen = client.quality.by_hand;
+  if (wanted == "picked") return chosen.reset(), Status();
+  if (wanted.empty()) {
+    if (!chosen)
+      chosen = Quality::high;
+    else if (*chosen == Quality::low)
+      chosen.reset();
+    else
+      chosen = *chosen == Quality::high ? Quality::medium : Quality::low;
+    return client.say("quality: " + (chosen ? std::string(name(*chosen)) : "as frames allow")), Status();
+  }
+  std::vector<std::string_view> names = {"picked"};
+  for (const Quality each : {Quality::high, Quality::medium, Quality::low}) {
+    if (name(each) == wanted) return chosen = each, Status();
+    names.push_back(name(each));
+  }
+  return Error{"there is no quality " + in_quotes(wanted), "", suggestion(wanted, names, "qualities")};
+}
+
 /// By the one of a name, or by the next one.
 Status colour_trails(Client& client, const std::string& by) {
   constexpr TrailColour kAll[] = {TrailColour::shot, TrailColour::speed, TrailColour::mach, TrailColour::energy};
@@ -289,6 +310,8 @@ constexpr Action kActions[] = {
     {"marks", "K", "View", "marks of apex and impact, hits on things, and their names", "", kToggle<&Shown::marks>},
     {"drop-lines", "Ctrl+L", "View", "lines down to the ground, and the ways over it", "", kToggle<&Shown::depth>},
     {"theme", "Ctrl+T", "View", "next light and colours: day, dusk, chart, night", "NAME", choose_theme},
+    {"quality", "Ctrl+U", "View", "how much is drawn: the next of high, medium, low, picked by how long frames take",
+     "NAME", choose_quality},
     {"larger-text", "Ctrl++ Ctrl+=", "View", "larger letters: one of three sizes", "",
      act([](Client& c) { c.letters = c.letters == TextSize::small ? TextSize::usual : TextSize::large; })},
     {"smaller-text", "Ctrl+-", "View", "smaller letters", "",

@@ -14,6 +14,7 @@
 #include "simclient/core/placing.hpp"
 #include "simclient/core/plot_data.hpp"
 #include "simclient/core/prediction.hpp"
+#include "simclient/core/quality.hpp"
 #include "simclient/core/recent_files.hpp"
 #include "simclient/core/scenery.hpp"
 #include "simclient/core/session.hpp"
@@ -109,6 +110,7 @@ class Client {
   Shown show;
   const Theme* theme = &themes()[0];
   TextSize letters = TextSize::usual;
+  QualityChoice quality;
   Tool tool = Tool::fire;
   Tape tape;
   Placing placing;

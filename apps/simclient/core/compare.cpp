@@ -3,8 +3,10 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/assert.hpp"
 #include "physim/names.hpp"
 #include "physim/solve.hpp"
+#include "report/fidelity_text.hpp"
 #include "report/ladder.hpp"
 #include "report/number.hpp"
 #include "report/world_steps.hpp"
@@ -46,6 +48,25 @@ std::array<std::string, 7> ComparedRung::figures() const {
   using report::fixed, report::significant;
   return {significant(at_end, 3), significant(std::abs(later), 3), significant(farthest, 3), fixed(end.time, 6),
           fixed(end.range, 4),    fixed(end.position.y, 4),        fixed(end.windage, 4)};
+}
+
+std::string ComparedRung::why(const ComparedRung& truth) const {
+  PHYSIM_ASSERT(problem.empty() && truth.problem.empty());
+  constexpr double kSame = 1e-6;  // [m]
+  if (is_truth) return "the truth";
+  const Vec3d way = truth.end.position - truth.path.front().position, off = end.position - truth.end.position;
+  const double far = std::hypot(way.x, way.z);
+  const Vec3d along = far > 0 ? Vec3d{way.x / far, 0, way.z / far} : Vec3d{1, 0, 0}, right{-along.z, 0, along.x};
+  const struct {
+    double by;
+    const char *more, *less;
+  } sides[] = {{dot(off, along), "too far", "short"}, {off.y, "high", "low"}, {dot(off, right), "right", "left"}};
+  const auto& side = *std::ranges::max_element(sides, {}, [](const auto& each) { return std::abs(each.by); });
+  std::string reasons = report::why_apart(truth.granted.fidelity, granted.fidelity);
+  if (reasons.empty())
+    reasons = granted.fidelity.precision == Precision::float32 ? "float32" : "the same physics, other steps";
+  if (std::abs(side.by) < kSame) return "at the same place: " + reasons;
+  return report::significant(std::abs(side.by), 3) + " m " + (side.by > 0 ? side.more : side.less) + ": " + reasons;
 }
 
 std::vector<ComparedRung> compare_rungs(const Session& session, const ScenarioShot& fired,

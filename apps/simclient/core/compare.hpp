@@ -28,6 +28,8 @@ struct ComparedRung {
   /// Error and time error as `physim compare` prints them, the largest distance, and of the end its time, range, height
   /// and windage.
   [[nodiscard]] std::array<std::string, 7> figures() const;
+  /// How far its end is from that of the truth, to which side, and why: "107 m short: no lift from spin".
+  [[nodiscard]] std::string why(const ComparedRung& truth) const;
 };
 
 /// Time of one step of one projectile, measured on a thousand of them and remembered: aiming changes it little.

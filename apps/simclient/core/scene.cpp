@@ -187,6 +187,7 @@ bool flies_level(Client& client) {
 void build_scene(Client& client, double scale, Scene& scene) {
   scene.clear();
   scene.theme = client.theme;
+  scene.quality = client.quality.now;
   scene.globe = globe_of(client);
   scene.ground = client.session.ground().value_or(0);
   scene.has_ground = client.session.ground().has_value();
@@ -205,6 +206,7 @@ void build_scene(Client& client, double scale, Scene& scene) {
   if (client.show.vectors) build_vectors(client, scale, scene);
   build_cursor(client, scale, scene);
   build_tools(client, scale, scene);
+  if (scene.quality != Quality::high) thin_crowd(client.camera, scene);
 }
 
 }  // namespace physim::client

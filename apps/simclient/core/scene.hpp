@@ -4,12 +4,12 @@
 #include <array>
 #include <functional>
 #include <optional>
-#include <set>
 #include <string>
 #include <vector>
 
 #include "base/text.hpp"
 #include "simclient/core/client.hpp"
+#include "simclient/core/quality.hpp"
 #include "simclient/core/theme.hpp"
 
 namespace physim::client {
@@ -82,13 +82,14 @@ using SampleColour = std::function<Colour(const TrackSample&)>;
 
 struct Scene {
   const Theme* theme = &themes()[0];
+  Quality quality = Quality::high;
   std::vector<SceneLine> lines, on_top;  // on_top: over balls
   std::vector<SceneBall> balls;
   std::vector<SceneBody> bodies;
   std::vector<SceneBall> discs;  // that lie on the ground
   std::vector<SceneDot> crowd;
   std::vector<SceneSprite> sprites;  // from far to near
-  std::set<ProjectileId> drawn;      // those that emitters fired
+  std::vector<ProjectileId> drawn;   // those that emitters fired, in order
   std::vector<SceneLabel> labels;
   const Scenery* scenery = nullptr;  // the client's; null: there is none to be seen
   float crowd_size = 3;              // of each of the crowd [pixels]
@@ -102,6 +103,9 @@ struct Scene {
   std::optional<SceneGlobe> globe;  // in the place of a ground, seen from far away
 
   void clear();
+  /// Something in it hides what is behind.
+  [[nodiscard]] bool has_depth() const { return scenery != nullptr || globe.has_value(); }
+  [[nodiscard]] bool has_shadows() const { return scenery != nullptr && quality != Quality::low; }
   void line(const Vec3d& a, const Vec3d& b, Colour colour, double width, double fog = 0);
   void ball(const Vec3d& at, Colour colour, double pixels, double radius = 0);
   /// A path as the camera sees it, smooth from near and far.
@@ -123,6 +127,8 @@ void build_ground(const Client& client, double scale, Scene& scene);
 void build_depth(const Client& client, double scale, Scene& scene);
 void build_comparison(Client& client, double scale, Scene& scene);
 void build_aim(Client& client, double scale, Scene& scene);
+/// Leaves out dots of the crowd beyond the view, and those behind another on the same few pixels.
+void thin_crowd(const Camera& camera, Scene& scene);
 void build_particles(const Client& client, double scale, Scene& scene);
 void build_projectiles(const Client& client, double scale, Scene& scene);
 void build_bodies(Client& client, double scale, Scene& scene);

@@ -75,7 +75,7 @@ void add_crowd(const Session& session, double scale, Scene& scene) {
   scene.crowd_size = static_cast<float>((ids.size() > 20000 ? 2 : ids.size() > 200 ? 3 : 6) * scale);
   scene.crowd.reserve(ids.size());
   for (const ProjectileId id : ids) {
-    if (scene.drawn.contains(id)) continue;
+    if (std::ranges::binary_search(scene.drawn, id)) continue;
     const Colour colour = world[id].colour();
     scene.crowd.push_back({session.shown_position(id), colour == kNoColour ? colours::kVelocity : colour});
   }

@@ -1,7 +1,9 @@
 // What emitters fire: soft discs of each particle's own colour, size and rotation, streaks of what is fast, trails.
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
+#include "base/assert.hpp"
 #include "simclient/core/scene.hpp"
 
 namespace physim::client {
@@ -9,7 +11,7 @@ namespace {
 
 constexpr double kExposure = 1.0 / 60;  // of the eye: what comes farther than its own size is a streak [s]
 constexpr double kTracer = 1.0 / 25;    // of rounds of a gun, which are hot [s]
-constexpr double kLeastStreak = 1.8;    // width [pixels]
+constexpr double kLeastStreak = 2.2;    // width [pixels]
 
 /// The particles of one emitter, as a renderer reads them.
 struct Columns {
@@ -45,7 +47,7 @@ void add_particle(const Session& session, const Camera& camera, const EmitterDef
   const Vec3d at = session.shown_position(all.id[i]);
   const bool is_sized = has_sizes(def), is_round = def.gun.rounds_per_minute > 0;
   const double pixel = camera.pixel_size(at);
-  const double size = is_sized ? all.size[i].x : 3 * scale * pixel;
+  const double size = is_sized ? all.size[i].x : 4.5 * scale * pixel;
   const double way = length(all.velocity[i]) * (is_round ? kTracer : kExposure);
   if (way > 2 * size && way > 2 * scale * pixel) {
     const Vec3d back = all.velocity[i] * (-way / length(all.velocity[i]));
@@ -83,6 +85,24 @@ void add_trails(const Session& session, const Camera& camera, EmitterId emitter,
   }
 }
 
+void add_dot(const Session& session, const Columns& all, std::size_t i, Scene& scene) {
+  const Colour colour = colour_of_particle(session.world(), all.id[i], all.colour[i]);
+  if ((colour & 0xFF) != 0) scene.crowd.push_back({session.shown_position(all.id[i]), colour});
+}
+
+/// From far to near.
+void sort_sprites(const Camera& camera, Scene& scene) {
+  const Vec3d eye = camera.eye();
+  std::vector<std::pair<double, std::size_t>> order;
+  for (const SceneSprite& sprite : scene.sprites)
+    order.emplace_back(-length_squared(camera.shown(sprite.at) - eye), order.size());
+  std::ranges::sort(order);
+  std::vector<SceneSprite> sorted;
+  sorted.reserve(order.size());
+  for (const auto& [distance, number] : order) sorted.push_back(scene.sprites[number]);
+  scene.sprites = std::move(sorted);
+}
+
 }  // namespace
 
 void build_particles(const Client& client, double scale, Scene& scene) {
@@ -91,12 +111,43 @@ void build_particles(const Client& client, double scale, Scene& scene) {
     const EmitterDef* def = session.world().emitter(emitter);
     const Columns all(session.world(), emitter);
     if (client.show.trails && def->trail.points > 0) add_trails(session, client.camera, emitter, all, scale, scene);
-    for (std::size_t i = 0; i < all.id.size(); ++i) add_particle(session, client.camera, *def, all, i, scale, scene);
-    scene.drawn.insert(all.id.begin(), all.id.end());
+    const bool are_dots = scene.quality != Quality::high && all.id.size() >= kCrowdedEmitter;
+    for (std::size_t i = 0; i < all.id.size(); ++i)
+      if (are_dots)
+        add_dot(session, all, i, scene);
+      else
+        add_particle(session, client.camera, *def, all, i, scale, scene);
+    scene.drawn.insert(scene.drawn.end(), all.id.begin(), all.id.end());
   }
-  const Vec3d eye = client.camera.eye();
-  std::ranges::sort(scene.sprites, std::greater<>(),
-                    [&](const SceneSprite& s) { return length(client.camera.shown(s.at) - eye); });
+  std::ranges::sort(scene.drawn);
+  sort_sprites(client.camera, scene);
+}
+
+void thin_crowd(const Camera& camera, Scene& scene) {
+  const double cell = std::max(1.0, static_cast<double>(scene.crowd_size)) * (scene.quality == Quality::low ? 1.5 : 1);
+  const double width = std::ceil(camera.width() / cell), height = std::ceil(camera.height() / cell);
+  constexpr float kEmpty = std::numeric_limits<float>::infinity();
+  std::vector<float> distances(static_cast<std::size_t>(width * height), kEmpty);  // of the nearest in each cell
+  std::vector<std::size_t> cells(scene.crowd.size(), distances.size());            // its size: beyond the view
+  std::vector<float> away(scene.crowd.size());
+  const Projector view = camera.projector();
+  const Vec3d eye = camera.eye();
+  for (std::size_t i = 0; i < scene.crowd.size(); ++i) {
+    const Vec3d& at = scene.crowd[i].at;
+    const std::optional<Pixel> seen = view.project(at);
+    if (!seen || !(seen->x >= 0 && seen->y >= 0 && seen->x < camera.width() && seen->y < camera.height())) continue;
+    cells[i] = static_cast<std::size_t>(std::floor(seen->y / cell) * width + std::floor(seen->x / cell));
+    PHYSIM_ASSERT(cells[i] < distances.size());
+    away[i] = static_cast<float>(length_squared(camera.shown(at) - eye));
+    distances[cells[i]] = std::min(distances[cells[i]], away[i]);
+  }
+  std::size_t kept = 0;
+  for (std::size_t i = 0; i < scene.crowd.size(); ++i) {
+    if (cells[i] == distances.size() || away[i] > distances[cells[i]]) continue;
+    distances[cells[i]] = -1;  // of two that are as far the first stays
+    scene.crowd[kept++] = scene.crowd[i];
+  }
+  scene.crowd.resize(kept);
 }
 
 }  // namespace physim::client

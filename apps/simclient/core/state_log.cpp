@@ -135,6 +135,7 @@ std::string state_line(Client& client, std::uint64_t frame) {
                {"paused", client.session.is_paused()},
                {"time_scale", client.session.time_scale()},
                {"time_scale_reached", client.session.time_scale_reached()},
+               {"quality", name(client.quality.now)},
                {"alive", client.session.world().size()},
                {"subject", client.camera.cover(client.subject())},
                {"shot", shot_state(client)},

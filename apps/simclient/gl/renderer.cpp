@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <initializer_list>
+#include <iterator>
 #include <vector>
 
 #include "simclient/gl/shaders.hpp"
@@ -100,7 +101,7 @@ GLsizei upload_lines(const Pass& pass, const Scene& scene, const std::vector<Sce
   return upload<LineInstance>(pass, lines, fill);
 }
 
-/// Casings of all lines first, so that none lies over another line.
+/// Casings of all lines first, so that none lies over another line. Few lines have one.
 void draw_lines(const Pass& pass, const Scene& scene, const std::vector<SceneLine>& lines, const Camera& camera,
                 const Mat4& matrix, float part) {
   const Shader& shader = pass.shader;
@@ -109,12 +110,16 @@ void draw_lines(const Pass& pass, const Scene& scene, const std::vector<SceneLin
   glUniform1f(shader.uniform("near"), static_cast<float>(camera.near_plane()));
   const auto of_casing = [&](int shift) { return static_cast<float>(scene.theme->casing >> shift & 0xFFU) / 255; };
   glUniform4f(shader.uniform("casing"), of_casing(24), of_casing(16), of_casing(8), of_casing(0));
-  const GLsizei count = upload_lines(pass, scene, lines, camera);
-  for (const float casing : {kCasing, 0.0F}) {
-    if (casing > 0 && part < 1) continue;
+  const auto draw_all = [&](const std::vector<SceneLine>& all, float casing) {
+    if (all.empty()) return;
     glUniform1f(shader.uniform("casing_width"), casing);
-    glDrawArraysInstanced(GL_TRIANGLE_STRIP, 0, 4, count);
-  }
+    glDrawArraysInstanced(GL_TRIANGLE_STRIP, 0, 4, upload_lines(pass, scene, all, camera));
+  };
+  std::vector<SceneLine> cased;
+  if (part >= 1)
+    std::ranges::copy_if(lines, std::back_inserter(cased), [](const SceneLine& line) { return line.fog < 0; });
+  draw_all(cased, kCasing);
+  draw_all(lines, 0);
 }
 
 void draw_discs(const Pass& pass, const Scene& scene, const Camera& camera, const Mat4& matrix) {
@@ -204,6 +209,7 @@ Status Renderer::make() {
   make_arrays(sprite_, &kSquare, {3, 4, 2, 2});
   make_arrays(ball_shadow_, &kSquare, {3, 4, 2});
   if (Status status = world_.make(); !status) return status;
+  if (Status status = backdrop_.make(); !status) return status;
   if (Status status = bodies_.make(); !status) return status;
   return scenery_.make();
 }
@@ -231,9 +237,25 @@ void Renderer::draw_shadows(const Scene& scene, const Camera& camera) {
   scenery_.end_shadows(static_cast<GLuint>(target));
 }
 
+/// Sky and ground. Without depth they are kept from frame to frame, as software rendering takes its time for them.
+void Renderer::draw_world(const Scene& scene, const Camera& camera, const Viewport& viewport) {
+  if (scene.has_depth()) return world_.draw(scene, camera, scenery_, true);
+  GLint target = 0;
+  glGetIntegerv(GL_DRAW_FRAMEBUFFER_BINDING, &target);
+  const GLboolean is_cut = glIsEnabled(GL_SCISSOR_TEST);
+  const double part = scene.quality == Quality::low ? 0.5 : 1;
+  if (backdrop_.begin(scene, camera, viewport.width, viewport.height, part)) {
+    world_.draw(scene, camera, scenery_, false);
+    glBindFramebuffer(GL_FRAMEBUFFER, static_cast<GLuint>(target));
+    glViewport(viewport.x, viewport.y, viewport.width, viewport.height);
+    if (is_cut == GL_TRUE) glEnable(GL_SCISSOR_TEST);
+  }
+  backdrop_.put(viewport.x, viewport.y);
+}
+
 /// Without things nothing hides anything, but for a globe.
-void Renderer::draw_in(const Scene& scene, const Camera& camera) {
-  const bool has_things = scene.scenery != nullptr, has_depth = has_things || scene.globe;
+void Renderer::draw_in(const Scene& scene, const Camera& camera, const Viewport& viewport) {
+  const bool has_things = scene.scenery != nullptr, has_depth = scene.has_depth();
   glDepthMask(GL_TRUE);
   glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
   glDisable(GL_DEPTH_TEST);
@@ -242,7 +264,7 @@ void Renderer::draw_in(const Scene& scene, const Camera& camera) {
   const Mat4 matrix = camera.matrix();
   if (has_depth) glEnable(GL_DEPTH_TEST), glDepthFunc(GL_LEQUAL);
   glDisable(GL_BLEND);
-  world_.draw(scene, camera, scenery_, has_depth);
+  draw_world(scene, camera, viewport);
   glEnable(GL_BLEND);
   if (has_things) scenery_.draw(scene, camera, haze_of(camera));
   glDepthMask(GL_FALSE);
@@ -266,7 +288,8 @@ void Renderer::draw_in(const Scene& scene, const Camera& camera) {
 }
 
 void Renderer::draw(const Scene& scene, const Camera& camera, const Viewport& viewport) {
-  if (scene.scenery != nullptr) draw_shadows(scene, camera);
+  if (scene.scenery != nullptr) scenery_.upload(*scene.scenery);
+  if (scene.has_shadows()) draw_shadows(scene, camera);
   GLint target = 0;
   glGetIntegerv(GL_DRAW_FRAMEBUFFER_BINDING, &target);
   // Lines and balls have smooth edges of their own.
@@ -274,17 +297,18 @@ void Renderer::draw(const Scene& scene, const Camera& camera, const Viewport& vi
   const bool is_small = viewport.width * viewport.height <= kMostSmoothed;
   constexpr std::size_t kCrowd = 1000;  // is drawn often rather than smoothly
   const bool has_edges = scene.scenery != nullptr || (!scene.bodies.empty() && scene.crowd.size() < kCrowd);
-  const bool is_smoothed = has_edges && is_small && canvas_.bind(viewport.width, viewport.height);
+  const bool is_smoothed =
+      scene.quality == Quality::high && has_edges && is_small && canvas_.bind(viewport.width, viewport.height);
   if (is_smoothed) {
     glViewport(0, 0, viewport.width, viewport.height);
-    draw_in(scene, camera);
+    draw_in(scene, camera, {0, 0, viewport.width, viewport.height});
     canvas_.put_into(static_cast<GLuint>(target), viewport.x, viewport.y);
     return;
   }
   glViewport(viewport.x, viewport.y, viewport.width, viewport.height);
   glScissor(viewport.x, viewport.y, viewport.width, viewport.height);
   glEnable(GL_SCISSOR_TEST);
-  draw_in(scene, camera);
+  draw_in(scene, camera, viewport);
   glDisable(GL_SCISSOR_TEST);
 }
 

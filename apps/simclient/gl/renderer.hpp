@@ -3,6 +3,7 @@
 #pragma once
 
 #include "simclient/core/scene.hpp"
+#include "simclient/gl/backdrop.hpp"
 #include "simclient/gl/body_pass.hpp"
 #include "simclient/gl/canvas.hpp"
 #include "simclient/gl/scenery_pass.hpp"
@@ -32,10 +33,12 @@ class Renderer {
 
  private:
   void draw_shadows(const Scene& scene, const Camera& camera);
-  void draw_in(const Scene& scene, const Camera& camera);
+  void draw_world(const Scene& scene, const Camera& camera, const Viewport& viewport);
+  void draw_in(const Scene& scene, const Camera& camera, const Viewport& viewport);
 
   Pass line_, ball_, crowd_, sprite_, disc_, ball_shadow_;
   WorldPass world_;
+  Backdrop backdrop_;
   SceneryPass scenery_;
   BodyPass bodies_;
   Canvas canvas_;

@@ -81,7 +81,6 @@ void SceneryPass::place(const Shader& shader, const Scenery& scenery, const Came
 }
 
 void SceneryPass::begin_shadows(const Scenery& scenery, const Camera& camera, const Vec3d& to_sun) {
-  upload(scenery);
   const double reach = kShadowReach * camera.distance;
   map_.matrix = sun_matrix(scenery, camera, to_sun, reach);
   map_.metres = 2 * reach;
@@ -137,7 +136,7 @@ void SceneryPass::draw(const Scene& scene, const Camera& camera, double haze) co
   const double eye = camera.eye().y - camera.shown({0, scene.ground, 0}).y;
   glUniform1f(lit_.uniform("contour_step"), static_cast<float>(contour));
   glUniform1f(lit_.uniform("contour_at"), static_cast<float>(std::fmod(eye / contour, 1.0)));
-  hand_shadows(lit_, true);
+  hand_shadows(lit_, scene.has_shadows());
   glBindVertexArray(array_);
   glEnable(GL_POLYGON_OFFSET_FILL);
   glPolygonOffset(1, 4);  // lines that lie on things are seen

@@ -22,6 +22,8 @@ class SceneryPass {
   SceneryPass& operator=(const SceneryPass&) = delete;
   ~SceneryPass();
   [[nodiscard]] Status make();
+  /// Before anything of a scenery is drawn.
+  void upload(const Scenery& scenery);
   /// Begins the shadow map: things first; who draws more into it does so before end_shadows().
   /// `to_sun`: of length one.
   void begin_shadows(const Scenery& scenery, const Camera& camera, const Vec3d& to_sun);
@@ -34,7 +36,6 @@ class SceneryPass {
   [[nodiscard]] const ShadowMap& shadows() const { return map_; }
 
  private:
-  void upload(const Scenery& scenery);
   void place(const Shader& shader, const Scenery& scenery, const Camera& camera) const;
 
   Shader lit_, dark_;

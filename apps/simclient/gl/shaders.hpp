@@ -37,7 +37,9 @@ void main() {
 // each is a program of its own, by the names that its head defines.
 inline constexpr const char* kSkyHead = "#version 330 core\n";
 inline constexpr const char* kGroundHead = "#version 330 core\n#define GROUND\n";
-inline constexpr const char* kShadowedGroundHead = "#version 330 core\n#define GROUND\n#define DEPTH\n";
+inline constexpr const char* kDeepGroundHead = "#version 330 core\n#define GROUND\n#define DEPTH\n";
+inline constexpr const char* kShadowedGroundHead =
+    "#version 330 core\n#define GROUND\n#define DEPTH\n#define SHADOWS\n";
 inline constexpr const char* kGlobeHead = "#version 330 core\n#define GLOBE\n#define DEPTH\n";
 inline constexpr const char* kWorldFragment = PHYSIM_SHADOW_LOOKUP R"(
 in vec3 way;
@@ -87,7 +89,7 @@ void main() {
   vec3 place = d * far;
   vec2 p = grid_at + place.xz / grid_step, pixel = max(fwidth(p), vec2(1e-9));
   vec3 c = ground * (1.0 + grain * (texture(unevenness, p / 20.0).r - 0.5));
-  #if defined(DEPTH)
+  #if defined(SHADOWS)
   c *= shadow_left + (1.0 - shadow_left) * sunlight(place);
   #endif
   c = mix(c, grid.rgb, grid.a * max(lines(p, pixel, 1.3), 0.35 * lines(p * 5.0, pixel * 5.0, 1.0)));
@@ -124,6 +126,19 @@ void main() {
   }
 #endif
 }
+)";
+
+// What was drawn once of sky and ground.
+inline constexpr const char* kBackdropVertex = R"(#version 330 core
+layout(location = 0) in vec2 corner;
+void main() { gl_Position = vec4(corner, 0.0, 1.0); }
+)";
+
+inline constexpr const char* kBackdropFragment = R"(#version 330 core
+uniform sampler2D kept;
+uniform vec2 corner_at, size;  // of the viewport in pixels
+out vec4 colour;
+void main() { colour = texture(kept, (gl_FragCoord.xy - corner_at) / size); }
 )";
 
 inline constexpr const char* kThingVertex = R"(#version 330 core
@@ -407,6 +422,7 @@ uniform vec2 size;
 uniform float focal;
 out vec4 shade;
 out vec2 spot;
+flat out float crisp;  // small ones have little room for a soft rim
 void main() {
   vec4 centre = matrix * vec4(at, 1.0);
   float per_metre = focal / max(centre.w, 1e-4);
@@ -414,6 +430,7 @@ void main() {
   vec2 shown = max(wanted, vec2(turn_pixels.y));
   shade = sprite_colour;
   shade.a *= clamp(wanted.x * wanted.y / (shown.x * shown.y), 0.6, 1.0);
+  crisp = clamp(6.0 / shown.x, 1.0, 2.5);
   float c = cos(turn_pixels.x), s = sin(turn_pixels.x);
   vec2 offset = mat2(c, s, -s, c) * (corner * shown);
   spot = corner;
@@ -424,12 +441,13 @@ void main() {
 inline constexpr const char* kSpriteFragment = R"(#version 330 core
 in vec4 shade;
 in vec2 spot;
+flat in float crisp;
 out vec4 colour;
 void main() {
   float away = dot(spot, spot);
   if (away >= 1.0) discard;
   float soft = 1.0 - away;
-  colour = vec4(shade.rgb * (0.85 + 0.3 * soft * soft), shade.a * soft);
+  colour = vec4(shade.rgb * (0.85 + 0.3 * soft * soft), shade.a * min(1.0, soft * crisp));
 }
 )";
 

@@ -70,6 +70,7 @@ Status WorldPass::make() {
     const char *name, *head;
   } programs[] = {{sky_, "sky", kSkyHead},
                   {ground_, "ground", kGroundHead},
+                  {deep_ground_, "ground with depth", kDeepGroundHead},
                   {shadowed_ground_, "ground with shadows", kShadowedGroundHead},
                   {globe_, "globe", kGlobeHead}};
   for (const auto& each : programs)
@@ -119,7 +120,7 @@ void WorldPass::draw_part(const Shader& shader, const Scene& scene, const Camera
   if (!(part > 0)) return;
   const Theme& theme = *scene.theme;
   shader.use();
-  scenery.hand_shadows(shader, scene.scenery != nullptr);
+  scenery.hand_shadows(shader, scene.has_shadows());
   glUniformMatrix4fv(shader.uniform("matrix"), 1, GL_FALSE, camera.matrix().data());
   glUniform2f(shader.uniform("part"), f(from), f(part));
   const double high = camera.height() / (2 * camera.focal()), wide = high * camera.width() / camera.height();
@@ -163,7 +164,10 @@ void WorldPass::draw(const Scene& scene, const Camera& camera, const SceneryPass
     const double horizon = 0.5 - 0.5 * camera.forward().y / (camera.up().y * high);
     const bool is_seen = scene.has_ground && camera.eye().y > camera.shown({0, scene.ground, 0}).y;
     const double below = is_seen ? std::clamp(horizon, 0.0, 1.0) : 0;
-    draw_part(has_depth ? shadowed_ground_ : ground_, scene, camera, scenery, 0, below);
+    draw_part(scene.has_shadows() ? shadowed_ground_
+              : has_depth         ? deep_ground_
+                                  : ground_,
+              scene, camera, scenery, 0, below);
     glDepthMask(GL_FALSE);
     draw_part(sky_, scene, camera, scenery, below, 1 - below);
     glDepthMask(GL_TRUE);

@@ -23,7 +23,7 @@ class WorldPass {
   void draw_part(const Shader& shader, const Scene& scene, const Camera& camera, const SceneryPass& scenery,
                  double from, double part) const;
 
-  Shader sky_, ground_, shadowed_ground_, globe_;
+  Shader sky_, ground_, deep_ground_, shadowed_ground_, globe_;
   GLuint array_ = 0, corners_ = 0, unevenness_ = 0;
 };
 

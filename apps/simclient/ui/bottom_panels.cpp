@@ -18,7 +18,7 @@ std::string short_fidelity(const Fidelity& f) {
   return text;
 }
 
-void draw_rung(const ComparedRung& rung) {
+void draw_rung(const ComparedRung& rung, const ComparedRung& truth) {
   ImGui::TableNextRow();
   ImGui::TableNextColumn();
   ImGui::TextColored(tint(rung.colour), "%s%s", rung.name.c_str(), rung.is_truth ? " (truth)" : "");
@@ -27,6 +27,7 @@ void draw_rung(const ComparedRung& rung) {
     ImGui::TableNextColumn();
     return coloured_text(colours::kWarning, rung.problem);
   }
+  cell("%s", truth.problem.empty() ? rung.why(truth).c_str() : "");
   for (const std::string& figure : rung.figures()) cell("%s", figure.c_str());
   cell("%.1f", rung.per_step * 1e9);
   ImGui::TableNextColumn();
@@ -64,10 +65,11 @@ void draw_comparison(Client& client) {
                                                                                     : "forces and things");
   const ImGuiTableFlags flags = ImGuiTableFlags_RowBg | ImGuiTableFlags_BordersInnerV | ImGuiTableFlags_ScrollX |
                                 ImGuiTableFlags_ScrollY | ImGuiTableFlags_SizingFixedFit;
-  if (!ImGui::BeginTable("rungs", 10, flags)) return;
-  headings({"rung", "error [m]", "time error [s]", "farthest off [m]", "time [s]", "range [m]", "height [m]",
+  if (!ImGui::BeginTable("rungs", 11, flags)) return;
+  headings({"rung", "why", "error [m]", "time error [s]", "farthest off [m]", "time [s]", "range [m]", "height [m]",
             "windage [m]", "ns per step", "granted instead"});
-  for (const ComparedRung& rung : client.comparison()) draw_rung(rung);
+  const std::vector<ComparedRung>& rungs = client.comparison();
+  for (const ComparedRung& rung : rungs) draw_rung(rung, rungs.back());
   ImGui::EndTable();
 }
 
@@ -85,6 +87,7 @@ void draw_performance(Client& client) {
     ImGui::Text(format, values...);
   };
   row("frame", "%.2f ms, the worst of %d: %.2f ms", 1e3 * mean, static_cast<int>(times.size()), 1e3 * worst);
+  row("quality", "%s", client.quality.text().c_str());
   row("step", "%.3f ms", 1e3 * cost.seconds);
   if (const auto each = cost.per_projectile_step())
     row("projectile-step", "%.1f ns", 1e9 * *each);

@@ -280,6 +280,9 @@ std::vector<Ui::Item> Ui::status_items(Client& client) const {
                    formatted(client.camera.stretch != 1 ? "%s, heights \u00d7%g" : "%s", mode_text(client.camera.mode),
                              client.camera.stretch),
                    colours::kText, "", client.camera.stretch == 1});
+  if (client.quality.is_told())
+    items.push_back({"quality", client.quality.text(), colours::kText,
+                     "of what is drawn, not of what flies; View changes it, and pictures have all of it"});
   items.push_back({"in flight", std::to_string(session.in_flight()), colours::kText, ""});
   return items;
 }
