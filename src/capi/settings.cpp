@@ -23,7 +23,7 @@ Status Def::read_again() const {
 Result<std::shared_ptr<const Checked>> Def::checked() const {
   const std::unique_lock lock(mutex_);
   if (checked_ != nullptr) return checked_;
-  Result<Scenario> scenario = read_scenario(document, file, Checks::all);
+  Result<Scenario> scenario = read_scenario(document, file, Checks::together);
   if (!scenario) return scenario.error();
   PHYSIM_ASSERT(!scenario->shots.empty());
   auto made = std::make_shared<Checked>();

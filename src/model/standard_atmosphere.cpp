@@ -2,6 +2,7 @@
 #include "model/standard_atmosphere.hpp"
 
 #include <algorithm>
+#include <memory>
 
 #include "base/assert.hpp"
 #include "math/chebyshev.hpp"
@@ -141,7 +142,8 @@ void put_air(const Environment& environment, AirModel model, Air<double>& air) {
 
 AirSample air_sample(const Environment& environment, double altitude) {
   PHYSIM_ASSERT(altitude >= kLowestAltitude && altitude <= kHighestAltitude);
-  Conditions<double> c{};
+  Conditions<double> c;
+  std::construct_at(static_cast<ConditionsWithoutProfile<double>*>(&c));  // in place, as put_conditions() does
   c.fidelity.air = environment.atmosphere.model;
   c.altitude = environment.altitude;
   put_air(environment, c.fidelity.air, c.air);

@@ -223,8 +223,10 @@ bool may_have_distributions(const Value& value, const SchemaNode* node) {
   if (const Array* array = value.get<Array>())
     return std::ranges::any_of(*array, [node](const Value& each) { return may_have_distributions(each, node); });
   if (table == nullptr || node == nullptr || node->children.empty()) return looks_uncertain(value);
-  return std::ranges::any_of(
-      *table, [node](const Member& each) { return may_have_distributions(each.value, node->find(each.key)); });
+  return std::ranges::any_of(*table, [node](const Member& each) {
+    const bool is_leaf = each.value.get<Table>() == nullptr && each.value.get<Array>() == nullptr;
+    return may_have_distributions(each.value, is_leaf ? nullptr : node->find(each.key));
+  });
 }
 
 Status take_distributions(Value& document, const std::string& file) {

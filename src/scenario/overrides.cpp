@@ -34,28 +34,29 @@ struct Way {
   std::size_t list = 0;
 };
 
-Status put(Value& here, const SchemaNode& node, Way way, const Value& value);
+Status put(Value& here, const SchemaNode& node, Way way, Value value);
 
 /// Into one element, which is made if it is the next one.
-Status put_into_element(Array& array, const SchemaNode& node, std::size_t index, const Way& way, const Value& value) {
+Status put_into_element(Array& array, const SchemaNode& node, std::size_t index, const Way& way, Value value) {
   PHYSIM_ASSERT(node.is_list_of_tables());
   const std::string count = std::to_string(array.size()), next = std::to_string(array.size() + 1);
   if (index > array.size())
     return Error{"there are " + count + " [[" + node.path + "]]", value.place.text(), "number " + next + " adds one"};
-  if (index < array.size()) return put(array[index], node, way, value);
+  if (index < array.size()) return put(array[index], node, way, std::move(value));
   Value made{Table{}, value.place, {}, {}};
-  if (Status status = put(made, node, way, value); !status) return status;
+  if (Status status = put(made, node, way, std::move(value)); !status) return status;
   array.push_back(std::move(made));
   return {};
 }
 
-Status put_into_list(Value& list, const SchemaNode& node, Way way, const Value& value) {
+Status put_into_list(Value& list, const SchemaNode& node, Way way, Value value) {
   PHYSIM_ASSERT(way.list < way.target.elements.size());
   const std::optional<std::size_t> element = way.target.elements[way.list++];
   Array* array = list.get<Array>();
   if (array == nullptr || (array->empty() && !element))
     return Error{"there is no [[" + node.path + "]] to change", value.place.text(), "set the list as a whole"};
-  if (element) return put_into_element(*array, node, *element, way, value);
+  if (element) return put_into_element(*array, node, *element, way, std::move(value));
+  if (array->size() == 1) return put(array->front(), node, way, std::move(value));
   // Elements without a list of their own have nothing to change in it, where others have one.
   const std::size_t dot = way.rest.find('.');
   const SchemaNode* inner = dot == way.rest.npos ? nullptr : node.find(way.rest.substr(0, dot));
@@ -69,7 +70,7 @@ Status put_into_list(Value& list, const SchemaNode& node, Way way, const Value& 
 }
 
 /// Walks from a table to the target. What is missing on the way is made apart, so that an error leaves nothing behind.
-Status put(Value& here, const SchemaNode& node, Way way, const Value& value) {
+Status put(Value& here, const SchemaNode& node, Way way, Value value) {
   if (Status status = make_table(node, here); !status) return status;
   const std::size_t dot = way.rest.find('.');
   const SchemaNode* child = node.find(way.rest.substr(0, dot));
@@ -78,14 +79,15 @@ Status put(Value& here, const SchemaNode& node, Way way, const Value& value) {
   const bool is_last = dot == way.rest.npos, is_list = !is_last && child->is_list_of_tables();
   way.rest.remove_prefix(is_last ? way.rest.size() : dot + 1);
   const auto put_into = [&](Value& into) {
-    if (is_last) return into = value, Status();
-    return is_list ? put_into_list(into, *child, way, value) : put(into, *child, way, value);
+    if (is_last) return into = std::move(value), Status();
+    return is_list ? put_into_list(into, *child, way, std::move(value)) : put(into, *child, way, std::move(value));
   };
   if (member != nullptr) return put_into(*member);
-  Value made{Table{}, value.place, {}, {}};
+  const Place place = value.place;
+  Value made{Table{}, place, {}, {}};
   if (is_list) made.content = Array{};
   if (Status status = put_into(made); !status) return status;
-  here.get<Table>()->push_back({child->name, value.place, std::move(made)});
+  here.get<Table>()->push_back({child->name, place, std::move(made)});
   return {};
 }
 
@@ -103,9 +105,9 @@ Result<Addressed> address_in(const Value& document, std::string_view path, const
       path, [&document] { return shot_names(document); }, place);
 }
 
-Status put_value(Value& document, const Addressed& target, const Value& value) {
+Status put_value(Value& document, const Addressed& target, Value value) {
   PHYSIM_ASSERT(target.node != nullptr);
-  return put(document, schema(), {target, target.node->path}, value);
+  return put(document, schema(), {target, target.node->path}, std::move(value));
 }
 
 Status apply_override(Value& document, const std::string& override_text) {
@@ -125,9 +127,9 @@ Status apply_override(Value& document, const std::string& override_text) {
 Status put_setting(Value& document, std::string_view path, std::string_view text, const Place& place) {
   const Result<Addressed> target = address_in(document, path, place);
   if (!target) return target.error();
-  const Value value = parse_override_value(text, place);
+  Value value = parse_override_value(text, place);
   if (Status status = check_alone(*target->node, value); !status) return status;
-  return put_value(document, *target, value);
+  return put_value(document, *target, std::move(value));
 }
 
 }  // namespace physim

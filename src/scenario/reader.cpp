@@ -510,7 +510,7 @@ Error not_a_table(const SchemaNode& node, const Value& value) {
 }
 
 Status read_table(const SchemaNode& node, const Scope& scope, const Value& value, Checks checks) {
-  Mistakes mistakes(checks == Checks::all);
+  Mistakes mistakes(checks != Checks::of_each);
   read_table_into(node, scope, value, mistakes);
   return mistakes.status();
 }

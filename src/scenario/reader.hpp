@@ -8,8 +8,9 @@ namespace physim {
 
 /// The extent of checks.
 enum class Checks {
-  of_each,  ///< of every setting that is there by itself: others may still be to come
-  all,      ///< of all together
+  of_each,   ///< of every setting that is there by itself: others may still be to come
+  together,  ///< of all together
+  all,       ///< of all together, and Scenario::notes and given are made
 };
 
 /// Reads all settings of a table into the objects of a scope. Unknown keys are errors. One error reports all mistakes,
@@ -22,6 +23,9 @@ enum class Checks {
 
 /// Reads a document of a scenario file; `file` names it in errors, and other files are looked for beside it.
 [[nodiscard]] Result<Scenario> read_scenario(const Value& document, const std::string& file, Checks checks);
+
+/// The notes of a scenario that was read from a document without them.
+[[nodiscard]] Result<std::vector<std::string>> notes_of(Scenario scenario, Value document);
 
 /// Error of a value that should be a table.
 [[nodiscard]] Error not_a_table(const SchemaNode& node, const Value& value);

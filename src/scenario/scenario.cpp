@@ -103,8 +103,10 @@ Result<Scenario> read_plain(const Value& document, const std::string& file, Chec
   if (Status status = complete_emitters(scenario, document); !status) return status.error();
   if (Status status = check_scenario(scenario, document); !status) return status.error();
   if (Status status = begin_reading_measurements(scenario); !status) return status.error();
-  add_notes(scenario, document);
-  scenario.given = given_paths(scenario, document);
+  if (checks == Checks::all) {
+    add_notes(scenario, document);
+    scenario.given = given_paths(scenario, document);
+  }
   scenario.files = in_use.inputs();
   return scenario;
 }
@@ -119,8 +121,18 @@ Result<Scenario> read_scenario(const Value& document, const std::string& file, C
   Value plain = document;
   if (Status status = take_distributions(plain, file); !status) return status.error();
   Result<Scenario> scenario = read_plain(plain, file, checks);
-  if (scenario && checks == Checks::all) scenario->files = in_use.inputs();
+  if (scenario && checks != Checks::of_each) scenario->files = in_use.inputs();
   return scenario;
+}
+
+Result<std::vector<std::string>> notes_of(Scenario scenario, Value document) {
+  const IeeeMode mode;
+  const FilesInUse in_use;
+  PHYSIM_ASSERT(!scenario.shots.empty());
+  if (may_have_distributions(document, &schema()))
+    if (Status status = take_distributions(document, scenario.file); !status) return status.error();
+  add_notes(scenario, document);
+  return std::move(scenario.notes);
 }
 
 const ScenarioEmitter* emitter_alone_of(const Scenario& scenario, std::string_view shot) {

@@ -240,7 +240,7 @@ Value shot_of_settings(const nb::dict& settings) {
 
 SetupPtr Setup::make(Value document, const std::string& file, std::optional<Function> wind_field,
                      std::optional<Function> force) {
-  Scenario scenario = taken(read_scenario(document, file, Checks::all));
+  Scenario scenario = taken(read_scenario(document, file, Checks::together));
   if (wind_field) scenario.environment.wind.field = wind_of(*wind_field);
   if (force) scenario.environment.force = force_of(*force);
   std::optional<Scene> scene;
@@ -299,6 +299,7 @@ SetupPtr with_settings(const Setup& setup, const nb::dict& changes) {
 
 SetupPtr from_settings(const nb::dict& settings, const nb::object& wind_field, const nb::object& force) {
   Value document = plain_document();
+  document.find("shot")->get<Array>()->front().get<Table>()->reserve(settings.size());
   put_settings(document, settings);
   add_world_of_bodies(document);
   return Setup::make(std::move(document), "", function_of(wind_field, "wind_field"), function_of(force, "force_field"));
@@ -420,7 +421,8 @@ void add_setup(nb::module_& m) {
       .def_prop_ro(
           "title", [](const Setup& setup) { return setup.scenario.title; }, "Of the scenario.")
       .def_prop_ro(
-          "notes", [](const Setup& setup) { return setup.scenario.notes; }, "Remarks about settings.")
+          "notes", [](const Setup& setup) { return taken(notes_of(setup.scenario, setup.document)); },
+          "Remarks about settings.")
       .def_prop_ro("inputs_given", &inputs_given, "Uncertain inputs, as texts, that stand in its list of them.")
       .def_prop_ro(
           "has_world", [](const Setup& setup) { return setup.scenario.world.given; },
