@@ -39,7 +39,7 @@ void add_cheaper(const Fidelity& asked, const auto& add) {
   });
 }
 
-/// All rungs that shots of a scenario may fly at: their own, and those of a world's detail.
+/// All rungs that shots of a scenario may fly at: those of a world's detail if it rules them, else their own.
 std::vector<FlownRung> rungs_of(const Scenario& scenario) {
   std::vector<FlownRung> rungs;
   const bool is_world = scenario.world.given;
@@ -48,10 +48,12 @@ std::vector<FlownRung> rungs_of(const Scenario& scenario) {
       const Fidelity stepped = by_steps(asked, is_world || scenario.tolerance.step > 0);
       rungs.push_back({&shot, asked, grant(stepped, shot.projectile, scenario.environment, shot.launch).fidelity});
     };
+    if (is_ruled_by_detail(scenario, shot)) {
+      for (const DetailRung& rung : scenario.world.def.detail.rungs) add(rung.fidelity);
+      continue;
+    }
     add(shot.projectile.fidelity);
     if (shot.cheapest_within) add_cheaper(shot.projectile.fidelity, add);
-    if (is_world)
-      for (const DetailRung& rung : scenario.world.def.detail.rungs) add(rung.fidelity);
   }
   PHYSIM_ASSERT(rungs.size() >= scenario.shots.size());
   return rungs;

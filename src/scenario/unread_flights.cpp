@@ -360,6 +360,11 @@ std::string why_chosen(R r) {
 
 constexpr UnreadRule kFidelityRules[] = {
     {"shot.fidelity", why_unmoved},
+    {"shot.fidelity",
+     [](R r) {
+       return read_or(!is_ruled_by_detail(r.scenario, r.shot()),
+                      ": in the world its rung is one of world.detail.rungs");
+     }},
     {"shot.fidelity.integrator", why_chosen},
     {"shot.fidelity.integrator",
      [](R r) {

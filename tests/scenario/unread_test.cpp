@@ -228,6 +228,12 @@ TEST(Unread, settings_of_emitters) {
   expect_unread("emitter.bursts", ": one is due behind the cycle's end, see emitter.cycle.duration",
                 emitter("bursts = [{ time = 0.1, count = 3 }]\ncycle = { duration = 0.05 }"),
                 emitter("bursts = [{ time = 0.1, count = 3 }]\ncycle = { duration = 0.2 }"));
+  const std::string rungs =
+      "[world]\ndetail = { layers = 1, rungs = [{ fidelity = \"artillery\", within = 9 }, { fidelity = \"game\" }] "
+      "}\n" +
+      kShot + "fidelity = \"small_arms\"\n";
+  expect_unread("shot.fidelity", ": in the world its rung is one of world.detail.rungs", rungs,
+                rungs + "body = { layers = 2 }\n");
   const std::string puffs =
       "per_second = 30\nsub = [{ on = \"death\", emitter = \"puff\" }]\n[[emitter]]\nname = \"puff\"\nshot = "
       "\"shot-1\"\n";
