@@ -278,7 +278,8 @@ class SettingsFuzz {
       const SettingsResult both = base.result_of({a, b});
       if (!both.error.empty()) return true;
       if (both.bits != alone.bits) {
-        const bool is_chosen = first.setting == "shot.fidelity.cheapest_within" || is_limit(first.setting);
+        const bool is_chosen = first.setting == "shot.fidelity.cheapest_within" ||
+                               first.setting == "shot.fidelity.precision" || is_limit(first.setting);
         if (!is_chosen && differ_clearly(both, alone) && base.is_called_unread(both, second.path))
           found(base, a, second, "is wrongly said to have no effect");
         return true;
@@ -303,6 +304,8 @@ class SettingsFuzz {
     if (is_limit(setting.setting) || is_of_contact(setting.setting)) return true;
     if (first.setting == "shot.fidelity.cheapest_within") return true;  // it leaves out what is below its error
     if (first.setting == "shot.body.frozen") return true;               // others may push along that axis alone
+    if (first.setting == "shot.rail_length") return true;               // longer than the flight, nothing turns it
+    if (first.setting == "world.detail.rungs.fidelity") return true;    // all rungs may be one
     constexpr double kLittle = 0.1;                                     // of the way
     if (setting.telling.empty()) return false;
     return alone.time < base.plain().time || alone.moved < kLittle * base.plain().moved;

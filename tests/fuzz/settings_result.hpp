@@ -3,7 +3,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <string>
+#include <tuple>
 #include <variant>
 #include <vector>
 
@@ -210,12 +212,15 @@ class ResultHash {
     const World& world = run.world();
     std::vector<WorldColumns> columns;
     world.columns(columns);
+    std::vector<ProjectileView> views;  // by age: the order of columns and of slots follows from rungs, too
+    const auto view = [&](std::uint32_t index) { return world[world.id_at(index)]; };
     for (const WorldColumns& each : columns)
-      std::visit(
-          [&](const auto& rows) {
-            for (const std::uint32_t index : rows.index) of_row(world[world.id_at(index)]);
-          },
-          each);
+      std::visit([&](const auto& rows) { std::ranges::transform(rows.index, std::back_inserter(views), view); }, each);
+    std::ranges::stable_sort(views, {}, [](const ProjectileView& row) {
+      const Vec3d x = row.position();
+      return std::tuple(row.age(), x.x, x.y, x.z);
+    });
+    for (const ProjectileView& row : views) of_row(row);
     for (const WorldGroup& group : run.groups())
       if (group.emitter) of_particles(world, group.emitter);
   }
