@@ -306,6 +306,7 @@ class SettingsFuzz {
     if (first.setting == "shot.body.frozen") return true;               // others may push along that axis alone
     if (first.setting == "shot.rail_length") return true;               // longer than the flight, nothing turns it
     if (first.setting == "world.detail.rungs.fidelity") return true;    // all rungs may be one
+    if (first.setting == "target.velocity") return true;                // too fast for any shot
     constexpr double kLittle = 0.1;                                     // of the way
     if (setting.telling.empty()) return false;
     return alone.time < base.plain().time || alone.moved < kLittle * base.plain().moved;
