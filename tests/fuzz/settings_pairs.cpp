@@ -227,7 +227,7 @@ bool is_limit(std::string_view path) {
       ".delay",        ".when_full",       "apex_events",   "tolerance",      ".sleep_",
       "gravity.model", "atmosphere.model", ".planar",       "target.arc",     "study.shots",
       "trail.time",    ".preset",          "wind_zone.low", "wind_zone.high", "cycle.looping",
-      "bands.above"};
+      "bands.above",   ".hysteresis"};
   return std::ranges::any_of(kParts, [&](std::string_view part) { return path.find(part) != path.npos; });
 }
 bool is_of_contact(std::string_view path) {
@@ -307,6 +307,7 @@ class SettingsFuzz {
     if (first.setting == "shot.rail_length") return true;               // longer than the flight, nothing turns it
     if (first.setting == "world.detail.rungs.fidelity") return true;    // all rungs may be one
     if (first.setting == "target.velocity") return true;                // too fast for any shot
+    if (first.setting == "force.bungee.rest_length") return true;       // slack
     constexpr double kLittle = 0.1;                                     // of the way
     if (setting.telling.empty()) return false;
     return alone.time < base.plain().time || alone.moved < kLittle * base.plain().moved;

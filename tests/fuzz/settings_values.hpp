@@ -36,7 +36,7 @@ inline const std::vector<std::pair<std::string_view, std::vector<std::string>>>&
       {"shot.motor.thrust", {"[[0, 9], [1, 7], [1.2, 0]]"}},
       {"shot.motor.propellant_mass", {"0.005", "0.02"}},
       {"shot.motor.propellant", {"[[0, 0.0108], [0.5, 0.004], [1.85, 0]]"}},
-      {"shot.motor.drag_curve", {"[[0, 0.9], [1, 1.2]]"}},
+      {"shot.motor.drag_curve", {"[[0, 0.9], [0.3, 1.3], [1, 1.2]]"}},
       {"shot.motor.ignition_delay", {"0.2", "0.05"}},
       {"shot.inertia.moments", {"[0.03, 0.3, 0.3]", "[0.0001, 0.001, 0.001]", "[0.03, 0.3, 0.31]"}},
       {"shot.inertia.products", {"[0.001, 0.0005, 0]"}},
