@@ -154,12 +154,14 @@ PHYSIM_INLINE Vec3<W> ahead(double stagger, const NodeOf<W>& n0, const NodeOf<W>
   return (n0.a + (n1.a - n0.a) * theta) * ((n1.t - n0.t) * W(stagger));
 }
 /// Gives a state that meets a surface the velocity of its motion, if it comes fast beside what `ahead` changes, or if
-/// its own velocity leaves the surface: its way does not. `rate`: at which it leaves [m/s].
+/// its own velocity leaves the surface, which its way does not, and is the faster one: each such contact would make
+/// energy. `rate`: at which it leaves [m/s].
 template <class W>
 PHYSIM_INLINE void move_on(const Vec3<W>& ahead, const Vec3<W>& normal, const W& rate, State<W>& s) {
   const W change = abs(dot(ahead, normal));
-  const MaskOf<W> moves = (rate < change * W(-4.0)) | (rate > change * W(1e-3));  // rounding is less
-  s.v = select(moves, s.v + ahead, s.v);
+  const MaskOf<W> leaves = rate > change * W(1e-3);  // rounding is less
+  const MaskOf<W> is_faster = dot(ahead, s.v + s.v + ahead) < W(0.0);
+  s.v = select((rate < change * W(-4.0)) | (leaves & is_faster), s.v + ahead, s.v);
 }
 /// Hermite interpolation of a step of order one: between places, with the velocities that they move with.
 template <class W>
