@@ -14,8 +14,7 @@ Fidelity Fidelity::arcade() {
           .air = AirModel::vacuum,
           .wind = WindModel::off,
           .rotation = RotationModel::none,
-          .precision = Precision::float32,
-          .tolerance = 0};
+          .precision = Precision::float32};
 }
 
 Fidelity Fidelity::game() {
@@ -67,8 +66,7 @@ Fidelity Fidelity::classic() {
           .air = AirModel::vacuum,
           .wind = WindModel::off,
           .rotation = RotationModel::none,
-          .precision = Precision::float32,
-          .tolerance = 0};
+          .precision = Precision::float32};
 }
 
 namespace {

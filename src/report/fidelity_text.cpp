@@ -82,7 +82,7 @@ std::string words_of(const RungApart& apart) {
 
 }  // namespace
 
-/// What follows from another one, or hardly counts beside others, is left out.
+/// The list omits the air where there is no drag, and interpolation beside other effects.
 std::string why_apart(const Fidelity& full, const Fidelity& fidelity) {
   const std::vector<RungApart> apart = rungs_apart(full, fidelity);
   std::string out;

@@ -24,7 +24,7 @@ struct UnreadSetting {
 /// All of a sound scenario, in the order of the list of settings. `document` is what it was read from.
 [[nodiscard]] std::vector<UnreadSetting> unread_settings(Scenario& scenario, const Value& document);
 
-/// Whether a world's rule of detail chooses the rung of a shot.
+/// True if the world's rule of detail, and not shot.fidelity, chooses the rung of a shot.
 [[nodiscard]] inline bool is_ruled_by_detail(const Scenario& scenario, const ScenarioShot& shot) {
   const DetailRule& detail = scenario.world.def.detail;
   return scenario.world.given && !detail.rungs.empty() && (detail.layers & shot.body.layers) != 0;

@@ -31,7 +31,7 @@ bool fires(R r) {
   const bool has_rate = e.per_second.value != 0 || e.per_second.to || e.per_metre != 0;
   return e.cycle.plays && (has_rate || !e.bursts.empty() || e.gun.rounds_per_minute > 0 || e.rain.density > 0);
 }
-/// What fires for others alone fires where their particles are.
+/// An emitter that fires only as a sub of others fires at the places of their particles.
 std::string why_not_its_own_place(R r) {
   const auto names_it = [&](const ScenarioEmitter& other) {
     return std::ranges::any_of(other.subs, [&](const ScenarioSub& sub) { return sub.emitter == def(r).name; });

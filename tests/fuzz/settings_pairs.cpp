@@ -79,18 +79,6 @@ std::vector<std::string> values_of(const Setting& setting) {
   return {};
 }
 
-/// A path without the numbers of elements.
-std::string without_numbers(const std::string& path) {
-  std::string plain;
-  for (std::size_t at = 0; at < path.size(); ++at) {
-    if (path[at] == '.' && path[at + 1] >= '0' && path[at + 1] <= '9')
-      at = std::min(path.find('.', at + 1), path.size()) - 1;
-    else
-      plain += path[at];
-  }
-  return plain;
-}
-
 /// The paths of a setting: that of all elements of the lists that it is in, then those of single elements.
 std::vector<std::string> paths_of(const std::string& path, Scenario& scenario) {
   std::vector<std::string> paths{path};
@@ -162,14 +150,13 @@ class Base {
   [[nodiscard]] const SettingsResult& plain() const { return plain_; }
 
   /// Whether notes say that nothing reads a setting in any of the tables that have it.
-  [[nodiscard]] bool is_called_unread(const SettingsResult& result, const std::string& path) const {
-    const std::string plain = without_numbers(path), list = "[[" + path.substr(0, path.find('.')) + "]]";
-    long tables = 0;
-    if (plain == path)
-      for (std::size_t at = text_.find(list); at != text_.npos; at = text_.find(list, at + 1)) ++tables;
-    return std::ranges::count_if(result.notes, [&](const std::string& note) {
-             return note.find(" " + plain + ": has no effect") != note.npos;
-           }) >= std::max(tables, 1L);
+  [[nodiscard]] bool is_called_unread(const SettingsResult& result, const Usable& of) {
+    const bool is_of_all = of.path == of.setting;
+    const Result<std::size_t> tables = length_at(*scenario_, of.setting.substr(0, of.setting.find('.')));
+    const auto is_note = [&](const std::string& note) {
+      return note.find(" " + of.setting + ": has no effect") != note.npos;
+    };
+    return std::ranges::count_if(result.notes, is_note) >= (is_of_all && tables ? static_cast<long>(*tables) : 1);
   }
 
   std::string name;
@@ -205,9 +192,8 @@ class Base {
 };
 
 /// Whether a note or an error is about a setting: it names its path, a table that it is in, or something in it.
-bool is_named(const SettingsResult& result, const std::string& given) {
+bool is_named(const SettingsResult& result, const std::string& path) {
   if (!result.error.empty()) return true;
-  const std::string path = without_numbers(given);
   return std::ranges::any_of(result.notes, [&](const std::string& note) {
     if (note.find(" " + path + ".") != note.npos) return true;
     for (std::string here = path;; here.resize(here.rfind('.'))) {
@@ -256,7 +242,7 @@ class SettingsFuzz {
         if (!setting.telling.empty() || is_limit(setting.setting) || is_of_contact(setting.setting)) continue;
         bool silent = true;
         for (std::size_t i = 0; i < setting.values.size() && silent; ++i)
-          silent = !is_named(base.with(joined(setting, i)), setting.path);
+          silent = !is_named(base.with(joined(setting, i)), setting.setting);
         if (silent) found(base, "", setting, "says nothing");
       }
     for (const auto& [path, does] : tells)
@@ -280,11 +266,11 @@ class SettingsFuzz {
       if (both.bits != alone.bits) {
         const bool is_chosen = first.setting == "shot.fidelity.cheapest_within" ||
                                first.setting == "shot.fidelity.precision" || is_limit(first.setting);
-        if (!is_chosen && differ_clearly(both, alone) && base.is_called_unread(both, second.path))
+        if (!is_chosen && differ_clearly(both, alone) && base.is_called_unread(both, second))
           found(base, a, second, "is wrongly said to have no effect");
         return true;
       }
-      if (is_named(both, second.path)) return true;
+      if (is_named(both, second.setting)) return true;
       is_silent = is_silent || !base.says_nothing_new(a, b);
     }
     if (is_silent && !is_out_of_the_way(base, first, second, alone)) found(base, a, second, "says nothing");

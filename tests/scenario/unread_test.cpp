@@ -3,16 +3,30 @@
 
 #include <algorithm>
 
+#include "scenario/reader.hpp"
 #include "scenario/scenario.hpp"
 #include "scenario/unread.hpp"
 
 namespace physim {
 namespace scenario_unread_test {
 
+/// Notes made when they are asked for, as in Python, are those made with the scenario.
+void expect_same_notes_later(const std::string& text, const std::vector<std::string>& notes) {
+  const Result<Value> document = parse_document(text, "f.toml");
+  ASSERT_TRUE(document);
+  const Result<Scenario> without = read_scenario(*document, "f.toml", Checks::together);
+  ASSERT_TRUE(without);
+  EXPECT_TRUE(without->notes.empty());
+  EXPECT_EQ(*physim::notes_of(*without, *document), notes) << text;
+}
+
 std::vector<std::string> notes_of(const std::string& text) {
-  const auto scenario = parse_scenario("physim = 1\n" + text, "f.toml");
+  const std::string whole = "physim = 1\n" + text;
+  const auto scenario = parse_scenario(whole, "f.toml");
   EXPECT_TRUE(scenario) << text << ": " << (scenario ? "" : scenario.error().text());
-  return scenario ? scenario->notes : std::vector<std::string>{};
+  if (!scenario) return {};
+  expect_same_notes_later(whole, scenario->notes);
+  return scenario->notes;
 }
 
 bool says(const std::string& text, const std::string& words) {

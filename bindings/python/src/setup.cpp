@@ -299,7 +299,6 @@ SetupPtr with_settings(const Setup& setup, const nb::dict& changes) {
 
 SetupPtr from_settings(const nb::dict& settings, const nb::object& wind_field, const nb::object& force) {
   Value document = plain_document();
-  document.find("shot")->get<Array>()->front().get<Table>()->reserve(settings.size());
   put_settings(document, settings);
   add_world_of_bodies(document);
   return Setup::make(std::move(document), "", function_of(wind_field, "wind_field"), function_of(force, "force_field"));
