@@ -198,23 +198,19 @@ Status choose_theme(Client& client, const std::string& name) {
   return Error{"there is no theme " + in_quotes(name), "", suggestion(name, names, "themes")};
 }
 
-/// The quality of a name; without one the next of high, medium, low and picked.
+/// The quality of a name, or the next one.
 Status choose_quality(Client& client, const std::string& wanted) {
+  constexpr std::optional<Quality> kAll[] = {Quality::high, Quality::medium, Quality::low, std::nullopt};
+  const auto word = [](const std::optional<Quality>& each) { return each ? name(*each) : "picked"; };
   std::optional<Quality>& chosen = client.quality.by_hand;
-  if (wanted == "picked") return chosen.reset(), Status();
   if (wanted.empty()) {
-    if (!chosen)
-      chosen = Quality::high;
-    else if (*chosen == Quality::low)
-      chosen.reset();
-    else
-      chosen = *chosen == Quality::high ? Quality::medium : Quality::low;
-    return client.say("quality: " + (chosen ? std::string(name(*chosen)) : "as frames allow")), Status();
+    chosen = kAll[(std::ranges::find(kAll, chosen) - kAll + 1) % std::ssize(kAll)];
+    return client.say("quality: " + (chosen ? std::string(word(chosen)) : "as frames allow")), Status();
   }
-  std::vector<std::string_view> names = {"picked"};
-  for (const Quality each : {Quality::high, Quality::medium, Quality::low}) {
-    if (name(each) == wanted) return chosen = each, Status();
-    names.push_back(name(each));
+  std::vector<std::string_view> names;
+  for (const std::optional<Quality>& each : kAll) {
+    if (word(each) == wanted) return chosen = each, Status();
+    names.push_back(word(each));
   }
   return Error{"there is no quality " + in_quotes(wanted), "", suggestion(wanted, names, "qualities")};
 }

@@ -28,7 +28,7 @@ struct ComparedRung {
   /// Error and time error as `physim compare` prints them, the largest distance, and of the end its time, range, height
   /// and windage.
   [[nodiscard]] std::array<std::string, 7> figures() const;
-  /// How far its end is from that of the truth, to which side, and why: "107 m short: no lift from spin".
+  /// The distance and the side of its end from the end of the truth, with the cause: "107 m short: no lift from spin".
   [[nodiscard]] std::string why(const ComparedRung& truth) const;
 };
 

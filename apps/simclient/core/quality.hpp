@@ -46,12 +46,12 @@ class QualityPicker {
   bool has_risen_ = false;                // by the last change
 };
 
-/// What is drawn now, and who says so.
+/// The quality that is drawn now, with the user's choice.
 struct QualityChoice {
   Quality now = Quality::high;
   std::optional<Quality> by_hand;  // none: it is picked
 
-  /// Somebody chose it, or less than everything is drawn.
+  /// The user chose it, or less than everything is drawn.
   [[nodiscard]] bool is_told() const { return by_hand || now != Quality::high; }
   /// "medium (picked)", "low".
   [[nodiscard]] std::string text() const;

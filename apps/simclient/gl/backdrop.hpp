@@ -13,10 +13,10 @@ class Backdrop {
   Backdrop& operator=(const Backdrop&) = delete;
   ~Backdrop();
   [[nodiscard]] Status make();
-  /// What is kept looks different from what is to be seen: whoever draws it anew does so into the framebuffer that is
-  /// in use then, over the whole viewport that is set. `part`: of the pixels along each side, 1 or less.
+  /// Returns true if the kept picture is out of date. The caller then draws sky and ground into the framebuffer that
+  /// this call binds, over its whole viewport. `part`: kept pixels over shown ones along each side, 0 < part <= 1.
   [[nodiscard]] bool begin(const Scene& scene, const Camera& camera, int width, int height, double part);
-  /// Draws what is kept into the framebuffer in use, whose viewport begins at a pixel and is as large as at begin().
+  /// Draws the kept picture into the bound framebuffer, whose viewport begins at (x, y) and is as large as at begin().
   void put(int x, int y) const;
 
  private:

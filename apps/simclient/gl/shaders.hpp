@@ -128,7 +128,7 @@ void main() {
 }
 )";
 
-// What was drawn once of sky and ground.
+// The kept picture of sky and ground.
 inline constexpr const char* kBackdropVertex = R"(#version 330 core
 layout(location = 0) in vec2 corner;
 void main() { gl_Position = vec4(corner, 0.0, 1.0); }
