@@ -18,7 +18,7 @@ scene rifle "trail-colour speed; fire-whole; seek 1; vectors; wait 3" 308_168gr_
 scene golf "fire-whole; seek 4.5; wait 3" golf_drive
 scene shell "fire-whole; seek 54; wait 3" 105mm_m1_six_dof
 scene rocket "fire; seek 1.6; wait 3" model_rocket
-nearer=$(printf 'zoom-in; %.0s' {1..36})
+nearer=$(printf 'zoom-in; %.0s' {1..36})$(printf 'zoom-out; %.0s' {1..5})  # as near as it goes, and a little back
 scene brick "fire; camera; seek 6.7; wait 3; $nearer wait 3" nesc_case03
 scene orbit "fire-whole; seek 3840; wait 3" low_orbit
 scene gun "seek 1.96; wait 3" emit_machine_gun
