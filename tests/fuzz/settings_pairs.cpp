@@ -156,7 +156,8 @@ class Base {
     const auto is_note = [&](const std::string& note) {
       return note.find(" " + of.setting + ": has no effect") != note.npos;
     };
-    return std::ranges::count_if(result.notes, is_note) >= (is_of_all && tables ? static_cast<long>(*tables) : 1);
+    const std::size_t needed = is_of_all && tables ? std::max<std::size_t>(1, *tables) : 1;
+    return std::ranges::count_if(result.notes, is_note) >= static_cast<long>(needed);
   }
 
   std::string name;
