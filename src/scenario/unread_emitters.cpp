@@ -19,10 +19,10 @@ const ScenarioEmitter& emitter(R r) {
 }
 const EmitterDef& def(R r) { return emitter(r).def; }
 
+/// Whether its place moves: one that only turns has no velocity.
 bool moves(R r) {
   const ScenarioMotion& motion = emitter(r).motion;
-  return !motion.keys.empty() || motion.velocity != Vec3d{} || motion.angular_velocity != Vec3d{} ||
-         !emitter(r).follows.empty();
+  return !motion.keys.empty() || motion.velocity != Vec3d{} || !emitter(r).follows.empty();
 }
 bool varies(const DrawnNumber& number) { return !number.curve.empty() || !number.to_curve.empty(); }
 /// Whether it fires by itself, not only as the sub of others.
@@ -74,12 +74,7 @@ constexpr UnreadRule kPlaceRules[] = {
        return read_with(emitter(r).motion.curve == MotionCurve::smooth, "emitter.motion.curve = \"smooth\"");
      }},
     {"emitter.inherit_velocity", why_it_is_still},
-    {"emitter.per_metre",
-     [](R r) {
-       const ScenarioMotion& motion = emitter(r).motion;
-       const bool goes = !motion.keys.empty() || motion.velocity != Vec3d{} || !emitter(r).follows.empty();
-       return read_or(goes, ": the emitter does not move");
-     }},
+    {"emitter.per_metre", why_it_is_still},
     {"emitter.bursts",
      [](R r) {
        const EmitterDef& e = def(r);

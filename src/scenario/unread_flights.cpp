@@ -266,7 +266,7 @@ bool reads_diameter(R r) {
   const bool sizes_drag = (drag.ballistic_coefficient == 0 && drag.bands.empty()) || drag.table == DragTable::sphere;
   const auto is_in_drag = [&](Rung f) { return sizes_drag && is_in_air(f) && flies_equation(f); };
   const auto is_in_spin = [](Rung f) {
-    return flies_spin(f) || flies_body(f) || f.granted.rotation == RotationModel::spin_drift;
+    return is_in_air(f) && (flies_spin(f) || flies_body(f) || f.granted.rotation == RotationModel::spin_drift);
   };
   return (is_blown(r) && sizes_drag) || r.any(is_in_drag) || r.any(is_in_spin) || has_stability(r) || is_hit;
 }
@@ -277,7 +277,8 @@ constexpr UnreadRule kProjectileRules[] = {
     {"shot.length",
      [](R r) {
        const bool drifts = r.any([](Rung f) { return f.granted.rotation == RotationModel::spin_drift; });
-       return read_with(drifts || has_stability(r), "shot.twist");
+       if (projectile(r).twist == 0) return read_with(has_stability(r), "shot.twist");
+       return read_or(drifts || has_stability(r), ": no stability factor is computed from it");
      }},
     {"shot.twist",
      [](R r) {

@@ -144,9 +144,27 @@ bool is_felt(R r, const ScenarioForce& force) {
   });
 }
 
+/// A spring whose only shot is the one at its other end.
+std::string why_on_itself(R r) {
+  const ScenarioForce& force = *r.scope.force;
+  const bool has_another =
+      force.layers != 0 || force.shots.empty() ||
+      std::ranges::any_of(force.shots, [&](const std::string& shot) { return shot != force.other; });
+  return read_or(has_another, ": the only shot that it acts on is the one at its other end");
+}
+
 constexpr UnreadRule kForceRules[] = {
     {"force",
      [](R r) { return read_or(is_felt(r, *r.scope.force), ": no shot with motion \"force\" that moves feels it"); }},
+    {"force.layers",
+     [](R r) {
+       const std::uint32_t layers = r.scope.force->layers;
+       const bool has_some = std::ranges::any_of(
+           r.scenario.shots, [&](const ScenarioShot& shot) { return (shot.body.layers & layers) != 0; });
+       return read_or(has_some || r.scope.force->shots.empty(), ": no shot.body.layers has one of them");
+     }},
+    {"force.spring", why_on_itself},
+    {"force.bungee", why_on_itself},
 };
 
 constexpr UnreadRule kJointRules[] = {

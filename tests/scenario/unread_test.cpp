@@ -80,22 +80,35 @@ TEST(Unread, numbers_of_drag_beside_motions_that_no_force_moves) {
   expect_unread("shot.drag.coefficient", ": ", motion("velocity"), motion("force"));
 }
 
+/// Whether a wider diameter, given beside a scenario, is said to have no effect.
+bool is_diameter_unread(const std::string& text) {
+  const std::vector<std::string> wider = {"shot.diameter=0.2"};
+  const auto scenario = parse_scenario("physim = 1\n" + text, "f.toml", wider);
+  EXPECT_TRUE(scenario) << (scenario ? "" : scenario.error().text());
+  return scenario && std::ranges::any_of(scenario->notes, [](const std::string& note) {
+           return note.find("shot.diameter: has no effect") != note.npos;
+         });
+}
+
 TEST(Unread, a_diameter_in_a_wind_zone_beside_a_ballistic_coefficient) {
   const auto blown = [](const std::string& drag) {
     return "[[shot]]\nmass = 1\ndiameter = 0.1\nspeed = 5\ndrag = { table = \"g7\", " + drag +
            " }\nfidelity = { air = \"vacuum\" }\n[world]\n[[force]]\n"
            "wind_zone = { velocity = [3, 0, 0], low = [-9, -9, -9], high = [9, 9, 9] }\n";
   };
-  const auto given = [&](const std::string& drag) {
-    const std::vector<std::string> wider = {"shot.diameter=0.2"};
-    const auto scenario = parse_scenario("physim = 1\n" + blown(drag), "f.toml", wider);
-    EXPECT_TRUE(scenario) << (scenario ? "" : scenario.error().text());
-    return scenario && std::ranges::any_of(scenario->notes, [](const std::string& note) {
-             return note.find("shot.diameter: has no effect") != note.npos;
-           });
+  EXPECT_TRUE(is_diameter_unread(blown("ballistic_coefficient = 60")));
+  EXPECT_FALSE(is_diameter_unread(blown("form_factor = 1")));
+}
+
+TEST(Unread, sizes_of_a_rigid_body_where_there_is_no_air) {
+  const auto body = [](const std::string& air) {
+    return kShot + "twist = 2\nlength = 0.3\ninertia = { moments = [1, 2, 2] }\n" +
+           "fidelity = { rotation = \"rigid_body\", air = \"" + air + "\" }\n[world]\n";
   };
-  EXPECT_TRUE(given("ballistic_coefficient = 60"));
-  EXPECT_FALSE(given("form_factor = 1"));
+  EXPECT_TRUE(is_diameter_unread(body("vacuum")));
+  EXPECT_FALSE(is_diameter_unread(body("isa")));
+  expect_unread("shot.length", ": no stability factor is computed from it", body("vacuum"),
+                kShot + "length = 0.3\ntwist = 2\n");
 }
 
 TEST(Unread, a_cant_about_the_bore) {
@@ -199,6 +212,16 @@ TEST(Unread, settings_of_worlds) {
   expect_unread("force", ": no shot with motion \"force\"",
                 world + kShot + "fidelity = \"arcade\"\n[[force]]\nconstant_force = { force = [1, 0, 0] }\n",
                 world + kShot + "[[force]]\nconstant_force = { force = [1, 0, 0] }\n");
+  const auto push = [&](const std::string& layers) {
+    return world + kShot + "[[force]]\nshots = [\"shot-1\"]\nlayers = " + layers +
+           "\nconstant_force = { force = [1, 0, 0] }\n";
+  };
+  expect_unread("force.layers", ": no shot.body.layers has one of them", push("2"), push("1"));
+  const auto spring = [&](const std::string& shots) {
+    return world + kShot + kShot + "[[force]]\nshots = " + shots + "\nspring = { other = \"shot-2\", stiffness = 3 }\n";
+  };
+  expect_unread("force.spring", ": the only shot that it acts on is the one at its other end", spring("[\"shot-2\"]"),
+                spring("[\"shot-1\", \"shot-2\"]"));
 }
 
 /// Wind of a [[force]] takes a projectile's drag in a world without air, too.
@@ -239,6 +262,9 @@ TEST(Unread, settings_of_emitters) {
                 emitter("trail = { time = 2, points = 3 }"));
   expect_unread("emitter.per_metre", ": the emitter does not move", emitter("per_metre = 2"),
                 emitter("per_metre = 2\nmotion = { velocity = [1, 0, 0] }"));
+  expect_unread("emitter.inherit_velocity", ": the emitter does not move",
+                emitter("inherit_velocity = 1\nmotion = { angular_velocity = [0, 1, 0] }"),
+                emitter("inherit_velocity = 1\nmotion = { velocity = [1, 0, 0] }"));
   expect_unread("emitter.bursts", ": one is due behind the cycle's end, see emitter.cycle.duration",
                 emitter("bursts = [{ time = 0.1, count = 3 }]\ncycle = { duration = 0.05 }"),
                 emitter("bursts = [{ time = 0.1, count = 3 }]\ncycle = { duration = 0.2 }"));
