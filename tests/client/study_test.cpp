@@ -316,6 +316,7 @@ TEST(StudyView, tells_the_digits_of_physim_study) {
   EXPECT_EQ(figure("hits on plate"), "59.1 %, 58.8 .. 59.4");
   EXPECT_EQ(figure("CEP"), "0.21 m, R90 0.4582");
   EXPECT_EQ(figure("mean speed"), "444.88 m/s, \u00b1 0.01, \u03c3 3.308");
+  EXPECT_EQ(figure("mean right"), "-0.00050 m, \u00b1 0.00085, \u03c3 0.272");  // its error has two digits
 }
 
 /// Of one quantity: how shots spread over it.

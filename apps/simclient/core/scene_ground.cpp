@@ -62,7 +62,9 @@ void build_ground(const Client& client, double scale, Scene& scene) {
     const Vec3d mark = origin + along * x, half = across * (step * 0.12);
     scene.line(mark - half, mark + half, colours::kText, 2.5 * scale, reach);
     if (!is_hidden(client, mark))
-      scene.labels.push_back({mark + across * (step * 0.16), distance_text(x), colours::kText, false, 0});
+      scene.labels.push_back({mark + across * (step * 0.16),
+                              step < 1000 ? distance_text(x) : formatted("%.6g km", x / 1000), colours::kText, false,
+                              0});
   }
   if (scene.has_ground) build_wall(client, scale, step, scene);
 }

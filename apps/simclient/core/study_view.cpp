@@ -192,6 +192,17 @@ std::vector<Settling> settling_of(const StudyResult& result, int wanted_ticks) {
 }
 
 // ------------------------------------------------------------------------------------------------------------ figures
+namespace {
+/// Six significant digits, or as many decimals as two digits of the error have, whichever is shorter.
+std::string within_error(const Estimate& mean) {
+  std::string six = report::significant(mean.value, 6);
+  if (!(mean.error > 0 && std::isfinite(mean.error))) return six;
+  const int decimals = std::clamp(1 - static_cast<int>(std::floor(std::log10(mean.error))), 0, 9);
+  std::string rounded = report::fixed(mean.value, decimals);
+  return rounded.size() < six.size() ? rounded : six;
+}
+}  // namespace
+
 std::vector<StudyFigure> figures_of(const StudyResult& result) {
   using report::significant;
   std::vector<StudyFigure> list = {
@@ -215,7 +226,7 @@ std::vector<StudyFigure> figures_of(const StudyResult& result) {
   }
   for (const QuantityResult& q : result.quantities)
     list.push_back({"mean " + std::string(name(q.quantity)),
-                    significant(q.mean.value, 6) + " " + std::string(report::unit_of(q.quantity)),
+                    within_error(q.mean) + " " + std::string(report::unit_of(q.quantity)),
                     "\u00b1 " + significant(q.mean.error, 2) + ", \u03c3 " + significant(q.deviation, 4)});
   return list;
 }

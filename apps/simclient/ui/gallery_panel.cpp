@@ -119,7 +119,11 @@ bool GalleryPanel::draw_card(const GalleryItem& item, float width, float scale) 
   else
     list.AddRectFilled(at, corner, exact(theme.bar));
   list.PushClipRect({at.x + pad, corner.y}, {end.x - pad, end.y}, true);
-  list.AddText({at.x + pad, corner.y + pad}, shade(colours::kText), std::string(item.title).c_str());
+  const std::string title(item.title);
+  const float room = width - 2 * pad, fit = std::min(1.0F, room / ImGui::CalcTextSize(title.c_str()).x);
+  const float size = ImGui::GetFontSize() * std::max(fit, 0.7F);
+  list.AddText(ImGui::GetFont(), size, {at.x + pad, end.y - pad - line / 2 - size / 2}, shade(colours::kText),
+               title.c_str());
   list.PopClipRect();
   if (is_hovered || ImGui::IsItemFocused()) list.AddRect(at, end, exact(theme.accent), 3 * scale, 0, 2 * scale);
   return is_chosen;

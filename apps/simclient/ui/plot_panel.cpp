@@ -144,7 +144,10 @@ void draw_read_out(ImDrawList& list, const PlotFrame& frame, Client& client) {
 void pick_quantity(const char* id, std::size_t& quantity, float width) {
   const auto all = plot_quantities();
   ImGui::SetNextItemWidth(std::min(ImGui::GetFontSize() * 7.4F, width));
-  if (!ImGui::BeginCombo(id, std::string(all[quantity].name).c_str(), ImGuiComboFlags_HeightLarge)) return;
+  const std::string shown(all[quantity].name);
+  const float letters = ImGui::CalcTextSize(shown.c_str()).x + 2 * ImGui::GetStyle().FramePadding.x;
+  const ImGuiComboFlags arrow = letters + ImGui::GetFrameHeight() > width ? ImGuiComboFlags_NoArrowButton : 0;
+  if (!ImGui::BeginCombo(id, shown.c_str(), ImGuiComboFlags_HeightLarge | arrow)) return;
   for (std::size_t i = 0; i < all.size(); ++i)
     if (ImGui::Selectable(std::string(all[i].name).c_str(), i == quantity)) quantity = i;
   ImGui::EndCombo();

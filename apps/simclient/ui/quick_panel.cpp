@@ -15,7 +15,10 @@ void tell(Client& client, const Status& status) {
 /// Digits that a slider of this reach can tell apart, with its unit.
 std::string format_of(const QuickSetting& setting) {
   const double reach = setting.is_logarithmic ? std::abs(setting.value) : setting.high - setting.low;
-  const int digits = reach >= 400 ? 0 : reach >= 20 ? 1 : 2;
+  const int digits = reach >= 400                 ? 0
+                     : reach >= 20                ? 1
+                     : reach >= 0.1 || reach == 0 ? 2
+                                                  : std::min(1 - static_cast<int>(std::floor(std::log10(reach))), 9);
   return "%." + std::to_string(digits) + "f" + (setting.unit == "\u00b0" ? "" : " ") + setting.unit;
 }
 
@@ -33,9 +36,13 @@ void write_label(const std::string& name, float label, bool is_idle) {
 void draw_notes(Client& client) {
   constexpr std::size_t kMost = 2;
   std::size_t told = 0;
-  for (const FidelityNote& note : client.prediction().granted.notes)
-    if (told++ < kMost)
-      coloured_text(colours::kWarning, note.effect + ": granted " + note.granted + ", " + note.reason);
+  const std::vector<FidelityNote>& notes = client.prediction().granted.notes;
+  for (auto note = notes.begin(); note != notes.end() && told < kMost; ++note) {
+    const auto has_same_effect = [&](const FidelityNote& later) { return later.effect == note->effect; };
+    if (std::any_of(note + 1, notes.end(), has_same_effect)) continue;  // the last one says what flies
+    coloured_text(colours::kWarning, note->effect + ": granted " + note->granted + ", " + note->reason);
+    ++told;
+  }
 }
 
 }  // namespace
