@@ -5,13 +5,8 @@ cd "$(dirname "${BASH_SOURCE[0]}")/.."
 simclient=${SIMCLIENT:-build/release/bin/simclient}
 pictures=docs/pictures
 
-"$simclient" --hidden --size 1280x720 --screenshot "$pictures/client.png" --script "
-  shot grenade; set shot.elevation=55 deg; set shot.azimuth=-28 deg; fire; wait 16
-  shot tennis_ball; set shot.speed=24 m/s; set shot.elevation=35 deg; set shot.azimuth=-8 deg; fire; wait 20
-  shot arrow; set shot.speed=28 m/s; set shot.elevation=20 deg; set shot.azimuth=12 deg; fire; wait 22
-  artillery; fire; wait 12
-  sphere; set shot.speed=24 m/s; set shot.elevation=45 deg; set shot.azimuth=38 deg; fire; wait 36
-  plots; vectors; wait 1; fit; wait 1"
+"$simclient" --hidden --size 1280x720 --screenshot "$pictures/client.png" \
+  --script "trail-colour speed; fire; shot high; fire; seek 8.3; plots; wait 3" scenarios/mortar_over_hill.toml
 
 "$simclient" --hidden --size 1280x720 --screenshot "$pictures/client_compare.png" \
   --script "compare; camera; camera; wait 1; fire-compared; wait 60; fit; wait 1" scenarios/308_168gr_g7.toml

@@ -117,6 +117,7 @@ void App::draw_captions(const Scene& scene, const Camera& camera, float scale) {
   std::vector<Box> taken = {{left, top, std::max(painter_.width_of(title, Painter::Face::title), 100 * scale),
                              title_line + painter_.line() + 8 * scale},
                             {0, height - 50 * scale, width * 0.3F, 50 * scale}};
+  if (scene.legend) taken.push_back(draw_legend(list, *scene.legend, width, 0, scale));
   const auto width_of = [this](const std::string& text) { return painter_.width_of(text); };
   for (const PlacedLabel& each :
        place_labels(scene.labels, camera, {0, 0, width, height}, painter_.line(), scale, width_of, std::move(taken)))
@@ -124,7 +125,6 @@ void App::draw_captions(const Scene& scene, const Camera& camera, float scale) {
   painter_.write(left, top, title, shade(colours::kText), Painter::Face::title);
   painter_.write(left, top + title_line + 4 * scale, time, shade(colours::kText));
   draw_scale_bar(painter_, list, camera, height, scale);
-  if (scene.legend) draw_legend(list, *scene.legend, width, 0, scale);
   painter_.end();
 }
 

@@ -329,13 +329,15 @@ void Ui::draw_labels(const Client& client, const Scene& scene) {
   list->PushClipRect({s.x, s.y}, {s.x + s.width, s.y + s.height});
   const float line = ImGui::GetTextLineHeight();
   const auto width_of = [](const std::string& text) { return ImGui::CalcTextSize(text.c_str()).x; };
-  for (const PlacedLabel& each : place_labels(scene.labels, client.camera, s, line, scale_, width_of)) {
+  std::vector<Box> taken;
+  if (scene.legend) taken.push_back(draw_legend(*list, *scene.legend, s.x + s.width, s.y, scale_));
+  for (const PlacedLabel& each :
+       place_labels(scene.labels, client.camera, s, line, scale_, width_of, std::move(taken))) {
     const std::string& text = each.label->text;
     list->AddRectFilled({each.x - 2, each.y}, {each.x + width_of(text) + 2, each.y + line},
                         exact(theme_in_use().label));
     list->AddText({each.x, each.y}, shade(each.label->colour), text.c_str());
   }
-  if (scene.legend) draw_legend(*list, *scene.legend, s.x + s.width, s.y, scale_);
   list->PopClipRect();
 }
 
