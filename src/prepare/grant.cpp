@@ -131,9 +131,9 @@ class Granting {
     const bool has_body = free && equation && has_inertia(p) && has_coefficients(p.aero);
     if (turns_bodies && has_body)
       return choose(RotationModel::rigid_body, "moments of inertia and coefficients are given");
-    if (free && has_magnus(p)) return choose(RotationModel::magnus, "data of lift by spin are given");
     if (has_body && is_axisymmetric(p) && p.twist != 0 && !p.aero.pitching.empty())
       return choose(RotationModel::modified_point_mass, "coefficients of a shell with a twist are given");
+    if (free && has_magnus(p)) return choose(RotationModel::magnus, "data of lift by spin are given");
     const bool drifts = has_air && equation && !f_.planar && p.twist != 0;
     if (drifts && p.length > 0) return choose(RotationModel::spin_drift, "a twist and a length are given");
     if (drifts) return choose(RotationModel::none, "the drift of a twist needs the projectile's length, too");

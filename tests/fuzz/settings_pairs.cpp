@@ -291,13 +291,21 @@ class SettingsFuzz {
     if (is_limit(setting.setting) || is_of_contact(setting.setting)) return true;
     if (first.setting == "shot.fidelity.cheapest_within") return true;  // it leaves out what is below its error
     if (first.setting == "shot.body.frozen") return true;               // others may push along that axis alone
-    if (first.setting == "shot.body.use_gravity") return true;          // nothing pulls on joints
-    if (first.setting == "shot.rail_length") return true;               // longer than the flight, nothing turns it
-    if (first.setting == "world.detail.rungs.fidelity") return true;    // all rungs may be one
-    if (first.setting == "target.velocity") return true;                // too fast for any shot
+    if (setting.setting.starts_with("joint.") &&
+        (first.setting == "shot.body.use_gravity" || first.setting == "environment.gravity.model"))
+      return true;                                                    // nothing pulls on joints
+    if (first.setting == "shot.rail_length") return true;             // longer than the flight, nothing turns it
+    if (first.setting == "world.detail.rungs.fidelity") return true;  // all rungs may be one
+    if (first.setting == "target.velocity") return true;              // too fast for any shot
     if (first.setting == "force.bungee.rest_length" || first.setting == "force.bungee.other") return true;  // slack
-    // A velocity that no force changes has no drag.
-    if (first.setting == "shot.fidelity.motion" && setting.setting == "shot.fidelity.drag") return true;
+    // A velocity that no force changes has no drag, nor has a shot without air.
+    if (setting.setting == "shot.fidelity.drag" &&
+        (first.setting == "shot.fidelity.motion" || first.setting == "shot.fidelity.air"))
+      return true;
+    // Beside a ballistic coefficient only what a shot meets reads its size.
+    if (setting.setting == "shot.diameter" && first.setting == "shot.drag.bands") return true;
+    // Particles go elsewhere, and meet nothing there.
+    if (setting.setting.starts_with("emitter.sub.") && first.setting.starts_with("emitter.flight.")) return true;
     // A straight way meets the line of sight at all ranges or at none.
     if (first.setting == "environment.gravity.model" && setting.setting == "shot.sight.zero_range") return true;
     constexpr double kLittle = 0.1;  // of the way

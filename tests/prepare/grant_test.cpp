@@ -240,12 +240,15 @@ TEST(Grant, an_automatic_rotation_is_the_truest_that_the_data_allow) {
   brick.inertia.moments = {2e-7, 3e-7, 4e-7};
   ProjectileDef finned = shell();  // no twist: a point of it has no yaw of repose
   finned.twist = 0;
+  ProjectileDef spun = shell();
+  spun.magnus.lift = 0.3;
   using enum RotationModel;
   const Case cases[] = {{"ball with lift", presets::golf_ball().projectile, magnus, magnus},
                         {"bullet with a twist", bullet_308(), spin_drift, spin_drift},
                         {"bullet without length", short_of_length, none, none},
                         {"bullet without twist", smooth, none, none},
                         {"shell with coefficients", shell(), modified_point_mass, rigid_body},
+                        {"shell with lift by spin, too", spun, modified_point_mass, rigid_body},
                         {"finned body with coefficients", finned, none, rigid_body},
                         {"body without coefficients", brick, none, none}};
   for (const Case& each : cases) {
