@@ -154,14 +154,21 @@ PHYSIM_INLINE Vec3<W> ahead(double stagger, const NodeOf<W>& n0, const NodeOf<W>
   return (n0.a + (n1.a - n0.a) * theta) * ((n1.t - n0.t) * W(stagger));
 }
 /// Gives a state that meets a surface the velocity of its motion, if it comes fast beside what `ahead` changes, or if
-/// its own velocity leaves the surface, which its way does not, and is the faster one: each such contact would make
-/// energy. `rate`: at which it leaves [m/s].
+/// its own velocity leaves the surface, which its way does not, and is the faster one. Else it keeps its velocity
+/// towards the surface; along the surface it has the slower of the two, but where a step starts: it was laid there. The
+/// faster one would make energy at each contact. `u`: its velocity against the surface's; `theta`: part of the step,
+/// 0..1.
 template <class W>
-PHYSIM_INLINE void move_on(const Vec3<W>& ahead, const Vec3<W>& normal, const W& rate, State<W>& s) {
-  const W change = abs(dot(ahead, normal));
+PHYSIM_INLINE void move_on(const Vec3<W>& ahead, const Vec3<W>& normal, const Vec3<W>& u, const W& theta, State<W>& s) {
+  constexpr double kStart = 0.01;  // a fall from 1e-7 m takes longer
+  const W rate = dot(u, normal), across = dot(ahead, normal);
+  const Vec3<W> along = ahead - normal * across;
+  const W change = abs(across);
   const MaskOf<W> leaves = rate > change * W(1e-3);  // rounding is less
-  const MaskOf<W> is_faster = dot(ahead, s.v + s.v + ahead) < W(0.0);
-  s.v = select((rate < change * W(-4.0)) | (leaves & is_faster), s.v + ahead, s.v);
+  const MaskOf<W> is_faster = dot(ahead, u + u + ahead) < W(0.0);
+  const MaskOf<W> is_faster_along = dot(along, u + u + along) < W(0.0);
+  const MaskOf<W> moves = (rate < change * W(-4.0)) | (leaves & is_faster);
+  s.v = select(moves, s.v + ahead, select(is_faster_along & (theta > W(kStart)), s.v + along, s.v));
 }
 /// Hermite interpolation of a step of order one: between places, with the velocities that they move with.
 template <class W>

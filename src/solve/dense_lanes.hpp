@@ -50,7 +50,8 @@ struct DenseLanes {
   PHYSIM_INLINE State<W> moving_at_time(const W& t, const Vec3<W>& normal, const Vec3<W>& surface = {}) const {
     State<W> s = at_time(t);
     const double part = stagger(conditions->fidelity);
-    if (part != 0) move_on(ahead(part, n0, n1, place_between(n0, n1, t)), normal, dot(s.v - surface, normal), s);
+    const W theta = place_between(n0, n1, t);
+    if (part != 0) move_on(ahead(part, n0, n1, theta), normal, s.v - surface, theta, s);
     return s;
   }
 

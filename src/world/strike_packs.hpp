@@ -24,7 +24,7 @@ struct StrikePath {
   PHYSIM_INLINE State<W> moving_at_time(const W& t) const {
     const W theta = place_between(n0, n1, t);
     State<W> s = (*this)(theta);
-    move_on(ahead(stagger_of<SemiImplicitEuler>, n0, n1, theta), Vec3<W>{W(0.0), W(1.0), W(0.0)}, s.v.y, s);
+    move_on(ahead(stagger_of<SemiImplicitEuler>, n0, n1, theta), Vec3<W>{W(0.0), W(1.0), W(0.0)}, s.v, theta, s);
     return s;
   }
 };
