@@ -197,7 +197,7 @@ Result<FlownStudy> fly_study(const Study& study, const ScenarioStudy& texts, Tas
   if (!keeper.status()) return keeper.status().error();
   if (!ranks.failed()) return with_what_is_kept(ranks.failed().error(), last, command.resume);
   if (!result) return result.error();
-  return told_study(*plan, *std::move(result), static_cast<std::size_t>(texts.histograms));
+  return told_study(*plan, *std::move(result), static_cast<std::size_t>(texts.histograms), texts.inputs);
 }
 
 struct AskedStudy {
@@ -309,7 +309,10 @@ Result<int> run_over_ranges(const StudyCommand& command, const AskedShot& asked,
   if (!command.plot.empty())
     if (Status status = draw(command.plot, ranges_picture(title, list)); !status) return status.error();
   if (command.csv != "-")
-    if (Status status = print(style_of(stdout).bold(title) + "\n" + over_range_text(list)); !status)
+    if (Status status =
+            print(style_of(stdout).bold(title) + "\n" +
+                  over_range_text(list, written_unit(command.ranges, Quantity::length).value_or(WrittenUnit{"m", 1})));
+        !status)
       return status.error();
   return done(command.csv.empty() ? Status() : write_output(command.csv, csv_text(records_of(list))),
               misses ? kExitCheckMissed : kExitOk);

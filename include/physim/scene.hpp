@@ -227,7 +227,8 @@ struct MeshShape {
   std::vector<std::array<std::uint32_t, 3>> triangles{};  ///< indices of vertices; those without area are left out [-]
   std::vector<MaterialId> materials{};                    ///< of each triangle; empty: that of the instance [-]
 };
-/// Heights over a grid of x and z, from the origin on; two triangles to each cell.
+/// Heights over a grid of x and z, from the origin on; two triangles to each cell, which meet along the diagonal from
+/// its corner of the greater x to that of the greater z.
 struct HeightFieldShape {
   std::uint32_t columns = 0;      ///< points along x, at least 2 [-]
   std::uint32_t rows = 0;         ///< points along z, at least 2 [-]

@@ -6,6 +6,7 @@
 
 #include "base/assert.hpp"
 #include "math/angles.hpp"
+#include "physim/scenario.hpp"
 #include "report/json.hpp"
 #include "report/number.hpp"
 #include "report/study_figures.hpp"
@@ -119,7 +120,10 @@ std::string inputs_text(const FlownStudy& flown) {
   for (const std::size_t i : told) headers.push_back("misses of " + study.targets[i].name + " [%]");
   Table table(headers, "l");
   for (const LinearRow& row : flown.linear->rows) {
-    std::vector<std::string> cells = {study.inputs[row.input].path, significant(row.deviation, 3)};
+    const StudyInput& input = study.inputs[row.input];
+    const WrittenUnit unit = flown.units.empty() ? WrittenUnit{unit_of(input), 1} : flown.units[row.input];
+    std::vector<std::string> cells = {input.path + (unit.name.empty() ? "" : " [" + unit.name + "]"),
+                                      significant(row.deviation / unit.size, 3)};
     for (std::size_t q = 0; q < shown; ++q) {
       cells.push_back(significant(row.effect[q], 3));
       cells.push_back(percent(row.share[q]));
@@ -196,7 +200,10 @@ std::string worst_text(const FlownStudy& flown) {
                      " m from the aim, with";
   for (std::size_t i = 0; i < worst.draws.size(); ++i) {
     const StudyInput& input = flown.plan.study().inputs[i];
-    text += (i == 0 ? " " : ", ") + input.path + (input.added ? " += " : " = ") + significant(worst.draws[i], 5);
+    const WrittenUnit unit = i < flown.units.size() ? flown.units[i] : WrittenUnit{};
+    const double drawn = (worst.draws[i] - (input.added ? 0 : unit.zero)) / unit.size;
+    text += (i == 0 ? " " : ", ") + input.path + (input.added ? " += " : " = ") + significant(drawn, 5) +
+            (unit.name.empty() ? "" : " " + unit.name);
   }
   return text + "\n";
 }
@@ -273,7 +280,42 @@ Json json_of(const FlownStudy& flown) {
           {"notes", flown.plan.notes()}};
 }
 
+/// The setting that an input is a number of: "environment.wind.velocity" of "environment.wind.velocity.z".
+const Setting* setting_of(std::string_view path) {
+  const auto found = [&] {
+    return std::ranges::find_if(settings(), [&](const Setting& each) { return each.path == path; });
+  };
+  auto at = found();
+  if (at == settings().end() && path.rfind('.') != path.npos) {
+    path = path.substr(0, path.rfind('.'));
+    at = found();
+  }
+  return at == settings().end() ? nullptr : &*at;
+}
+
+/// The unit in which an input was written, else that of SI.
+WrittenUnit unit_of_input(const StudyInput& input, std::span<const std::string> texts) {
+  if (const Setting* setting = setting_of(input.path))
+    for (const std::string& text : texts)
+      if (text.starts_with(input.path))
+        if (const auto unit = written_unit(text, setting->quantity)) return *unit;
+  return {unit_of(input), 1};
+}
+
 }  // namespace
+
+std::optional<WrittenUnit> written_unit(const std::string& text, Quantity quantity) {
+  std::optional<WrittenUnit> last;
+  for (std::size_t i = 1; i < text.size(); ++i) {
+    if (text[i - 1] < '0' || text[i - 1] > '9') continue;
+    const std::size_t begin = text.find_first_not_of(' ', i);
+    if (begin == text.npos || begin == i) continue;
+    const std::string name = text.substr(begin, text.find_first_of(" ,\"]", begin) - begin);
+    const auto none = parse_quantity("0 " + name, quantity), one = parse_quantity("1 " + name, quantity);
+    if (none && one) last = {name, *one - *none, *none};
+  }
+  return last;
+}
 
 std::string_view unit_of(StudyQuantity quantity) {
   switch (quantity) {
@@ -311,14 +353,16 @@ std::string with_unit(StudyQuantity quantity) {
 
 bool misses_width(const Study& study, const StudyResult& result) { return study.until_width && !result.width_reached; }
 
-FlownStudy told_study(const StudyPlan& plan, StudyResult result, std::size_t histogram_bars) {
+FlownStudy told_study(const StudyPlan& plan, StudyResult result, std::size_t histogram_bars,
+                      std::span<const std::string> texts) {
   FlownStudy flown{plan, std::move(result)};
+  for (const StudyInput& input : plan.study().inputs) flown.units.push_back(unit_of_input(input, texts));
   flown.histogram_bars = histogram_bars;
   if (auto linear = propagate_linearly(plan)) flown.linear = *std::move(linear);
   const std::vector<StudyPlan> places = plan.places();
   PHYSIM_ASSERT(places.size() == flown.result.at.size());
   for (std::size_t i = 0; i < places.size(); ++i)
-    flown.at.push_back(told_study(places[i], std::move(flown.result.at[i]), histogram_bars));
+    flown.at.push_back(told_study(places[i], std::move(flown.result.at[i]), histogram_bars, texts));
   flown.result.at.clear();  // they stand in `at` now
   return flown;
 }
@@ -355,18 +399,26 @@ std::vector<StudyAtRange> ranges_of(const FlownStudy& flown) {
   return list;
 }
 
-std::string over_range_text(std::span<const StudyAtRange> list) {
+std::string over_range_text(std::span<const StudyAtRange> list, const WrittenUnit& of_ranges) {
   PHYSIM_ASSERT(!list.empty());
-  std::vector<std::string> headers = {"range [m]", "right +- [m]", "up +- [m]", "CEP [m]", "R95 [m]"};
+  const bool customary = of_ranges.name == "yd" || of_ranges.name == "ft" || of_ranges.name == "mi";
+  const WrittenUnit small = customary ? WrittenUnit{"in", 0.0254} : WrittenUnit{"m", 1};
+  const auto with = [&](const char* what) { return what + (" [" + small.name + "]"); };
+  std::vector<std::string> headers = {"range [" + of_ranges.name + "]", with("right +-"), with("up +-"), with("CEP"),
+                                      with("R95")};
   const bool holds = std::ranges::any_of(list, [](const StudyAtRange& at) { return at.held != PlanePoint{}; });
-  if (holds) headers.insert(headers.end(), {"held right [m]", "held up [m]"});
+  if (holds) headers.insert(headers.end(), {with("held right"), with("held up")});
   for (const HitResult& hit : list.front().result.hits) headers.push_back(hit.name + " [%]");
   Table table(headers);
+  const auto digits = [&](double length) { return significant(length / small.size, 3); };
   for (const auto& [range, r, held] : list) {
-    std::vector<std::string> cells = {as_typed(range), significant(r.quantities[0].deviation, 3),
-                                      significant(r.quantities[1].deviation, 3), significant(r.from_centre->r50, 3),
-                                      significant(r.from_centre->r95, 3)};
-    if (holds) cells.insert(cells.end(), {fixed(held.right, 3), fixed(held.up, 3)});
+    std::vector<std::string> cells = {significant(range / of_ranges.size, 12), digits(r.quantities[0].deviation),
+                                      digits(r.quantities[1].deviation), digits(r.from_centre->r50),
+                                      digits(r.from_centre->r95)};
+    if (holds) {
+      const int places = customary ? 1 : 3;
+      cells.insert(cells.end(), {fixed(held.right / small.size, places), fixed(held.up / small.size, places)});
+    }
     for (const HitResult& hit : r.hits) cells.push_back(percent(hit.probability.value));
     table.add_row(std::move(cells));
   }

@@ -2,15 +2,19 @@
 #include "physim/files.hpp"
 
 #include <cstdint>
+#include <optional>
+#include <utility>
 
 #include "base/assert.hpp"
 #include "base/ieee_mode.hpp"
 #include "scenario/files_in_use.hpp"
 #include "scenario/libraries.hpp"
+#include "scenario/mesh_text.hpp"
 #include "scenario/text_file.hpp"
 
 #if PHYSIM_HAS_ASSIMP
 #include <assimp/DefaultIOSystem.h>
+#include <assimp/MemoryIOWrapper.h>
 #include <assimp/postprocess.h>
 #include <assimp/scene.h>
 
@@ -31,8 +35,10 @@ constexpr std::uintmax_t kLargestMesh = 256 << 20;  // [bytes]
 /// regular file of a bounded size, or is not there for Assimp.
 class MeshFiles : public Assimp::DefaultIOSystem {
  public:
-  /// `status` becomes that of the first file that may not be read.
-  explicit MeshFiles(Status& status) : status_(status) {}
+  /// `status` becomes that of the first file that may not be read. The mesh's own file has the text of `mesh`, if there
+  /// is one.
+  MeshFiles(Status& status, std::string file, const std::optional<NumberedMesh>& mesh)
+      : status_(status), file_(std::move(file)), mesh_(mesh) {}
 
   bool Exists(const char* file) const override { return check_file(file, kLargestMesh, "mesh").ok(); }
   Assimp::IOStream* Open(const char* file, const char* mode) override {
@@ -40,12 +46,26 @@ class MeshFiles : public Assimp::DefaultIOSystem {
       if (status_) status_ = begun;
       return nullptr;
     }
+    if (mesh_ && file == file_)
+      return new Assimp::MemoryIOStream(reinterpret_cast<const std::uint8_t*>(mesh_->text.data()), mesh_->text.size());
     return Exists(file) ? DefaultIOSystem::Open(file, mode) : nullptr;
   }
 
  private:
   Status& status_;
+  std::string file_;
+  const std::optional<NumberedMesh>& mesh_;
 };
+
+/// Gives corners, which have whole numbers, the places that the file has. False if the file lacks one.
+bool put_in_place(MeshShape& mesh, const NumberedMesh& file) {
+  for (Vec3d& v : mesh.vertices) {
+    const auto there = file.places.find({static_cast<float>(v.x), static_cast<float>(v.y), static_cast<float>(v.z)});
+    if (there == file.places.end()) return false;
+    v = there->second;
+  }
+  return true;
+}
 
 /// `node` takes the mesh into the file's frame. A scale that mirrors turns the corners of triangles round.
 void add_mesh(MeshShape& to, const aiMesh& from, const aiMatrix4x4& node) {
@@ -73,14 +93,11 @@ void add_node(MeshShape& to, const aiScene& scene, const aiNode& node, const aiM
   for (unsigned i = 0; i < node.mNumChildren; ++i) add_node(to, scene, *node.mChildren[i], here);
 }
 
-}  // namespace
-
-Result<MeshShape> read_mesh_file(const std::string& file) {
-  const IeeeMode mode;
-  if (const Status status = check_file(file, kLargestMesh, "mesh"); !status) return status.error();
+/// Reads the file itself, or the text that numbers its corners.
+Result<MeshShape> read_mesh(const std::string& file, const std::optional<NumberedMesh>& numbered) {
   Status files;
   Assimp::Importer importer;
-  importer.SetIOHandler(new MeshFiles(files));  // the importer owns it
+  importer.SetIOHandler(new MeshFiles(files, file, numbered));  // the importer owns it
   // Corners are joined where they differ in nothing but what is not read.
   importer.SetPropertyInteger(AI_CONFIG_PP_RVC_FLAGS, aiComponent_NORMALS | aiComponent_TANGENTS_AND_BITANGENTS |
                                                           aiComponent_COLORS | aiComponent_TEXCOORDS |
@@ -93,8 +110,21 @@ Result<MeshShape> read_mesh_file(const std::string& file) {
   if (scene == nullptr) return Error{"Assimp: " + std::string(importer.GetErrorString()), file, ""};
   MeshShape mesh;
   if (scene->mRootNode != nullptr) add_node(mesh, *scene, *scene->mRootNode, {});
+  if (numbered && !put_in_place(mesh, *numbered)) return Error{"the file lacks a corner", file, ""};
   if (mesh.triangles.empty()) return Error{"there are no triangles in it", file, ""};
   return mesh;
+}
+
+}  // namespace
+
+Result<MeshShape> read_mesh_file(const std::string& file) {
+  const IeeeMode mode;
+  if (const Status status = check_file(file, kLargestMesh, "mesh"); !status) return status.error();
+  // Assimp's numbers are floats: it reads whole numbers instead of the digits of a text file.
+  const auto text = read_text_file(file, kLargestMesh, "mesh");
+  if (const auto numbered = text ? numbered_mesh(*text) : std::nullopt)
+    if (auto mesh = read_mesh(file, numbered)) return mesh;
+  return read_mesh(file, std::nullopt);
 }
 
 #else
