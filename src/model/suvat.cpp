@@ -158,6 +158,9 @@ Result<std::vector<Suvat>> suvat(const SuvatGiven& given) {
   if (Status status = check(given); !status) return status.error();
   Motions found = solve(given);
   PHYSIM_ASSERT(!found || found->size() == 1 || found->size() == 2);
+  if (found)
+    for (Suvat& m : *found)
+      for (double* number : {&m.s, &m.u, &m.v, &m.a, &m.t}) *number += 0.0;  // zero has no sign
   return found;
 }
 

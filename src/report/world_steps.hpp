@@ -11,8 +11,8 @@ namespace physim::report {
 /// A frame of a game [s].
 inline constexpr double kGameFrame = 1.0 / 60;
 
-/// Time of one step of one projectile among a thousand that fly side by side on one thread, by the shot's own fidelity;
-/// nothing if the world refuses it [s].
+/// Time of one step of one projectile among a thousand that fly side by side on one thread, by the shot's own fidelity,
+/// among 64 where it is 0.1 ms or more; nothing if the world refuses it [s].
 [[nodiscard]] std::optional<double> time_of_step(const WorldDef& def, const ScenarioShot& shot, double dt);
 /// The greatest distance between a world's projectile and a flight of the same shot at any frame of the flight; nothing
 /// if the world refuses it, or if the flight has more than 36 000 frames [m].

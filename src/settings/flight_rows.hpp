@@ -30,11 +30,12 @@ inline constexpr auto kFidelityRows = std::tuple{
 
 inline constexpr auto kToleranceRows = std::tuple{
     PHYSIM_SETTING(relative,
-                   "adaptive integrators: error per step relative to position and velocity; none: 1e-9, in float32 "
-                   "2e-6",
+                   "adaptive integrators: error per step relative to position and velocity; none: the tolerance of "
+                   "the fidelity",
                    at_least(0)),
     PHYSIM_SETTING(absolute,
-                   "adaptive integrators: error per step where these are near zero, in m and m/s; both add as squares",
+                   "adaptive integrators: error per step where these are near zero, in m and m/s; both add as squares; "
+                   "1e-9 without tolerance.relative: no more than the fidelity's tolerance",
                    at_least(0)),
     PHYSIM_SETTING(step,
                    "of fixed-step integrators; 0: heun and rk4 find it by pilot flights, the others take 1/60 s or "

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <random>
 
 #include "support.hpp"
@@ -109,6 +110,14 @@ TEST(Suvat, a_short_way_does_not_cancel) {
   const auto found = suvat({.s = 1e-9, .u = 1e4, .a = 1});
   ASSERT_TRUE(found);
   EXPECT_TRUE(near(found->back().t, 1e-13, 1e-12));
+}
+
+TEST(Suvat, zero_has_no_sign) {
+  const auto back = suvat({.s = -10, .u = 5, .v = 5});
+  ASSERT_TRUE(back) << back.error().text();
+  EXPECT_EQ(back->front().a, 0);
+  EXPECT_FALSE(std::signbit(back->front().a));
+  EXPECT_EQ(back->front().t, -2);
 }
 
 TEST(Suvat, says_where_no_motion_is) {

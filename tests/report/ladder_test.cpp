@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <filesystem>
 
+#include "prepare/fidelity_cost.hpp"
 #include "support.hpp"
 
 namespace physim::report {
@@ -66,6 +67,33 @@ TEST_P(PresetsOfScenario, presets_cost_more_and_err_less_from_arcade_to_referenc
       }
       before = &result;
     }
+  }
+}
+
+/// The last row is flown as the reference of a comparison. Who flies the preset has the same: it costs more than
+/// simulation, which by its own error it would beat.
+TEST_P(PresetsOfScenario, the_preset_reference_is_the_dearest) {
+  const auto scenario = load_scenario(PHYSIM_SOURCE_DIR "/scenarios/" + GetParam() + ".toml");
+  ASSERT_TRUE(scenario) << scenario.error().text();
+  for (const ScenarioShot& shot : scenario->shots) {
+    const auto ladder = climb_presets(*scenario, shot);
+    if (!ladder) continue;
+    const FlightSetting own = preset_setting(*scenario, shot, "reference");
+    const Flight& truth = ladder->rungs.back().flight;
+    const Flight flown =
+        fly(shot.projectile, shot.launch, scenario->environment, own.fidelity, own.tolerance, scenario->until);
+    const std::string name = GetParam() + "/" + shot.projectile.name;
+    if (shot.launch.sight.zero_range == 0 && own.fidelity == ladder->rungs.back().rung.setting.fidelity) {
+      EXPECT_EQ(flown.cost().evaluations, truth.cost().evaluations) << name;
+      EXPECT_EQ(flown.end().position, truth.end().position) << name;
+    }
+    const double steps = static_cast<double>(std::max<std::int64_t>(flown.cost().steps + flown.cost().rejected, 1));
+    const double work =
+        steps * step_cost(flown.fidelity_in_use().fidelity, shot.projectile, scenario->environment);
+    for (const RungResult& result : ladder->rungs)
+      if (result.rung.name() == "simulation") {
+        EXPECT_GE(work, result.work) << name;
+      }
   }
 }
 
