@@ -88,8 +88,7 @@ TEST_P(PresetsOfScenario, the_preset_reference_is_the_dearest) {
       EXPECT_EQ(flown.end().position, truth.end().position) << name;
     }
     const double steps = static_cast<double>(std::max<std::int64_t>(flown.cost().steps + flown.cost().rejected, 1));
-    const double work =
-        steps * step_cost(flown.fidelity_in_use().fidelity, shot.projectile, scenario->environment);
+    const double work = steps * step_cost(flown.fidelity_in_use().fidelity, shot.projectile, scenario->environment);
     for (const RungResult& result : ladder->rungs)
       if (result.rung.name() == "simulation") {
         EXPECT_GE(work, result.work) << name;

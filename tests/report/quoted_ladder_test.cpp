@@ -45,8 +45,7 @@ std::map<std::string, std::vector<std::string>> rows() {
     if (!inside || !line.starts_with("| `")) continue;
     std::istringstream cells(line.substr(1));
     std::vector<std::string> words;
-    for (std::string cell; std::getline(cells, cell, '|');)
-      words.push_back(cell.substr(1, cell.find_last_not_of(' ')));
+    for (std::string cell; std::getline(cells, cell, '|');) words.push_back(cell.substr(1, cell.find_last_not_of(' ')));
     const std::string name = words[0].substr(1, words[0].size() - 2);
     rows[name] = {words.begin() + 1, words.end()};
   }

@@ -38,7 +38,8 @@ TEST_P(FlownRocket, rejects_a_tenth_of_its_steps_at_most_and_flies_as_rocketpy_s
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(Six, FlownRocket, testing::ValuesIn(rockets()), [](const auto& rocket) { return rocket.param; });
+INSTANTIATE_TEST_SUITE_P(Six, FlownRocket, testing::ValuesIn(rockets()),
+                         [](const auto& rocket) { return rocket.param; });
 
 TEST(FlownRockets, AreSix) { EXPECT_EQ(rockets().size(), 6U); }
 
