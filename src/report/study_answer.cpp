@@ -357,6 +357,7 @@ FlownStudy told_study(const StudyPlan& plan, StudyResult result, std::size_t his
                       std::span<const std::string> texts) {
   FlownStudy flown{plan, std::move(result)};
   for (const StudyInput& input : plan.study().inputs) flown.units.push_back(unit_of_input(input, texts));
+  PHYSIM_ASSERT(flown.units.size() == plan.study().inputs.size());
   flown.histogram_bars = histogram_bars;
   if (auto linear = propagate_linearly(plan)) flown.linear = *std::move(linear);
   const std::vector<StudyPlan> places = plan.places();
@@ -400,7 +401,7 @@ std::vector<StudyAtRange> ranges_of(const FlownStudy& flown) {
 }
 
 std::string over_range_text(std::span<const StudyAtRange> list, const WrittenUnit& of_ranges) {
-  PHYSIM_ASSERT(!list.empty());
+  PHYSIM_ASSERT(!list.empty() && of_ranges.size > 0);
   const bool customary = of_ranges.name == "yd" || of_ranges.name == "ft" || of_ranges.name == "mi";
   const WrittenUnit small = customary ? WrittenUnit{"in", 0.0254} : WrittenUnit{"m", 1};
   const auto with = [&](const char* what) { return what + (" [" + small.name + "]"); };

@@ -47,7 +47,8 @@ class MeshFiles : public Assimp::DefaultIOSystem {
       return nullptr;
     }
     if (mesh_ && file == file_)
-      return new Assimp::MemoryIOStream(reinterpret_cast<const std::uint8_t*>(mesh_->text.data()), mesh_->text.size());
+      return new Assimp::MemoryIOStream(static_cast<const std::uint8_t*>(static_cast<const void*>(mesh_->text.data())),
+                                        mesh_->text.size());
     return Exists(file) ? DefaultIOSystem::Open(file, mode) : nullptr;
   }
 

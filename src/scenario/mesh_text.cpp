@@ -5,6 +5,8 @@
 #include <cmath>
 #include <string_view>
 
+#include "base/assert.hpp"
+
 namespace physim {
 namespace {
 
@@ -32,15 +34,17 @@ bool read_number(std::string_view word, double& number) {
   return error == std::errc() && end == word.data() + word.size() && std::isfinite(number);
 }
 
-/// How lines of corners begin and, in PLY, which lines they are and which words of them are x, y and z.
+/// The lines that hold corners, by their first word or, in PLY, by their numbers; and which of their words are x, y
+/// and z.
 struct Layout {
   std::string_view keyword{};  // "v" or "vertex"; empty: lines by their number
   std::size_t first = 0, count = 0;
   std::array<std::size_t, 3> words{0, 1, 2};
 };
 
-/// Of a PLY in digits whose corners come first.
+/// The layout of a PLY in digits whose corners come first.
 std::optional<Layout> layout_of_ply(std::string_view text) {
+  constexpr double kMostCorners = 1e9;
   Layout layout;
   bool in_corners = false, in_digits = false, has_elements = false;
   std::size_t property = 0, found = 0;
@@ -52,12 +56,14 @@ std::optional<Layout> layout_of_ply(std::string_view text) {
       in_corners = take_word(line) == "vertex";
       double count = 0;
       if (in_corners && (has_elements || !read_number(take_word(line), count))) return std::nullopt;
+      if (!(count >= 0 && count <= kMostCorners)) return std::nullopt;
       if (in_corners) layout.count = static_cast<std::size_t>(count);
       has_elements = true;
     }
     if (word == "property" && in_corners) {
       if (take_word(line) == "list") return std::nullopt;
       const std::string_view name = take_word(line);
+      PHYSIM_ASSERT(found < 3 || property >= 3);
       if (name.size() == 1 && name[0] >= 'x' && name[0] <= 'z') {
         layout.words[static_cast<std::size_t>(name[0] - 'x')] = property;
         ++found;
@@ -104,8 +110,8 @@ void each_line(std::string_view text, const Layout& layout, const Take& take) {
   }
 }
 
-using Place = std::array<double, 3>;
-bool read_place(const std::array<std::string_view, 3>& words, Place& place) {
+using FilePlace = std::array<double, 3>;
+bool read_place(const std::array<std::string_view, 3>& words, FilePlace& place) {
   for (std::size_t axis = 0; axis < 3; ++axis)
     if (!read_number(words[axis], place[axis])) return false;
   return true;
@@ -113,14 +119,14 @@ bool read_place(const std::array<std::string_view, 3>& words, Place& place) {
 
 /// The first corner, and how much a whole number is worth; nothing if a corner has a word that is no number.
 struct Grid {
-  std::optional<Place> origin{};
+  std::optional<FilePlace> origin{};
   double step = 0;
 };
 std::optional<Grid> grid_of(std::string_view text, const Layout& layout) {
   Grid grid;
   bool sound = true;
   each_line(text, layout, [&](std::string_view, const auto& words) {
-    Place at{};
+    FilePlace at{};
     if (!words || !(sound = sound && read_place(*words, at))) return;
     if (!grid.origin) grid.origin = at;
     for (std::size_t axis = 0; axis < 3; ++axis)
@@ -137,17 +143,19 @@ std::optional<NumberedMesh> numbered_mesh(const std::string& text) {
   const std::optional<Layout> layout = layout_of(text);
   const std::optional<Grid> grid = layout ? grid_of(text, *layout) : std::nullopt;
   if (!grid) return std::nullopt;
+  PHYSIM_ASSERT(grid->step > 0);
   NumberedMesh mesh;
   each_line(text, *layout, [&](std::string_view line, const auto& words) {
     const char* done = line.data();
     if (words) {
-      Place at{};
+      FilePlace at{};
       read_place(*words, at);
       NumberedMesh::Corner corner{};
       std::array<std::size_t, 3> order{0, 1, 2};  // of the words in the line
       std::ranges::sort(order, {}, [&](std::size_t axis) { return (*words)[axis].data(); });
       for (const std::size_t axis : order) {
         const long number = std::lround((at[axis] - (*grid->origin)[axis]) / grid->step);
+        PHYSIM_ASSERT(std::abs(number) <= 1 << 23);  // a float holds it
         corner[axis] = static_cast<float>(number);
         mesh.text.append(done, (*words)[axis].data()).append(std::to_string(number));
         done = (*words)[axis].data() + (*words)[axis].size();
