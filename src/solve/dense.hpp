@@ -159,7 +159,8 @@ PHYSIM_INLINE Vec3<W> ahead(double stagger, const NodeOf<W>& n0, const NodeOf<W>
 /// faster one would make energy at each contact. `u`: its velocity against the surface's; `theta`: part of the step,
 /// 0..1.
 template <class W>
-PHYSIM_INLINE void move_on(const Vec3<W>& ahead, const Vec3<W>& normal, const Vec3<W>& u, const W& theta, State<W>& s) {
+PHYSIM_NOINLINE void move_on(const Vec3<W>& ahead, const Vec3<W>& normal, const Vec3<W>& u, const W& theta,
+                             State<W>& s) {
   constexpr double kStart = 0.01;  // a fall from 1e-7 m takes longer
   const W rate = dot(u, normal), across = dot(ahead, normal);
   const Vec3<W> along = ahead - normal * across;

@@ -264,6 +264,18 @@ TEST(RecentFiles, AreRememberedWithTheLastInFront) {
   EXPECT_TRUE(RecentFiles(folder / "nowhere").files().empty());
 }
 
+TEST(RecentFiles, OfTwoWindowsAreAllKept) {
+  const Folder folder;
+  const std::string list = folder / "state/recent";
+  RecentFiles one(list), two(list);
+  one.add("/a.toml");
+  two.add("/b.toml");
+  const RecentFiles later(list);
+  ASSERT_EQ(later.files().size(), 2u);
+  EXPECT_EQ(later.files()[0], "/b.toml");
+  EXPECT_EQ(later.files()[1], "/a.toml");
+}
+
 TEST(RecentFiles, AreThoseThatWereOpenedAndSaved) {
   const Folder folder;
   Client client = open("");

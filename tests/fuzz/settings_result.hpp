@@ -229,7 +229,8 @@ class ResultHash {
     const EarthFrames frames(scenario_.environment, row.fidelity_in_use().fidelity.earth);
     const Geodetic place = frames.geodetic(row.position());
     add(place.latitude), add(place.longitude), add(place.height), add(frames.local(row.position(), row.velocity()));
-    add(row.position()), add(row.velocity()), add(row.mach()), add(row.mass()), add(row.angular_velocity());
+    add(row.position()), add(row.velocity()), add(row.mass()), add(row.angular_velocity());
+    if (row.fidelity_in_use().fidelity.air != AirModel::vacuum) add(row.mach());
     const Quatd q = row.orientation();
     for (const double x : {q.w, q.x, q.y, q.z}) add(x);
     hash_.add(row.colour(), row.layers());

@@ -282,18 +282,6 @@ TEST(FieldWorld, what_comes_from_a_flight_goes_on_by_the_worlds_clock) {
   EXPECT_TRUE(near(world[id].position(), flight.end().position, 0, 1e-9));
 }
 
-/// Where there is no air, there is no Mach number: of a flight, of a row of a world, and of a prediction of it.
-TEST(FieldWorld, without_air_there_is_no_mach_number) {
-  ProjectileDef p = on(Fidelity::game());
-  p.fidelity.air = AirModel::vacuum;
-  World world = make_world(open_world(both()));
-  const ProjectileId id = *world.spawn(p, kLaunch);
-  world.step(kStep);
-  EXPECT_EQ(world[id].mach(), 0);
-  EXPECT_EQ(world.predict(id, Until{.ground = {}, .time = 1}, kStep).end().mach, 0);
-  EXPECT_EQ(fly(p, kLaunch, both(), p.fidelity, {.step = kStep}, {.ground = {}, .time = 1}).end().mach, 0);
-}
-
 // ---------------------------------------- threads, bad functions
 TEST(FieldWorld, threads_change_nothing) {
   std::vector<std::uint64_t> hashes;

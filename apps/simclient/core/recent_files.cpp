@@ -15,11 +15,15 @@ constexpr std::size_t kMost = 10;
 
 }  // namespace
 
-RecentFiles::RecentFiles(const std::string& list) : list_(list) {
+RecentFiles::RecentFiles(const std::string& list) : list_(list) { read(); }
+
+void RecentFiles::read() {
   constexpr std::uintmax_t kLargestList = 1 << 20;  // [bytes]
-  if (list.empty() || !check_file(list, kLargestList, "list of files")) return;
-  const Result<std::string> text = read_text_file(list, kLargestList, "list of files");
-  std::istringstream in(text ? *text : "");
+  if (list_.empty() || !check_file(list_, kLargestList, "list of files")) return;
+  const Result<std::string> text = read_text_file(list_, kLargestList, "list of files");
+  if (!text) return;
+  files_.clear();
+  std::istringstream in(*text);
   for (std::string line; files_.size() < kMost && std::getline(in, line);)
     if (!line.empty()) files_.push_back(line);
 }
@@ -28,6 +32,7 @@ void RecentFiles::add(const std::string& file) {
   std::error_code unknown;
   const std::string whole = std::filesystem::absolute(file, unknown).lexically_normal().string();
   if (unknown || whole.find('\n') != whole.npos) return;
+  read();  // another window may have added some
   std::erase(files_, whole);
   files_.insert(files_.begin(), whole);
   if (files_.size() > kMost) files_.resize(kMost);

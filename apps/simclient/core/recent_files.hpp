@@ -13,12 +13,14 @@ class RecentFiles {
   /// Reads the list out of a file with a path in each line; an empty list where there is none.
   explicit RecentFiles(const std::string& list);
 
-  /// Puts a file in front, and writes the list. Where it cannot be written, it is forgotten at the end.
+  /// Reads the list anew, puts a file in front, and writes it. If it cannot be written, it is forgotten at the end.
   void add(const std::string& file);
   /// The last one first, with whole paths.
   [[nodiscard]] std::span<const std::string> files() const { return files_; }
 
  private:
+  void read();
+
   std::string list_;
   std::vector<std::string> files_;
 };

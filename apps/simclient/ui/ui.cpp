@@ -189,10 +189,13 @@ void Ui::draw_help(Client& client) {
         "Left click: fires. Right drag: turns the view. Middle drag: moves it. Wheel: nearer, farther. "
         "Letters count in either case.");
     if (ImGui::BeginTable("keys", 2, ImGuiTableFlags_RowBg | ImGuiTableFlags_SizingFixedFit)) {
+      ImGui::TableSetupColumn("key");
+      ImGui::TableSetupColumn("what it does", ImGuiTableColumnFlags_WidthStretch);
       for (const Action& action : actions()) {
         if (action.keys.empty()) continue;
         cell("%s", std::string(action.keys).c_str());
-        cell("%s", std::string(action.help).c_str());
+        ImGui::TableNextColumn();
+        ImGui::TextWrapped("%s", std::string(action.help).c_str());
       }
       ImGui::EndTable();
     }
