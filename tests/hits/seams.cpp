@@ -93,6 +93,7 @@ void cast(Tried& tried, const Floor& floor, const Frame& frame, Body left, Body 
   const double above = rotate(conjugate(frame.turn), s.from - frame.origin).y;  // floats have moved it
   const bool has_field = left == Body::field || right == Body::field;
   if (has_field && above + radius < 0) return;  // a height field has no inside: nothing below it meets it
+  if (rotate(conjugate(frame.turn), s.to - frame.origin).y > radius) return;  // it ends above the floor
   ++tried.casts;
   const SceneHit hit = floor.scene.first_hit(s);
   if (!hit) return tell(tried, "nothing is hit", left, right, far, down, radius);
@@ -123,7 +124,9 @@ long wrong_seams(long count, long seed) {
           Floor floor;
           floor.add(left, -1, frame, r);
           floor.add(right, 1, frame, r);
-          for (int k = 0; k < 100; ++k) cast(tried, floor, frame, left, right, far, k % 4 == 0, r);
+          // At 1000 km floats are 6 cm apart: they leave the one point that thin floors share.
+          const bool may_be_float = !floor.thin || far < 1e5;
+          for (int k = 0; k < 100; ++k) cast(tried, floor, frame, left, right, far, may_be_float && k % 4 == 0, r);
         }
         all.casts += tried.casts;
         all.wrong += tried.wrong;
