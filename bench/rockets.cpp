@@ -1,5 +1,4 @@
-// Rockets: single flights of rigid bodies to their apex, a smooth one of our own, six that flew (bench/rockets: their
-// tables of drag and thrust, and the winds of their days) and those of scenario files.
+// Rockets: single flights of rigid bodies to their apex, a smooth one of our own and those of scenario files.
 #include <algorithm>
 #include <cstdlib>
 #include <filesystem>
@@ -48,9 +47,8 @@ std::vector<Rocket> rockets_of(const std::string& folder) {
 
 Section rockets_section(const Options& options) {
   std::vector<Rocket> rockets{smooth_rocket()};
-  for (const std::string& folder : {std::string(PHYSIM_SOURCE_DIR "/bench/rockets"), options.rockets})
-    if (!folder.empty())
-      for (Rocket& rocket : rockets_of(folder)) rockets.push_back(std::move(rocket));
+  if (!options.rockets.empty())
+    for (Rocket& rocket : rockets_of(options.rockets)) rockets.push_back(std::move(rocket));
   std::vector<std::function<void()>> turns;
   for (const Rocket& rocket : rockets) turns.emplace_back([&rocket] { static_cast<void>(rocket.fly()); });
   const auto taken = take_turns(options.clock, options.rounds, turns);
@@ -68,10 +66,7 @@ Section rockets_section(const Options& options) {
                       count(cost.evaluations), fixed(1e3 * median(taken[i]), 2),
                       times(median(ratios(taken[i], taken[0])))});
   }
-  s.notes = {
-      "The first is ours. The six that flew have drag tables of some 80 points, measured thrust and the wind of their "
-      "day (bench/rockets).",
-      "`--rockets FOLDER` adds the shots of the scenario files in a folder."};
+  if (options.rockets.empty()) s.notes = {"`--rockets FOLDER` adds the shots of the scenario files in a folder."};
   return s;
 }
 
