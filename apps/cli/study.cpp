@@ -18,6 +18,7 @@
 #include "report/study_pictures.hpp"
 #include "report/study_shot.hpp"
 #include "report/table.hpp"
+#include "scenario/units.hpp"
 #include "study_columns.hpp"
 #include "study_part_files.hpp"
 #include "study_progress.hpp"
@@ -309,9 +310,8 @@ Result<int> run_over_ranges(const StudyCommand& command, const AskedShot& asked,
   if (!command.plot.empty())
     if (Status status = draw(command.plot, ranges_picture(title, list)); !status) return status.error();
   if (command.csv != "-")
-    if (Status status =
-            print(style_of(stdout).bold(title) + "\n" +
-                  over_range_text(list, written_unit(command.ranges, Quantity::length).value_or(WrittenUnit{"m", 1})));
+    if (Status status = print(style_of(stdout).bold(title) + "\n" +
+                              over_range_text(list, last_unit(command.ranges, Quantity::length)));
         !status)
       return status.error();
   return done(command.csv.empty() ? Status() : write_output(command.csv, csv_text(records_of(list))),

@@ -6,12 +6,12 @@
 
 #include "base/assert.hpp"
 #include "math/angles.hpp"
-#include "physim/scenario.hpp"
 #include "report/json.hpp"
 #include "report/number.hpp"
 #include "report/study_figures.hpp"
 #include "report/study_histograms.hpp"
 #include "report/table.hpp"
+#include "scenario/units.hpp"
 
 namespace physim::report {
 namespace {
@@ -19,6 +19,21 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 std::string percent(double part) { return significant(100 * part, 3); }
+
+/// The unit in which the text of an input has its numbers; null if none has that path, or it has no unit.
+const Unit* unit_of_text(const StudyInput& input, std::span<const std::string> texts) {
+  for (const std::string& text : texts)
+    if (trimmed(std::string_view(text).substr(0, text.find_first_of("+="))) == input.path)
+      return last_unit(text, quantity_of_si_unit(unit_of(input)));
+  return nullptr;
+}
+std::string name_of(const Unit* unit, const StudyInput& input) {
+  return unit != nullptr ? std::string(unit->name) : unit_of(input);
+}
+/// A difference of SI numbers, in a unit.
+double in_unit(double difference, const Unit* unit) {
+  return unit == nullptr ? difference : difference * unit->divisor / unit->factor;
+}
 
 // -------------------------------------------------------------------------------------------------------------- text
 std::string counts_text(const FlownStudy& flown) {
@@ -105,6 +120,7 @@ std::string hits_text(const FlownStudy& flown) {
 
 /// What each input does: its effect by slopes, and its share of the variance of the plane's axes and of the misses.
 std::string inputs_text(const FlownStudy& flown) {
+  PHYSIM_ASSERT(flown.units.size() == flown.plan.study().inputs.size());
   if (!flown.linear) return "";
   const Study& study = flown.plan.study();
   const std::size_t shown = std::min<std::size_t>(2, flown.result.quantities.size());
@@ -121,9 +137,10 @@ std::string inputs_text(const FlownStudy& flown) {
   Table table(headers, "l");
   for (const LinearRow& row : flown.linear->rows) {
     const StudyInput& input = study.inputs[row.input];
-    const WrittenUnit unit = flown.units.empty() ? WrittenUnit{unit_of(input), 1} : flown.units[row.input];
-    std::vector<std::string> cells = {input.path + (unit.name.empty() ? "" : " [" + unit.name + "]"),
-                                      significant(row.deviation / unit.size, 3)};
+    const Unit* unit = flown.units[row.input];
+    const std::string unit_name = name_of(unit, input);
+    std::vector<std::string> cells = {input.path + (unit_name.empty() ? "" : " [" + unit_name + "]"),
+                                      significant(in_unit(row.deviation, unit), 3)};
     for (std::size_t q = 0; q < shown; ++q) {
       cells.push_back(significant(row.effect[q], 3));
       cells.push_back(percent(row.share[q]));
@@ -200,10 +217,10 @@ std::string worst_text(const FlownStudy& flown) {
                      " m from the aim, with";
   for (std::size_t i = 0; i < worst.draws.size(); ++i) {
     const StudyInput& input = flown.plan.study().inputs[i];
-    const WrittenUnit unit = i < flown.units.size() ? flown.units[i] : WrittenUnit{};
-    const double drawn = (worst.draws[i] - (input.added ? 0 : unit.zero)) / unit.size;
-    text += (i == 0 ? " " : ", ") + input.path + (input.added ? " += " : " = ") + significant(drawn, 5) +
-            (unit.name.empty() ? "" : " " + unit.name);
+    const Unit* unit = flown.units[i];
+    const double zero = unit != nullptr && !input.added ? unit->zero : 0;
+    text += (i == 0 ? " " : ", ") + input.path + (input.added ? " += " : " = ") +
+            std::string(trimmed(significant(in_unit(worst.draws[i], unit) - zero, 5) + " " + name_of(unit, input)));
   }
   return text + "\n";
 }
@@ -280,42 +297,7 @@ Json json_of(const FlownStudy& flown) {
           {"notes", flown.plan.notes()}};
 }
 
-/// The setting that an input is a number of: "environment.wind.velocity" of "environment.wind.velocity.z".
-const Setting* setting_of(std::string_view path) {
-  const auto found = [&] {
-    return std::ranges::find_if(settings(), [&](const Setting& each) { return each.path == path; });
-  };
-  auto at = found();
-  if (at == settings().end() && path.rfind('.') != path.npos) {
-    path = path.substr(0, path.rfind('.'));
-    at = found();
-  }
-  return at == settings().end() ? nullptr : &*at;
-}
-
-/// The unit in which an input was written, else that of SI.
-WrittenUnit unit_of_input(const StudyInput& input, std::span<const std::string> texts) {
-  if (const Setting* setting = setting_of(input.path))
-    for (const std::string& text : texts)
-      if (text.starts_with(input.path))
-        if (const auto unit = written_unit(text, setting->quantity)) return *unit;
-  return {unit_of(input), 1};
-}
-
 }  // namespace
-
-std::optional<WrittenUnit> written_unit(const std::string& text, Quantity quantity) {
-  std::optional<WrittenUnit> last;
-  for (std::size_t i = 1; i < text.size(); ++i) {
-    if (text[i - 1] < '0' || text[i - 1] > '9') continue;
-    const std::size_t begin = text.find_first_not_of(' ', i);
-    if (begin == text.npos || begin == i) continue;
-    const std::string name = text.substr(begin, text.find_first_of(" ,\"]", begin) - begin);
-    const auto none = parse_quantity("0 " + name, quantity), one = parse_quantity("1 " + name, quantity);
-    if (none && one) last = {name, *one - *none, *none};
-  }
-  return last;
-}
 
 std::string_view unit_of(StudyQuantity quantity) {
   switch (quantity) {
@@ -356,8 +338,7 @@ bool misses_width(const Study& study, const StudyResult& result) { return study.
 FlownStudy told_study(const StudyPlan& plan, StudyResult result, std::size_t histogram_bars,
                       std::span<const std::string> texts) {
   FlownStudy flown{plan, std::move(result)};
-  for (const StudyInput& input : plan.study().inputs) flown.units.push_back(unit_of_input(input, texts));
-  PHYSIM_ASSERT(flown.units.size() == plan.study().inputs.size());
+  for (const StudyInput& input : plan.study().inputs) flown.units.push_back(unit_of_text(input, texts));
   flown.histogram_bars = histogram_bars;
   if (auto linear = propagate_linearly(plan)) flown.linear = *std::move(linear);
   const std::vector<StudyPlan> places = plan.places();
@@ -400,25 +381,26 @@ std::vector<StudyAtRange> ranges_of(const FlownStudy& flown) {
   return list;
 }
 
-std::string over_range_text(std::span<const StudyAtRange> list, const WrittenUnit& of_ranges) {
-  PHYSIM_ASSERT(!list.empty() && of_ranges.size > 0);
-  const bool customary = of_ranges.name == "yd" || of_ranges.name == "ft" || of_ranges.name == "mi";
-  const WrittenUnit small = customary ? WrittenUnit{"in", 0.0254} : WrittenUnit{"m", 1};
-  const auto with = [&](const char* what) { return what + (" [" + small.name + "]"); };
-  std::vector<std::string> headers = {"range [" + of_ranges.name + "]", with("right +-"), with("up +-"), with("CEP"),
-                                      with("R95")};
+std::string over_range_text(std::span<const StudyAtRange> list, const Unit* of_ranges) {
+  PHYSIM_ASSERT(!list.empty());
+  const std::string_view of_range = of_ranges != nullptr ? of_ranges->name : "m";
+  const bool customary = of_range == "yd" || of_range == "ft" || of_range == "mi";
+  const Unit* small = customary ? last_unit("1 in", Quantity::length) : nullptr;
+  const auto with = [&](const char* what) { return what + std::string(customary ? " [in]" : " [m]"); };
+  std::vector<std::string> headers = {"range [" + std::string(of_range) + "]", with("right +-"), with("up +-"),
+                                      with("CEP"), with("R95")};
   const bool holds = std::ranges::any_of(list, [](const StudyAtRange& at) { return at.held != PlanePoint{}; });
   if (holds) headers.insert(headers.end(), {with("held right"), with("held up")});
   for (const HitResult& hit : list.front().result.hits) headers.push_back(hit.name + " [%]");
   Table table(headers);
-  const auto digits = [&](double length) { return significant(length / small.size, 3); };
+  const auto digits = [&](double length) { return significant(in_unit(length, small), 3); };
   for (const auto& [range, r, held] : list) {
-    std::vector<std::string> cells = {significant(range / of_ranges.size, 12), digits(r.quantities[0].deviation),
+    std::vector<std::string> cells = {significant(in_unit(range, of_ranges), 12), digits(r.quantities[0].deviation),
                                       digits(r.quantities[1].deviation), digits(r.from_centre->r50),
                                       digits(r.from_centre->r95)};
     if (holds) {
       const int places = customary ? 1 : 3;
-      cells.insert(cells.end(), {fixed(held.right / small.size, places), fixed(held.up / small.size, places)});
+      cells.insert(cells.end(), {fixed(in_unit(held.right, small), places), fixed(in_unit(held.up, small), places)});
     }
     for (const HitResult& hit : r.hits) cells.push_back(percent(hit.probability.value));
     table.add_row(std::move(cells));

@@ -7,20 +7,11 @@
 #include <vector>
 
 #include "physim/study.hpp"
-#include "physim/units.hpp"
 #include "report/answer.hpp"
 #include "report/records.hpp"
+#include "settings/units.hpp"
 
 namespace physim::report {
-
-/// A unit as a text has it: "ft/s" of "+- 10 ft/s".
-struct WrittenUnit {
-  std::string name{};
-  double size = 1;  // of one of it [SI]
-  double zero = 0;  // where its scale begins [SI]
-};
-/// The last unit in a text such as "shot.speed = +- 10 ft/s per round"; nothing if there is none of the quantity.
-[[nodiscard]] std::optional<WrittenUnit> written_unit(const std::string& text, Quantity quantity);
 
 /// A study that was flown.
 struct FlownStudy {
@@ -29,9 +20,10 @@ struct FlownStudy {
   std::optional<LinearResult> linear{};  // where it could be computed
   std::size_t histogram_bars = 0;        // 0: no histograms are told
   std::vector<FlownStudy> at{};          // as it is at each of Study::at
-  std::vector<WrittenUnit> units{};      // of the inputs, as they were written
+  std::vector<const Unit*> units{};      // of each input, as it was written; null: that of SI
 };
-/// What was flown with its slopes, and so at each place. `texts`: inputs as they were written, in any order.
+/// What was flown with its slopes, and so at each place. `texts`: the inputs as the file and the options have them, in
+/// any order.
 [[nodiscard]] FlownStudy told_study(const StudyPlan& plan, StudyResult result, std::size_t histogram_bars,
                                     std::span<const std::string> texts = {});
 /// "800 m", "height 100 m falling": what the i-th place is called.
@@ -58,9 +50,9 @@ struct StudyAtRange {
 /// The ranges among the places of a study, and its end where it has a range, in their order: those with a plane across
 /// the line of sight.
 [[nodiscard]] std::vector<StudyAtRange> ranges_of(const FlownStudy& flown);
-/// A line for each range: how far shots scatter, and how likely each target is hit. Beside ranges in yards, feet or
-/// miles other lengths are in inches, else in metres.
-[[nodiscard]] std::string over_range_text(std::span<const StudyAtRange> list, const WrittenUnit& of_ranges = {"m", 1});
+/// A line for each range: how far shots scatter, and how likely each target is hit. Ranges have a unit of lengths,
+/// null: metres. Beside yards, feet and miles other lengths are in inches, else in metres.
+[[nodiscard]] std::string over_range_text(std::span<const StudyAtRange> list, const Unit* of_ranges = nullptr);
 /// ... as records, which read the list.
 [[nodiscard]] Records records_of(std::span<const StudyAtRange> list);
 /// A row for each figure: its name, its value and its standard error.

@@ -24,38 +24,17 @@ constexpr std::size_t kHeader = 7;              // words
 constexpr std::string_view kHeaderHint =
     "a motor begins with seven words: name, diameter [mm], length [mm], delays, propellant [kg], mass [kg], maker";
 
-std::vector<std::string_view> words_of(std::string_view line) {
-  constexpr std::string_view kBlank = " \t\r";
-  std::vector<std::string_view> words;
-  for (std::size_t at = line.find_first_not_of(kBlank); at != line.npos;) {
-    const std::size_t end = std::min(line.find_first_of(kBlank, at), line.size());
-    words.push_back(line.substr(at, end - at));
-    at = line.find_first_not_of(kBlank, end);
-  }
-  return words;
-}
-
-std::optional<double> number_of(std::string_view word) {
-  if (word.starts_with('+')) word.remove_prefix(1);
-  double value = 0;
-  const auto [end, failure] = std::from_chars(word.data(), word.data() + word.size(), value);
-  if (failure != std::errc() || end != word.data() + word.size() || !std::isfinite(value)) return std::nullopt;
-  return value;
-}
-
 class MotorReader {
  public:
   explicit MotorReader(const std::string& file) : file_(file) {}
 
   Result<std::vector<MotorFileEntry>> read(std::string_view text) {
     while (!text.empty()) {
-      const std::size_t end = std::min(text.find('\n'), text.size());
       ++line_;
-      if (Status status = read_line(text.substr(0, end)); !status) {
+      if (Status status = read_line(take_line(text)); !status) {
         if (motors_.empty()) return status.error();
         keep(status.error());
       }
-      text.remove_prefix(std::min(end + 1, text.size()));
     }
     end_open();
     if (motors_.empty()) return Error{"there is no motor in it", file_, std::string(kHeaderHint)};
@@ -94,12 +73,12 @@ class MotorReader {
     if (words.empty()) return {};
     // A line that begins with a word is the header of another motor, sound or not.
     constexpr std::size_t kLikeHeader = 5;
-    if (words.size() == kHeader || (words.size() >= kLikeHeader && !number_of(words[0]))) {
+    if (words.size() == kHeader || (words.size() >= kLikeHeader && !finite_number(words[0]))) {
       end_open();
       return read_header(words);
     }
     if (open_) return read_point(words);
-    const bool is_point = words.size() == 2 && number_of(words[0]) && number_of(words[1]);
+    const bool is_point = words.size() == 2 && finite_number(words[0]) && finite_number(words[1]);
     if (is_point && motors_.empty()) return fault("a point of thrust before any motor", kHeaderHint);
     if (is_point)
       return fault("a point after the end of " + in_quotes(motors_.back().motor.name), "its thrust came to 0 before");
@@ -121,7 +100,7 @@ class MotorReader {
     constexpr std::size_t kPlaces[] = {1, 2, 4, 5};
     constexpr std::string_view kPlaceNames[] = {"diameter", "length", "propellant", "mass"};
     for (std::size_t i = 0; i < 4; ++i) {
-      const auto number = number_of(words[kPlaces[i]]);
+      const auto number = finite_number(words[kPlaces[i]]);
       if (!number || *number < 0)
         return fault(in_quotes(words[kPlaces[i]]) + " is no " + std::string(kPlaceNames[i]), kHeaderHint);
       numbers[i] = *number;
@@ -140,8 +119,8 @@ class MotorReader {
     constexpr std::string_view kHint = "a point is a time [s] and a thrust [N]";
     if (words.size() != 2) return fault(std::to_string(words.size()) + " words are no point of thrust", kHint);
     for (const std::string_view word : words)
-      if (!number_of(word)) return fault(in_quotes(word) + " is no number", kHint);
-    const double time = *number_of(words[0]), force = *number_of(words[1]);
+      if (!finite_number(word)) return fault(in_quotes(word) + " is no number", kHint);
+    const double time = *finite_number(words[0]), force = *finite_number(words[1]);
     std::vector<ThrustPoint>& thrust = motors_.back().motor.thrust;
     if (time < 0 || force < 0) return fault("times and thrusts are not negative", kHint);
     if (thrust.empty() && time > 0) thrust.push_back({0, 0});

@@ -1,10 +1,12 @@
-// Files: read whole within a limit, with an error for every way in which that can fail. Where the files that are
-// written lead.
+// Files: read whole within a limit, with an error for every way in which that can fail; their lines and words. Where
+// the files that are written lead.
 #pragma once
 
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "physim/result.hpp"
@@ -23,6 +25,13 @@ namespace physim {
 /// An error unless the path leads to a regular file of at most `most_bytes`. For what is read more than once, and for
 /// libraries that open files themselves.
 [[nodiscard]] Status check_file(const std::string& file, std::uintmax_t most_bytes, const std::string& kind);
+
+/// Takes the next line off the front of a text, without its end.
+[[nodiscard]] std::string_view take_line(std::string_view& text);
+/// The words of a line: views into it, parted by blanks.
+[[nodiscard]] std::vector<std::string_view> words_of(std::string_view line);
+/// The finite number that a word is, with a sign or without; nothing if it is another word.
+[[nodiscard]] std::optional<double> finite_number(std::string_view word);
 
 /// Where a path leads: the file itself behind symbolic links, so that a link is kept and its target replaced.
 [[nodiscard]] std::string target_of(const std::string& path);

@@ -86,6 +86,18 @@ std::vector<std::string> units_of(Quantity quantity) {
   return names;
 }
 
+const Unit* last_unit(std::string_view text, Quantity quantity) {
+  const Unit* last = nullptr;
+  constexpr std::string_view kDigits = "0123456789.", kEnds = " ,\"]";
+  for (std::size_t i = 1; i < text.size(); ++i) {
+    if (kDigits.find(text[i - 1]) == kDigits.npos || kDigits.find(text[i]) != kDigits.npos) continue;
+    const std::string_view behind = trimmed(text.substr(i));
+    const std::string_view name = behind.substr(0, behind.find_first_of(kEnds));
+    if (const Unit* unit = name.empty() ? nullptr : find_unit(info(quantity), name)) last = unit;
+  }
+  return last;
+}
+
 std::string_view trimmed(std::string_view text) {
   const auto is_space = [](char c) { return c == ' ' || c == '\t' || c == '\r' || c == '\n'; };
   while (!text.empty() && is_space(text.front())) text.remove_prefix(1);

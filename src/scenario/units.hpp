@@ -19,6 +19,9 @@ inline constexpr double kSquareDegree = 3.0461741978670857e-4;
 /// What the value of an event measures.
 [[nodiscard]] Quantity quantity_of_value(EventKind kind);
 
+/// The last unit in a text such as "shot.speed = +- 10 ft/s per round"; null if the text has none of the quantity.
+[[nodiscard]] const Unit* last_unit(std::string_view text, Quantity quantity);
+
 /// `expected a mass such as "168 gr"`
 [[nodiscard]] std::string expected(Quantity quantity);
 

@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include "cli/program.hpp"
+#include "rifles.hpp"
 
 #ifdef PHYSIM_CLI
 
@@ -13,19 +14,7 @@ namespace cli_cases_cli_test {
 
 using nlohmann::json;
 
-constexpr const char* kRifle = R"(physim = 1
-[[shot]]
-name = "308"
-mass = "168 gr"
-diameter = "0.308 in"
-drag = { table = "g7", ballistic_coefficient = "0.218 lb/in^2" }
-speed = "2600 ft/s"
-sight = { height = "1.5 in", zero_range = "100 yd" }
-fidelity = "small_arms"
-[until]
-ground = "off"
-range = "1000 yd"
-)";
+const std::string kRifle = "physim = 1\n" + test::kRifle308;
 
 json json_of(std::vector<std::string> words) {
   words.insert(words.end(), {"--json", "-"});
@@ -149,20 +138,8 @@ TEST(CasesOfSpin, nobody_tells_balls_and_rockets_of_a_twist) {
 /// 1000 yd.
 TEST(CasesOfCards, a_slope_comes_behind_the_zero) {
   const Folder folder;
-  const std::string file = folder.write("c.toml", R"(physim = 1
-[[shot]]
-mass = "140 gr"
-diameter = "0.264 in"
-length = "1.35 in"
-twist = "8 in"
-drag = { table = "g7", ballistic_coefficient = "0.315 lb/in^2" }
-speed = "2710 ft/s"
-sight = { height = "1.5 in", zero_range = "100 yd", look_angle = "30 deg" }
-fidelity = "small_arms"
-[until]
-ground = "off"
-range = "1200 yd"
-)");
+  const std::string slope = test::creedmoor(", look_angle = \"30 deg\"");
+  const std::string file = folder.write("c.toml", "physim = 1\n" + slope + "range = \"1200 yd\"\n");
   const Ran ran =
       physim({"table", file, "--ranges", "[\"100 yd\", \"1000 yd\"]", "--units", "customary", "--format", "csv"});
   ASSERT_EQ(ran.code, 0) << ran.err;
@@ -176,8 +153,7 @@ range = "1200 yd"
 /// Cards end where their flights do, in text and in JSON: ten rows of 100 to 1000 yd, the last one 12.1342 m low.
 TEST(CasesOfCards, the_row_at_the_end_of_a_flight_is_there) {
   const Folder folder;
-  const std::string file =
-      folder.write("r.toml", std::string(kRifle) + "[output]\nranges = \"100 yd .. 1000 yd step 100 yd\"\n");
+  const std::string file = folder.write("r.toml", kRifle + "[output]\nranges = \"100 yd .. 1000 yd step 100 yd\"\n");
   const json card = json_of({"run", file})["shots"][0]["range_card"];
   ASSERT_EQ(card.size(), 10u);
   EXPECT_EQ(card[9]["range [m]"], 914.4);
@@ -274,6 +250,47 @@ TEST(CasesOfSettings, overruled_settings_are_told_behind_every_command) {
                     "shot.drag.ballistic_coefficient"))
         << command[0] << ran.err;
   }
+}
+
+// --------------------------------------------------------------------------------------------------------------- units
+const std::string kUnits = "physim = 1\n" + test::creedmoor() + R"(range = "800 yd"
+[study]
+inputs = [
+  "shot.speed = +- 10 ft/s",
+  "shot.azimuth = +- 0.1 mrad",
+  "environment.atmosphere.temperature = 59 degF +- 9 degF",
+]
+targets = ["plate: rectangle 45 cm x 75 cm"]
+shots = 4096
+)";
+
+/// Ranges in yards stand in yards, and lengths beside them in inches: 0.1 mrad at 600 yd are 2.16 in.
+TEST(CasesOfUnits, a_study_over_ranges_tells_them_in_their_unit) {
+  const Folder folder;
+  const std::string file = folder.write("r.toml", kUnits);
+  const Ran yards = physim({"study", file, "--ranges", "600 yd .. 800 yd step 200 yd"});
+  ASSERT_EQ(yards.code, 0) << yards.err;
+  EXPECT_TRUE(has(yards.out, "range [yd]  right +- [in]")) << yards.out;
+  const std::size_t row = yards.out.find("\n         600 ");
+  ASSERT_NE(row, std::string::npos) << yards.out;
+  EXPECT_NEAR(std::stod(yards.out.substr(row + 13)), 2.16, 0.1) << yards.out;
+  const Ran metres = physim({"study", file, "--ranges", "600 m"});
+  EXPECT_TRUE(has(metres.out, "range [m]  right +- [m]")) << metres.out;
+}
+
+/// The table of inputs has what the file says, with its unit: 10 ft/s, 0.1 mrad, 9 degF.
+TEST(CasesOfUnits, inputs_of_a_study_are_told_in_the_units_of_the_file) {
+  const Folder folder;
+  const Ran ran = physim({"study", folder.write("r.toml", kUnits)});
+  ASSERT_EQ(ran.code, 0) << ran.err;
+  for (const auto& [input, deviation] : {std::pair{"shot.speed [ft/s]", " 10 "},
+                                         {"shot.azimuth [mrad]", " 0.1 "},
+                                         {"environment.atmosphere.temperature [degF]", " 9 "}}) {
+    const std::size_t at = ran.out.find(input);
+    ASSERT_NE(at, std::string::npos) << input << ran.out;
+    EXPECT_TRUE(has(ran.out.substr(at, ran.out.find('\n', at) - at).substr(0, 60), deviation)) << ran.out;
+  }
+  EXPECT_TRUE(has(ran.out, "with shot.speed += ") && has(ran.out, " ft/s, shot.azimuth += ")) << ran.out;
 }
 
 }  // namespace cli_cases_cli_test

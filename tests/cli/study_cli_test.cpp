@@ -9,6 +9,7 @@
 
 #include "cli/program.hpp"
 #include "cli/throw_study.hpp"
+#include "rifles.hpp"
 
 #ifdef PHYSIM_CLI
 
@@ -169,19 +170,7 @@ TEST(StudyCli, over_range_and_until_a_width) {
 TEST(StudyCli, a_zeroed_shot_is_held_off_for_what_is_known) {
   const Folder folder;
   // 89.4, 60.2 and 38.3 % with mean wind and drift dialled, and 36.0 % at 600 m without.
-  const std::string file = folder.write("rifle.toml", R"(physim = 1
-[[shot]]
-mass = "140 gr"
-diameter = "0.264 in"
-length = "1.35 in"
-twist = "8 in"
-drag = { table = "g7", ballistic_coefficient = "0.315 lb/in^2" }
-speed = "2710 ft/s"
-sight = { height = "1.5 in", zero_range = "100 yd" }
-fidelity = "small_arms"
-[until]
-ground = "off"
-[study]
+  const std::string file = folder.write("rifle.toml", "physim = 1\n" + test::creedmoor() + R"([study]
 inputs = ["environment.wind.velocity.z = -5 mph +- 2 mph"]
 targets = ["plate: rectangle 45 cm x 75 cm"]
 shots = 20000
