@@ -44,6 +44,17 @@ inline InstanceId put(Scene& scene, const ShapeDef& shape, const Vec3d& position
   return added ? *added : InstanceId{};
 }
 
+/// A ball, or a point, that bounces and rolls without resistance, and does not sleep.
+inline BodyDef bouncing(double radius, double restitution = 1, double friction = 1) {
+  BodyDef body;
+  body.restitution = restitution;
+  body.friction = friction;
+  body.rolling_resistance = 0;
+  body.can_sleep = false;
+  body.collision = {.on_hit = OnHit::bounce, .radius = radius};
+  return body;
+}
+
 /// A hollow box of six walls a metre thick about a room.
 inline Scene room(const Vec3d& half, const Material& material) {
   Scene scene;

@@ -19,7 +19,7 @@ const ScenarioEmitter& emitter(R r) {
 }
 const EmitterDef& def(R r) { return emitter(r).def; }
 
-/// Whether its place moves: one that only turns has no velocity.
+/// Whether the place of an emitter moves. An emitter that only turns has no velocity.
 bool moves(R r) {
   const ScenarioMotion& motion = emitter(r).motion;
   return !motion.keys.empty() || motion.velocity != Vec3d{} || !emitter(r).follows.empty();

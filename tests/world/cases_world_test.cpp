@@ -25,15 +25,6 @@ ProjectileDef by_rk4(double diameter = 0.2, Precision precision = Precision::flo
   p.fidelity = rung(Integrator::rk4, precision);
   return p;
 }
-BodyDef bouncing(double radius, double restitution, double friction) {
-  BodyDef body;
-  body.restitution = restitution;
-  body.friction = friction;
-  body.rolling_resistance = 0;
-  body.can_sleep = false;
-  body.collision = {.on_hit = OnHit::bounce, .radius = radius};
-  return body;
-}
 BodyDef stopping() {
   BodyDef body;
   body.collision.on_hit = OnHit::stop;

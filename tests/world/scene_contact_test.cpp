@@ -6,11 +6,14 @@
 
 #include "physim/body.hpp"
 #include "physim/scene.hpp"
+#include "scene_support.hpp"
 #include "support.hpp"
 #include "world/world_support.hpp"
 
 namespace physim {
 namespace world_scene_contact_test {
+
+using test_scene::bouncing;
 
 constexpr double kG = 9.80665;
 
@@ -28,16 +31,6 @@ Scene floor_of(const Material& material, double slope = 0) {
                          .transform = {.rotation = {std::cos(slope / 2), 0, 0, -std::sin(slope / 2)}},
                          .material = made_of}));
   return scene;
-}
-
-BodyDef ball_body(double radius, double restitution = 1, double friction = 1) {
-  BodyDef body;
-  body.restitution = restitution;
-  body.friction = friction;
-  body.rolling_resistance = 0;
-  body.can_sleep = false;
-  body.collision = {.on_hit = OnHit::bounce, .radius = radius};
-  return body;
 }
 
 /// A ball that is thrown down, spinning about z, at a floor that grips it: R. Cross, "Grip-slip behavior of a bouncing
@@ -70,7 +63,7 @@ class SpinOfBounce : public testing::TestWithParam<RotationModel> {
     p.inertia.moments = {1e-5, 1e-5, 1e-5};
     World world = make_world(open_space(AirModel::isa));
     EXPECT_TRUE(world.set_scene(floor_of({.restitution = 0.8, .friction = friction})));
-    BodyDef body = ball_body(radius);
+    BodyDef body = bouncing(radius);
     body.collision.inertia = k;
     Launch launch;
     launch.position = {0, radius + 1e-3, 0};
@@ -130,7 +123,7 @@ TEST(SceneContact, a_ball_on_a_slope_slides_or_rolls_as_friction_lets_it) {
     World world = make_world(open_space());
     ASSERT_TRUE(world.set_scene(floor_of({.restitution = 0, .friction = friction}, kSlope)));
     const Vec3d normal{std::sin(kSlope), std::cos(kSlope), 0};
-    const ProjectileId id = *world.spawn(stone(), {.position = normal * (0.05 + 1e-9)}, ball_body(0.05, 0));
+    const ProjectileId id = *world.spawn(stone(), {.position = normal * (0.05 + 1e-9)}, bouncing(0.05, 0));
     run_for(world, 2, 1.0 / 60);
     const double time = world.time();
     EXPECT_NEAR(length(world[id].velocity()), acceleration * time, 1e-3 * acceleration * time);
@@ -156,7 +149,7 @@ TEST(SceneContact, a_ball_in_a_groove_goes_along_it) {
   World world = make_world(open_space());
   ASSERT_TRUE(world.set_scene(scene));
   const Vec3d up{0, std::cos(kFall), std::sin(kFall)}, down{0, -std::sin(kFall), std::cos(kFall)};
-  const ProjectileId id = *world.spawn(stone(), {.position = up * 0.2}, ball_body(0.1, 0));
+  const ProjectileId id = *world.spawn(stone(), {.position = up * 0.2}, bouncing(0.1, 0));
   run_for(world, 3, 1.0 / 60);
   const Vec3d x = world[id].position(), v = world[id].velocity();
   const double a = kG * std::sin(kFall);
@@ -173,7 +166,7 @@ TEST(SceneContact, sliding_becomes_rolling_with_five_sevenths_of_the_speed) {
   Launch launch;
   launch.position = {0, 0.03 + 1e-9, 0};
   launch.velocity = Vec3d{7, 0, 0};
-  const ProjectileId id = *world.spawn(stone(), launch, ball_body(0.03, 0));
+  const ProjectileId id = *world.spawn(stone(), launch, bouncing(0.03, 0));
   const double rolls_after = 7 * 2.0 / 7 / (0.2 * kG);  // u / (mu g (1 + 1/k))
   run_for(world, 0.5 * rolls_after, 1.0 / 240);
   EXPECT_NEAR(world[id].velocity().x, 7 - 0.2 * kG * world.time(), 0.02);
@@ -195,7 +188,7 @@ TEST(SceneContact, a_wall_that_moves_strikes_what_stands) {
                              .motion = motion}));
       World world = make_world(open_space());
       ASSERT_TRUE(world.set_scene(scene));
-      BodyDef body = ball_body(radius);
+      BodyDef body = bouncing(radius);
       body.gravity_scale = 0;
       body.can_sleep = true;
       body.sleep_time = 0.05;
@@ -217,7 +210,7 @@ TEST(SceneContact, a_platform_carries_what_lies_on_it) {
                                       .motion = SteadyMotion{.velocity = {1, 0.5, 0}}});
   World world = make_world(open_space());
   ASSERT_TRUE(world.set_scene(scene));
-  BodyDef body = ball_body(0, 0);
+  BodyDef body = bouncing(0, 0);
   body.rolling_resistance = 0.3;
   body.can_sleep = true;
   const ProjectileId id = *world.spawn(stone(), {.position = {0, 0.6, 0}}, body);
@@ -317,7 +310,7 @@ Event first_hit_of_ball(const Scene& scene, const Vec3d& middle, const Vec3d& ve
   EXPECT_TRUE(world.set_scene(scene));
   ProjectileDef ball = stone();
   ball.fidelity = Fidelity::constant_air();
-  const auto id = world.spawn(ball, {.position = middle, .velocity = velocity}, ball_body(0.2));
+  const auto id = world.spawn(ball, {.position = middle, .velocity = velocity}, bouncing(0.2));
   EXPECT_TRUE(id);
   EXPECT_TRUE(world.step(1e-3));
   for (const Event& event : world.events())
@@ -353,7 +346,7 @@ TEST(SceneContact, a_ball_whose_middle_lies_at_a_surface_is_pushed_out_wherever_
       ProjectileDef ball = stone();
       ball.fidelity = Fidelity::constant_air();
       const ProjectileId id =
-          *world.spawn(ball, {.position = {0.2, 0.3 + above, 0.1}, .velocity = velocity}, ball_body(0.2));
+          *world.spawn(ball, {.position = {0.2, 0.3 + above, 0.1}, .velocity = velocity}, bouncing(0.2));
       ASSERT_TRUE(world.step(1e-3));
       EXPECT_NEAR(world[id].position().y, 0.5, 1e-5) << above << ' ' << velocity.x << ' ' << velocity.y;
       EXPECT_NEAR(world[id].position().x, 0.2 + 1e-3 * velocity.x, 1e-4) << above << ' ' << velocity.x;

@@ -193,6 +193,7 @@ std::vector<Settling> settling_of(const StudyResult& result, int wanted_ticks) {
 
 // ------------------------------------------------------------------------------------------------------------ figures
 namespace {
+
 /// Six significant digits, or as many decimals as two digits of the error have, whichever is shorter.
 std::string within_error(const Estimate& mean) {
   std::string six = report::significant(mean.value, 6);
@@ -201,6 +202,7 @@ std::string within_error(const Estimate& mean) {
   std::string rounded = report::fixed(mean.value, decimals);
   return rounded.size() < six.size() ? rounded : six;
 }
+
 }  // namespace
 
 std::vector<StudyFigure> figures_of(const StudyResult& result) {

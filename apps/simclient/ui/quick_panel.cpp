@@ -15,10 +15,9 @@ void tell(Client& client, const Status& status) {
 /// Digits that a slider of this reach can tell apart, with its unit.
 std::string format_of(const QuickSetting& setting) {
   const double reach = setting.is_logarithmic ? std::abs(setting.value) : setting.high - setting.low;
-  const int digits = reach >= 400                 ? 0
-                     : reach >= 20                ? 1
-                     : reach >= 0.1 || reach == 0 ? 2
-                                                  : std::min(1 - static_cast<int>(std::floor(std::log10(reach))), 9);
+  const bool is_tiny = reach > 0 && reach < 0.1;  // two digits of it are shown
+  const int two = is_tiny ? std::min(1 - static_cast<int>(std::floor(std::log10(reach))), 9) : 2;
+  const int digits = reach >= 400 ? 0 : reach >= 20 ? 1 : two;
   return "%." + std::to_string(digits) + "f" + (setting.unit == "\u00b0" ? "" : " ") + setting.unit;
 }
 
