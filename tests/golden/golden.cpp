@@ -22,8 +22,8 @@ namespace {
 /// What this version of the library must print. A change of the physics or the numerics changes it: say so in the
 /// commit.
 using Sums = std::array<std::uint64_t, 5>;
-constexpr Sums kExpectedSums = {0x8e3c55fa68b57a4e, 0xa0186c8095e5d2c8, 0x4e00955f69f0347b, 0x5d4d1cab1c9b5e4f,
-                                0x3b5eaf41bc5cde05};
+constexpr Sums kExpectedSums = {0x48054004a8dfcc8f, 0xe507a53c31a92321, 0x4e00955f69f0347b, 0x29892e23a4441b1e,
+                                0x004148ca50830a7a};
 
 void print(std::FILE* file, const Sums& sums) {
   for (std::size_t i = 0; i < sums.size(); ++i)
