@@ -46,7 +46,7 @@ struct Bench {
     const ShotSet set = uniform_shots(kMostLanes);
     const Environment environment = bench_environment();
     cohort.in_use = grant(bench_fidelity(Integrator::tsit5, precision), set.shots[0].projectile, environment);
-    cohort.conditions = prepare_conditions(environment, cohort.in_use.fidelity);
+    cohort.conditions = prepare_conditions(environment, cohort.in_use.fidelity, cohort.profiles);
     for (const Shot& shot : set.shots)
       bodies.push_back(
           prepare_body(shot.projectile, shot.launch, shot.launch.elevation, cohort.pool, cohort.conditions));

@@ -158,7 +158,7 @@ std::unique_ptr<PeerData> peer_data() {
   const Shot shot = bullet_308(823, 0);
   const Environment environment = bench_environment();
   cohort.in_use = grant(bench_fidelity(Integrator::tsit5), shot.projectile, environment);
-  cohort.conditions = prepare_conditions(environment, cohort.in_use.fidelity);
+  cohort.conditions = prepare_conditions(environment, cohort.in_use.fidelity, cohort.profiles);
   const Body<double> body = prepare_body(shot.projectile, shot.launch, 0, cohort.pool, cohort.conditions);
   cohort.finish();
   const Conditions<double>& c = cohort.conditions;

@@ -62,7 +62,7 @@ struct Prepared {
   Prepared(const ProjectileDef& projectile, const Launch& launch, const Environment& environment,
            const Fidelity& fidelity) {
     cohort.in_use = grant(fidelity, projectile, environment);
-    cohort.conditions = prepare_conditions(environment, cohort.in_use.fidelity);
+    cohort.conditions = prepare_conditions(environment, cohort.in_use.fidelity, cohort.profiles);
     body = prepare_body(projectile, launch, launch.elevation, cohort.pool, cohort.conditions);
     if (turns(cohort.in_use.fidelity))
       rotor = prepare_rotor(projectile, launch, launch.elevation, body, cohort.pool, cohort.conditions);

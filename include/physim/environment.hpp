@@ -162,7 +162,7 @@ struct WindPoint {
 /// Wind is the velocity of the air in the world frame: (0, 0, -4) blows from the right.
 struct Wind {
   Vec3d velocity{};                                             ///< without a profile, everywhere [m/s]
-  std::vector<WindPoint> profile{};                             ///< at rising places; held outside; at most 256 [m]
+  std::vector<WindPoint> profile{};                             ///< at rising places; held outside; at most 100 000 [m]
   WindAxis by = WindAxis::height;                               ///< coordinate of the profile [-]
   WindInterpolation interpolation = WindInterpolation::linear;  ///< between points of the profile [-]
   /// By place and time, in the place of the profile: of fidelity `profile`; lower rungs know the others alone. It

@@ -117,9 +117,8 @@ class Aimer {
   void prepare() {
     const Fidelity asked = by_steps(fidelity_, options_.flight.step > 0);
     const Fidelity granted = grant(asked, projectile_, environment_).fidelity;
-    Conditions<double> conditions = prepare_conditions(environment_, granted);
-    conditions.wind.stepped = false;  // neighbours need to know how wind changes with place: a step would hide it
-    conditions_ = std::make_shared<const Conditions<double>>(conditions);
+    conditions_ = prepare_conditions(environment_, granted, profiles_);
+    conditions_.wind.stepped = false;  // neighbours need to know how wind changes with place: a step would hide it
     if (step_given(granted, options_.flight) || steps_by_frames(granted)) return;
     Until until{.ground = std::nullopt, .time = options_.time};
     if (from_rest_) {
@@ -448,7 +447,8 @@ class Aimer {
   Fidelity fidelity_;
   Target target_;
   AimOptions options_;
-  std::shared_ptr<const Conditions<double>> conditions_;
+  ProfileTables profiles_;
+  Conditions<double> conditions_{};
   double gravity_ = 0;
   bool from_rest_ = false;  // a rocket, which a rail points
   Aim answer_;

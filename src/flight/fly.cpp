@@ -81,7 +81,7 @@ void prepare(FlightRecord& record, const ProjectileDef& projectile, const Launch
   record.cohort.in_use = grant(fidelity, projectile, environment, launch);
   const Fidelity& granted = record.cohort.in_use.fidelity;
   Conditions<double>& conditions = record.cohort.conditions;
-  put_conditions(environment, granted, conditions);
+  conditions = prepare_conditions(environment, granted, record.cohort.profiles);
   put_kind(projectile, record.cohort.pool, conditions, record.body);
   record.sight = sight_frame(launch);
   put_launch(projectile, launch, record.sight, record.elevation, conditions, record.body);

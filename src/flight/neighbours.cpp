@@ -42,9 +42,8 @@ std::size_t later_time(const std::vector<double>& times, double time) {
 
 }  // namespace
 
-Neighbours::Neighbours(const Flight& flight, const Environment& environment,
-                       std::shared_ptr<const Conditions<double>> conditions)
-    : flight_(flight), conditions_(std::move(conditions)) {
+Neighbours::Neighbours(const Flight& flight, const Environment& environment, const Conditions<double>& conditions)
+    : flight_(flight), conditions_(&conditions) {
   const Fidelity& granted = flight.fidelity_in_use().fidelity;
   launch_velocity_ = flight.at(0).velocity;
   wind_varies_ = granted.wind == WindModel::profile || (is_round(granted.earth) && granted.wind != WindModel::off);

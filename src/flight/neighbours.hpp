@@ -12,7 +12,6 @@
 // Mathematics of Computation 19 (1965) 577-593), but at all times at once.
 #pragma once
 
-#include <memory>
 #include <span>
 #include <vector>
 
@@ -23,9 +22,8 @@ namespace physim {
 
 class Neighbours {
  public:
-  /// `conditions` are those of the flight; its air and its wind are read.
-  Neighbours(const Flight& flight, const Environment& environment,
-             std::shared_ptr<const Conditions<double>> conditions);
+  /// `conditions` are those of the flight; its air and its wind are read. They outlive this.
+  Neighbours(const Flight& flight, const Environment& environment, const Conditions<double>& conditions);
 
   /// Takes over what a flight before this one, flown a little differently, shows of the error of the model: the
   /// distance between what its neighbours were and what was flown then. Call before the first move.
@@ -66,7 +64,7 @@ class Neighbours {
   [[nodiscard]] Vec3d error_at(double time) const;
 
   Flight flight_;
-  std::shared_ptr<const Conditions<double>> conditions_;
+  const Conditions<double>* conditions_;
   Body<double> launched_{};  // what wind reads of a body: launched at time 0
   Vec3d launch_velocity_, change_;
   bool wind_varies_ = false;

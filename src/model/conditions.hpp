@@ -5,15 +5,14 @@
 #pragma once
 
 #include "base/members.hpp"
-#include "base/unset.hpp"
 #include "math/interpolation.hpp"
 #include "physim/environment.hpp"
 #include "physim/fidelity.hpp"
 
 namespace physim {
 
-inline constexpr int kAirLayers = 8;
-inline constexpr int kMaxWindPoints = 256;
+inline constexpr int kAirLayers = 8;        // of the standard atmosphere
+inline constexpr int kMostLevels = 100000;  // of a profile
 /// Radius of the Earth that defines geopotential height in US Standard Atmosphere 1976 [m].
 inline constexpr double kGeopotentialRadius = 6356766.0;
 
@@ -71,13 +70,13 @@ struct WindField {
   bool stepped;            // else straight lines
   Components<S> velocity;  // without a profile, or at its first point [m/s]
 };
-/// The points of a wind profile.
+/// A point of a wind profile, and the way to the next one.
 template <class S>
-struct WindProfile {
-  S at[kMaxWindPoints];                    // [m]
-  Components<S> velocity[kMaxWindPoints];  // [m/s]
-  Components<S> slope[kMaxWindPoints];     // from point i to i + 1 [1/s]
-  S per_length[kMaxWindPoints];            // 1 / (at[i + 1] - at[i]) [1/m]
+struct WindPiece {
+  S at;                    // [m]
+  Components<S> velocity;  // [m/s]
+  Components<S> slope;     // to the next point; 0 at the last one [1/s]
+  S per_length;            // 1 / distance to the next point; 0 at the last one [1/m]
 };
 
 /// The round Earth ready to compute; see model/earth.hpp, model/geodesy.hpp and model/gravity.hpp.
@@ -157,12 +156,14 @@ struct TablePointers {
   GuessedCell<S>* guess = nullptr;        // null: nothing is guessed
 };
 
+/// The profiles of the environment; see prepare/profile_tables.hpp.
 template <class S>
-struct ConditionsWithoutProfile : Features, EnvironmentNumbers<S>, FunctionPointers, TablePointers<S> {};
-template <class S>
-struct Conditions : ConditionsWithoutProfile<S> {
-  Unset<WindProfile<S>> profile;  // as many points as wind.points: large, and few winds have one
+struct ProfilePointers {
+  const WindPiece<S>* wind_pieces;  // as many as wind.points
 };
+
+template <class S>
+struct Conditions : Features, EnvironmentNumbers<S>, FunctionPointers, TablePointers<S>, ProfilePointers<S> {};
 
 /// Counted here, since they hold arrays.
 template <class S>

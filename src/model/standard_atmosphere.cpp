@@ -142,8 +142,7 @@ void put_air(const Environment& environment, AirModel model, Air<double>& air) {
 
 AirSample air_sample(const Environment& environment, double altitude) {
   PHYSIM_ASSERT(altitude >= kLowestAltitude && altitude <= kHighestAltitude);
-  Conditions<double> c;
-  std::construct_at(static_cast<ConditionsWithoutProfile<double>*>(&c));  // in place, as put_conditions() does
+  Conditions<double> c{};
   c.fidelity.air = environment.atmosphere.model;
   c.altitude = environment.altitude;
   put_air(environment, c.fidelity.air, c.air);

@@ -25,25 +25,25 @@ PHYSIM_ISA_BEGIN
 template <class R, class S>
 PHYSIM_NOINLINE void profile_wind(const Conditions<S>& c, const Body<R>& b, const Vec3<R>& x, Vec3<R>& w) {
   const WindField<S>& field = c.wind;
-  const WindProfile<S>& profile = *c.profile;
-  PHYSIM_ASSERT(field.points >= 2 && field.points <= kMaxWindPoints);
+  const WindPiece<S>* points = c.wind_pieces;
+  PHYSIM_ASSERT(field.points >= 2 && points != nullptr);
   const R u = field.by_range ? x.x : height(c, x);
   Vec3<R> here = w;
   w += Vec3<R>{R(S(0)), R(S(0)), R(S(0))};  // -0 becomes 0, to which the zeros of further points change no bit
-  for (int i = 0; i + 1 < field.points && any(u > R(profile.at[i])); ++i) {
-    const Components<S>& point = profile.velocity[i + 1];
-    Vec3<R> next{R(point.x), R(point.y), R(point.z)};
+  for (int i = 0; i + 1 < field.points && any(u > R(points[i].at)); ++i) {
+    const Components<S>& velocity = points[i + 1].velocity;
+    Vec3<R> next{R(velocity.x), R(velocity.y), R(velocity.z)};
     if (c.has_own_wind) next += b.wind;
     if (field.stepped) {
-      const auto past = u >= R(profile.at[i + 1]);
+      const auto past = u >= R(points[i + 1].at);
       w.x = select(past, next.x, w.x);
       w.y = select(past, next.y, w.y);
       w.z = select(past, next.z, w.z);
     } else {
-      const R inside = clamp(u - R(profile.at[i]), R(S(0)), R(profile.at[i + 1] - profile.at[i]));
-      const Components<S>& slope = profile.slope[i];
+      const R inside = clamp(u - R(points[i].at), R(S(0)), R(points[i + 1].at - points[i].at));
+      const Components<S>& slope = points[i].slope;
       // As the slopes of moved points are rounded.
-      w += (c.has_own_wind ? (next - here) * R(profile.per_length[i]) : Vec3<R>{R(slope.x), R(slope.y), R(slope.z)}) *
+      w += (c.has_own_wind ? (next - here) * R(points[i].per_length) : Vec3<R>{R(slope.x), R(slope.y), R(slope.z)}) *
            inside;
       here = next;
     }

@@ -320,9 +320,9 @@ Status check(const Environment& e) {
   };
   check_wind(e.wind.velocity, "environment.wind.velocity");
   const auto& profile = e.wind.profile;
-  c.require(profile.size() <= std::size_t(kMaxWindPoints), "environment.wind.profile", "has too many points",
-            "at most 256");
-  static_assert(kMaxWindPoints == 256);
+  c.require(profile.size() <= std::size_t(kMostLevels), "environment.wind.profile", "has too many points",
+            "at most 100000");
+  static_assert(kMostLevels == 100000);
   for (std::size_t i = 0; i < profile.size(); ++i) {
     const InputPlace place("environment.wind.profile", i);
     c.is_number(profile[i].at, place);

@@ -31,7 +31,7 @@ void Cohort::finish() {
   PHYSIM_ASSERT(!conditions.has_aero_tables || !pool.rows().empty());
   pool.point(conditions);
   if (in_use.fidelity.precision == Precision::float64) return;
-  conditions_float = to_float(conditions);
+  conditions_float = to_float(conditions, profiles);
   pool.point(conditions_float);
 }
 

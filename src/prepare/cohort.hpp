@@ -3,6 +3,7 @@
 
 #include "model/table_pool.hpp"
 #include "physim/flight.hpp"
+#include "prepare/profile_tables.hpp"
 #include "prepare/watch_list.hpp"
 #include "solve/lanes.hpp"
 
@@ -18,6 +19,7 @@ template <class S>
 struct Cohort {
   FidelityInUse in_use;
   TablePool pool;
+  ProfileTables profiles;
   Conditions<double> conditions;
   Conditions<float> conditions_float;
 

@@ -16,22 +16,8 @@
 namespace physim {
 namespace {
 
-void put_profile(std::span<const WindPoint> points, WindProfile<double>& profile) {
-  PHYSIM_ASSERT(points.size() <= std::size_t(kMaxWindPoints));
-  for (int i = 0; i < static_cast<int>(points.size()); ++i) {
-    const WindPoint& p = points[static_cast<std::size_t>(i)];
-    PHYSIM_ASSERT(i == 0 || p.at > profile.at[i - 1]);
-    profile.at[i] = p.at;
-    profile.velocity[i] = p.velocity;
-    profile.slope[i] = Vec3d{}, profile.per_length[i] = 0;
-    if (i == 0) continue;
-    profile.per_length[i - 1] = 1 / (p.at - profile.at[i - 1]);
-    profile.slope[i - 1] = (p.velocity - Vec3d(profile.velocity[i - 1])) * profile.per_length[i - 1];
-  }
-}
-
 /// Into a field that is all zero.
-void put_wind(const Wind& wind, WindModel model, WindField<double>& field, WindProfile<double>& profile) {
+void put_wind(const Wind& wind, WindModel model, WindField<double>& field, ProfileTables& tables) {
   if (wind.field && model == WindModel::profile) return;  // its function is asked
   field.by_range = wind.by == WindAxis::range;
   field.stepped = wind.interpolation == WindInterpolation::step;
@@ -46,7 +32,7 @@ void put_wind(const Wind& wind, WindModel model, WindField<double>& field, WindP
   }
   field.points = static_cast<int>(wind.profile.size());
   field.velocity = wind.profile.front().velocity;
-  put_profile(wind.profile, profile);
+  tables.put_wind(wind.profile);
 }
 
 /// A function that is called with times later by `delay` [s].
@@ -64,21 +50,24 @@ FieldFunction<Batch> later_by(double delay, const FieldFunction<Batch>& function
 
 }  // namespace
 
-void put_conditions(const Environment& environment, const Fidelity& granted, Conditions<double>& c) {
-  std::construct_at(static_cast<ConditionsWithoutProfile<double>*>(&c));  // where it is: it is large
+Conditions<double> prepare_conditions(const Environment& environment, const Fidelity& granted, ProfileTables& tables) {
+  Conditions<double> c{};
   c.fidelity = granted;
   prepare_earth(environment, granted, c);
   put_air(environment, granted.air, c.air);
-  put_wind(environment.wind, granted.wind, c.wind, *c.profile);
+  put_wind(environment.wind, granted.wind, c.wind, tables);
   c.wind_function = environment.wind.field.get();
   c.force_function = environment.force.get();
   c.has_wind_function = c.wind_function != nullptr && granted.wind == WindModel::profile;
   c.has_force_function = c.force_function != nullptr && granted.motion == Motion::force;
+  tables.point(c);
+  return c;
 }
 
 Conditions<double> prepare_conditions(const Environment& environment, const Fidelity& granted) {
-  Conditions<double> c;
-  put_conditions(environment, granted, c);
+  ProfileTables none;
+  const Conditions<double> c = prepare_conditions(environment, granted, none);
+  PHYSIM_ASSERT(c.wind.points == 0);
   return c;
 }
 
@@ -109,18 +98,13 @@ Vec3d own_wind_less_column(const Weather& weather, const Wind& common, WindModel
   return common.velocity == Vec3d{} ? common.profile.front().velocity : nothing;
 }
 
-Conditions<float> to_float(const Conditions<double>& c) {
+Conditions<float> to_float(const Conditions<double>& c, const ProfileTables& tables) {
   Conditions<float> f{};
   static_cast<Features&>(f) = c;
   static_cast<FunctionPointers&>(f) = c;
   cast_members(static_cast<const EnvironmentNumbers<double>&>(c), static_cast<EnvironmentNumbers<float>&>(f));
   f.globe = to_float(c.globe);
-  for (int i = 0; i < c.wind.points; ++i) {
-    cast_members(c.profile->at[i], f.profile->at[i]);
-    cast_members(c.profile->velocity[i], f.profile->velocity[i]);
-    cast_members(c.profile->slope[i], f.profile->slope[i]);
-    cast_members(c.profile->per_length[i], f.profile->per_length[i]);
-  }
+  tables.point(f);
   return f;
 }
 

@@ -3,13 +3,15 @@
 
 #include "model/conditions.hpp"
 #include "physim/environment.hpp"
+#include "prepare/profile_tables.hpp"
 
 namespace physim {
 
-/// Pools of curves, and flags of what some projectile has, are added with the projectiles.
+/// Pools of curves, and flags of what some projectile has, are added with the projectiles. Conditions point to the
+/// tables; those of an environment without profiles need none.
+[[nodiscard]] Conditions<double> prepare_conditions(const Environment& environment, const Fidelity& granted,
+                                                    ProfileTables& tables);
 [[nodiscard]] Conditions<double> prepare_conditions(const Environment& environment, const Fidelity& granted);
-/// ... where they are kept; what was there is not read.
-void put_conditions(const Environment& environment, const Fidelity& granted, Conditions<double>& conditions);
 /// What WindPart::wind of a shot with weather of its own has beside the numbers of its columns [m/s].
 [[nodiscard]] Vec3d own_wind_less_column(const Weather& weather, const Wind& common, WindModel granted);
 /// Whether functions of one's own are in it.
@@ -18,7 +20,7 @@ void put_conditions(const Environment& environment, const Fidelity& granted, Con
 [[nodiscard]] Environment as_launched_at(double time, const Environment& environment);
 /// The air at the origin, at the nearest altitude of the standard atmosphere where it lies beyond that.
 [[nodiscard]] Result<AirSample> air_at_origin(const Environment& environment);
-/// Without tables: their rows are other ones in float.
-[[nodiscard]] Conditions<float> to_float(const Conditions<double>& conditions);
+/// Without the tables of projectiles: their rows are other ones in float.
+[[nodiscard]] Conditions<float> to_float(const Conditions<double>& conditions, const ProfileTables& tables);
 
 }  // namespace physim

@@ -13,8 +13,8 @@ constexpr double kFall =
 }  // namespace
 
 EquivalentDrag::EquivalentDrag(const ProjectileDef& p, const Body<double>& b, const Conditions<double>& c,
-                               std::shared_ptr<TablePool> pool)
-    : body_(b), conditions_(c), pool_(std::move(pool)) {
+                               std::shared_ptr<TablePool> pool, ProfileTables profiles)
+    : body_(b), profiles_(std::move(profiles)), conditions_(c), pool_(std::move(pool)) {
   conditions_.fidelity.drag = DragModel::equation;
   prepare_curve(p, *pool_, conditions_, body_);
 }

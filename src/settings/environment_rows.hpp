@@ -48,7 +48,7 @@ inline constexpr auto kWindRows = std::tuple{
     PHYSIM_SETTING(wind.velocity, "velocity of the air; (0, 0, -4) blows from the right", Quantity::speed, kWindSpeeds,
                    in_files({}), drawn_into(&Weather::wind_x, &Weather::wind_y, &Weather::wind_z)),
     PHYSIM_SETTING_LIST(wind.profile, kWindPointRows, "wind by height or range, at rising places, held outside",
-                        at_most(kMaxWindPoints), kUncertain),
+                        at_most(kMostLevels), kUncertain),
     PHYSIM_SETTING(wind.by, "what the profile is read by"),
     PHYSIM_SETTING(wind.interpolation, "how the profile is read between its points"),
 };

@@ -27,12 +27,13 @@ struct Regime {
 PHYSIM_ISA_BEGIN
 
 /// How many of the borders lie at or below u.
-template <class R, class S>
-PHYSIM_INLINE R borders_passed(const S* borders, int count, const R& u) {
+template <class R>
+PHYSIM_INLINE R borders_passed(int count, const R& u, const auto& border) {
+  using S = ScalarOf<R>;
   PHYSIM_ASSERT(count >= 0);
   R passed(S(0));
   for (int i = 0; i < count; ++i) {
-    const auto above = u >= R(borders[i]);
+    const auto above = u >= R(border(i));
     if (!any(above)) break;
     passed += select(above, R(S(1)), R(S(0)));
   }
@@ -87,10 +88,11 @@ PHYSIM_NOINLINE Regime<R> regime(const Conditions<S>& c, const Body<R>& b, const
   if (has_layers(c)) {
     const R z = altitude(c, s.x);
     const S r0 = static_cast<S>(kGeopotentialRadius);
-    r.air_layer = borders_passed(c.air.base + 1, c.air.layers - 1, r0 * z / (r0 + z));
+    r.air_layer = borders_passed(c.air.layers - 1, r0 * z / (r0 + z), [&](int i) { return c.air.base[i + 1]; });
   }
   if (has_wind_pieces(c))
-    r.wind_piece = borders_passed(c.profile->at, c.wind.points, c.wind.by_range ? s.x.x : height(c, s.x));
+    r.wind_piece = borders_passed(c.wind.points, c.wind.by_range ? s.x.x : height(c, s.x),
+                                  [&](int i) { return c.wind_pieces[i].at; });
   if (c.has_applied) r.force = select(t >= b.applied_until, R(S(1)), zero);
   if (c.has_aero_tables)
     r.aero_cell =

@@ -138,7 +138,8 @@ void Registry::prepare(Kind& k, Prepared& r) {
   }
   if (r.chosen) r.in_use.notes.push_back(*r.chosen);
   const Fidelity& granted = r.in_use.fidelity;
-  Conditions<double> probe = prepare_conditions(environment, granted);
+  ProfileTables profiles;
+  Conditions<double> probe = prepare_conditions(environment, granted, profiles);
   TablePool& pool = tables(granted.interpolation);
   const std::size_t size_before = pool.size();
   r.body = prepare_body(k.flown, Launch{}, 0, pool, probe);
@@ -150,7 +151,8 @@ void Registry::prepare(Kind& k, Prepared& r) {
   const bool equivalent = granted.drag == DragModel::linear_quadratic && k.flown.drag.k1 == 0 && k.flown.drag.k2 == 0;
   auto& curves = equivalent_[static_cast<unsigned>(granted.interpolation)];
   if (!curves) curves = std::make_shared<TablePool>();
-  r.equivalent_drag = equivalent ? std::make_unique<EquivalentDrag>(k.flown, r.body, probe, curves) : nullptr;
+  r.equivalent_drag =
+      equivalent ? std::make_unique<EquivalentDrag>(k.flown, r.body, probe, curves, std::move(profiles)) : nullptr;
   r.features = probe;
   std::fill(std::begin(r.cohort), std::end(r.cohort), kNoCohort);
 }
@@ -198,13 +200,13 @@ std::uint16_t Registry::find_or_add(const CohortKey& key) {
 void Registry::prepare(WorldCohort& cohort) {
   const CohortKey& key = cohort.key;
   PHYSIM_ASSERT(key.environment < environments_.size());
-  cohort.conditions = prepare_conditions(environments_[key.environment], key.fidelity);
+  cohort.conditions = prepare_conditions(environments_[key.environment], key.fidelity, cohort.profiles);
   static_cast<Features&>(cohort.conditions) = key.features;
   cohort.conditions.has_applied = cohort.conditions.has_applied || key.forced;
   // Rows on their way out, of an environment that has lost its functions.
   if (!cohort.conditions.wind_function) cohort.conditions.has_wind_function = false;
   if (!cohort.conditions.force_function) cohort.conditions.has_force_function = false;
-  cohort.conditions_float = to_float(cohort.conditions);
+  cohort.conditions_float = to_float(cohort.conditions, cohort.profiles);
   const WatchList watch = watch_of(def_, cohort.conditions);
   const NumberRuns flown = parts_flown(key.fidelity, cohort.conditions).runs();
   const bool corners = corners_matter(cohort.conditions);

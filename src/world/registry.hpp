@@ -53,6 +53,7 @@ struct Variant {
 /// Equal rungs, environment and rules: stepped together.
 struct WorldCohort {
   CohortKey key;
+  ProfileTables profiles;
   Conditions<double> conditions;
   Conditions<float> conditions_float;
   RowLayout layout;

@@ -26,7 +26,8 @@ Vec3d wind_at(const Wind& wind, const Vec3d& x, WindModel model = WindModel::pro
   Fidelity f;
   f.wind = model;
   f.earth = earth;
-  return physim::wind(prepare_conditions(e, f), Body<double>{}, 0.0, x);
+  ProfileTables tables;
+  return physim::wind(prepare_conditions(e, f, tables), Body<double>{}, 0.0, x);
 }
 
 TEST(Wind, linear_profile_by_height) {
@@ -57,7 +58,7 @@ TEST(Wind, steps_hold_from_their_place_on) {
 
 TEST(Wind, a_profile_in_single_precision_has_all_its_points) {
   std::vector<WindPoint> longest;
-  for (int i = 0; i < kMaxWindPoints; ++i) longest.push_back({7.0 * i, {1.0 * i, -2.0 * i, 0.5 * i * i}});
+  for (int i = 0; i < 1000; ++i) longest.push_back({7.0 * i, {1.0 * i, -2.0 * i, 0.5 * i * i}});
   const Wind plain = {.velocity = {3, 0, -4}}, single = {.profile = {{20, {1, 2, 3}}}};
   const Wind stepped = profile(WindAxis::range, WindInterpolation::step);
   Fidelity f;
@@ -65,8 +66,9 @@ TEST(Wind, a_profile_in_single_precision_has_all_its_points) {
     Environment e;
     e.wind = wind;
     f.wind = wind.profile.empty() ? WindModel::constant : WindModel::profile;
-    const Conditions<double> c = prepare_conditions(e, f);
-    const Conditions<float> c32 = to_float(c);
+    ProfileTables tables;
+    const Conditions<double> c = prepare_conditions(e, f, tables);
+    const Conditions<float> c32 = to_float(c, tables);
     for (const Vec3d& x : {Vec3d{-30, -30, 0}, Vec3d{13, 13, 0}, Vec3d{125, 125, 0}, Vec3d{900, 900, 0}})
       EXPECT_TRUE(near(vec_cast<double>(physim::wind(c32, Body<float>{}, 0.0f, vec_cast<float>(x))),
                        physim::wind(c, Body<double>{}, 0.0, x), 1e-4));

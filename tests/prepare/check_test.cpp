@@ -182,7 +182,7 @@ const BadInput kBad[] = {
      }},
     {"too many wind points", "environment.wind.profile", "too many",
      [](Input& i) {
-       for (int k = 0; k <= kMaxWindPoints; ++k) i.environment.wind.profile.push_back({double(k), {}});
+       for (int k = 0; k <= kMostLevels; ++k) i.environment.wind.profile.push_back({double(k), {}});
      }},
     {"latitude infinite", "environment.earth.latitude", "finite",
      [](Input& i) { i.environment.earth.latitude = kInfinity; }},
