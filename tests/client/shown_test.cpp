@@ -331,6 +331,33 @@ TEST(Fired, StatisticsSayWhatHasBecomeOfIt) {
   EXPECT_EQ(range.session.fate_of(range.session.tracks()[0]), "landed");
 }
 
+/// A ball that lies without sleeping is at rest, and nothing accelerates it.
+TEST(Fired, WhatLiesIsAtRest) {
+  const Result<Scenario> scenario = parse_scenario(R"(physim = 1
+environment = { atmosphere = "vacuum" }
+[[shot]]
+name = "ball"
+position = ["0 m", "1 m", "0 m"]
+speed = 0
+body = { restitution = 0, can_sleep = false }
+[world]
+duration = "10 s"
+ground = "bounce"
+)",
+                                                   "f.toml");
+  ASSERT_TRUE(scenario) << scenario.error().text();
+  Client client(Session::create(*scenario).value());
+  ASSERT_TRUE(run(client, "wait 20"));
+  ASSERT_EQ(client.session.tracks().size(), 1U);
+  const Track& track = client.session.tracks()[0];
+  EXPECT_EQ(client.session.fate_of(track), "in flight");
+  EXPECT_NEAR(track.samples.back().acceleration.y, -9.80665, 1e-3);
+  ASSERT_TRUE(run(client, "wait 60"));
+  EXPECT_FALSE(client.session.world()[track.id].is_asleep());
+  EXPECT_EQ(client.session.fate_of(track), "at rest");
+  EXPECT_EQ(track.samples.back().acceleration, Vec3d{});
+}
+
 TEST(Pace, WhatWasComparedIsWhatIsPlayed) {
   Client client = client_of("golf_drive");
   ASSERT_TRUE(client.fire_compared());

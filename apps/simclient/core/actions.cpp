@@ -8,6 +8,7 @@
 #include <type_traits>
 #include <utility>
 
+#include "base/assert.hpp"
 #include "base/text.hpp"
 #include "math/angles.hpp"
 #include "scenario/suggest.hpp"
@@ -38,6 +39,12 @@ constexpr auto act(Deed) {
 
 template <bool Shown::*what>
 constexpr auto kToggle = act([](Client& client) { client.show.*what = !(client.show.*what); });
+template <bool Shown::*what>
+constexpr auto kShown = +[](const Client& client) { return client.show.*what; };
+template <BottomPanel panel>
+constexpr auto kOpen = +[](const Client& client) { return client.bottom == panel; };
+template <Tool tool>
+constexpr auto kInHand = +[](const Client& client) { return client.tool == tool; };
 template <int right, int up>
 constexpr auto kTurn = act([](Client& client) { client.launcher.turn(right * kDegree, up * kDegree); });
 
@@ -270,7 +277,8 @@ constexpr Action kActions[] = {
     {"turn-down", "Down", "Shot", "lowers the barrel, 1 degree", "", kTurn<0, -1>},
     // time
     {"pause", "P Space", "Time", "pauses, and goes on", "",
-     act([](Client& c) { c.session.set_paused(!c.session.is_paused()); })},
+     act([](Client& c) { c.session.set_paused(!c.session.is_paused()); }), Loss::none,
+     +[](const Client& c) { return c.session.is_paused(); }},
     {"step", "N .", "Time", "pauses, and goes one step on", "", act([](Client& c) { c.session.single_step(); })},
     {"back", "B ,", "Time", "pauses, and goes one step back", "", act([](Client& c) { return step_back(c); })},
     {"rewind", "Ctrl+Home", "Time", "goes back to the start of the timeline; what was fired comes again", "",
@@ -291,20 +299,25 @@ constexpr Action kActions[] = {
     {"zoom-in", "PageUp", "View", "nearer", "", act([](Client& c) { zoom(c, 0.8); })},
     {"zoom-out", "PageDown", "View", "farther away", "", act([](Client& c) { zoom(c, 1.25); })},
     {"select", "Tab", "View", "selects the next projectile", "", act([](Client& c) { c.select_next(); })},
-    {"trails", "T", "View", "trails", "", kToggle<&Shown::trails>},
+    {"trails", "T", "View", "trails", "", kToggle<&Shown::trails>, Loss::none, kShown<&Shown::trails>},
     {"trail-colour", "Ctrl+K", "View", "trails in colours by the next of: shot, speed, mach, energy", "NAME",
      colour_trails},
     {"attitude", "Q", "View", "the cone of the yaw of the selected one, where its attitude is flown", "",
-     kToggle<&Shown::attitude>},
-    {"vectors", "V", "View", "velocity, acceleration and forces of the selected one", "", kToggle<&Shown::vectors>},
+     kToggle<&Shown::attitude>, Loss::none, kShown<&Shown::attitude>},
+    {"vectors", "V", "View", "velocity, acceleration and forces of the selected one", "", kToggle<&Shown::vectors>,
+     Loss::none, kShown<&Shown::vectors>},
     {"add-up", "U", "View", "forces of the selected one from tip to tip: they add up to mass times acceleration", "",
      act([](Client& c) {
        c.show.forces_add_up = !c.show.forces_add_up || !c.show.vectors;
        c.show.vectors = true;
-     })},
-    {"prediction", "A", "View", "predicted path of the next shot", "", kToggle<&Shown::prediction>},
-    {"marks", "K", "View", "marks of apex and impact, hits on things, and their names", "", kToggle<&Shown::marks>},
-    {"drop-lines", "Ctrl+L", "View", "lines down to the ground, and the ways over it", "", kToggle<&Shown::depth>},
+     }),
+     Loss::none, +[](const Client& c) { return c.show.forces_add_up && c.show.vectors; }},
+    {"prediction", "A", "View", "predicted path of the next shot", "", kToggle<&Shown::prediction>,
+     Loss::none, kShown<&Shown::prediction>},
+    {"marks", "K", "View", "marks of apex and impact, hits on things, and their names", "", kToggle<&Shown::marks>,
+     Loss::none, kShown<&Shown::marks>},
+    {"drop-lines", "Ctrl+L", "View", "lines down to the ground, and the ways over it", "", kToggle<&Shown::depth>,
+     Loss::none, kShown<&Shown::depth>},
     {"theme", "Ctrl+T", "View", "next light and colours: day, dusk, chart, night", "NAME", choose_theme},
     {"quality", "Ctrl+U", "View", "how much is drawn: the next of high, medium, low, picked by how long frames take",
      "NAME", choose_quality},
@@ -314,18 +327,21 @@ constexpr Action kActions[] = {
      act([](Client& c) { c.letters = c.letters == TextSize::large ? TextSize::usual : TextSize::small; })},
     {"clear", "X", "View", "forgets those that have left", "", act([](Client& c) { c.session.clear_tracks(); })},
     // panels
-    {"settings", "F2", "Panels", "settings of the next shot", "", kToggle<&Shown::settings>},
-    {"statistics", "F3", "Panels", "statistics of those in flight", "", kToggle<&Shown::statistics>},
-    {"plots", "F4", "Panels", "plots", "", act([](Client& c) { c.show_bottom(BottomPanel::plots); })},
+    {"settings", "F2", "Panels", "settings of the next shot", "", kToggle<&Shown::settings>,
+     Loss::none, kShown<&Shown::settings>},
+    {"statistics", "F3", "Panels", "statistics of those in flight", "", kToggle<&Shown::statistics>,
+     Loss::none, kShown<&Shown::statistics>},
+    {"plots", "F4", "Panels", "plots", "", act([](Client& c) { c.show_bottom(BottomPanel::plots); }),
+     Loss::none, kOpen<BottomPanel::plots>},
     {"plot", "", "", "plots quantities over others: y/x speed/time", "QUANTITIES", plot},
     {"compare", "F5", "Panels", "the next shot on several rungs", "",
-     act([](Client& c) { c.show_bottom(BottomPanel::compare); })},
+     act([](Client& c) { c.show_bottom(BottomPanel::compare); }), Loss::none, kOpen<BottomPanel::compare>},
     {"performance", "F7", "Panels", "what steps and frames cost", "",
-     act([](Client& c) { c.show_bottom(BottomPanel::performance); })},
+     act([](Client& c) { c.show_bottom(BottomPanel::performance); }), Loss::none, kOpen<BottomPanel::performance>},
     {"hits", "L", "Panels", "what was hit: where, how fast, and what became of it", "",
-     act([](Client& c) { c.show_bottom(BottomPanel::hits); })},
+     act([](Client& c) { c.show_bottom(BottomPanel::hits); }), Loss::none, kOpen<BottomPanel::hits>},
     {"study", "Y", "Panels", "how likely is a hit: many flights of the next shot, with numbers that are uncertain", "",
-     act([](Client& c) { c.show_bottom(BottomPanel::study); })},
+     act([](Client& c) { c.show_bottom(BottomPanel::study); }), Loss::none, kOpen<BottomPanel::study>},
     {"study-run", "Z", "Tools", "starts the study of the next shot, pauses it, goes on", "",
      act([](Client& c) { return start_or_pause_study(c); })},
     {"study-again", "", "Tools", "throws away what was flown, and begins the study anew", "",
@@ -343,16 +359,19 @@ constexpr Action kActions[] = {
     {"study-width", "", "", "a study ends when its figure is known to so much: 1 % of hits, 2 mm of a mean", "WIDTH",
      act([](Client& c, auto& s) { return set_study_width(c, s); })},
     {"emitters", "J", "Panels", "curves and gradients of emitters, drawn with the mouse", "",
-     kToggle<&Shown::emitters>},
+     kToggle<&Shown::emitters>, Loss::none, kShown<&Shown::emitters>},
     {"panel-keys", "F8", "Panels", "arrows, Space, Enter and Ctrl+Tab go to the panels, Alt to the menu", "",
-     kToggle<&Shown::panel_keys>},
-    {"play-bar", "Ctrl+B", "Panels", "the bar of play, with the timeline", "", kToggle<&Shown::play>},
-    {"help", "F1 H", "Help", "keys", "", kToggle<&Shown::help>},
+     kToggle<&Shown::panel_keys>, Loss::none, kShown<&Shown::panel_keys>},
+    {"play-bar", "Ctrl+B", "Panels", "the bar of play, with the timeline", "", kToggle<&Shown::play>,
+     Loss::none, kShown<&Shown::play>},
+    {"help", "F1 H", "Help", "keys", "", kToggle<&Shown::help>, Loss::none, kShown<&Shown::help>},
     // tools
     {"tape", "M", "Tools", "tape measure: left clicks set its ends", "",
-     act([](Client& c) { c.use_tool(Tool::tape); })},
-    {"wall", "I", "Tools", "puts up a wall: left clicks set its two ends", "X Z X Z", wall},
-    {"target", "O", "Tools", "puts up a target: a left click on a path or the ground", "X Y Z", target},
+     act([](Client& c) { c.use_tool(Tool::tape); }), Loss::none, kInHand<Tool::tape>},
+    {"wall", "I", "Tools", "puts up a wall: left clicks set its two ends", "X Z X Z", wall,
+     Loss::none, kInHand<Tool::wall>},
+    {"target", "O", "Tools", "puts up a target: a left click on a path or the ground", "X Y Z", target,
+     Loss::none, kInHand<Tool::target>},
     {"material", "", "", "what the next wall or target is made of", "NAME", choose_material},
     {"undo", "Ctrl+Z", "Tools", "takes back the last change of setting, aim, curve, thing or environment", "",
      undo},
@@ -402,6 +421,14 @@ bool equal_ignoring_case(std::string_view a, std::string_view b) {
 }  // namespace
 
 std::span<const Action> actions() { return kActions; }
+
+std::string label_of(const Action& action) {
+  PHYSIM_ASSERT(!action.name.empty());
+  std::string label(action.name);
+  std::ranges::replace(label, '-', ' ');
+  label.front() = static_cast<char>(std::toupper(static_cast<unsigned char>(label.front())));
+  return label;
+}
 
 const Action* find_action(std::string_view name) {
   const auto found =

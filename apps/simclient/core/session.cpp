@@ -33,6 +33,15 @@ void add_later(Track& track, const TrackSample& sample) {
   if (sample.time > track.samples.back().time + kInstant) add_sample(track, sample);
 }
 
+/// Whether it lies where it lay before: it stands still, and has since its last sample but one.
+bool rests(const Track& track, const TrackSample& now) {
+  PHYSIM_ASSERT(!track.samples.empty());
+  const auto before = std::find_if(track.samples.rbegin(), track.samples.rend(),
+                                   [&](const TrackSample& sample) { return sample.time < now.time; });
+  return now.velocity == Vec3d{} && before != track.samples.rend() && before->velocity == Vec3d{} &&
+         before->position == now.position;
+}
+
 std::uint64_t launches(const Scenario& scenario) {
   std::uint64_t count = scenario.shots.size();
   for (const Volley& volley : scenario.volleys) count += static_cast<std::uint64_t>(volley.count);
@@ -390,7 +399,9 @@ void Session::look() {
       track.status = world()[track.id].status();
       continue;
     }
-    add_later(track, sample(track));
+    TrackSample now = sample(track);
+    if (rests(track, now)) now.acceleration = {};  // a world's is that of all forces but those of contacts
+    add_later(track, now);
   }
   if (tracks_.size() >= most_tracks_of_run_ || world().size() > 4096) return;
   for (const ProjectileId id : world().ids()) follow_new(id);
@@ -458,7 +469,10 @@ Colour Session::colour_of(const Hit& hit) const {
 }
 
 std::string Session::fate_of(const Track& track) const {
-  if (track.is_flying()) return !track.whole && world()[track.id].is_asleep() ? "at rest" : "in flight";
+  if (track.is_flying()) {
+    const bool has_rested = !track.whole && (world()[track.id].is_asleep() || rests(track, track.samples.back()));
+    return has_rested ? "at rest" : "in flight";
+  }
   const auto& hits = hits_.hits();
   const auto last = std::find_if(hits.rbegin(), hits.rend(), [&](const Hit& hit) { return hit.id == track.id; });
   const bool has_stopped = last != hits.rend() && last->outcome == EventKind::stopped;

@@ -25,18 +25,27 @@ const char* mode_text(CameraMode mode) {
   return "";
 }
 
-void action_item(Client& client, const char* name, const char* label) {
-  const Action* action = find_action(name);
-  if (ImGui::MenuItem(label, std::string(action->keys).c_str())) run_action(client, *action);
-}
-
-/// What an action does, in the menu: those that take back say what.
+/// What an action does: those that take back say what.
 std::string help_of(const Client& client, const Action& action) {
   const bool undoes = action.name == "undo", redoes = action.name == "redo";
   const std::string what = undoes   ? client.history().undo_text()
                            : redoes ? client.history().redo_text()
                                     : std::string();
   return what.empty() ? std::string(action.help) : (undoes ? "takes back: " : "changes again: ") + what;
+}
+
+/// A line of a menu: ticked where it is on, grey where it would do nothing, with what it does beside the pointer.
+void action_item(Client& client, const Action& action, const std::string& label) {
+  const History& history = client.history();
+  const bool is_idle =
+      (action.name == "undo" && history.undo_text().empty()) || (action.name == "redo" && history.redo_text().empty());
+  const bool is_on = action.is_on != nullptr && action.is_on(client);
+  if (ImGui::MenuItem(label.c_str(), std::string(action.keys).c_str(), is_on, !is_idle)) run_action(client, action);
+  if (ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenDisabled))
+    ImGui::SetTooltip("%s", help_of(client, action).c_str());
+}
+void action_item(Client& client, const char* name, const char* label) {
+  action_item(client, *find_action(name), label);
 }
 
 }  // namespace
@@ -113,7 +122,7 @@ void Ui::draw_menu_bar(Client& client) {
   for (const char* menu : {"File", "Shot", "Time", "View", "Panels", "Tools", "Help"}) {
     if (!ImGui::BeginMenu(menu)) continue;
     for (const Action& action : actions())
-      if (action.menu == menu) action_item(client, action.name.data(), help_of(client, action).c_str());
+      if (action.menu == menu) action_item(client, action, label_of(action));
     if (std::string_view(menu) == "Tools") draw_tests_menu(client);
     if (std::string_view(menu) == "File") draw_picture_menus(client), draw_recent_menu(client);
     ImGui::EndMenu();
@@ -129,7 +138,7 @@ void Ui::draw_menu_bar(Client& client) {
 
 void Ui::draw_tests_menu(Client& client) {
   ImGui::Separator();
-  if (!ImGui::BeginMenu("tests of the original")) return;
+  if (!ImGui::BeginMenu("Tests of the original")) return;
   for (const OriginalTest& test : original_tests())
     if (ImGui::MenuItem(std::string(test.title).c_str()))
       run_action(client, *find_action("test"), std::string(test.name));
@@ -139,7 +148,7 @@ void Ui::draw_tests_menu(Client& client) {
 void Ui::draw_picture_menus(Client& client) {
   ImGui::Separator();
   const ImVec2 window = ImGui::GetIO().DisplaySize;
-  if (ImGui::BeginMenu("size of pictures")) {
+  if (ImGui::BeginMenu("Size of pictures")) {
     for (const int times : {1, 2, 3, 4}) {
       const std::string text = formatted("%d\u00d7: %.0fx%.0f", times, static_cast<double>(window.x) * times,
                                          static_cast<double>(window.y) * times);
@@ -147,7 +156,7 @@ void Ui::draw_picture_menus(Client& client) {
     }
     ImGui::EndMenu();
   }
-  if (!ImGui::BeginMenu("length of films")) return;
+  if (!ImGui::BeginMenu("Length of films")) return;
   for (const int seconds : {3, 5, 10, 30, 60})
     if (ImGui::MenuItem(formatted("%d s", seconds).c_str(), "", client.film_length == seconds))
       client.film_length = seconds;
@@ -157,7 +166,7 @@ void Ui::draw_picture_menus(Client& client) {
 void Ui::draw_recent_menu(Client& client) {
   const std::vector<std::string> files(client.recent.files().begin(), client.recent.files().end());
   ImGui::Separator();
-  if (!ImGui::BeginMenu("recent files", !files.empty())) return;
+  if (!ImGui::BeginMenu("Recent files", !files.empty())) return;
   for (const std::string& file : files)
     if (ImGui::MenuItem(file.c_str())) run_action(client, *find_action("open"), file);
   ImGui::EndMenu();
