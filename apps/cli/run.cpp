@@ -177,9 +177,11 @@ void warn_of_refusals(const std::vector<WorldGroup>& groups) {
                     "\" were refused: " + group.refusal);
   for (const WorldGroup& group : groups)
     if (group.counts.cut > 0)
-      print_warning(std::to_string(group.counts.cut) + " particles of \"" + one_line(group.name) +
-                    "\" were not born: more than a million in a step, or sub-emitters without end; an emitter that "
-                    "fires by itself stops there");
+      print_warning(
+          std::to_string(group.counts.cut) + (group.counts.cut == 1 ? " particle" : " particles") + " of \"" +
+          one_line(group.name) +
+          "\" could not be emitted: more than a million in a step, or sub-emitters without end; an emitter that "
+          "fires by itself stops there");
 }
 
 /// Warns of rounds that left the air at the default lifetime, which the file does not give.

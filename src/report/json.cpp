@@ -49,10 +49,13 @@ void add_checks(JsonStream& out, const std::vector<Check>& checks) {
 
 Json vector_json(const Vec3d& v) { return Json::array({v.x, v.y, v.z}); }
 
-void add_provenance(JsonStream& out, const Scenario& scenario) {
+void add_provenance(JsonStream& out, const Scenario& scenario, std::span<const std::string> more) {
+  std::vector<std::string> notes = scenario.notes;
+  notes.insert(notes.end(), more.begin(), more.end());
   out.add({{"program", "physim"},
            {"version", kVersion},
-           {"scenario", {{"file", scenario.file}, {"title", scenario.title}, {"source", scenario.source}}}});
+           {"scenario",
+            {{"file", scenario.file}, {"title", scenario.title}, {"source", scenario.source}, {"notes", notes}}}});
   out.object("settings");
   each_setting(scenario, [&out](const std::string& path, const std::string& value) { out.add({{path, value}}); });
   out.close();

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <nlohmann/json_fwd.hpp>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -10,8 +11,9 @@
 
 namespace physim::report {
 
-/// Program, version, scenario and all its settings: where a result came from.
-void add_provenance(JsonStream& out, const Scenario& scenario);
+/// Program, version, scenario with the notes about it, `more` among them, and all its settings: where a result came
+/// from.
+void add_provenance(JsonStream& out, const Scenario& scenario, std::span<const std::string> more = {});
 /// Outcome, fidelity, events and cost of a flight.
 [[nodiscard]] nlohmann::ordered_json flight_json(const Flight& flight, const Fidelity& asked);
 /// A list of the defaults that mattered to a flight and that neither the file nor an override gave: with any of them a

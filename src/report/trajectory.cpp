@@ -212,7 +212,7 @@ Content flights_json(const Flights& flights) {
     PHYSIM_ASSERT(times.size() == flown.shots.size());
     JsonStream out(sink);
     out.object();
-    add_provenance(out, flown.scenario);
+    add_provenance(out, flown.scenario, flown.notes);
     out.list("shots");
     for (std::size_t i = 0; i < flown.shots.size(); ++i) {
       const FlownShot& from = flown.shots[i];

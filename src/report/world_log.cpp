@@ -544,7 +544,7 @@ Content world_json(const WorldLog& log) {
   return [&log](const Sink& sink) {
     JsonStream out(sink);
     out.object();
-    add_provenance(out, log.scenario);
+    add_provenance(out, log.scenario, log.notes);
     out.object("world");
     out.add({{"steps", log.steps},
              {"time [s]", log.time},

@@ -125,9 +125,9 @@ maximum = 100000
 duration = "0.15 s"
 )")});
   EXPECT_EQ(ran.code, 0) << ran.err;
-  EXPECT_TRUE(has(
-      ran.err,
-      "warning: 1 particles of \"mirror\" were not born: more than a million in a step, or sub-emitters without end"))
+  EXPECT_TRUE(has(ran.err,
+                  "warning: 1 particle of \"mirror\" could not be emitted: more than a million in a step, or "
+                  "sub-emitters without end"))
       << ran.err;
   EXPECT_TRUE(has(ran.out, "  cut\n")) << ran.out;
 }
@@ -153,7 +153,7 @@ TEST(CliEmitter, TellsHowManyWereNotBorn) {
                                                             "maximum = 10\n"),
               "--steps", "2"});
   EXPECT_EQ(ran.code, 0) << ran.err;
-  EXPECT_TRUE(has(ran.err, "warning: 3951424 particles of \"gun\" were not born")) << ran.err << "5e6 less 2^20";
+  EXPECT_TRUE(has(ran.err, "warning: 3951424 particles of \"gun\" could not be emitted")) << ran.err << "5e6 less 2^20";
   EXPECT_TRUE(has(ran.err, "emitter.bursts: a burst of 5000000")) << "told before: " << ran.err;
 }
 
