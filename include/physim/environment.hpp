@@ -129,6 +129,16 @@ struct Gravity {
   bool operator==(const Gravity&) const = default;
 };
 
+/// A level of a sounding.
+struct AirPoint {
+  double altitude = 0;               ///< above sea level, geometric [m]
+  double temperature = 288.15;       ///< of the air, 150 to 350 [K]
+  std::optional<double> pressure{};  ///< none: in hydrostatic equilibrium with the level below; falls [Pa]
+  std::optional<double> humidity{};  ///< relative, 0 to 1; none: dry [-]
+
+  bool operator==(const AirPoint&) const = default;
+};
+
 /// The air. Where temperature, pressure or humidity is given, density at the station follows CIPM-2007 and the standard
 /// profile is shifted to it; where none is given the air is exactly the US Standard Atmosphere 1976.
 struct Atmosphere {
@@ -140,6 +150,10 @@ struct Atmosphere {
   std::optional<double> density{};      ///< at the origin, overrides all else for constant and exponential air [kg/m^3]
   std::optional<double> sound_speed{};  ///< at the origin, overrides all else for constant and exponential air [m/s]
   double scale_height = 8500;           ///< of exponential air [m]
+  /// Levels at rising altitudes, in the place of temperature, pressure and humidity at a station: `isa` is the air
+  /// between them, other air that at the origin. Beyond its ends temperature changes as the standard's does. Pressures
+  /// begin at the first level; if none is given, with the standard's there. At most 100 000. [-]
+  std::vector<AirPoint> profile{};
 
   bool operator==(const Atmosphere&) const = default;
 };

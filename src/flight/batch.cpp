@@ -23,13 +23,20 @@ Status check_columns(const Weather& weather, std::size_t shots) {
   return {};
 }
 
+Status check_station(const Weather& weather, const Atmosphere& air) {
+  if (!weather.has_station() || air.profile.empty()) return {};
+  return Error{"is that of a station, and the environment has air by levels", "weather.temperature",
+               "leave temperature, pressure and humidity of the weather out, or Atmosphere::profile"};
+}
+
 }  // namespace
 
 Status check_common(const BatchTask& task) {
   if (task.until.scene)
     return Error{"many shots at once meet nothing", "until.scene", "fly() and worlds let projectiles meet things"};
-  for (const Status& status : {check(task.environment), check(task.tolerance, task.fidelity), check(task.until),
-                               check_columns(task.weather, task.shots.size())})
+  for (const Status& status :
+       {check(task.environment), check(task.tolerance, task.fidelity), check(task.until),
+        check_columns(task.weather, task.shots.size()), check_station(task.weather, task.environment.atmosphere)})
     if (!status) return status;
   return task.shots.one_projectile ? check(*task.shots.one_projectile) : Status{};
 }

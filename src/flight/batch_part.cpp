@@ -31,7 +31,7 @@ bool is_by_shot(const std::vector<ShotEvent>& events) {
 NumberRuns runs_of(PartSet parts, bool low_air_alone) {
   const PartSet air = PartSet::of<AirPart>();
   if (!low_air_alone || (parts & air) != air) return parts.runs();
-  constexpr unsigned kFirst = kBodyNumber.air.low_density[0], kEnd = kBodyNumber.air.lapse[0];
+  constexpr unsigned kFirst = kBodyNumber.air.low_density[0], kEnd = kBodyNumber.air.layer[0].lapse;
   static_assert(kFirst + kDensityTerms + kPerSoundTerms == kEnd);
   NumberRuns runs = (parts - air).runs();
   runs.add(kFirst, kEnd - kFirst);  // the air comes last

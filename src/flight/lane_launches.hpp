@@ -67,7 +67,7 @@ void put_weather(const WeatherSource& from, const Conditions<S>& c, std::size_t 
     AirNumbers<W> air;
     put_air(from, first, filled, air);
     constexpr unsigned kLow = kBodyNumber.air.low_density[0] - kBodyNumber.air.density;
-    constexpr unsigned kLayers = kBodyNumber.air.lapse[0] - kBodyNumber.air.density;
+    constexpr unsigned kLayers = kBodyNumber.air.layer[0].lapse - kBodyNumber.air.density;
     NumberRuns wanted;  // what is not stays what the batch has in its place: no numbers
     from.place.low_alone ? wanted.add(kLow, kLayers - kLow) : wanted.add(0, kNumbers<AirNumbers>);
     cast_numbers(air, into.air, wanted);

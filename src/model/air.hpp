@@ -5,8 +5,9 @@
 // When to use it: constant for flat fire within a few hundred metres of height; exponential for games with aircraft and
 //   mountains; isa for everything that should be right.
 // When it is wrong: real days differ from the standard lapse rate; humidity is measured at the station and its effect
-//   is kept at all heights; above 86 km the last layer continues isothermally (density there is below 1e-5 of sea
-//   level's); below -5 km a flight ends with Outcome::left_domain.
+//   is kept at all heights (levels of a sounding have what they measured: model/air_levels.hpp); above 86 km the last
+//   layer continues isothermally (density there is below 1e-5 of sea level's); below -5 km a flight ends with
+//   Outcome::left_domain.
 // Symbols: Z geometric altitude, H geopotential altitude, r0 = 6356766 m; T temperature [K]; L lapse rate [K/m];
 //   rho density [kg/m^3]; a sound speed [m/s]; index b: at the base of the layer.
 // Equations: H = r0 Z / (r0 + Z);  T = T_b + L (H - H_b);
@@ -19,6 +20,8 @@
 //   layers run the same instructions.
 // Source: U.S. Standard Atmosphere, 1976 (NOAA-S/T 76-1562), eq. 18, 23, 33a, 33b, 42, 50, 51.
 #pragma once
+
+#include <type_traits>
 
 #include "base/assert.hpp"
 #include "math/elementary.hpp"
@@ -33,23 +36,23 @@ struct AirState {
   R per_sound_speed;  // 1 / a [s/m]
 };
 
-/// Any layer, by its law. Behind a call, as most shots stay below.
+/// Any of some layers, by its law. Behind a call, as most shots stay below.
 template <class R, class S, class N>
-PHYSIM_NOINLINE void layered_air(const Air<S>& air, const AirNumbers<N>& numbers, const R& z, AirState<R>& out) {
-  PHYSIM_ASSERT(air.layers >= 1 && air.layers <= kAirLayers);
+PHYSIM_NOINLINE void layered_air(int layers, const S* bases, const AirLayer<N>* layer, const R& z, AirState<R>& out) {
+  PHYSIM_ASSERT(layers >= 1);
   const S r0 = static_cast<S>(kGeopotentialRadius);
   const R h = r0 * z / (r0 + z);
-  R base(air.base[0]), lapse(numbers.lapse[0]), power(numbers.power[0]), decay(numbers.decay[0]);
-  R density(numbers.base_density[0]), per_sound(numbers.base_per_sound[0]);
-  for (int i = 1; i < air.layers; ++i) {
-    const auto above = h >= R(air.base[i]);
+  R base(bases[0]), lapse(layer[0].lapse), power(layer[0].power), decay(layer[0].decay);
+  R density(layer[0].base_density), per_sound(layer[0].base_per_sound);
+  for (int i = 1; i < layers; ++i) {
+    const auto above = h >= R(bases[i]);
     if (!any(above)) break;
-    base = select(above, R(air.base[i]), base);
-    lapse = select(above, R(numbers.lapse[i]), lapse);
-    power = select(above, R(numbers.power[i]), power);
-    decay = select(above, R(numbers.decay[i]), decay);
-    density = select(above, R(numbers.base_density[i]), density);
-    per_sound = select(above, R(numbers.base_per_sound[i]), per_sound);
+    base = select(above, R(bases[i]), base);
+    lapse = select(above, R(layer[i].lapse), lapse);
+    power = select(above, R(layer[i].power), power);
+    decay = select(above, R(layer[i].decay), decay);
+    density = select(above, R(layer[i].base_density), density);
+    per_sound = select(above, R(layer[i].base_per_sound), per_sound);
   }
   const R rise = h - base;
   const R excess = lapse * rise;  // T / T_b - 1, between -0.3 and 0.3 in the standard's layers
@@ -95,21 +98,25 @@ class LowAirOfOne {
   Both c_[kPerSoundTerms];
 };
 
-/// Standard atmosphere at a geometric altitude [m].
+/// Standard atmosphere, or that of a profile of levels, at a geometric altitude [m].
 template <class R, class S, class N>
-PHYSIM_INLINE AirState<R> standard_air(const Air<S>& air, const AirNumbers<N>& numbers, const R& z) {
-  const AirState<R> low = low_air(air, numbers, z);
-  const auto high = z > R(air.low_top);
+PHYSIM_INLINE AirState<R> air_at_altitude(const Conditions<S>& c, const AirNumbers<N>& numbers, const R& z) {
+  const AirState<R> low = low_air(c.air, numbers, z);
+  const auto high = z > R(c.air.low_top);  // in a profile all are
   if (!any(high)) return low;
+  const S* bases = c.air.base;
+  const AirLayer<N>* layers = numbers.layer;
+  if constexpr (std::is_same_v<N, S>)  // shots with air of their own have no profile
+    if (c.has_air_profile) bases = c.air_bases, layers = c.air_layers;
   AirState<R> layered;
-  layered_air(air, numbers, z, layered);
+  layered_air(c.air.layers, bases, layers, z, layered);
   return {select(high, layered.density, low.density), select(high, layered.per_sound_speed, low.per_sound_speed)};
 }
 
 template <class R, class S, class N>
 PHYSIM_INLINE AirState<R> air_state(const Conditions<S>& c, const AirNumbers<N>& air, const Vec3<R>& x) {
   switch (c.fidelity.air) {
-    case AirModel::isa: return standard_air<R>(c.air, air, altitude(c, x));
+    case AirModel::isa: return air_at_altitude<R>(c, air, altitude(c, x));
     case AirModel::exponential:
       return {air.density * exp_bounded(-(height(c, x) * c.air.per_scale_height)), R(air.per_sound_speed)};
     case AirModel::constant: return {R(air.density), R(air.per_sound_speed)};

@@ -20,6 +20,16 @@ inline constexpr double kGeopotentialRadius = 6356766.0;
 inline constexpr int kDensityTerms = 14;
 inline constexpr int kPerSoundTerms = 16;
 
+/// A layer of the air by its laws, from its base.
+template <class R>
+struct AirLayer {
+  R lapse;           // L_b / T_b [1/m]
+  R power;           // density ~ (T/T_b)^power [-]
+  R decay;           // density ~ exp(decay (H - H_b)) [1/m]
+  R base_density;    // [kg/m^3]
+  R base_per_sound;  // [s/m]
+};
+
 /// What the weather changes of the air: one for a cohort, or one for each lane.
 template <class R>
 struct AirNumbers {
@@ -30,12 +40,7 @@ struct AirNumbers {
   // The lowest layer, in powers of u = (Z - low_middle) low_scale:
   R low_density[kDensityTerms];     // [kg/m^3]
   R low_per_sound[kPerSoundTerms];  // [s/m]
-  // Layer i of the standard atmosphere, from its base:
-  R lapse[kAirLayers];           // L_b / T_b [1/m]
-  R power[kAirLayers];           // density ~ (T/T_b)^power [-]
-  R decay[kAirLayers];           // density ~ exp(decay (H - H_b)) where the layer is isothermal [1/m]
-  R base_density[kAirLayers];    // [kg/m^3]
-  R base_per_sound[kAirLayers];  // [s/m]
+  AirLayer<R> layer[kAirLayers];    // of the standard atmosphere
 };
 
 /// Air ready to compute; see model/air.hpp.
@@ -46,9 +51,9 @@ struct Air {
   // The lowest layer in -1 <= u <= 1:
   S low_middle;        // [m]
   S low_scale;         // [1/m]
-  S low_top;           // geometric altitude up to which it reaches [m]
-  int layers;          // of the standard atmosphere
-  S base[kAirLayers];  // H_b, geopotential height at which layer i begins [m]
+  S low_top;           // geometric altitude up to which it reaches; of a profile of levels: -infinity [m]
+  int layers;          // of the standard atmosphere, or of the profile
+  S base[kAirLayers];  // H_b, geopotential height at which layer i begins; of a profile those of the first two [m]
 };
 
 /// A vector that is not set to zero first, so that conditions can be made for a single pack.
@@ -104,6 +109,7 @@ struct Features {
   bool has_spheres = false;          // Cd by Reynolds number
   bool has_bands = false;            // banded ballistic coefficients
   bool has_searched_curves = false;  // a drag curve that fits no equal cells
+  bool has_air_profile = false;      // air by levels
   bool has_wind_function = false;    // wind by a function
   bool has_force_function = false;   // a force by a function
   bool has_aero = false;             // aerodynamic coefficients beside drag
@@ -160,6 +166,8 @@ struct TablePointers {
 template <class S>
 struct ProfilePointers {
   const WindPiece<S>* wind_pieces;  // as many as wind.points
+  const AirLayer<S>* air_layers;    // as many as air.layers
+  const S* air_bases;               // geopotential heights at which they begin [m]
 };
 
 template <class S>
@@ -167,7 +175,7 @@ struct Conditions : Features, EnvironmentNumbers<S>, FunctionPointers, TablePoin
 
 /// Counted here, since they hold arrays.
 template <class S>
-inline constexpr std::size_t kMemberCount<AirNumbers<S>> = 11;
+inline constexpr std::size_t kMemberCount<AirNumbers<S>> = 7;
 template <class S>
 inline constexpr std::size_t kMemberCount<Air<S>> = 7;
 

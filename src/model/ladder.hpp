@@ -116,7 +116,10 @@ PHYSIM_INLINE constexpr AirRow row(AirModel rung) {
     case AirModel::exponential:
       return {{"exponential", "density falls by e per scale height", 2}, true, 4 + kExp, 4 + kExp};
     case AirModel::isa:
-      return {{"isa", "US Standard Atmosphere 1976, shifted to the station's weather", 3}, true, 40, 50};
+      return {{"isa", "US Standard Atmosphere 1976, shifted to the station's weather; or the levels of a sounding", 3},
+              true,
+              40,
+              50};
   }
   return {};
 }

@@ -2,11 +2,12 @@
 #include "model/standard_atmosphere.hpp"
 
 #include <algorithm>
-#include <memory>
+#include <vector>
 
 #include "base/assert.hpp"
 #include "math/chebyshev.hpp"
 #include "model/air.hpp"
+#include "model/air_levels.hpp"
 #include "model/station.hpp"
 
 namespace physim {
@@ -90,11 +91,15 @@ void put_frame(AirModel model, double scale_height, Air<double>& air) {
 
 }  // namespace
 
+Readings<double> standard_air(double height) {
+  const AirProfile<double>& standard = standard_profile();
+  return {standard.temperature_at(height), pressure_at(standard, height), 0};
+}
+
 Readings<double> station_air(const Environment& environment) {
   const Atmosphere& given = environment.atmosphere;
-  const AirProfile<double>& standard = standard_profile();
-  const double h = station_height(environment);
-  return {given.temperature.value_or(standard.temperature_at(h)), given.pressure.value_or(pressure_at(standard, h)),
+  const Readings<double> standard = standard_air(station_height(environment));
+  return {given.temperature.value_or(standard.temperature), given.pressure.value_or(standard.pressure),
           given.humidity.value_or(0)};
 }
 
@@ -105,10 +110,21 @@ StationPlace station_place(const Environment& environment, AirModel model) {
 
 namespace {
 
+/// The air of a profile of levels at the origin.
+void put_origin(const Environment& environment, AirNumbers<double>& air) {
+  const AirLevel there = air_between(air_levels(environment.atmosphere), geopotential(environment.altitude));
+  air.temperature = there.temperature;
+  air.density = there.density;
+  air.per_sound_speed = 1 / there.sound_speed;
+  air.kelvin_per_sound = there.temperature * air.per_sound_speed * air.per_sound_speed;
+}
+
 /// Into numbers that are all zero.
 void put_air_numbers(const Environment& environment, AirModel model, AirNumbers<double>& air) {
   const Atmosphere& given = environment.atmosphere;
-  if (is_standard(given)) {
+  if (!given.profile.empty()) {
+    put_origin(environment, air);
+  } else if (is_standard(given)) {
     const StandardProfile& profile = standard_profile();
     const double h = geopotential(environment.altitude);
     if (model == AirModel::isa) air = standard_layers();
@@ -142,6 +158,10 @@ void put_air(const Environment& environment, AirModel model, Air<double>& air) {
 
 AirSample air_sample(const Environment& environment, double altitude) {
   PHYSIM_ASSERT(altitude >= kLowestAltitude && altitude <= kHighestAltitude);
+  if (environment.atmosphere.model == AirModel::isa && !environment.atmosphere.profile.empty()) {
+    const AirLevel air = air_between(air_levels(environment.atmosphere), geopotential(altitude));
+    return {air.temperature, air.pressure, air.density, air.sound_speed, viscosity(air.temperature)};
+  }
   Conditions<double> c{};
   c.fidelity.air = environment.atmosphere.model;
   c.altitude = environment.altitude;

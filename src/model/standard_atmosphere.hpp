@@ -8,6 +8,8 @@
 
 namespace physim {
 
+/// The standard's own air at a geopotential height [m].
+[[nodiscard]] Readings<double> standard_air(double height);
 /// What a station measures, or the standard's air at its height.
 [[nodiscard]] Readings<double> station_air(const Environment& environment);
 

@@ -149,11 +149,12 @@ void put_layers(const AirProfile<R>& profile, AirNumbers<R>& air) {
   const R hydrostatic = profile.density_factor * R(A::kHydrostatic);
   for (int i = 0; i < kAirLayers; ++i) {
     const R t = profile.temperature[i];
-    air.lapse[i] = R(A::kLapse[i]) / t;
-    air.power[i] = profile.power(i);
-    air.decay[i] = A::kLapse[i] == 0 ? -hydrostatic / t : R(0.0);
-    air.base_density[i] = profile.density(profile.pressure[i], t);
-    air.base_per_sound[i] = profile.per_sound(t);
+    AirLayer<R>& layer = air.layer[i];
+    layer.lapse = R(A::kLapse[i]) / t;
+    layer.power = profile.power(i);
+    layer.decay = A::kLapse[i] == 0 ? -hydrostatic / t : R(0.0);
+    layer.base_density = profile.density(profile.pressure[i], t);
+    layer.base_per_sound = profile.per_sound(t);
   }
 }
 

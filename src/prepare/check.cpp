@@ -6,6 +6,7 @@
 #include "base/checker.hpp"
 #include "base/event_table.hpp"
 #include "model/aero_tables.hpp"
+#include "model/air_levels.hpp"
 #include "model/attitude.hpp"
 #include "model/humid_air.hpp"
 #include "model/ladder.hpp"
@@ -22,6 +23,7 @@ constexpr double kRightAngleUp = 1.5707963267948968;  // the next number above a
 
 // Numbers further out mean nothing here, and what is computed from them is no number any more.
 constexpr double kSmallest = 1e-9;        // distance between points of a table [s, m, or Mach number]
+constexpr double kLeastLayer = 0.01;      // between levels of the air [m]
 constexpr double kSmallestError = 1e-15;  // of a place, asked for [m]
 constexpr double kFastestAero = 100;      // Mach number of aerodynamic tables [-]
 constexpr double kWidestAero = 100;       // square of an angle there [rad^2]
@@ -280,6 +282,50 @@ Status check(const Launch& l) {
   return c.status();
 }
 
+namespace {
+
+/// The levels of a sounding, which rise, and whose pressures fall.
+void check_levels(const Atmosphere& a, Checker& c) {
+  const std::string_view place = "environment.atmosphere.profile";
+  PHYSIM_ASSERT(!a.profile.empty());
+  c.require(a.profile.size() <= std::size_t(kMostLevels), place, "has too many levels", "at most 100000");
+  static_assert(kMostLevels == 100000);
+  c.require(!a.temperature && !a.pressure && !a.humidity && !a.station_altitude, place,
+            "gives the air by levels, and a station gives it, too",
+            "leave temperature, pressure, humidity and station_altitude out, or the profile");
+  std::optional<double> below;  // the last pressure [Pa]
+  for (std::size_t i = 0; i < a.profile.size() && c.status_so_far(); ++i) {
+    const AirPoint& level = a.profile[i];
+    const InputPlace there("environment.atmosphere.profile", i);
+    c.require(level.altitude >= kLowestAltitude && level.altitude <= kHighestAltitude, there,
+              "must lie between -5000 m and 86000 m", "altitudes are in metres above sea level");
+    c.require(level.temperature >= 150 && level.temperature <= 350, there, "must have 150 K to 350 K",
+              "temperatures are in kelvin");
+    if (level.humidity)
+      c.require(*level.humidity >= 0 && *level.humidity <= 1, there, "must have a humidity between 0 and 1",
+                "60 % is 0.6");
+    if (level.pressure) {
+      c.require(*level.pressure >= 0.01 && *level.pressure <= 120000, there, "must have 0.01 Pa to 120000 Pa",
+                "pressures are in pascal");
+      c.require(i == 0 || a.profile[0].pressure, place, "has a pressure, and its first level has none",
+                "give that of the first level, or none at all");
+      c.require(!below || *level.pressure < *below, there, "must have less pressure than the level below",
+                "sort the levels by altitude");
+      below = level.pressure;
+    }
+    if (i > 0)
+      c.require(level.altitude - a.profile[i - 1].altitude >= kLeastLayer, there, "must lie higher than the one below",
+                "sort the levels by altitude; two lie 0.01 m apart at least");
+  }
+  if (!c.status_so_far()) return;
+  for (const AirLevel& level : air_levels(a))
+    c.require(level.humidity == 0 || vapour_fraction(level.temperature, level.pressure, level.humidity) < 0.5, place,
+              "has more vapour than air of its temperature and pressure can be made of",
+              "lower the humidity of levels that are high and warm");
+}
+
+}  // namespace
+
 Status check(const Environment& e) {
   Checker c;
   c.require(e.altitude >= kLowestAltitude && e.altitude <= 1e9, "environment.altitude",
@@ -311,6 +357,7 @@ Status check(const Environment& e) {
               "is more vapour than air of this temperature and pressure can be made of",
               "lower it, or raise the pressure");
   }
+  if (!a.profile.empty()) check_levels(a, c);
   if (a.density) c.not_negative(*a.density, "environment.atmosphere.density", "");
   if (a.sound_speed) c.positive(*a.sound_speed, "environment.atmosphere.sound_speed", "");
   c.positive(a.scale_height, "environment.atmosphere.scale_height", "");

@@ -35,6 +35,15 @@ void put_wind(const Wind& wind, WindModel model, WindField<double>& field, Profi
   tables.put_wind(wind.profile);
 }
 
+void put_levels(const std::vector<AirLevel>& levels, Air<double>& air, ProfileTables& tables) {
+  PHYSIM_ASSERT(levels.size() >= 2);
+  air.low_top = -kInfinity;
+  air.layers = static_cast<int>(levels.size());
+  std::ranges::fill(air.base, levels[1].height);
+  air.base[0] = levels[0].height;
+  tables.put_air(levels);
+}
+
 /// A function that is called with times later by `delay` [s].
 template <class Batch>
 FieldFunction<Batch> later_by(double delay, const FieldFunction<Batch>& function) {
@@ -55,6 +64,8 @@ Conditions<double> prepare_conditions(const Environment& environment, const Fide
   c.fidelity = granted;
   prepare_earth(environment, granted, c);
   put_air(environment, granted.air, c.air);
+  c.has_air_profile = granted.air == AirModel::isa && !environment.atmosphere.profile.empty();
+  if (c.has_air_profile) put_levels(air_levels(environment.atmosphere), c.air, tables);
   put_wind(environment.wind, granted.wind, c.wind, tables);
   c.wind_function = environment.wind.field.get();
   c.force_function = environment.force.get();
@@ -67,7 +78,7 @@ Conditions<double> prepare_conditions(const Environment& environment, const Fide
 Conditions<double> prepare_conditions(const Environment& environment, const Fidelity& granted) {
   ProfileTables none;
   const Conditions<double> c = prepare_conditions(environment, granted, none);
-  PHYSIM_ASSERT(c.wind.points == 0);
+  PHYSIM_ASSERT(c.wind.points == 0 && !c.has_air_profile);
   return c;
 }
 

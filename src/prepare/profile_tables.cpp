@@ -5,8 +5,8 @@
 namespace physim {
 namespace {
 
-template <template <class> class Row>
-void narrow(const std::vector<Row<double>>& wide, std::vector<Row<float>>& rows) {
+template <class Wide, class Narrow>
+void narrow(const std::vector<Wide>& wide, std::vector<Narrow>& rows) {
   rows.resize(wide.size());
   for (std::size_t i = 0; i < wide.size(); ++i) cast_members(wide[i], rows[i]);
 }
@@ -14,17 +14,27 @@ void narrow(const std::vector<Row<double>>& wide, std::vector<Row<float>>& rows)
 }  // namespace
 
 void ProfileTables::put_wind(std::span<const WindPoint> points) {
-  wind_.clear();
+  auto& wind = in_double_.wind;
+  wind.clear();
   for (const WindPoint& p : points) {
-    if (!wind_.empty()) {
-      WindPiece<double>& below = wind_.back();
+    if (!wind.empty()) {
+      WindPiece<double>& below = wind.back();
       PHYSIM_ASSERT(p.at > below.at);
       below.per_length = 1 / (p.at - below.at);
       below.slope = (p.velocity - Vec3d(below.velocity)) * below.per_length;
     }
-    wind_.push_back({p.at, {p.velocity.x, p.velocity.y, p.velocity.z}, {0, 0, 0}, 0});
+    wind.push_back({p.at, {p.velocity.x, p.velocity.y, p.velocity.z}, {0, 0, 0}, 0});
   }
-  narrow(wind_, wind_float_);
+  narrow(wind, in_float_.wind);
+}
+
+void ProfileTables::put_air(const std::vector<AirLevel>& levels) {
+  in_double_.air = air_layers(levels);
+  in_double_.bases.clear();
+  for (const AirLevel& level : levels) in_double_.bases.push_back(level.height);
+  PHYSIM_ASSERT(in_double_.air.size() == in_double_.bases.size());
+  narrow(in_double_.air, in_float_.air);
+  narrow(in_double_.bases, in_float_.bases);
 }
 
 }  // namespace physim

@@ -4,7 +4,7 @@
 #include <span>
 #include <vector>
 
-#include "model/conditions.hpp"
+#include "model/air_levels.hpp"
 
 namespace physim {
 
@@ -12,13 +12,27 @@ namespace physim {
 class ProfileTables {
  public:
   void put_wind(std::span<const WindPoint> points);
+  void put_air(const std::vector<AirLevel>& levels);
 
-  void point(Conditions<double>& conditions) const { conditions.wind_pieces = wind_.data(); }
-  void point(Conditions<float>& conditions) const { conditions.wind_pieces = wind_float_.data(); }
+  void point(Conditions<double>& conditions) const { point(in_double_, conditions); }
+  void point(Conditions<float>& conditions) const { point(in_float_, conditions); }
 
  private:
-  std::vector<WindPiece<double>> wind_;
-  std::vector<WindPiece<float>> wind_float_;
+  template <class S>
+  struct Tables {
+    std::vector<WindPiece<S>> wind;
+    std::vector<AirLayer<S>> air;
+    std::vector<S> bases;  // of the air's layers
+  };
+  template <class S>
+  static void point(const Tables<S>& tables, Conditions<S>& conditions) {
+    conditions.wind_pieces = tables.wind.data();
+    conditions.air_layers = tables.air.data();
+    conditions.air_bases = tables.bases.data();
+  }
+
+  Tables<double> in_double_;
+  Tables<float> in_float_;
 };
 
 }  // namespace physim

@@ -96,6 +96,17 @@ void check_shots(const Scenario& scenario, const ScenarioNames& names, const Val
   }
 }
 
+Status check_air(const Atmosphere& air, const Value& document) {
+  for (std::size_t i = 1; i < air.profile.size(); ++i) {
+    if (air.profile[i].altitude > air.profile[i - 1].altitude) continue;
+    const Value& table = *document.find("environment")->find("atmosphere");
+    return Error{"environment.atmosphere.profile: " + quantity_text(air.profile[i].altitude, Quantity::length) +
+                     " after " + quantity_text(air.profile[i - 1].altitude, Quantity::length),
+                 place_of(element(table, "profile", i), {"altitude"}), "altitudes must rise"};
+  }
+  return {};
+}
+
 Status check_wind(const Wind& wind, const Value& document) {
   for (std::size_t i = 1; i < wind.profile.size(); ++i) {
     if (wind.profile[i].at > wind.profile[i - 1].at) continue;
@@ -145,6 +156,7 @@ Status check_scenario(const Scenario& scenario, const Value& document) {
   const ScenarioNames names(scenario);
   Mistakes mistakes;
   check_shots(scenario, names, document, mistakes);
+  mistakes.take(check_air(scenario.environment.atmosphere, document));
   mistakes.take(check_wind(scenario.environment.wind, document));
   check_world(scenario, names, document, mistakes);
   if (!scenario.world.given) check_expectations(scenario, names, document, mistakes);

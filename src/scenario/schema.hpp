@@ -30,6 +30,7 @@ struct Scope {
   ScenarioShot* shot = nullptr;
   Expectation* expect = nullptr;
   EventSpec* event = nullptr;
+  AirPoint* air_point = nullptr;
   WindPoint* wind_point = nullptr;
   BallisticBand* band = nullptr;
   MagnusPoint* magnus_point = nullptr;
@@ -163,9 +164,9 @@ class Defaults {
 
  private:
   std::int64_t format_ = 1;
-  std::tuple<Scenario, ScenarioShot, Expectation, EventSpec, WindPoint, BallisticBand, MagnusPoint, PoolDef, DetailRung,
-             Volley, ScenarioForce, Thrust::Point, Material, ScenarioShape, ScenarioThing, ScenarioKey, ScenarioEmitter,
-             Burst, Barrel, ScenarioSub, ScenarioJoint, ScenarioPart>
+  std::tuple<Scenario, ScenarioShot, Expectation, EventSpec, AirPoint, WindPoint, BallisticBand, MagnusPoint, PoolDef,
+             DetailRung, Volley, ScenarioForce, Thrust::Point, Material, ScenarioShape, ScenarioThing, ScenarioKey,
+             ScenarioEmitter, Burst, Barrel, ScenarioSub, ScenarioJoint, ScenarioPart>
       objects_;  // in the order of Scope
 };
 

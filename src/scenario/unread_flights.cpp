@@ -149,6 +149,7 @@ constexpr UnreadRule kEnvironmentRules[] = {
        return read_with(air.temperature || air.pressure || air.humidity,
                         "environment.atmosphere.temperature, pressure or humidity");
      }},
+    {"environment.atmosphere.profile", why_no_sound},
     {"environment.atmosphere.density",
      [](R r) {
        const auto is_constant = [](Rung f) { return is_in_air(f) && !computes_air(f); };

@@ -19,6 +19,14 @@ inline constexpr auto kGroundRows = std::tuple{
     PHYSIM_SETTING(gravity.radius, "distance of sea level from the Earth's centre", Quantity::length, above(0)),
 };
 
+inline constexpr auto kAirPointRows = std::tuple{
+    PHYSIM_SETTING(altitude, "above sea level", Quantity::length, between(kLowestAltitude, kHighestAltitude)),
+    PHYSIM_SETTING(temperature, "of the air there", Quantity::temperature, between(150, 350)),
+    PHYSIM_SETTING(pressure, "there; none: in equilibrium with the level below", Quantity::pressure,
+                   between(0.01, 120000)),
+    PHYSIM_SETTING(humidity, "relative humidity there; none: dry", kFraction),
+};
+
 inline constexpr auto kAirRows = std::tuple{
     PHYSIM_SETTING(atmosphere.model, "air that is there", kShorthand),
     PHYSIM_SETTING(atmosphere.temperature, "at the station; none: standard", Quantity::temperature, between(150, 350),
@@ -33,6 +41,9 @@ inline constexpr auto kAirRows = std::tuple{
                    Quantity::density, at_least(0), drawn_into(&Weather::density), kDrawnAboveZero),
     PHYSIM_SETTING(atmosphere.sound_speed, "at the origin, overrides all else for constant and exponential air",
                    Quantity::speed, above(0)),
+    PHYSIM_SETTING_LIST(atmosphere.profile, kAirPointRows,
+                        "levels of a sounding at rising altitudes, in the place of what a station measures",
+                        at_most(kMostLevels)),
 };
 
 inline constexpr auto kScaleHeightRows = std::tuple{

@@ -19,12 +19,12 @@ PHYSIM_INLINE bool only_air_has_corners(const Conditions<S>& c) {
   return !(drag_has_corners(c) || has_wind_pieces(c) || c.has_applied || c.has_rail || c.has_aero_tables);
 }
 
-/// Whether steps end at kinks that are expected. The layers of the air are not: a flight passes few.
+/// Whether steps end at kinks that are expected. The layers of the standard are not: a flight passes few.
 template <class S>
 PHYSIM_INLINE bool expects_kinks(const Conditions<S>& c) {
   const bool by_curve = drag_has_corners(c) && c.fidelity.interpolation == Interpolation::linear;
   return steps_itself(c.fidelity) && c.fidelity.motion != Motion::closed_form &&
-         (by_curve || c.has_aero_tables || (has_wind_pieces(c) && !c.wind.stepped));
+         (by_curve || c.has_aero_tables || c.has_air_profile || (has_wind_pieces(c) && !c.wind.stepped));
 }
 
 /// Places in the first layer of the air, surely: geopotential height is never above geometric height.
@@ -122,6 +122,7 @@ template <class R, class S>
 PHYSIM_INLINE MaskOf<R> bends(const Conditions<S>& c, const Regime<R>& a, const Regime<R>& b) {
   MaskOf<R> bend = (a.curve_cell != b.curve_cell) | (a.aero_cell != b.aero_cell);
   if (has_wind_pieces(c) && !c.wind.stepped) bend = bend | (a.wind_piece != b.wind_piece);
+  if (c.has_air_profile) bend = bend | (a.air_layer != b.air_layer);
   return bend;
 }
 /// Lanes in which the acceleration jumps between the regimes.

@@ -88,7 +88,8 @@ PHYSIM_NOINLINE Regime<R> regime(const Conditions<S>& c, const Body<R>& b, const
   if (has_layers(c)) {
     const R z = altitude(c, s.x);
     const S r0 = static_cast<S>(kGeopotentialRadius);
-    r.air_layer = borders_passed(c.air.layers - 1, r0 * z / (r0 + z), [&](int i) { return c.air.base[i + 1]; });
+    const S* bases = c.has_air_profile ? c.air_bases : c.air.base;
+    r.air_layer = borders_passed(c.air.layers - 1, r0 * z / (r0 + z), [&](int i) { return bases[i + 1]; });
   }
   if (has_wind_pieces(c))
     r.wind_piece = borders_passed(c.wind.points, c.wind.by_range ? s.x.x : height(c, s.x),
@@ -130,7 +131,7 @@ inline constexpr double kNoBand = 1e30;
 /// come back behind it, which the ends of the step do not show.
 template <class R>
 struct EdgeRates {
-  R place;  // in the wind profile [m/s]
+  R place;  // in a profile [m/s]
   R speed;  // through the air, of half its square [m^2/s^3]
 };
 template <class R, class S>
@@ -138,7 +139,8 @@ PHYSIM_INLINE EdgeRates<R> edge_rates(const Conditions<S>& c, const Body<R>& b, 
                                       const Vec3<R>& a) {
   EdgeRates<R> rates{R(S(0)), R(S(0))};
   if (!steps_itself(c.fidelity)) return rates;
-  if (has_wind_pieces(c)) rates.place = c.wind.by_range ? s.v.x : climb_rate(c, s);
+  if (has_wind_pieces(c) || c.has_air_profile)
+    rates.place = has_wind_pieces(c) && c.wind.by_range ? s.v.x : climb_rate(c, s);
   // A projectile without bands must not be cut elsewhere for those of others.
   if (c.has_bands)
     rates.speed = select(b.band_above[0] < constant<R>(kNoBand), dot(air_velocity(c, b, t, s), a), R(S(0)));

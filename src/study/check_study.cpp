@@ -89,6 +89,11 @@ Status check_path(const Study& study, std::size_t i) {
   if (path.row->weather == &Weather::density && has_own_density)
     return Error{"a density is drawn for constant and exponential air, and this is isa", place,
                  "draw temperature, pressure and humidity"};
+  const bool is_of_station = path.row->weather == &Weather::temperature || path.row->weather == &Weather::pressure ||
+                             path.row->weather == &Weather::humidity;
+  if (is_of_station && !study.environment.atmosphere.profile.empty())
+    return Error{input.path + " is that of a station, and the environment has air by levels", place,
+                 "leave the profile out, or draw something else"};
   for (std::size_t j = 0; j < i; ++j)
     if (study.inputs[j].path == input.path && !study.inputs[j].added && !input.added)
       return Error{input.path + " is drawn by " + numbered("inputs", j) + " already", place,

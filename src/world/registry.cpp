@@ -201,7 +201,9 @@ void Registry::prepare(WorldCohort& cohort) {
   const CohortKey& key = cohort.key;
   PHYSIM_ASSERT(key.environment < environments_.size());
   cohort.conditions = prepare_conditions(environments_[key.environment], key.fidelity, cohort.profiles);
+  const bool has_air_profile = cohort.conditions.has_air_profile;
   static_cast<Features&>(cohort.conditions) = key.features;
+  cohort.conditions.has_air_profile = has_air_profile;  // as rows on their way out have the new environment, too
   cohort.conditions.has_applied = cohort.conditions.has_applied || key.forced;
   // Rows on their way out, of an environment that has lost its functions.
   if (!cohort.conditions.wind_function) cohort.conditions.has_wind_function = false;

@@ -82,9 +82,9 @@ TEST(Members, of_recorded_structs_make_the_recording_format) {
   EXPECT_EQ(bytes_of(ProjectileDef{}), 354u);
   EXPECT_EQ(bytes_of(BodyDef{}), 239u);
   EXPECT_EQ(bytes_of(Launch{}), 164u);
-  EXPECT_EQ(bytes_of(WorldDef{}), 236u);
+  EXPECT_EQ(bytes_of(WorldDef{}), 240u);
   EXPECT_EQ(bytes_of(ForceDef{}), 53u);
-  EXPECT_EQ(bytes_of(Environment{.wind = {.profile = {{}}}}), 138u);
+  EXPECT_EQ(bytes_of(Environment{.wind = {.profile = {{}}}}), 142u);
 }
 
 }  // namespace base_members_test

@@ -252,6 +252,68 @@ TEST(CasesOfSettings, overruled_settings_are_told_behind_every_command) {
   }
 }
 
+/// JSON has what the warnings say.
+TEST(CasesOfSettings, notes_stand_in_json) {
+  const Folder folder;
+  const std::string file = folder.write("r.toml", kRifle);
+  for (const std::vector<std::string>& command :
+       {std::vector<std::string>{"run", file}, {"aim", file, "--range", "100 m"}}) {
+    std::vector<std::string> words = command;
+    words.insert(words.end(), {"--set", "shot.drag.form_factor=3"});
+    const json notes = json_of(words)["scenario"]["notes"];
+    ASSERT_EQ(notes.size(), 1u) << command[0];
+    EXPECT_TRUE(has(notes[0].get<std::string>(), "has no effect beside shot.drag.ballistic_coefficient"));
+  }
+  EXPECT_TRUE(json_of({"run", file})["scenario"]["notes"].empty());
+}
+
+// ----------------------------------------------------------------------------------------------------------- soundings
+constexpr const char* kSounding = R"(
+[environment.atmosphere]
+profile = [
+  { altitude = "100 m", temperature = "6 degC", pressure = "1008 hPa", humidity = "90 %" },
+  { altitude = "350 m", temperature = "11.4 degC", pressure = "978 hPa", humidity = "75 %" },
+  { altitude = "3000 m", temperature = "-2.8 degC", pressure = "704.9 hPa" },
+]
+)";
+
+/// Air by levels at every door: a run, a world, a study; mistakes in it with their places.
+TEST(CasesOfAir, levels_of_a_sounding_are_flown) {
+  const Folder folder;
+  const std::string file = folder.write("r.toml", kRifle + kSounding);
+  const auto speed = [&](const std::string& of, const std::vector<std::string>& more = {}) {
+    std::vector<std::string> words = {"run", of};
+    words.insert(words.end(), more.begin(), more.end());
+    const json out = json_of(words);
+    return out["shots"][0]["trajectory"]["vx [m/s]"].back().get<double>();
+  };
+  const double cold = speed(file), standard = speed(folder.write("s.toml", kRifle));
+  // Of one level below the sounding and the standard's lapse rate: the same air as a station's, dry.
+  const std::string level = "[environment.atmosphere]\nprofile = [{ altitude = 0, temperature = \"6 degC\" }]\n";
+  const std::string station = "[environment.atmosphere]\ntemperature = \"6 degC\"\n";
+  EXPECT_NEAR(speed(folder.write("l.toml", kRifle + level)), speed(folder.write("t.toml", kRifle + station)), 1e-3);
+  EXPECT_LT(cold, standard - 5) << "air that is colder is denser";
+  const Ran both = physim({"run", file, "--set", "environment.atmosphere.temperature=300"});
+  EXPECT_EQ(both.code, 2);
+  EXPECT_TRUE(has(both.err, "a station gives it, too")) << both.err;
+  const Ran study = physim({"study", file, "--vary", "environment.atmosphere.temperature = 280 +- 5"});
+  EXPECT_EQ(study.code, 2);
+  EXPECT_TRUE(has(study.err, "the environment has air by levels")) << study.err;
+  EXPECT_EQ(physim({"study", file, "--vary", "shot.speed = +- 1", "--shots", "4096"}).code, 0);
+  const std::string text = kRifle + kSounding;
+  const std::string world =
+      folder.write("w.toml", text.substr(0, text.find("[until]")) + kSounding + "[world]\nduration = 0.5\n");
+  EXPECT_EQ(physim({"run", world}).code, 0);
+  std::string mistaken = text;
+  mistaken.replace(mistaken.find("\"3000 m\""), 8, "\"300 m\"");
+  const Ran wrong = physim({"run", folder.write("m.toml", mistaken)});
+  EXPECT_EQ(wrong.code, 2);
+  EXPECT_TRUE(has(wrong.err, "environment.atmosphere.profile: 300 m after 350 m")) << wrong.err;
+  // Simpler air leaves all but the origin's out.
+  const Ran vacuum = physim({"run", file, "--set", "shot.fidelity.air=vacuum"});
+  EXPECT_TRUE(has(vacuum.err, "environment.atmosphere.profile")) << vacuum.err;
+}
+
 // --------------------------------------------------------------------------------------------------------------- units
 const std::string kUnits = "physim = 1\n" + test::creedmoor() + R"(range = "800 yd"
 [study]

@@ -245,7 +245,7 @@ TEST(Aim, bad_input_is_refused_with_its_place) {
   ASSERT_FALSE(refused);
   EXPECT_EQ(refused.error().place, "projectile.mass");
   Environment stormy;
-  stormy.wind.profile.resize(257);
+  stormy.wind.profile.resize(100001);
   EXPECT_EQ(aim({}, good, stormy, {}, there).error().place, "environment.wind.profile");
   EXPECT_EQ(aim({}, good, {}, {}, there, {.flight = {.max_steps = 0}}).error().place, "tolerance.max_steps");
   Environment deep;

@@ -42,7 +42,7 @@ class Cohorts {
     for (int lane = 0; lane < kLanes<R>; ++lane) {
       Body<double> body = prepared_.body;
       body.air = prepared_.conditions().air.common;
-      body.air.low_density[0] *= r.in(0.9, 1.1), body.air.base_density[0] *= r.in(0.9, 1.1);
+      body.air.low_density[0] *= r.in(0.9, 1.1), body.air.layer[0].base_density *= r.in(0.9, 1.1);
       body.wind = r.vector(10);
       put_lane(body, flyer.body, lane);
       const State<double> at{{r.in(-50, 5000), r.in(-1000, r.one_in(8) ? top : 9000), r.in(-300, 300)},

@@ -173,6 +173,8 @@ class Odd : public Random {
     e.gravity = {any<GravityModel>(), number(1, 20), number(6e6, 7e6)};
     e.atmosphere = {any<AirModel>(), maybe(250, 310), maybe(60000, 104000), maybe(0, 1),
                     maybe(0, 3000),  maybe(0.5, 2),   maybe(280, 360),      number(6000, 9000)};
+    for (int i = 0, n = one_in(4) ? below(30) : 0; i < n; ++i)
+      e.atmosphere.profile.push_back({number(300 * i, 300 * i + 280), number(200, 310), {}, maybe(0, 1)});
     e.wind = {vector3(10), {}, any<WindAxis>(), any<WindInterpolation>()};
     for (int i = 0, n = one_in(20) ? 40 : below(4); i < n; ++i)
       e.wind.profile.push_back({number(10 * i, 10 * i + 5), vector3(10)});

@@ -20,6 +20,10 @@ inline const std::vector<std::pair<std::string_view, std::vector<std::string>>>&
       {"environment.gravity.acceleration", {"8.5", "3.7"}},
       {"environment.gravity.radius", {"6000000", "500000"}},
       {"environment.earth.rotation_rate", {"0.0002", "0.001"}},
+      {"atmosphere.profile",
+       {"[{ altitude = 0, temperature = 270 }, { altitude = 2000, temperature = 275, humidity = 0.5 }]",
+        "[{ altitude = 0, temperature = 300, pressure = 99000 }, { altitude = 50, temperature = 290, pressure = 98000 "
+        "}]"}},
       {"wind.profile", {"[{ at = 0, velocity = [1, 0, 2] }, { at = 30, velocity = [6, 1, 3] }]"}},
       {"shot.mass", {"0.013", "0.3", "2"}},
       {"shot.diameter", {"0.009", "0.05", "0.2"}},

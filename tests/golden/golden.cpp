@@ -22,8 +22,8 @@ namespace {
 /// What this version of the library must print. A change of the physics or the numerics changes it: say so in the
 /// commit.
 using Sums = std::array<std::uint64_t, 5>;
-constexpr Sums kExpectedSums = {0x48054004a8dfcc8f, 0xe507a53c31a92321, 0x4e00955f69f0347b, 0x29892e23a4441b1e,
-                                0x004148ca50830a7a};
+constexpr Sums kExpectedSums = {0xe5afe667fee44f5e, 0x0383afbee5a79274, 0x4e00955f69f0347b, 0xda0f70d1461d869a,
+                                0xa4494c9266bcc7dd};
 
 void print(std::FILE* file, const Sums& sums) {
   for (std::size_t i = 0; i < sums.size(); ++i)

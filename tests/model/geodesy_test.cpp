@@ -148,7 +148,7 @@ TEST(Heights, the_origin_has_height_zero_to_the_bit) {
     const Conditions<double> c = over_ellipsoid(e);
     EXPECT_EQ(height(c, Vec3d{}), 0);
     EXPECT_EQ(altitude(c, Vec3d{}), e.altitude);
-    EXPECT_EQ(height(to_float(c), Vec3f{}), 0);
+    EXPECT_EQ(height(to_float(c, {}), Vec3f{}), 0);
     EXPECT_NEAR(vertical_at(c, Vec3d{}).y, 1, 1e-15);
   }
 }
@@ -161,7 +161,7 @@ TEST(Heights, floats_keep_their_digits_too) {
       const Vec3f x = vec_cast<float>(r.vector(size));
       const Conditions<double> c = over_ellipsoid(e);
       if (altitude(c, vec_cast<double>(x)) < -6000) continue;
-      EXPECT_NEAR(height(to_float(c), x), height(c, vec_cast<double>(x)), 4e-7 * size);
+      EXPECT_NEAR(height(to_float(c, {}), x), height(c, vec_cast<double>(x)), 4e-7 * size);
     }
 }
 

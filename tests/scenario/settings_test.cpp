@@ -106,11 +106,16 @@ std::string law_of(const std::string& path) {
   return law + " = { " + required + " }\n";
 }
 
+/// Levels stand in the place of a station.
+std::string air_for(const std::string& path) {
+  return path.starts_with("environment.atmosphere.profile.") ? "[environment.atmosphere]\nprofile = [{}]\n" : "";
+}
+
 Result<Scenario> with_override(const std::string& path, const std::string& value) {
   const std::vector<std::string> overrides = {path + "=" + value};
   return parse_scenario(is_of_worlds(path)
                             ? kOneOfEachInAWorld + emitter_for(path) + joint_for(path) + scene_for(path) + law_of(path)
-                            : kOneOfEach,
+                            : kOneOfEach + air_for(path),
                         "f.toml", overrides);
 }
 
@@ -140,7 +145,7 @@ TEST(Settings, HaveTheDefaultsOfTheLibrary) {
   EXPECT_EQ(by_path.at("environment.gravity.radius").default_value, "6356766 m");
   EXPECT_EQ(by_path.at("environment.atmosphere.humidity").range, "0 .. 1");
   EXPECT_EQ(by_path.at("environment.wind.velocity").default_value, R"(["0 m/s", "0 m/s", "0 m/s"])");
-  EXPECT_EQ(by_path.at("environment.wind.profile").range, "0 .. 256");
+  EXPECT_EQ(by_path.at("environment.wind.profile").range, "0 .. 100000");
   EXPECT_EQ(by_path.at("until.ground").default_value, "0 m");
   EXPECT_EQ(by_path.at("until.events.value").unit, "of the kind");
   EXPECT_EQ(by_path.at("shot.fidelity.preset").default_value, "");
