@@ -65,9 +65,9 @@ class Reference {
   double fastest_ = 0;         // [m/s]
 };
 
-Result<Reference> fly_reference(const ProjectileDef& projectile, const Launch& launch, const Environment& environment,
-                                const Fidelity& fidelity, const Tolerance& tolerance, const Until& until,
-                                double error_allowed) {
+[[gnu::cold]] Result<Reference> fly_reference(const ProjectileDef& projectile, const Launch& launch,
+                                              const Environment& environment, const Fidelity& fidelity,
+                                              const Tolerance& tolerance, const Until& until, double error_allowed) {
   Fidelity exact = fidelity;
   exact.integrator = Integrator::dop853;
   exact.precision = Precision::float64;
@@ -92,9 +92,10 @@ Until up_to_contact(Until until) {
 
 }  // namespace
 
-Result<PilotStep> step_within(const ProjectileDef& projectile, const Launch& launch, const Environment& environment,
-                              const Fidelity& fidelity, const Tolerance& tolerance, const Until& asked,
-                              double error_allowed, double longest) {
+[[gnu::cold]] Result<PilotStep> step_within(const ProjectileDef& projectile, const Launch& launch,
+                                            const Environment& environment, const Fidelity& fidelity,
+                                            const Tolerance& tolerance, const Until& asked, double error_allowed,
+                                            double longest) {
   PHYSIM_ASSERT(error_allowed > 0 && longest > 0);
   Until until = up_to_contact(asked);
   const auto fly_exact = [&] {

@@ -31,7 +31,7 @@ double sound_temperature(const AirLevel& level) {
 }
 
 /// Sets what follows from temperature, pressure and humidity; returns k.
-double finish(AirLevel& level) {
+[[gnu::cold]] double finish(AirLevel& level) {
   using A = StandardAir;
   const Humid h = humid(level.temperature, level.pressure, level.humidity);
   level.density = h.density_factor * level.pressure * A::kMolarMass / (A::kGasConstant * level.temperature);
@@ -40,19 +40,19 @@ double finish(AirLevel& level) {
 }
 
 /// k of a level that is finished.
-double hydrostatic_of(const AirLevel& level) {
+[[gnu::cold]] double hydrostatic_of(const AirLevel& level) {
   AirLevel same = level;
   return finish(same);
 }
 
 /// The integral of dH / T_s from one level to another [m/K].
-double thickness(const AirLevel& from, const AirLevel& to) {
+[[gnu::cold]] double thickness(const AirLevel& from, const AirLevel& to) {
   const double t0 = sound_temperature(from), t1 = sound_temperature(to), rise = to.height - from.height;
   return std::abs(t1 / t0 - 1) < kIsothermal ? rise / t0 : rise / (t1 - t0) * log(t1 / t0);
 }
 
 /// Gives a level the pressure that follows from another one, which is finished, above or below.
-void balance(const AirLevel& from, AirLevel& level) {
+[[gnu::cold]] void balance(const AirLevel& from, AirLevel& level) {
   double k = hydrostatic_of(from);
   level.pressure = from.pressure;
   for (int i = 0; i < 3; ++i) {  // f depends on the pressure a little
@@ -64,7 +64,7 @@ void balance(const AirLevel& from, AirLevel& level) {
 }
 
 /// As a level is given: kUnknown where it has no pressure.
-AirLevel level_of(const AirPoint& point) {
+[[gnu::cold]] AirLevel level_of(const AirPoint& point) {
   return {geopotential(point.altitude),
           point.temperature,
           point.pressure.value_or(kUnknown),
@@ -74,13 +74,13 @@ AirLevel level_of(const AirPoint& point) {
 }
 
 /// What the standard has at other heights, moved to meet a level.
-AirLevel beyond(const AirLevel& level, double height) {
+[[gnu::cold]] AirLevel beyond(const AirLevel& level, double height) {
   const double shift = level.temperature - standard_air(level.height).temperature;
   return {height, standard_air(height).temperature + shift, kUnknown, 0, 0, 0};
 }
 
 /// Puts levels between those whose temperatures differ much.
-std::vector<AirLevel> refined(const std::vector<AirLevel>& given) {
+[[gnu::cold]] std::vector<AirLevel> refined(const std::vector<AirLevel>& given) {
   std::vector<AirLevel> levels{given.front()};
   for (std::size_t i = 1; i < given.size(); ++i) {
     const AirLevel &low = given[i - 1], &high = given[i];
@@ -98,7 +98,7 @@ std::vector<AirLevel> refined(const std::vector<AirLevel>& given) {
 
 }  // namespace
 
-std::vector<AirLevel> air_levels(const Atmosphere& atmosphere) {
+[[gnu::cold]] std::vector<AirLevel> air_levels(const Atmosphere& atmosphere) {
   PHYSIM_ASSERT(!atmosphere.profile.empty());
   std::vector<AirLevel> given;
   for (const AirPoint& point : atmosphere.profile) given.push_back(level_of(point));
@@ -118,7 +118,7 @@ std::vector<AirLevel> air_levels(const Atmosphere& atmosphere) {
   return levels;
 }
 
-std::vector<AirLayer<double>> air_layers(const std::vector<AirLevel>& levels) {
+[[gnu::cold]] std::vector<AirLayer<double>> air_layers(const std::vector<AirLevel>& levels) {
   std::vector<AirLayer<double>> layers;
   for (std::size_t i = 0; i < levels.size(); ++i) {
     const AirLevel& low = levels[i];
@@ -140,7 +140,7 @@ std::vector<AirLayer<double>> air_layers(const std::vector<AirLevel>& levels) {
   return layers;
 }
 
-AirLevel air_between(const std::vector<AirLevel>& levels, double height) {
+[[gnu::cold]] AirLevel air_between(const std::vector<AirLevel>& levels, double height) {
   const std::vector<AirLayer<double>> layers = air_layers(levels);
   std::size_t i = 0;
   while (i + 1 < levels.size() && height >= levels[i + 1].height) ++i;

@@ -21,6 +21,9 @@ namespace {
 
 constexpr double kRightAngleUp = 1.5707963267948968;  // the next number above a right angle [rad]
 
+// What few projectiles and environments have is checked by [[gnu::cold]] functions: they are small, and programs hold
+// them all.
+
 // Numbers further out mean nothing here, and what is computed from them is no number any more.
 constexpr double kSmallest = 1e-9;        // distance between points of a table [s, m, or Mach number]
 constexpr double kLeastLayer = 0.01;      // between levels of the air [m]
@@ -63,7 +66,7 @@ void check_curve(Checker& c, const std::vector<DragPoint>& curve, Checker::Text 
   }
 }
 
-void check_bands(Checker& c, const std::vector<BallisticBand>& bands) {
+[[gnu::cold]] void check_bands(Checker& c, const std::vector<BallisticBand>& bands) {
   c.require(bands.size() <= std::size_t(kMaxBands), "projectile.drag.bands", "has too many bands", "at most 8");
   for (std::size_t i = 0; i < bands.size(); ++i) {
     const InputPlace place("projectile.drag.bands", i);
@@ -72,7 +75,7 @@ void check_bands(Checker& c, const std::vector<BallisticBand>& bands) {
 }
 
 /// A coefficient's points; `angles`: several of them may have the same Mach number.
-void check_coefficient(Checker& c, const AeroCoefficient& points, const char* name, bool angles) {
+[[gnu::cold]] void check_coefficient(Checker& c, const AeroCoefficient& points, const char* name, bool angles) {
   const std::string list = std::string("projectile.aero.") + name;
   for (std::size_t i = 0; i < points.size(); ++i) {
     const InputPlace place(list, i);
@@ -90,7 +93,7 @@ void check_coefficient(Checker& c, const AeroCoefficient& points, const char* na
   }
 }
 
-void check_aero(Checker& c, const AeroDef& a) {
+[[gnu::cold]] void check_aero(Checker& c, const AeroDef& a) {
   c.named(a.rate_norm, RateNorm::twice_speed, "projectile.aero.rate_norm");
   c.named(a.damping_frame, DampingFrame::inertial, "projectile.aero.damping_frame");
   c.not_negative(a.area, "projectile.aero.area", "0: from the diameter");
@@ -119,8 +122,8 @@ void check_aero(Checker& c, const AeroDef& a) {
 /// Points with a time and a value that is not negative; times rising from 0. Where a table may have steps, two points
 /// at one time are one.
 template <class Point>
-void check_table(Checker& c, const std::vector<Point>& table, double Point::*value, const std::string& name,
-                 bool may_step) {
+[[gnu::cold]] void check_table(Checker& c, const std::vector<Point>& table, double Point::*value,
+                               const std::string& name, bool may_step) {
   constexpr std::size_t kMost = 1000;
   c.require(table.size() >= 2 && table.size() <= kMost, name, "has too few or too many points", "2 to 1000");
   for (std::size_t i = 0; i < table.size() && i < kMost; ++i) {
@@ -139,7 +142,7 @@ void check_table(Checker& c, const std::vector<Point>& table, double Point::*val
   }
 }
 
-void check_motor(Checker& c, const ProjectileDef& p) {
+[[gnu::cold]] void check_motor(Checker& c, const ProjectileDef& p) {
   const MotorDef& m = p.motor;
   check_table(c, m.thrust, &ThrustPoint::force, "projectile.motor.thrust", true);
   c.not_negative(m.propellant_mass, "projectile.motor.propellant_mass", "in kg");
@@ -172,7 +175,7 @@ void check_motor(Checker& c, const ProjectileDef& p) {
             "give drag_factor instead");
 }
 
-void check_magnus(Checker& c, const MagnusDef& m) {
+[[gnu::cold]] void check_magnus(Checker& c, const MagnusDef& m) {
   c.named(m.measure, SpinMeasure::parameter, "projectile.magnus.measure");
   c.is_number(m.lift, "projectile.magnus.lift").positive(m.lift_base, "projectile.magnus.lift_base", "");
   c.not_negative(m.lift_saturation, "projectile.magnus.lift_saturation", "");
@@ -285,7 +288,7 @@ Status check(const Launch& l) {
 namespace {
 
 /// The levels of a sounding, which rise, and whose pressures fall.
-void check_levels(const Atmosphere& a, Checker& c) {
+[[gnu::cold]] void check_levels(const Atmosphere& a, Checker& c) {
   const std::string_view place = "environment.atmosphere.profile";
   PHYSIM_ASSERT(!a.profile.empty());
   c.require(a.profile.size() <= std::size_t(kMostLevels), place, "has too many levels", "at most 100000");

@@ -41,13 +41,17 @@ class Granting {
   void set(const char* effect, Enum& field, Enum granted, const char* reason) {
     if (field == granted) return;
     PHYSIM_ASSERT(level(granted) < level(field));
-    notes_.push_back({effect, std::string(name(field)), std::string(name(granted)), reason});
+    note(effect, name(field), name(granted), reason);
     field = granted;
   }
 
   template <class Enum>
   void remark(const char* effect, Enum value, const char* reason) {
-    notes_.push_back({effect, std::string(name(value)), std::string(name(value)), reason});
+    note(effect, name(value), name(value), reason);
+  }
+
+  [[gnu::cold]] void note(const char* effect, std::string_view asked, std::string_view granted, const char* reason) {
+    notes_.push_back({effect, std::string(asked), std::string(granted), reason});
   }
 
   void by_environment() {
@@ -95,7 +99,7 @@ class Granting {
     if (classic && f_.drag == DragModel::damping)
       set("wind", f_.wind, WindModel::off, "the original's damping is against still air");
     if (f_.original_one_shot_forces && !classic) {
-      notes_.push_back({"original_one_shot_forces", "true", "false", "only the original loop has one-shot forces"});
+      note("original_one_shot_forces", "true", "false", "only the original loop has one-shot forces");
       f_.original_one_shot_forces = false;
     }
   }
@@ -140,7 +144,7 @@ class Granting {
     f_.rotation = RotationModel::none;  // there is nothing to choose from: no note
   }
   void choose(RotationModel chosen, const char* reason) {
-    notes_.push_back({"rotation", std::string(name(f_.rotation)), std::string(name(chosen)), reason});
+    note("rotation", name(f_.rotation), name(chosen), reason);
     f_.rotation = chosen;
   }
   static bool has_coefficients(const AeroDef& a) { return !a.lift.empty() || !a.pitching.empty(); }

@@ -13,7 +13,7 @@ void narrow(const std::vector<Wide>& wide, std::vector<Narrow>& rows) {
 
 }  // namespace
 
-void ProfileTables::put_wind(std::span<const WindPoint> points) {
+[[gnu::cold]] void ProfileTables::put_wind(std::span<const WindPoint> points) {
   auto& wind = in_double_.wind;
   wind.clear();
   for (const WindPoint& p : points) {
@@ -28,7 +28,7 @@ void ProfileTables::put_wind(std::span<const WindPoint> points) {
   narrow(wind, in_float_.wind);
 }
 
-void ProfileTables::put_air(const std::vector<AirLevel>& levels) {
+[[gnu::cold]] void ProfileTables::put_air(const std::vector<AirLevel>& levels) {
   in_double_.air = air_layers(levels);
   in_double_.bases.clear();
   for (const AirLevel& level : levels) in_double_.bases.push_back(level.height);
