@@ -191,9 +191,9 @@ class SettledRow final : public ContactHost {
   }
 
   // ------------------------------------------------------------------------------------------- where it is put
-  /// It is there now. Of the way there, along the ground or a thing, others see that it was straight.
+  /// It is there now.
   void put(const State<double>& s, double passed) {
-    trace_way_to(passed, s.x);
+    trace_way_to(passed, s);
     now() = {vec_cast<S>(s.x), vec_cast<S>(s.v)};
     relaunch(passed);
     trace(passed, here());
@@ -201,7 +201,7 @@ class SettledRow final : public ContactHost {
   /// Nothing more happens to it in this step.
   void put_at_last(const State<double>& s, double passed) {
     put(s, passed);
-    trace_way_to(length_, s.x);
+    trace_way_to(length_, s);
     trace(length_, here());
   }
   /// To the end of the step that was taken together with others; what is missing is the slope there.
@@ -376,10 +376,16 @@ class SettledRow final : public ContactHost {
     t_end_ = static_cast<S>(context_.dt - passed);
     relaunched_ = true;
   }
-  void trace_way_to(double passed, const Vec3d& x) {
+  /// Of the way along the ground or a thing others see that it was steady, unless it was a parabola, which the
+  /// velocities at its ends say: what others meet on it has its velocity of then, not that of its way.
+  void trace_way_to(double passed, const State<double>& end) {
     if (!is_traced_ || chunk_.traces.empty() || !(passed > chunk_.traces.back().passed)) return;
     const Trace last = chunk_.traces.back();
-    trace(last.passed, {last.state.x, (x - last.state.x) * (1 / (passed - last.passed))});
+    const double h = passed - last.passed;
+    const Vec3d way = end.x - last.state.x, steady = (last.state.v + end.v) * (0.5 * h);
+    constexpr double kSteady = 1e-3;  // of the way
+    if (length(steady - way) <= kSteady * length(way)) return;
+    trace(last.passed, {last.state.x, way * (1 / h)});
   }
   void fly_unseen(double from, double to) {
     march.lanes.step.t = t_start_ + static_cast<S>(from);
