@@ -66,9 +66,9 @@ class Scene;
 struct Tolerance {
   std::optional<double> relative{};    ///< adaptive integrators: error per step, relative to |position| and |velocity|;
                                        ///< none: Fidelity::tolerance [-]
-  double absolute = 1e-9;              ///< adaptive integrators: error per step where these are near zero: the whole is
-                                       ///< sqrt(absolute^2 + (relative |y|)^2); 1e-9 without relative: no more than
-                                       ///< Fidelity::tolerance [m, m/s]
+  std::optional<double> absolute{};    ///< adaptive integrators: error per step where these are near zero: the whole is
+                                       ///< sqrt(absolute^2 + (relative |y|)^2); none: 1e-9, or Fidelity::tolerance if
+                                       ///< that is less and relative is none [m, m/s]
   double step = 0;                     ///< fixed-step integrators; 0: heun and rk4 by pilot flights, others 1/60 s or
                                        ///< the step that strong drag allows [s]
   double position_error = 1e-3;        ///< kept by pilot flights along the whole flight [m]

@@ -345,7 +345,8 @@ Status check(const Tolerance& t, const Fidelity& f) {
   check_fidelity(c, f);
   if (!c.status_so_far()) return c.status();
   // An adaptive integrator cannot reach an error below a few roundings: it would only shrink its step for ever.
-  c.not_negative(t.relative.value_or(0), "tolerance.relative", "").not_negative(t.absolute, "tolerance.absolute", "");
+  c.not_negative(t.relative.value_or(0), "tolerance.relative", "")
+      .not_negative(t.absolute.value_or(0), "tolerance.absolute", "");
   const bool adaptive =
       f.motion != Motion::closed_form && (f.integrator == Integrator::automatic || is_adaptive(f.integrator));
   const double least = 4 * row(f.precision).rounding;

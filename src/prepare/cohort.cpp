@@ -15,8 +15,7 @@ StepPlan<S> prepare_plan(const Tolerance& tolerance, const Fidelity& granted, do
   const double least = sizeof(S) == 4 ? 2e-6 : 1e-15;  // some roundings
   const double own = granted.tolerance > 0 ? std::max(granted.tolerance, least) : sizeof(S) == 4 ? 2e-6 : 1e-9;
   const double relative = tolerance.relative.value_or(own);
-  const bool follows = !tolerance.relative && tolerance.absolute == Tolerance{}.absolute;  // nobody gave either
-  const double absolute = follows ? std::min(tolerance.absolute, own) : tolerance.absolute;
+  const double absolute = tolerance.absolute.value_or(tolerance.relative ? 1e-9 : std::min(1e-9, own));
   return {static_cast<S>(relative), static_cast<S>(absolute), static_cast<S>(adaptive ? 0 : step),
           static_cast<S>(std::min(tolerance.max_step, 1e30)),
           static_cast<S>(std::min(static_cast<double>(tolerance.max_steps), most))};

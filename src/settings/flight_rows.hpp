@@ -35,7 +35,7 @@ inline constexpr auto kToleranceRows = std::tuple{
                    at_least(0)),
     PHYSIM_SETTING(absolute,
                    "adaptive integrators: error per step where these are near zero, in m and m/s; both add as squares; "
-                   "1e-9 without tolerance.relative: no more than the fidelity's tolerance",
+                   "none: 1e-9, or the tolerance of the fidelity if that is less and tolerance.relative is none",
                    at_least(0)),
     PHYSIM_SETTING(step,
                    "of fixed-step integrators; 0: heun and rk4 find it by pilot flights, the others take 1/60 s or "
