@@ -8,6 +8,7 @@
 #include "scenario/document.hpp"
 #include "scenario/published_materials.hpp"
 #include "scenario/schema.hpp"
+#include "scenario/text_places.hpp"
 #include "scenario/writer.hpp"
 
 namespace physim {
@@ -19,21 +20,8 @@ struct Change {
   std::string value;  // as in a file
 };
 
-/// Where the one character after something stands, as TOML counts: lines, and characters of UTF-8 in them.
-std::size_t offset_of(std::string_view text, const Value::Position& position) {
-  std::size_t at = 0;
-  for (std::uint32_t line = 1; line < position.line; ++line) at = std::min(text.find('\n', at), text.size() - 1) + 1;
-  const auto is_inside = [&](std::size_t i) { return i < text.size() && (text[i] & 0xC0) == 0x80; };
-  for (std::uint32_t column = 1; column < position.column && at < text.size(); ++column) do
-      ++at;
-    while (is_inside(at));
-  return at;
-}
-
-std::size_t begin_of(std::string_view text, const Value& value) {
-  return offset_of(text, {value.place.line, value.place.column});
-}
-std::size_t end_of(std::string_view text, const Value& value) { return offset_of(text, value.end); }
+std::size_t begin_of(std::string_view text, const Value& value) { return TextPlaces(text).begin_of(value); }
+std::size_t end_of(std::string_view text, const Value& value) { return TextPlaces(text).end_of(value); }
 
 /// [table] and [[table]] stand in lines of their own; other values beside their keys.
 bool has_header(std::string_view text, const Value& value) {
@@ -43,10 +31,7 @@ bool has_header(std::string_view text, const Value& value) {
   return value.get<Table>() != nullptr && at < text.size() && text[at] == '[';
 }
 
-bool is_inline(std::string_view text, const Value& table) {
-  const std::size_t at = begin_of(text, table);
-  return at < text.size() && text[at] == '{';
-}
+bool is_inline(std::string_view text, const Value& table) { return TextPlaces(text).is_inline(table); }
 
 void insert_line(std::string& text, std::size_t after, const std::string& line) {
   const std::size_t end = std::min(text.find('\n', after), text.size());
@@ -122,10 +107,7 @@ std::optional<std::vector<Change>> changes(const Scenario& before, const Scenari
 }
 
 /// What a table's text says beside a key.
-std::string said_by(std::string_view text, const Value& value) {
-  const std::size_t begin = begin_of(text, value);
-  return std::string(text.substr(begin, end_of(text, value) - begin));
-}
+std::string said_by(std::string_view text, const Value& value) { return std::string(TextPlaces(text).said_of(value)); }
 
 /// A table and the text that it was read from.
 struct TableText {
