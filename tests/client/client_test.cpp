@@ -224,7 +224,7 @@ TEST(SettingRows, ShowNumbersThatFitIntoTheirField) {
   for (const SettingRow& row : setting_rows("shot")) {
     const auto text = row_text(row, client.session.scenario(), client.launcher.shot());
     if (row.path == "shot.elevation") {
-      EXPECT_EQ(text, "0.6108652 rad");
+      EXPECT_EQ(text, "35 deg");
     }
     if (row.path == "shot.position") {
       EXPECT_EQ(text, "0.3048 m, 2 m, 1e-12 m");
