@@ -246,6 +246,22 @@ TEST(SettingRows, UnderstandUnitsAndRefuseNonsense) {
   EXPECT_EQ(client.session.scenario().environment.wind.velocity.z, 5);
 }
 
+TEST(SettingRows, NameThemselvesOnceInErrors) {
+  Client client = client_of();
+  std::size_t refused = 0;
+  for (const char* table : {"shot", "environment"})
+    for (const SettingRow& row : setting_rows(table)) {
+      const Status status = client.set(row, "-1 parsec");
+      if (status || row.path == "shot.motor.file") continue;  // names, of shots and of files
+      ++refused;
+      std::string text = status.error().text();
+      text.resize(std::min(text.find("; "), text.size()));  // hints to lists name them again
+      EXPECT_TRUE(text.starts_with(row.path + ": error: ")) << text;
+      EXPECT_EQ(text.find(row.path, row.path.size()), text.npos) << text;
+    }
+  EXPECT_GT(refused, 50U);
+}
+
 // ---------------------------------------------------------------------------------------------------------------- save
 TEST(Save, WritesAScenarioThatFiresTheSameShot) {
   const testing_cli::Folder folder;

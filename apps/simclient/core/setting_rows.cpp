@@ -90,6 +90,13 @@ void collect(const SchemaNode& node, const std::string& table, std::vector<Setti
   }
 }
 
+/// The error of a file begins with the setting, which is its place here.
+Error told_once(Error error) {
+  const std::string again = error.place + ": ";
+  if (error.message.starts_with(again)) error.message.erase(0, again.size());
+  return error;
+}
+
 std::string with_brackets(std::string_view text) {
   if (text.find('[') != text.npos || text.find(',') == text.npos) return std::string(text);
   std::string out = "[";
@@ -173,7 +180,7 @@ Status set_value(const SettingRow& row, const std::string& text, Scenario& scena
   const std::string typed = row.kind == SettingRow::Kind::vector ? with_brackets(text) : text;
   const Value value = parse_override_value(typed, Place{std::make_shared<const std::string>(row.path), 0, 0});
   const Scope scope{.scenario = &changed_scenario, .shot = &changed};
-  if (Status status = read_setting(*row.node, scope, value); !status) return status;
+  if (Status status = read_setting(*row.node, scope, value); !status) return told_once(status.error());
   shot = std::move(changed);
   scenario = std::move(changed_scenario);
   return {};
