@@ -8,6 +8,7 @@
 #include "scenario/document.hpp"
 #include "scenario/published_materials.hpp"
 #include "scenario/schema.hpp"
+#include "scenario/text_places.hpp"
 #include "scenario/writer.hpp"
 
 namespace physim {
@@ -19,21 +20,8 @@ struct Change {
   std::string value;  // as in a file
 };
 
-/// Where the one character after something stands, as TOML counts: lines, and characters of UTF-8 in them.
-std::size_t offset_of(std::string_view text, const Value::Position& position) {
-  std::size_t at = 0;
-  for (std::uint32_t line = 1; line < position.line; ++line) at = std::min(text.find('\n', at), text.size() - 1) + 1;
-  const auto is_inside = [&](std::size_t i) { return i < text.size() && (text[i] & 0xC0) == 0x80; };
-  for (std::uint32_t column = 1; column < position.column && at < text.size(); ++column) do
-      ++at;
-    while (is_inside(at));
-  return at;
-}
-
-std::size_t begin_of(std::string_view text, const Value& value) {
-  return offset_of(text, {value.place.line, value.place.column});
-}
-std::size_t end_of(std::string_view text, const Value& value) { return offset_of(text, value.end); }
+std::size_t begin_of(std::string_view text, const Value& value) { return TextPlaces(text).begin_of(value); }
+std::size_t end_of(std::string_view text, const Value& value) { return TextPlaces(text).end_of(value); }
 
 /// [table] and [[table]] stand in lines of their own; other values beside their keys.
 bool has_header(std::string_view text, const Value& value) {
@@ -43,10 +31,7 @@ bool has_header(std::string_view text, const Value& value) {
   return value.get<Table>() != nullptr && at < text.size() && text[at] == '[';
 }
 
-bool is_inline(std::string_view text, const Value& table) {
-  const std::size_t at = begin_of(text, table);
-  return at < text.size() && text[at] == '{';
-}
+bool is_inline(std::string_view text, const Value& table) { return TextPlaces(text).is_inline(table); }
 
 void insert_line(std::string& text, std::size_t after, const std::string& line) {
   const std::size_t end = std::min(text.find('\n', after), text.size());
@@ -69,9 +54,16 @@ bool add_key(std::string& text, const Value& table, bool is_root, const std::str
   return insert_line(text, after, line), true;
 }
 
+/// The node of a path below a table's node.
+const SchemaNode* setting_below(const SchemaNode& table, std::string_view path) {
+  const SchemaNode* node = find_node(table.path.empty() ? std::string(path) : table.path + "." + std::string(path));
+  PHYSIM_ASSERT(node != nullptr);  // the path is one of a setting
+  return node;
+}
+
 /// Walks from a table to the setting, and puts its value there.
-bool put(std::string& text, const Value& table, const SchemaNode& node, std::string_view rest,
-         const std::string& value) {
+bool put(std::string& text, const Value& table, const SchemaNode& node, std::string_view rest, const std::string& value,
+         const TypedNumbers& typed) {
   const std::size_t dot = rest.find('.');
   const std::string key(rest.substr(0, dot));
   const SchemaNode* child = node.find(key);
@@ -79,38 +71,63 @@ bool put(std::string& text, const Value& table, const SchemaNode& node, std::str
   const Value* found = table.find(key);
   const bool is_root = node.path.empty();
   if (found == nullptr) {
-    if (!is_root || dot == rest.npos) return add_key(text, table, is_root, std::string(rest), value);
-    text += "\n[" + key + "]\n" + std::string(rest.substr(dot + 1)) + " = " + value + "\n";
+    const std::string said = as_typed(value, *setting_below(node, rest), typed);
+    if (!is_root || dot == rest.npos) return add_key(text, table, is_root, std::string(rest), said);
+    text += "\n[" + key + "]\n" + std::string(rest.substr(dot + 1)) + " = " + said + "\n";
     return true;
   }
   const std::size_t begin = begin_of(text, *found), length = end_of(text, *found) - begin;
-  if (dot == rest.npos) return !has_header(text, *found) && (text.replace(begin, length, value), true);
+  if (dot == rest.npos) {
+    if (has_header(text, *found)) return false;
+    return text.replace(begin, length, in_manner_of(*found, text, value, *child, typed)), true;
+  }
   rest.remove_prefix(dot + 1);
-  if (found->get<Table>() != nullptr) return put(text, *found, *child, rest, value);
+  if (found->get<Table>() != nullptr) return put(text, *found, *child, rest, value, typed);
   const std::string bare = text.substr(begin, length);  // stands for the table
+  const SchemaNode& setting = *setting_below(*child, rest);
   text.replace(begin, length,
-               rest == child->shorthand
-                   ? value
-                   : "{ " + child->shorthand + " = " + bare + ", " + std::string(rest) + " = " + value + " }");
+               rest == child->shorthand ? in_manner_of(*found, text, value, setting, typed)
+                                        : "{ " + child->shorthand + " = " + bare + ", " + std::string(rest) + " = " +
+                                              as_typed(value, setting, typed) + " }");
   return true;
 }
 
-bool put(std::string& text, const Value& document, const Scenario& scenario, const Change& change) {
+bool put(std::string& text, const Value& document, const Scenario& scenario, const Change& change,
+         const TypedNumbers& typed) {
   constexpr std::string_view kShotPath = "shot.";
-  if (!change.path.starts_with(kShotPath)) return put(text, document, schema(), change.path, change.value);
+  if (!change.path.starts_with(kShotPath)) return put(text, document, schema(), change.path, change.value, typed);
   for (std::size_t i = 0; i < scenario.shots.size(); ++i) {
     const std::string prefix = std::string(kShotPath) + scenario.shots[i].projectile.name + ".";
     if (!change.path.starts_with(prefix)) continue;
     const std::string rest = change.path.substr(prefix.size());
     if (find_node(std::string(kShotPath) + rest) == nullptr) continue;  // another shot, with a longer name
-    return put(text, element(document, "shot", i), *find_node("shot"), rest, change.value);
+    return put(text, element(document, "shot", i), *find_node("shot"), rest, change.value, typed);
   }
   return false;
 }
 
+/// A scenario as its file says it: distributions that stand in the place of numbers, which a reader has before the
+/// other inputs of the study, stay there.
+Scenario said_in_file(const Value& document, const Scenario& before, const Scenario& now) {
+  const Value* study = document.find("study");
+  const Value* inputs = study ? study->find("inputs") : nullptr;
+  const Array* list = inputs ? inputs->get<Array>() : nullptr;
+  const std::size_t written = list ? list->size() : inputs ? 1 : 0;
+  const std::vector<std::string>& all = before.study.inputs;
+  PHYSIM_ASSERT(written <= all.size());
+  const auto in_place = static_cast<std::ptrdiff_t>(all.size() - written);
+  Scenario said = now;
+  std::vector<std::string>& wanted = said.study.inputs;
+  const bool are_kept =
+      std::ssize(wanted) >= in_place && std::equal(all.begin(), all.begin() + in_place, wanted.begin());
+  if (are_kept) wanted.erase(wanted.begin(), wanted.begin() + in_place);
+  return said;
+}
+
 /// What is to be changed in the file of a scenario; nothing where a setting is gone, which no value can say.
-std::optional<std::vector<Change>> changes(const Scenario& before, const Scenario& now) {
-  const auto old = effective_settings(before), wanted = effective_settings(now), in_file = settings_in_file(now);
+std::optional<std::vector<Change>> changes(const Value& document, const Scenario& before, const Scenario& now) {
+  const auto old = effective_settings(before), wanted = effective_settings(now);
+  const auto in_file = settings_in_file(said_in_file(document, before, now));
   PHYSIM_ASSERT(wanted.size() == in_file.size());
   if (old.size() != wanted.size()) return std::nullopt;
   std::vector<Change> all;
@@ -122,10 +139,7 @@ std::optional<std::vector<Change>> changes(const Scenario& before, const Scenari
 }
 
 /// What a table's text says beside a key.
-std::string said_by(std::string_view text, const Value& value) {
-  const std::size_t begin = begin_of(text, value);
-  return std::string(text.substr(begin, end_of(text, value) - begin));
-}
+std::string said_by(std::string_view text, const Value& value) { return std::string(TextPlaces(text).said_of(value)); }
 
 /// A table and the text that it was read from.
 struct TableText {
@@ -170,7 +184,7 @@ bool take_out(std::string& text, const Value& table, std::string_view path) {
 
 /// Key by key: lists of tables are one setting each, of which little changes at a time.
 bool put_element(std::string& text, const std::string& file, const std::string& list, std::size_t index,
-                 const std::string& old_text, const std::string& new_text) {
+                 const std::string& old_text, const std::string& new_text, const TypedNumbers& typed) {
   const Result<Value> old = parse_document(old_text, file), wanted = parse_document(new_text, file);
   const Result<Value> all = parse_document(text, file);
   if (!old || !wanted || !all) return false;
@@ -181,7 +195,7 @@ bool put_element(std::string& text, const std::string& file, const std::string& 
     if (!document) return false;
     const Value& table = element(*document, list, index);
     const bool is_put = change.value.empty() ? take_out(text, table, change.path)
-                                             : put(text, table, *find_node(list), change.path, change.value);
+                                             : put(text, table, *find_node(list), change.path, change.value, typed);
     if (!is_put) return false;
   }
   return true;
@@ -189,23 +203,23 @@ bool put_element(std::string& text, const std::string& file, const std::string& 
 
 /// A list of tables with headers of their own, as [[emitter]].
 bool put_elements(std::string& text, const std::string& file, const std::string& list, const Scenario& before,
-                  const Scenario& now) {
+                  const Scenario& now, const TypedNumbers& typed) {
   const std::vector<std::string> old = element_texts(before, list), wanted = element_texts(now, list);
   if (wanted.size() != old.size()) return false;
   for (std::size_t i = 0; i < old.size(); ++i)
-    if (wanted[i] != old[i] && !put_element(text, file, list, i, old[i], wanted[i])) return false;
+    if (wanted[i] != old[i] && !put_element(text, file, list, i, old[i], wanted[i], typed)) return false;
   return true;
 }
 
-bool put(std::string& text, const std::string& file, const Change& change, const Scenario& before,
-         const Scenario& now) {
+bool put(std::string& text, const std::string& file, const Change& change, const Scenario& before, const Scenario& now,
+         const TypedNumbers& typed) {
   const Result<Value> document = parse_document(text, file);
   if (!document) return false;
   const SchemaNode* node = find_node(change.path);
   const Value* list = document->find(change.path);
   if (node != nullptr && node->is_list_of_tables() && list != nullptr && has_header(text, *list))
-    return put_elements(text, file, change.path, before, now);
-  return put(text, *document, before, change);
+    return put_elements(text, file, change.path, before, now, typed);
+  return put(text, *document, before, change, typed);
 }
 
 /// Takes the elements that a list has more than before out of it; as tables of their own.
@@ -251,9 +265,11 @@ bool say_the_same(const Scenario& a, const Scenario& b) {
   return effective_settings(a) == effective_settings(b) && std::ranges::equal(a.shots, b.shots, same_body);
 }
 
-std::optional<std::string> revised_text(const std::string& text, const std::string& file, const Scenario& now) {
+std::optional<std::string> revised_text(const std::string& text, const std::string& file, const Scenario& now,
+                                        const TypedNumbers& typed) {
   const Result<Scenario> before = parse_scenario(text, file);
-  if (!before) return std::nullopt;
+  const Result<Value> document = parse_document(text, file);
+  if (!before || !document) return std::nullopt;
   Scenario kept = now;
   std::string revised = text, added = more_of(&Scenario::shots, "shot", *before, now, kept);
   added += more_materials(*before, now, kept);
@@ -261,11 +277,11 @@ std::optional<std::string> revised_text(const std::string& text, const std::stri
   added += more_of(&Scenario::things, "thing", *before, now, kept);
   added += more_of(&Scenario::emitters, "emitter", *before, now, kept);
   added += more_of(&Scenario::joints, "joint", *before, now, kept);
-  const auto wanted = changes(*before, kept);
+  const auto wanted = changes(*document, *before, kept);
   if (!wanted) return std::nullopt;
   for (const Change& change : *wanted)
-    if (!put(revised, file, change, *before, kept)) return std::nullopt;
-  revised += added;
+    if (!put(revised, file, change, *before, kept, typed)) return std::nullopt;
+  revised += document_as_typed(added, typed);
   const Result<Scenario> after = parse_scenario(revised, file);
   return after && say_the_same(*after, now) ? std::optional(revised) : std::nullopt;
 }

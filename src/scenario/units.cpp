@@ -2,9 +2,12 @@
 #include "scenario/units.hpp"
 
 #include <array>
+#include <bit>
 #include <charconv>
 #include <cmath>
+#include <cstdint>
 #include <iterator>
+#include <limits>
 #include <vector>
 
 #include "base/assert.hpp"
@@ -105,20 +108,71 @@ std::string_view trimmed(std::string_view text) {
   return text;
 }
 
+namespace {
+
+/// Reads the number that a text begins with, a "+" before it too; as std::from_chars() does.
+std::from_chars_result number_at_start(std::string_view text, double& number) {
+  const bool has_plus = text.starts_with('+') && !text.starts_with("+-");
+  return std::from_chars(text.data() + (has_plus ? 1 : 0), text.data() + text.size(), number);
+}
+
+}  // namespace
+
+std::string_view behind_number(std::string_view text) {
+  double number = 0;
+  const auto [end, failure] = number_at_start(text, number);
+  return failure == std::errc::invalid_argument ? text : text.substr(static_cast<std::size_t>(end - text.data()));
+}
+
+bool is_same_number(double a, double b) {
+  return std::bit_cast<std::uint64_t>(a) == std::bit_cast<std::uint64_t>(b) || (std::isnan(a) && std::isnan(b));
+}
+
+std::optional<std::string> number_with(double value, Quantity quantity, const std::string& unit, ReadsAs wanted) {
+  constexpr int kMostDigits = std::numeric_limits<double>::max_digits10, kNeighbours = 4;
+  const IeeeMode mode;
+  const Unit* known = find_unit(info(quantity), trimmed(unit));
+  if (known == nullptr) return std::nullopt;
+  const auto text_of = [&](double number) -> std::optional<std::string> {
+    std::string text = number_text(number) + unit;
+    const Result<double> read = parse_quantity(text, quantity);
+    return read && is_same_number(*read, value) ? std::optional(std::move(text)) : std::nullopt;
+  };
+  const double middle = value * known->divisor / known->factor - known->zero;  // but for its last digits
+  const auto rounded = [&](std::chars_format format, int digits) {
+    char buffer[64];
+    const auto done = std::to_chars(buffer, std::end(buffer), middle, format, digits);
+    PHYSIM_ASSERT(done.ec == std::errc());
+    double number = 0;
+    std::from_chars(buffer, done.ptr, number);
+    return number;
+  };
+  // A unit whose zero is elsewhere leaves a number with an error of its own size, also near 0.
+  const bool is_shifted = known->zero != 0 && std::abs(middle) < 1e9;
+  for (int digits = 0; is_shifted && digits <= kMostDigits; ++digits)
+    if (auto text = text_of(rounded(std::chars_format::fixed, digits) + 0.0)) return text;  // -0 is 0 there
+  for (int digits = 1; digits <= kMostDigits; ++digits)
+    if (auto text = text_of(rounded(std::chars_format::general, digits))) return text;
+  for (double low = middle, high = middle, i = 0; i < kNeighbours; ++i) {
+    low = std::nextafter(low, -HUGE_VAL), high = std::nextafter(high, HUGE_VAL);
+    for (const double number : {low, high})
+      if (auto text = text_of(number)) return text;
+  }
+  return wanted == ReadsAs::nearest ? std::optional(number_text(middle) + unit) : std::nullopt;
+}
+
 Result<double> parse_quantity(std::string_view text, Quantity quantity) {
   const IeeeMode mode;
   if (!is_named(quantity)) return Error{"is none of the named values", "quantity", ""};
   const QuantityInfo& wanted = info(quantity);
   const std::string_view whole = trimmed(text);
-  std::string_view digits = whole;
-  if (digits.starts_with('+') && !digits.starts_with("+-")) digits.remove_prefix(1);
   double number = 0;
-  const auto [end, failure] = std::from_chars(digits.data(), digits.data() + digits.size(), number);
+  const auto [end, failure] = number_at_start(whole, number);
   if (failure == std::errc::result_out_of_range)
     return Error{in_quotes(whole) + " is too large or too small for a double", "", expected(quantity)};
   if (failure != std::errc{} || std::isnan(number))
     return Error{in_quotes(whole) + " is not a number", "", expected(quantity)};
-  const std::string_view unit_text = trimmed(digits.substr(static_cast<std::size_t>(end - digits.data())));
+  const std::string_view unit_text = trimmed(whole.substr(static_cast<std::size_t>(end - whole.data())));
   if (unit_text.empty()) return number;  // SI
   const Unit* unit = find_unit(wanted, unit_text);
   if (unit == nullptr) return wrong_unit(whole, unit_text, wanted);

@@ -1,6 +1,7 @@
 // Quantities as text: what is accepted at the door.
 #pragma once
 
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -21,6 +22,20 @@ inline constexpr double kSquareDegree = 3.0461741978670857e-4;
 
 /// The last unit in a text such as "shot.speed = +- 10 ft/s per round"; null if the text has none of the quantity.
 [[nodiscard]] const Unit* last_unit(std::string_view text, Quantity quantity);
+
+/// What stands behind the number that a text begins with, blanks included: " gr" of "168 gr"; the whole text if that
+/// begins with none.
+[[nodiscard]] std::string_view behind_number(std::string_view text);
+
+/// Equal bits: -0 is not 0, and one NaN is another.
+[[nodiscard]] bool is_same_number(double a, double b);
+
+/// What a text of a number must read back as: the same bits, or else the nearest number that there is.
+enum class ReadsAs { same, nearest };
+/// The shortest text of a value with a unit behind it, " gr"; nothing if there is no such unit, or if no number in it
+/// reads as the same bits and these are asked for.
+[[nodiscard]] std::optional<std::string> number_with(double value, Quantity quantity, const std::string& unit,
+                                                     ReadsAs wanted = ReadsAs::same);
 
 /// `expected a mass such as "168 gr"`
 [[nodiscard]] std::string expected(Quantity quantity);

@@ -449,6 +449,10 @@ std::optional<std::string> written(const Entry& entry, const Scope& scope) {
   return value_text(entry, scope, Style::plain);
 }
 
+std::optional<std::string> written_in_file(const Entry& entry, const Scope& scope) {
+  return value_text(entry, scope, Style::brief);
+}
+
 std::vector<std::string> element_texts(const Scenario& scenario, std::string_view list) {
   const SchemaNode* node = find_node(list);
   PHYSIM_ASSERT(node != nullptr && node->is_list_of_tables());

@@ -24,4 +24,7 @@ void each_setting(const Scenario& scenario,
 /// The value of a setting as the right side of an override; nothing where there is nothing to say (a preset).
 [[nodiscard]] std::optional<std::string> written(const Entry& entry, const Scope& scope);
 
+/// As it stands in a file: texts and quantities in quotes.
+[[nodiscard]] std::optional<std::string> written_in_file(const Entry& entry, const Scope& scope);
+
 }  // namespace physim

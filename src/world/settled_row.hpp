@@ -376,8 +376,8 @@ class SettledRow final : public ContactHost {
     t_end_ = static_cast<S>(context_.dt - passed);
     relaunched_ = true;
   }
-  /// Of the way along the ground or a thing others see that it was steady, unless it was a parabola, which the
-  /// velocities at its ends say: what others meet on it has its velocity of then, not that of its way.
+  /// Others see the way along the ground or a thing as steady, unless the velocities at its ends say that it was a
+  /// parabola: what meets a row on a parabola needs the velocity of that moment, not that of the way.
   void trace_way_to(double passed, const State<double>& end) {
     if (!is_traced_ || chunk_.traces.empty() || !(passed > chunk_.traces.back().passed)) return;
     const Trace last = chunk_.traces.back();

@@ -224,7 +224,7 @@ TEST(SettingRows, ShowNumbersThatFitIntoTheirField) {
   for (const SettingRow& row : setting_rows("shot")) {
     const auto text = row_text(row, client.session.scenario(), client.launcher.shot());
     if (row.path == "shot.elevation") {
-      EXPECT_EQ(text, "0.6108652 rad");
+      EXPECT_EQ(text, "35 deg");
     }
     if (row.path == "shot.position") {
       EXPECT_EQ(text, "0.3048 m, 2 m, 1e-12 m");
@@ -244,6 +244,22 @@ TEST(SettingRows, UnderstandUnitsAndRefuseNonsense) {
   EXPECT_NEAR(client.launcher.shot().projectile.mass, 0.010886, 1e-6) << "a refused value changed something";
   ASSERT_TRUE(client.set("environment.wind.velocity=0, 0, 5 m/s"));
   EXPECT_EQ(client.session.scenario().environment.wind.velocity.z, 5);
+}
+
+TEST(SettingRows, NameThemselvesOnceInErrors) {
+  Client client = client_of();
+  std::size_t refused = 0;
+  for (const char* table : {"shot", "environment"})
+    for (const SettingRow& row : setting_rows(table)) {
+      const Status status = client.set(row, "-1 parsec");
+      if (status || row.path == "shot.motor.file") continue;  // names, of shots and of files
+      ++refused;
+      std::string text = status.error().text();
+      text.resize(std::min(text.find("; "), text.size()));  // hints to lists name them again
+      EXPECT_TRUE(text.starts_with(row.path + ": error: ")) << text;
+      EXPECT_EQ(text.find(row.path, row.path.size()), text.npos) << text;
+    }
+  EXPECT_GT(refused, 50U);
 }
 
 // ---------------------------------------------------------------------------------------------------------------- save

@@ -161,6 +161,28 @@ TEST(Quantities, TextReadsBackBitForBit) {
   }
 }
 
+/// What was read from a short text is written as that text, in each unit.
+TEST(Quantities, AreWrittenAsTheyAreTyped) {
+  for (const QuantityInfo& quantity : all_quantities())
+    for (const Unit& unit : quantity.units)
+      for (const char* number : {"0", "2", "-1.5", "170", "0.218", "59", "0.015", "2700.125"}) {
+        const std::string behind = unit.name.empty() ? "" : " " + std::string(unit.name);
+        const double value = parse_quantity(number + behind, quantity.quantity).value();
+        EXPECT_EQ(number_with(value, quantity.quantity, behind), number + behind);
+      }
+  EXPECT_EQ(number_with(0.5, Quantity::length, " kg"), std::nullopt);
+  EXPECT_EQ(number_with(0.5, Quantity::mass, "g"), "500g");
+}
+
+/// Three times 0.3048 is not the number next to 0.9144.
+TEST(Quantities, HaveNoTextInAUnitThatReadsAsOtherBits) {
+  EXPECT_EQ(number_with(0.9144, Quantity::length, " ft"), std::nullopt);
+  EXPECT_EQ(number_with(0.9144, Quantity::length, " yd"), "1 yd");
+  const auto nearest = number_with(0.9144, Quantity::length, " ft", ReadsAs::nearest);
+  ASSERT_TRUE(nearest);
+  EXPECT_NEAR(parse_quantity(*nearest, Quantity::length).value(), 0.9144, 1e-15);
+}
+
 TEST(Quantities, TextIsReadable) {
   EXPECT_EQ(number_text(6356766), "6356766");
   EXPECT_EQ(number_text(0.001), "0.001");

@@ -156,13 +156,13 @@ TEST(RevisedText, ChangesWhatChangedAndKeepsAllElse) {
   const struct {
     const char *change, *replaced, *by;
   } changes[] = {
-      {"shot.a.speed=800 m/s", "\"2700 ft/s\"", "\"800 m/s\""},
+      {"shot.a.speed=853.44 m/s", "\"2700 ft/s\"", "\"2800 ft/s\""},
       {"shot.a.drag.table=g1", "\"g7\"", "\"g1\""},
       {"shot.a.drag.form_factor=1.1", "lb/in^2\" }", "lb/in^2\", form_factor = 1.1 }"},
       {"shot.a.mass=2 kg", "as loaded\n", "as loaded\nmass = \"2 kg\"\n"},
       {"shot.a.fidelity.drag=off", "as loaded\n", "as loaded\nfidelity.drag = \"off\"\n"},
-      {"shot.a.b.sight.height=2 m", "\"1.5 in\"", "\"2 m\""},
-      {"shot.a.b.sight.cant=1 rad", "# high\n", "# high\ncant = \"1 rad\"\n"},
+      {"shot.a.b.sight.height=0.0508 m", "\"1.5 in\"", "\"2 in\""},
+      {"shot.a.b.sight.cant=30 deg", "# high\n", "# high\ncant = \"30 deg\"\n"},
       {"shot.a.b.mass=2 kg", "name = \"a.b\"\n", "name = \"a.b\"\nmass = \"2 kg\"\n"},
       {"environment.gravity.model=off", "\"constant\"", "\"off\""},
       {"environment.gravity.acceleration=5 m/s^2", "\"constant\"",
@@ -176,6 +176,28 @@ TEST(RevisedText, ChangesWhatChangedAndKeepsAllElse) {
   for (const auto& each : changes) {
     const Scenario now = parse_scenario(kCommented, "a.toml", std::vector<std::string>{each.change}).value();
     EXPECT_EQ(revised_text(kCommented, "a.toml", now), revised(each.replaced, each.by)) << each.change;
+  }
+}
+
+TEST(RevisedText, HasNumbersAsTheyWereTyped) {
+  const struct {
+    const char *path, *typed, *replaced, *by;
+  } changes[] = {
+      {"shot.a.speed", "800 m/s", "\"2700 ft/s\"", "\"800 m/s\""},
+      {"shot.a.speed", "3 km/s", "\"2700 ft/s\"", "\"3 km/s\""},
+      {"shot.a.mass", "170 gr", "as loaded\n", "as loaded\nmass = \"170 gr\"\n"},
+      {"shot.a.b.sight.cant", "1 rad", "# high\n", "# high\ncant = \"1 rad\"\n"},
+      {"shot.a.drag.form_factor", "110 %", "lb/in^2\" }", "lb/in^2\", form_factor = \"110 %\" }"},
+      {"environment.wind.velocity", "[\"1 kn\", 0, 0]", "\"constant\"\n",
+       "\"constant\"\nwind.velocity = [\"1 kn\", \"0 m/s\", \"0 m/s\"]\n"},
+  };
+  for (const auto& each : changes) {
+    const std::string change = std::string(each.path) + "=" + each.typed;
+    TypedNumbers typed;
+    typed.take(each.path, "7 m, 7 kg");
+    typed.take(each.path, each.typed);
+    const Scenario now = parse_scenario(kCommented, "a.toml", std::vector<std::string>{change}).value();
+    EXPECT_EQ(revised_text(kCommented, "a.toml", now, typed), revised(each.replaced, each.by)) << change;
   }
 }
 

@@ -68,7 +68,9 @@ Result<Client> open_client(const std::string& file, const std::vector<std::strin
     return Error{"--set changes a scenario, and none is named", "--set", "simclient FILE.toml --set ..."};
   Result<Session> session = file.empty() ? Session::create(open_range()) : open_session(file, overrides);
   if (!session) return session.error();
-  return Client(std::move(*session), file);
+  Client client(std::move(*session), file);
+  for (const std::string& each : overrides) client.take_typed(each);
+  return client;
 }
 
 Client::Client(Session s, const std::string& file)
@@ -130,6 +132,7 @@ void Client::take_file(const std::string& file) {
   inputs_ = session.scenario().files;
   const Result<std::string> text = read_text_file(file, kMostBytes, "scenario file");
   text_ = text ? *text : "";
+  units_ = FileUnits(text_);
   unsaved_ = became_world_ = false;
   const Scenario& scenario = session.scenario();
   meets_things_ = !scenario.world.given && !scenario.things.empty();
@@ -271,7 +274,7 @@ std::string Client::loss_of_saving(const std::string& file) const {
   const Scenario changed = with_next_shot();
   const std::size_t expected = session.scenario().expect.size();
   std::string lost;
-  if (!revised_text(text_, path, changed)) lost = "its comments and its own units";
+  if (!revised_text(text_, path, changed, units_.typed())) lost = "its comments and its own units";
   if (changed.expect.size() < expected)
     lost += (lost.empty() ? "" : ", and ") + formatted("its %zu expectations", expected);
   return lost.empty() ? "" : path + " would be written anew, as a world: " + lost + " would be lost. ";
@@ -282,8 +285,8 @@ Status Client::save(const std::string& file) {
   const std::string path = path_to_save(file);
   Scenario scenario = with_next_shot();
   const auto text_of = [&] {
-    const auto revised = text_.empty() ? std::nullopt : revised_text(text_, path, scenario);
-    return revised ? *revised : scenario_text(scenario);
+    const auto revised = text_.empty() ? std::nullopt : revised_text(text_, path, scenario, units_.typed());
+    return revised ? *revised : document_as_typed(scenario_text(scenario), units_.typed());
   };
   std::string text = text_of();
   Result<Scenario> again = parse_scenario(text, path);
@@ -307,7 +310,7 @@ Status Client::save(const std::string& file) {
   if (Status status = is_own_file ? Status() : check_output(path); !status) return status;
   if (Status status = report::write_file(path, text); !status) return status;
   scenario_file_ = path;
-  if (text_.empty()) text_ = text;  // else what its author wrote stays what changes are put into
+  if (text_.empty()) text_ = text, units_ = FileUnits(text);  // else changes are put into what its author wrote
   unsaved_ = false;
   recent.add(path);
   return say("saved " + path + left_out), Status();
@@ -369,11 +372,17 @@ Status Client::replay() {
   return open(recorded_);
 }
 
+void Client::take_typed(std::string_view assignment) {
+  const std::size_t equals = std::min(assignment.find('='), assignment.size());
+  units_.take_typed(trimmed(assignment.substr(0, equals)), assignment.substr(std::min(equals + 1, assignment.size())));
+}
+
 Status Client::set(const std::string& assignment) {
   const FilesInUse read;
   Scenario scenario = session.scenario();
   ScenarioShot shot = launcher.shot();
   if (Status status = set_value(assignment, scenario, shot); !status) return status;
+  take_typed(assignment);
   std::ranges::copy(read.inputs(), std::back_inserter(inputs_));
   return use(scenario, shot);
 }
@@ -383,6 +392,7 @@ Status Client::set(const SettingRow& row, const std::string& text) {
   Scenario scenario = session.scenario();
   ScenarioShot shot = launcher.shot();
   if (Status status = set_value(row, text, scenario, shot); !status) return status;
+  units_.take_typed(row.path, text);
   std::ranges::copy(read.inputs(), std::back_inserter(inputs_));
   return use(scenario, shot);
 }

@@ -178,6 +178,10 @@ class Client {
   /// Settings were changed by hand, and not saved.
   [[nodiscard]] bool has_unsaved_settings() const { return unsaved_; }
   void has_changed_settings() { unsaved_ = true; }
+  /// The numbers of an assignment are shown and saved with the units that they have there.
+  void take_typed(std::string_view assignment);
+  /// The units of the file that is open, and of what was typed.
+  [[nodiscard]] const FileUnits& units() const { return units_; }
   using Versions = std::pair<std::uint64_t, std::uint64_t>;  // of the shot and of what it is fired into
   [[nodiscard]] Versions versions() const { return {launcher.version(), session_version_}; }
   /// Writes a file that is no scenario; refuses what check_output() refuses.
@@ -275,9 +279,10 @@ class Client {
   std::optional<Versions> compared_at_, predicted_at_;  // none: never
   std::vector<std::string> inputs_;                     // files that the scenario and its settings come from
   std::string scenario_file_, text_;                    // of the scenario: its file, and what that says
-  bool unsaved_ = false, became_world_ = false;         // became: when it was saved, as its shots ask for one
-  bool meets_things_ = false;                           // its file is of flights, and has things
-  std::string recorded_;                                // file of the last recording
+  FileUnits units_;
+  bool unsaved_ = false, became_world_ = false;  // became: when it was saved, as its shots ask for one
+  bool meets_things_ = false;                    // its file is of flights, and has things
+  std::string recorded_;                         // file of the last recording
   std::uint64_t session_version_ = 0;
   std::vector<Vec3d> run_places_, flight_places_;  // of the subject
   std::optional<std::uint64_t> run_at_;            // versions at which they were found; none: never

@@ -207,12 +207,11 @@ void Launcher::cycle_elevation() {
   if (was_pushed) push();
 }
 
-void Launcher::turn(double right, double up) {
+void Launcher::point(double azimuth, double elevation) {
   const bool was_pushed = is_pushed();
   use_angles();
-  shot_.launch.azimuth = std::remainder(shot_.launch.azimuth + right, 360 * kDegree);
-  double& elevation = is_zeroed() ? raised_ : shot_.launch.elevation;
-  elevation = std::clamp(elevation + up, -kSteepest, kSteepest);
+  shot_.launch.azimuth = std::remainder(azimuth, 360 * kDegree);
+  (is_zeroed() ? raised_ : shot_.launch.elevation) = std::clamp(elevation, -kSteepest, kSteepest);
   if (was_pushed) push();
 }
 

@@ -64,7 +64,9 @@ class Launcher {
   void cycle_gravity();
   void cycle_drag();
   /// Turns the barrel, and keeps the speed [rad]. A zero range stays: the barrel is raised above where that puts it.
-  void turn(double right, double up);
+  void turn(double right, double up) { point(azimuth() + right, elevation() + up); }
+  /// Points the barrel as turn() does, to angles that stay as they are given where they can be [rad].
+  void point(double azimuth, double elevation);
   /// Changes the speed, along the barrel as it is [m/s].
   void set_speed(double speed);
   /// Elevation of the barrel above that of the zero range [rad].

@@ -8,6 +8,7 @@
 #include "base/text.hpp"
 #include "math/angles.hpp"
 #include "physim/names.hpp"
+#include "settings/units.hpp"
 #include "simclient/core/scene.hpp"
 
 namespace physim::client {
@@ -109,23 +110,38 @@ std::vector<QuickSetting> quick_settings(Client& client) {
 Status set_quick(Client& client, const QuickSetting& setting, double value) {
   PHYSIM_ASSERT(std::isfinite(value));
   Launcher& launcher = client.launcher;
+  // A slider goes to numbers that there are in the unit of the file, in which they are saved.
+  const auto in_file = [&](const char* path, const std::string& unit) {
+    return client.units().restated(path, launcher.shot().projectile.name, with_digits(value) + " " + unit);
+  };
+  const auto rounded = [&](const char* path, const std::string& unit, Quantity quantity) {
+    return parse_quantity(in_file(path, unit), quantity).value();
+  };
   const Vec3d wind = client.session.scenario().environment.wind.velocity;
-  const auto set_wind = [&](double along, double across) {
-    return client.set("environment.wind.velocity=" + with_digits(along) + " m/s, " + with_digits(wind.y) + " m/s, " +
-                      with_digits(across) + " m/s");
+  const auto set_wind = [&](const std::string& along, const std::string& across) {
+    const std::string up = quantity_text(wind.y, Quantity::speed);
+    return client.set("environment.wind.velocity=" + along + ", " + up + ", " + across);
   };
   switch (setting.what) {
-    case Quick::speed: return launcher.set_speed(std::max(value, 0.0)), client.has_changed_settings(), Status();
-    case Quick::elevation: return launcher.turn(0, value * kDegree - launcher.elevation()), Status();
-    case Quick::azimuth: return launcher.turn(value * kDegree - launcher.azimuth(), 0), Status();
-    case Quick::mass: return client.set("shot.mass=" + with_digits(value) + " " + setting.unit);
+    case Quick::speed:
+      launcher.set_speed(std::max(rounded("shot.speed", "m/s", Quantity::speed), 0.0));
+      return client.has_changed_settings(), Status();
+    case Quick::elevation:
+      launcher.point(launcher.azimuth(),
+                     launcher.is_zeroed() ? value * kDegree : rounded("shot.elevation", "deg", Quantity::angle));
+      return {};
+    case Quick::azimuth:
+      return launcher.point(rounded("shot.azimuth", "deg", Quantity::angle), launcher.elevation()), Status();
+    case Quick::mass: return client.set("shot.mass=" + in_file("shot.mass", setting.unit));
     case Quick::drag: {
       const DragModel own = launcher.types()[launcher.type()].shot.projectile.fidelity.drag;
       const DragModel on = own == DragModel::off ? Fidelity{}.drag : own;
       return client.set("shot.fidelity.drag=" + std::string(name(value > 0.5 ? on : DragModel::off)));
     }
-    case Quick::wind_along: return set_wind(value, wind.z);
-    case Quick::wind_across: return set_wind(wind.x, value);
+    case Quick::wind_along:
+      return set_wind(in_file("environment.wind.velocity", "m/s"), quantity_text(wind.z, Quantity::speed));
+    case Quick::wind_across:
+      return set_wind(quantity_text(wind.x, Quantity::speed), in_file("environment.wind.velocity", "m/s"));
   }
   return {};
 }

@@ -86,8 +86,9 @@ void SettingsPanel::draw_sheet(Client& client, Sheet& sheet, bool is_shot) {
     sheet.usual.clear();
     for (const SettingRow& row : sheet.rows) {
       const Scenario& scenario = client.session.scenario();
-      sheet.values.push_back(row_text(row, scenario, launcher.shot()).value_or(""));
-      sheet.usual.push_back(is_shot ? row_text(row, scenario, launcher.types()[launcher.type()].shot).value_or("")
+      sheet.values.push_back(row_text(row, scenario, launcher.shot(), client.units()).value_or(""));
+      const ScenarioShot& usual = launcher.types()[launcher.type()].shot;
+      sheet.usual.push_back(is_shot ? row_text(row, scenario, usual, client.units()).value_or("")
                                     : sheet.values.back());
     }
   }

@@ -1,0 +1,48 @@
+// New values in the manner of what stands in a file: its units, and all of its text that did not change.
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "scenario/document.hpp"
+#include "scenario/schema.hpp"
+#include "scenario/units.hpp"
+
+namespace physim {
+
+/// Numbers that somebody typed with units for settings. A file that is to say such a number says it as it was typed.
+class TypedNumbers {
+ public:
+  /// All of them in the text of a setting, as "1 m, 2 ft, 0"; bare ones are no news.
+  void take(std::string_view path, std::string_view text);
+  /// The last text for a setting's key that reads back as this value, bit for bit; empty if there is none.
+  [[nodiscard]] std::string find(std::string_view key, double value, Quantity quantity) const;
+
+ private:
+  struct Typed {
+    std::string key, text;
+    bool operator==(const Typed&) const = default;
+  };
+  std::vector<Typed> all_;
+};
+
+/// What stands behind the numbers of a value, blanks included: " gr"; empty if they are bare, or none is there of the
+/// quantity.
+[[nodiscard]] std::string unit_of(const Value& value, Quantity quantity);
+
+/// The text for a setting's new value, `now`, that is to stand where a document says `old`: numbers keep their units,
+/// and what did not change its text, with blanks and comments. The node is that of the setting or its table, `text` is
+/// the document's.
+[[nodiscard]] std::string in_manner_of(const Value& old, std::string_view text, const std::string& now,
+                                       const SchemaNode& node, const TypedNumbers& typed);
+
+/// The text for a new value where there is none: numbers as they were typed, else with the units of `like`, a value of
+/// the setting in a file; null: none. Angles are in degrees.
+[[nodiscard]] std::string as_typed(const std::string& now, const SchemaNode& node, const TypedNumbers& typed,
+                                   const Value* like = nullptr, ReadsAs wanted = ReadsAs::same);
+
+/// A document that was written anew, with numbers as they were typed.
+[[nodiscard]] std::string document_as_typed(const std::string& text, const TypedNumbers& typed);
+
+}  // namespace physim
