@@ -13,7 +13,7 @@ namespace physim {
 namespace {
 
 constexpr double kMostChange = 0.25;  // of temperature within a layer, over that of its base: log1p_near_zero() [-]
-constexpr double kIsothermal = 1e-9;  // a change of temperature that is none [-]
+constexpr double kIsothermal = 1e-9;  // relative change of temperature below which a layer is isothermal [-]
 constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();  // a pressure that a level does not have
 
 /// Density, sound speed and what they follow from.

@@ -28,7 +28,7 @@ struct Number {
   Quantity quantity = Quantity::number;
 };
 
-/// A number as a writer has it: in SI, or an angle in degrees. Nothing if the value is none.
+/// A number as a writer has it: in SI, or an angle in degrees. Nothing if the value is no number.
 std::optional<Number> written_number(const Value& value) {
   if (const auto* integer = value.get<std::int64_t>()) return Number{static_cast<double>(*integer), Quantity::number};
   if (const auto* real = value.get<double>()) return Number{*real, Quantity::number};

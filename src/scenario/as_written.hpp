@@ -27,8 +27,8 @@ class TypedNumbers {
   std::vector<Typed> all_;
 };
 
-/// What stands behind the numbers of a value, blanks included: " gr"; empty if they are bare, or none is there of the
-/// quantity.
+/// What stands behind the numbers of a value, blanks included: " gr"; empty if the value has no number with a unit of
+/// the quantity.
 [[nodiscard]] std::string unit_of(const Value& value, Quantity quantity);
 
 /// The text for a setting's new value, `now`, that is to stand where a document says `old`: numbers keep their units,

@@ -124,6 +124,11 @@ TEST(Docs, QuotedOutputIsWhatTheProgramPrints) {
     }
 }
 
+TEST(Docs, TheListOfSettingsIsTheProgramsOwn) {
+  EXPECT_EQ(content_of(kRoot / "docs" / "settings.md"), output_of("list settings --markdown"))
+      << "write it anew: ./dev docs";
+}
+
 /// Lines of a table whose last columns differ from machine to machine: each quoted line begins a printed one.
 TEST(Docs, QuotedBeginningsOfLinesArePrinted) {
   const std::string kind = "beginnings of lines of physim ";
