@@ -60,7 +60,7 @@ std::size_t run(Part part, const MicroJob<S>& job) {
     case Part::air:
       return repeat(job, y, [&] {
         touch(x);
-        const AirState<R> air = standard_air<R>(c.air, c.air.common, x);
+        const AirState<R> air = air_at_altitude<R>(c, c.air.common, x);
         y = air.density + air.per_sound_speed;
       });
     case Part::rhs: {

@@ -169,12 +169,13 @@ std::unique_ptr<PeerData> peer_data() {
   m.geopotential_radius = kGeopotentialRadius;
   m.layers = c.air.layers;
   for (int i = 0; i < c.air.layers; ++i) {
+    const AirLayer<double>& layer = c.air.common.layer[i];
     m.base[i] = c.air.base[i];
-    m.lapse[i] = c.air.common.lapse[i];
-    m.power[i] = c.air.common.power[i];
-    m.decay[i] = c.air.common.decay[i];
-    m.base_density[i] = c.air.common.base_density[i];
-    m.base_per_sound_speed[i] = c.air.common.base_per_sound[i];
+    m.lapse[i] = layer.lapse;
+    m.power[i] = layer.power;
+    m.decay[i] = layer.decay;
+    m.base_density[i] = layer.base_density;
+    m.base_per_sound_speed[i] = layer.base_per_sound;
   }
   m.middle = c.air.low_middle;
   m.scale = c.air.low_scale;

@@ -36,15 +36,29 @@ struct AirState {
   R per_sound_speed;  // 1 / a [s/m]
 };
 
+/// The last layer that begins below all lanes; 0: there is none, or there are too few layers to look for it.
+template <class R, class S>
+PHYSIM_INLINE int layer_below_all(int layers, const S* bases, const R& h) {
+  constexpr int kFew = 16;
+  int low = 0;
+  for (int high = layers; layers > kFew && high - low > 1;) {
+    const int middle = (low + high) / 2;
+    (all(h >= R(bases[middle])) ? low : high) = middle;
+  }
+  PHYSIM_ASSERT(low == 0 || low < layers);
+  return low;
+}
+
 /// Any of some layers, by its law. Behind a call, as most shots stay below.
 template <class R, class S, class N>
 PHYSIM_NOINLINE void layered_air(int layers, const S* bases, const AirLayer<N>* layer, const R& z, AirState<R>& out) {
   PHYSIM_ASSERT(layers >= 1);
   const S r0 = static_cast<S>(kGeopotentialRadius);
   const R h = r0 * z / (r0 + z);
-  R base(bases[0]), lapse(layer[0].lapse), power(layer[0].power), decay(layer[0].decay);
-  R density(layer[0].base_density), per_sound(layer[0].base_per_sound);
-  for (int i = 1; i < layers; ++i) {
+  const int first = layer_below_all(layers, bases, h);
+  R base(bases[first]), lapse(layer[first].lapse), power(layer[first].power), decay(layer[first].decay);
+  R density(layer[first].base_density), per_sound(layer[first].base_per_sound);
+  for (int i = first + 1; i < layers; ++i) {
     const auto above = h >= R(bases[i]);
     if (!any(above)) break;
     base = select(above, R(bases[i]), base);

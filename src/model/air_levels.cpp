@@ -73,7 +73,7 @@ double sound_temperature(const AirLevel& level) {
           0};
 }
 
-/// What the standard has at other heights, moved to meet a level.
+/// What the standard has at other heights, moved to meet a level; dry.
 [[gnu::cold]] AirLevel beyond(const AirLevel& level, double height) {
   const double shift = level.temperature - standard_air(level.height).temperature;
   return {height, standard_air(height).temperature + shift, kUnknown, 0, 0, 0};
@@ -102,15 +102,24 @@ double sound_temperature(const AirLevel& level) {
   PHYSIM_ASSERT(!atmosphere.profile.empty());
   std::vector<AirLevel> given;
   for (const AirPoint& point : atmosphere.profile) given.push_back(level_of(point));
-  const std::size_t below = given.front().height > geopotential(kLowestAltitude) ? 1 : 0;
   if (std::isnan(given.front().pressure)) given.front().pressure = standard_air(given.front().height).pressure;
-  if (below != 0) given.insert(given.begin(), beyond(given.front(), geopotential(kLowestAltitude)));
-  const AirLevel last = given.back();
+  const AirLevel lowest = given.front(), last = given.back();
+  std::vector<AirLevel> below;
+  const auto begin_at = [&](double height) {
+    below.push_back(beyond(lowest, height));
+    below.back().humidity = lowest.humidity;
+  };
+  if (lowest.height > geopotential(kLowestAltitude)) begin_at(geopotential(kLowestAltitude));
   for (const double base : StandardAir::kBase)
-    if (base > last.height) given.push_back(beyond(last, base));
+    if (base < lowest.height) begin_at(base);
+  given.insert(given.begin(), below.begin(), below.end());
+  constexpr double kDries = 100;  // above the last level [m]
+  if (last.humidity > 0) given.push_back(beyond(last, last.height + kDries));
+  for (const double base : StandardAir::kBase)
+    if (base > given.back().height) given.push_back(beyond(last, base));
   std::vector<AirLevel> levels = refined(given);
   // Up from the first level that the profile has, and down from it.
-  const auto first = std::ranges::find(levels, given[below].height, &AirLevel::height) - levels.begin();
+  const auto first = std::ranges::find(levels, lowest.height, &AirLevel::height) - levels.begin();
   finish(levels[static_cast<std::size_t>(first)]);
   for (auto i = static_cast<std::size_t>(first) + 1; i < levels.size(); ++i)
     std::isnan(levels[i].pressure) ? balance(levels[i - 1], levels[i]) : void(finish(levels[i]));
@@ -138,6 +147,11 @@ double sound_temperature(const AirLevel& level) {
   }
   PHYSIM_ASSERT(layers.size() == levels.size());
   return layers;
+}
+
+[[gnu::cold]] double balanced_fall(const AirLevel& low, const AirLevel& high) {
+  PHYSIM_ASSERT(high.height > low.height);
+  return 0.5 * (hydrostatic_of(low) + hydrostatic_of(high)) * thickness(low, high);
 }
 
 [[gnu::cold]] AirLevel air_between(const std::vector<AirLevel>& levels, double height) {

@@ -4,7 +4,7 @@
 //   hydrostatic law of that temperature, with a factor exp(c H) that meets the density of both levels: measured
 //   pressures need not be in hydrostatic equilibrium. The pressure of a level that has none follows from the level
 //   below. Below the first level and above the last one temperature changes as the standard's does, in hydrostatic
-//   equilibrium.
+//   equilibrium; below it is as humid as the first level, and dry from 100 m above the last one.
 // When to use it: wherever a radiosonde or a forecast gives the day's air; inversions and cold tropopauses are in it.
 // When it is wrong: the day's air changes with time and place; what lies between levels is not known.
 // Symbols: H geopotential height [m]; T temperature [K]; s sound speed over that of dry air [-]; T_s = T s^2 the
@@ -39,6 +39,8 @@ struct AirLevel {
 [[nodiscard]] std::vector<AirLevel> air_levels(const Atmosphere& atmosphere);
 /// The layer above each of some levels, above the last one with its temperature.
 [[nodiscard]] std::vector<AirLayer<double>> air_layers(const std::vector<AirLevel>& levels);
+/// The fall of the logarithm of pressure from a level up to the next one in hydrostatic equilibrium [-].
+[[nodiscard]] double balanced_fall(const AirLevel& low, const AirLevel& high);
 /// The air at a geopotential height, by these layers [m].
 [[nodiscard]] AirLevel air_between(const std::vector<AirLevel>& levels, double height);
 

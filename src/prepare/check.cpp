@@ -1,4 +1,5 @@
 // Refuses bad input before a flight starts.
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <string>
@@ -53,7 +54,7 @@ bool is_surely_right(const std::vector<DragPoint>& curve) {
   return right && before < kInfinity;
 }
 
-void check_curve(Checker& c, const std::vector<DragPoint>& curve, Checker::Text name) {
+[[gnu::cold]] void check_curve(Checker& c, const std::vector<DragPoint>& curve, Checker::Text name) {
   if (is_surely_right(curve)) return;
   c.require(!curve.empty(), name, "is empty", "give at least one point (Mach, Cd)");
   for (std::size_t i = 0; i < curve.size(); ++i) {
@@ -256,7 +257,7 @@ bool is_surely_right(const Launch& l) {
 
 }  // namespace
 
-Status check(const Launch& l) {
+[[gnu::cold]] Status check(const Launch& l) {
   if (is_surely_right(l)) return {};
   Checker c;
   c.is_vector(l.position, "launch.position").not_negative(l.speed, "launch.speed", "in m/s");
@@ -296,7 +297,6 @@ namespace {
   c.require(!a.temperature && !a.pressure && !a.humidity && !a.station_altitude, place,
             "gives the air by levels, and a station gives it, too",
             "leave temperature, pressure, humidity and station_altitude out, or the profile");
-  std::optional<double> below;  // the last pressure [Pa]
   for (std::size_t i = 0; i < a.profile.size() && c.status_so_far(); ++i) {
     const AirPoint& level = a.profile[i];
     const InputPlace there("environment.atmosphere.profile", i);
@@ -308,22 +308,37 @@ namespace {
       c.require(*level.humidity >= 0 && *level.humidity <= 1, there, "must have a humidity between 0 and 1",
                 "60 % is 0.6");
     if (level.pressure) {
-      c.require(*level.pressure >= 0.01 && *level.pressure <= 120000, there, "must have 0.01 Pa to 120000 Pa",
+      c.require(*level.pressure >= 0.01 && *level.pressure <= 200000, there, "must have 0.01 Pa to 200000 Pa",
                 "pressures are in pascal");
-      c.require(i == 0 || a.profile[0].pressure, place, "has a pressure, and its first level has none",
+      c.require(i == 0 || a.profile[0].pressure, place, "has levels with pressures, and its first level has none",
                 "give that of the first level, or none at all");
-      c.require(!below || *level.pressure < *below, there, "must have less pressure than the level below",
-                "sort the levels by altitude");
-      below = level.pressure;
     }
     if (i > 0)
-      c.require(level.altitude - a.profile[i - 1].altitude >= kLeastLayer, there, "must lie higher than the one below",
-                "sort the levels by altitude; two lie 0.01 m apart at least");
+      c.require(level.altitude - a.profile[i - 1].altitude >= kLeastLayer * (1 - 1e-6), there,
+                "must lie higher than the one below", "sort the levels by altitude; two lie 0.01 m apart at least");
   }
   if (!c.status_so_far()) return;
-  for (const AirLevel& level : air_levels(a))
-    c.require(level.humidity == 0 || vapour_fraction(level.temperature, level.pressure, level.humidity) < 0.5, place,
-              "has more vapour than air of its temperature and pressure can be made of",
+  const std::vector<AirLevel> levels = air_levels(a);
+  const AirLevel* before = nullptr;
+  auto level = levels.begin();
+  for (std::size_t i = 0; i < a.profile.size(); ++i) {
+    const InputPlace there("environment.atmosphere.profile", i);
+    level = std::ranges::find(level, levels.end(), geopotential(a.profile[i].altitude), &AirLevel::height);
+    PHYSIM_ASSERT(level != levels.end());
+    c.require(!before || level->pressure < before->pressure, there, "must have less pressure than the level below",
+              "pressures are those at the level, in pascal");
+    // Levels far apart need not be in balance: what lies between is not known.
+    const double fall = before ? log(before->pressure / level->pressure) : 0;
+    const double balanced = before ? balanced_fall(*before, *level) : 0;
+    c.require(std::abs(fall - balanced) <= 0.05 + 0.25 * balanced, there,
+              "has a pressure that its height above the level below cannot make",
+              "pressures are those at the level, in pascal");
+    before = &*level;
+  }
+  for (const AirLevel& any : levels)
+    c.require(any.humidity == 0 || vapour_fraction(any.temperature, any.pressure, any.humidity) < 0.5, place,
+              "has more vapour at " + short_text(std::round(any.height)) +
+                  " m than air of its temperature and pressure can be made of",
               "lower the humidity of levels that are high and warm");
 }
 

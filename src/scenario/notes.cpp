@@ -67,6 +67,16 @@ class Notes {
     if (on_earth && (pressure < 1e4 || pressure > 1.2e5))
       unusual(document_, "", {"environment", "atmosphere", "pressure"}, quantity_text(pressure, Quantity::pressure),
               "air on the ground has 50 to 108 kPa, as \"1013 hPa\"");
+    if (!e.atmosphere.profile.empty() && e.atmosphere.profile[0].pressure) {
+      const AirPoint& first = e.atmosphere.profile[0];
+      const Result<AirSample> standard = air_at({}, first.altitude);
+      const double part = standard ? *first.pressure / standard->pressure : 1;
+      if (on_earth && (part < 0.7 || part > 1.3))
+        unusual(document_, "", {"environment", "atmosphere", "profile"},
+                "a pressure of " + quantity_text(*first.pressure, Quantity::pressure) + " at " +
+                    quantity_text(first.altitude, Quantity::length),
+                "the standard has " + quantity_text(standard->pressure, Quantity::pressure) + " there");
+    }
     if (altitude < -5e3 || altitude > 1e6)
       unusual(document_, "", {"environment", "altitude"}, quantity_text(altitude, Quantity::length),
               "it is a height above the sea, from -400 m to 1000 km");

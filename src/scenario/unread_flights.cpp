@@ -146,6 +146,7 @@ constexpr UnreadRule kEnvironmentRules[] = {
      [](R r) {
        if (std::string why = why_no_sound(r); !why.empty()) return why;
        const Atmosphere& air = r.scenario.environment.atmosphere;
+       if (!air.profile.empty()) return std::string();  // the check of the environment refuses both
        return read_with(air.temperature || air.pressure || air.humidity,
                         "environment.atmosphere.temperature, pressure or humidity");
      }},

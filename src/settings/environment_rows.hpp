@@ -23,7 +23,7 @@ inline constexpr auto kAirPointRows = std::tuple{
     PHYSIM_SETTING(altitude, "above sea level", Quantity::length, between(kLowestAltitude, kHighestAltitude)),
     PHYSIM_SETTING(temperature, "of the air there", Quantity::temperature, between(150, 350)),
     PHYSIM_SETTING(pressure, "there; none: in equilibrium with the level below", Quantity::pressure,
-                   between(0.01, 120000)),
+                   between(0.01, 200000)),
     PHYSIM_SETTING(humidity, "relative humidity there; none: dry", kFraction),
 };
 

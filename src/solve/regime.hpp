@@ -89,7 +89,10 @@ PHYSIM_NOINLINE Regime<R> regime(const Conditions<S>& c, const Body<R>& b, const
     const R z = altitude(c, s.x);
     const S r0 = static_cast<S>(kGeopotentialRadius);
     const S* bases = c.has_air_profile ? c.air_bases : c.air.base;
-    r.air_layer = borders_passed(c.air.layers - 1, r0 * z / (r0 + z), [&](int i) { return bases[i + 1]; });
+    const R h = r0 * z / (r0 + z);
+    const int first = layer_below_all(c.air.layers, bases, h);
+    r.air_layer =
+        R(S(first)) + borders_passed(c.air.layers - 1 - first, h, [&](int i) { return bases[first + i + 1]; });
   }
   if (has_wind_pieces(c))
     r.wind_piece = borders_passed(c.wind.points, c.wind.by_range ? s.x.x : height(c, s.x),

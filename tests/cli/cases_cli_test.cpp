@@ -309,6 +309,9 @@ TEST(CasesOfAir, levels_of_a_sounding_are_flown) {
   const Ran wrong = physim({"run", folder.write("m.toml", mistaken)});
   EXPECT_EQ(wrong.code, 2);
   EXPECT_TRUE(has(wrong.err, "environment.atmosphere.profile: 300 m after 350 m")) << wrong.err;
+  const Ran slip =
+      physim({"run", file, "--set", "environment.atmosphere.profile=[{ temperature = 288, pressure = 1013 }]"});
+  EXPECT_TRUE(has(slip.err, "a pressure of 1013 Pa at 0 m is unusual")) << slip.err;
   // Simpler air leaves all but the origin's out.
   const Ran vacuum = physim({"run", file, "--set", "shot.fidelity.air=vacuum"});
   EXPECT_TRUE(has(vacuum.err, "environment.atmosphere.profile")) << vacuum.err;

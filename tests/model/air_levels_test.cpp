@@ -112,6 +112,26 @@ TEST(AirLevels, of_the_standard_are_the_standard) {
   EXPECT_NEAR(there / here, 1, 3e-4);
 }
 
+/// One level of the standard, wherever it lies, is the standard: its corners lie below that, too.
+TEST(AirLevels, that_begin_high_have_the_standard_below) {
+  for (const double first : {-5000.0, 0.0, 12000.0, 20000.0, 50000.0, 86000.0}) {
+    const AirSample there = *air_at({}, first);
+    const Environment e = with_levels({{first, there.temperature, there.pressure}});
+    for (double z = -4900; z <= 85900; z += 700) {
+      EXPECT_NEAR(air_at(e, z)->density / air_at({}, z)->density, 1, 5e-3) << first << " " << z;
+      EXPECT_NEAR(air_at(e, z)->temperature, air_at({}, z)->temperature, 1e-6) << first << " " << z;
+    }
+  }
+}
+
+/// It is as humid below the first level as there, and dry above the last one.
+TEST(AirLevels, are_humid_below_and_dry_above) {
+  const Environment e = with_levels({{1000, 290, 90000, 0.8}});
+  const AirSample low = *air_at(e, 0), high = *air_at(e, 5000);
+  EXPECT_NEAR(low.density, moist_density(low.temperature, low.pressure, 0.8), 2e-5);
+  EXPECT_NEAR(high.density, moist_density(high.temperature, high.pressure, 0.0), 1e-6);
+}
+
 /// A fall through the morning's air against an integration of its own by small steps of the classical Runge-Kutta rule.
 TEST(AirLevels, slow_what_falls_through_them) {
   const Environment e = with_levels(morning());
@@ -209,6 +229,12 @@ TEST(AirLevels, that_contradict_themselves_are_refused) {
   profile = morning();
   profile[2].pressure = 98000;
   EXPECT_NE(refused(with_levels(profile)).find("less pressure than the level below"), std::string::npos);
+  profile = {{0, 288, 100000}, {3000, 273}, {3100, 273, 99000}};
+  EXPECT_NE(refused(with_levels(profile)).find("profile[2]"), std::string::npos) << "a rise over a level without one";
+  profile = {{0, 293, 100000}, {1, 293, 100}};
+  EXPECT_NE(refused(with_levels(profile)).find("cannot make"), std::string::npos);
+  EXPECT_EQ(refused(with_levels({{200, 288}, {200.01, 288}})), "");
+  EXPECT_NE(refused(with_levels({{200, 288}, {200.009, 288}})), "");
   profile = morning();
   profile[0].pressure.reset();
   EXPECT_NE(refused(with_levels(profile)).find("its first level has none"), std::string::npos);
