@@ -319,6 +319,12 @@ namespace {
   }
   if (!c.status_so_far()) return;
   const std::vector<AirLevel> levels = air_levels(a);
+  for (const AirLevel& any : levels)
+    c.require(any.humidity == 0 || vapour_fraction(any.temperature, any.pressure, any.humidity) < 0.5, place,
+              "has more vapour at " + short_text(std::round(any.height)) +
+                  " m than air of its temperature and pressure can be made of",
+              "lower the humidity of levels that are high and warm");
+  if (!c.status_so_far()) return;
   const AirLevel* before = nullptr;
   auto level = levels.begin();
   for (std::size_t i = 0; i < a.profile.size(); ++i) {
@@ -335,11 +341,6 @@ namespace {
               "pressures are those at the level, in pascal");
     before = &*level;
   }
-  for (const AirLevel& any : levels)
-    c.require(any.humidity == 0 || vapour_fraction(any.temperature, any.pressure, any.humidity) < 0.5, place,
-              "has more vapour at " + short_text(std::round(any.height)) +
-                  " m than air of its temperature and pressure can be made of",
-              "lower the humidity of levels that are high and warm");
 }
 
 }  // namespace
