@@ -15,6 +15,10 @@
 #define PHYSIM_NOINLINE [[gnu::noinline]]
 #endif
 
+/// A function of preparation, which no step of a flight calls. The compiler keeps it small: programs link it whatever
+/// they fly.
+#define PHYSIM_COLD [[gnu::cold]]
+
 #define PHYSIM_ISA_BEGIN \
   namespace physim {     \
   inline namespace PHYSIM_ISA {

@@ -67,7 +67,7 @@ void check_ricochet(Checker& c, const RicochetDef& r, double density) {
 
 }  // namespace
 
-[[gnu::cold]] Status check_material(const Material& m) {
+PHYSIM_COLD Status check_material(const Material& m) {
   const IeeeMode mode;
   Checker c;
   check_part(c, m.restitution, "material.restitution", "more would give energy");

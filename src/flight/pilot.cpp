@@ -65,9 +65,9 @@ class Reference {
   double fastest_ = 0;         // [m/s]
 };
 
-[[gnu::cold]] Result<Reference> fly_reference(const ProjectileDef& projectile, const Launch& launch,
-                                              const Environment& environment, const Fidelity& fidelity,
-                                              const Tolerance& tolerance, const Until& until, double error_allowed) {
+PHYSIM_COLD Result<Reference> fly_reference(const ProjectileDef& projectile, const Launch& launch,
+                                            const Environment& environment, const Fidelity& fidelity,
+                                            const Tolerance& tolerance, const Until& until, double error_allowed) {
   Fidelity exact = fidelity;
   exact.integrator = Integrator::dop853;
   exact.precision = Precision::float64;
@@ -92,10 +92,10 @@ Until up_to_contact(Until until) {
 
 }  // namespace
 
-[[gnu::cold]] Result<PilotStep> step_within(const ProjectileDef& projectile, const Launch& launch,
-                                            const Environment& environment, const Fidelity& fidelity,
-                                            const Tolerance& tolerance, const Until& asked, double error_allowed,
-                                            double longest) {
+PHYSIM_COLD Result<PilotStep> step_within(const ProjectileDef& projectile, const Launch& launch,
+                                          const Environment& environment, const Fidelity& fidelity,
+                                          const Tolerance& tolerance, const Until& asked, double error_allowed,
+                                          double longest) {
   PHYSIM_ASSERT(error_allowed > 0 && longest > 0);
   Until until = up_to_contact(asked);
   const auto fly_exact = [&] {

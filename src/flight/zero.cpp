@@ -95,7 +95,7 @@ class ZeroShots {
     const Flight flight = flight_at(elevation);
     return flight.outcome() == Outcome::reached_range ? flight.end().drop : -range_;
   }
-  [[gnu::cold]] std::optional<double> root_between(double low, double at_low, double high, double at_high) {
+  PHYSIM_COLD std::optional<double> root_between(double low, double at_low, double high, double at_high) {
     const auto at = [&](double elevation) { return drop(elevation); };
     const double elevation = find_root(at, low, at_low, high, at_high, 1e-13);
     // A jump of the height has no zero.
@@ -126,8 +126,8 @@ class ZeroShots {
 
 }  // namespace
 
-[[gnu::cold]] Result<double> zero_elevation(const ProjectileDef& projectile, const Launch& launch,
-                                            const Environment& environment, const Fidelity& fidelity, double range) {
+PHYSIM_COLD Result<double> zero_elevation(const ProjectileDef& projectile, const Launch& launch,
+                                          const Environment& environment, const Fidelity& fidelity, double range) {
   const IeeeMode mode;
   if (!(std::isfinite(range) && range > 0))
     return Error{"a zero range must be a positive number", "launch.sight.zero_range", "in m"};

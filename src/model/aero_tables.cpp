@@ -150,7 +150,7 @@ bool has_aero_angles(const AeroDef& aero, const Fidelity& rung) {
   return moment || angle_borders(aero.magnus_force).size() > 1;
 }
 
-[[gnu::cold]] void add_aero(const AeroDef& aero, TablePool& pool, Rotor<double>& r) {
+PHYSIM_COLD void add_aero(const AeroDef& aero, TablePool& pool, Rotor<double>& r) {
   static_assert(kCoefficients.size() == kNumbers<physim::AeroCoefficients>);
   double* constants = numbers(r.coefficient);
   for (std::size_t i = 0; i < kCoefficients.size(); ++i) constants[i] = coefficient_at(coefficient(aero, i), 0, 0);

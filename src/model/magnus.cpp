@@ -29,7 +29,7 @@ Place place_of(const std::vector<double>& values, double value) {
 
 }  // namespace
 
-[[gnu::cold]] MagnusGrid magnus_grid(const MagnusDef& magnus) {
+PHYSIM_COLD MagnusGrid magnus_grid(const MagnusDef& magnus) {
   MagnusGrid g;
   g.by_parameter = magnus.measure == SpinMeasure::parameter;
   std::vector<double> speeds, spins;

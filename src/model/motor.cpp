@@ -110,8 +110,8 @@ double propellant_left(const MotorDef& motor, double time) {
   return motor.propellant_mass * (1 - impulse / total_impulse(motor));
 }
 
-[[gnu::cold]] std::size_t MotorPool::add(const MotorDef& motor, const CurvePart<double>& coasting,
-                                         const CurvePart<double>& burning, double drag_factor) {
+PHYSIM_COLD std::size_t MotorPool::add(const MotorDef& motor, const CurvePart<double>& coasting,
+                                       const CurvePart<double>& burning, double drag_factor) {
   const double never = std::numeric_limits<double>::infinity();
   std::vector<MotorPiece> pieces;
   if (motor.ignition_delay > 0) pieces.push_back({no_burn(0.0, motor.ignition_delay, 0.0), coasting});

@@ -51,7 +51,7 @@ double liquid_critical_angle(double specific_gravity) {
   return std::sqrt(0.1 / specific_gravity);
 }
 
-[[gnu::cold]] double liquid_speed_kept(double specific_gravity, double angle) {
+double liquid_speed_kept(double specific_gravity, double angle) {
   const double part = angle / liquid_critical_angle(specific_gravity);
   PHYSIM_ASSERT(part >= 0 && part < 1);
   constexpr double kDrag = 1.0065842420897408;  // sqrt(10) / pi

@@ -8,7 +8,7 @@
 
 namespace physim {
 
-[[gnu::cold]] std::size_t MagnusPool::add(const MagnusDef& magnus) {
+PHYSIM_COLD std::size_t MagnusPool::add(const MagnusDef& magnus) {
   const MagnusGrid grid = magnus_grid(magnus);
   PHYSIM_ASSERT(is_full(grid, magnus.table.size()));
   const auto known = std::find(grids_.begin(), grids_.end(), grid);
@@ -74,7 +74,7 @@ double TablePool::add_rows(const std::vector<std::array<double, 4>>& rows) {
   return static_cast<double>(first / 4);
 }
 
-[[gnu::cold]] const AeroPlace* TablePool::find(const AeroDef& aero) const {
+PHYSIM_COLD const AeroPlace* TablePool::find(const AeroDef& aero) const {
   for (const auto& [known, place] : aero_)
     if (known == aero) return &place;
   return nullptr;

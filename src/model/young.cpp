@@ -22,7 +22,7 @@ double young_light(double mass, bool hard) {
 
 }  // namespace
 
-[[gnu::cold]] double young_reach(double s_number, double nose_length, double mass, double area, bool hard) {
+double young_reach(double s_number, double nose_length, double mass, double area, bool hard) {
   PHYSIM_ASSERT(s_number > 0 && mass > 0 && area > 0);
   return s_number * young_nose_factor(nose_length) * young_light(mass, hard) * pow(mass / area, 0.7);
 }
@@ -32,7 +32,7 @@ double young_depth(double reach, double speed) {
   return speed < kFastBranch ? kSlow * reach * log1p(kSlowSquare * speed * speed) : kFast * reach * (speed - kFastFrom);
 }
 
-[[gnu::cold]] double young_speed(double reach, double depth) {
+double young_speed(double reach, double depth) {
   PHYSIM_ASSERT(reach > 0 && depth >= 0);
   const double fast = kFastFrom + depth / (kFast * reach);
   if (fast >= kFastBranch) return fast;

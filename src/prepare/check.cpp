@@ -22,9 +22,6 @@ namespace {
 
 constexpr double kRightAngleUp = 1.5707963267948968;  // the next number above a right angle [rad]
 
-// What few projectiles and environments have is checked by [[gnu::cold]] functions: they are small, and programs hold
-// them all.
-
 // Numbers further out mean nothing here, and what is computed from them is no number any more.
 constexpr double kSmallest = 1e-9;        // distance between points of a table [s, m, or Mach number]
 constexpr double kLeastLayer = 0.01;      // between levels of the air [m]
@@ -54,7 +51,7 @@ bool is_surely_right(const std::vector<DragPoint>& curve) {
   return right && before < kInfinity;
 }
 
-[[gnu::cold]] void check_curve(Checker& c, const std::vector<DragPoint>& curve, Checker::Text name) {
+PHYSIM_COLD void check_curve(Checker& c, const std::vector<DragPoint>& curve, Checker::Text name) {
   if (is_surely_right(curve)) return;
   c.require(!curve.empty(), name, "is empty", "give at least one point (Mach, Cd)");
   for (std::size_t i = 0; i < curve.size(); ++i) {
@@ -67,7 +64,7 @@ bool is_surely_right(const std::vector<DragPoint>& curve) {
   }
 }
 
-[[gnu::cold]] void check_bands(Checker& c, const std::vector<BallisticBand>& bands) {
+PHYSIM_COLD void check_bands(Checker& c, const std::vector<BallisticBand>& bands) {
   c.require(bands.size() <= std::size_t(kMaxBands), "projectile.drag.bands", "has too many bands", "at most 8");
   for (std::size_t i = 0; i < bands.size(); ++i) {
     const InputPlace place("projectile.drag.bands", i);
@@ -76,7 +73,7 @@ bool is_surely_right(const std::vector<DragPoint>& curve) {
 }
 
 /// A coefficient's points; `angles`: several of them may have the same Mach number.
-[[gnu::cold]] void check_coefficient(Checker& c, const AeroCoefficient& points, const char* name, bool angles) {
+PHYSIM_COLD void check_coefficient(Checker& c, const AeroCoefficient& points, const char* name, bool angles) {
   const std::string list = std::string("projectile.aero.") + name;
   for (std::size_t i = 0; i < points.size(); ++i) {
     const InputPlace place(list, i);
@@ -94,7 +91,7 @@ bool is_surely_right(const std::vector<DragPoint>& curve) {
   }
 }
 
-[[gnu::cold]] void check_aero(Checker& c, const AeroDef& a) {
+PHYSIM_COLD void check_aero(Checker& c, const AeroDef& a) {
   c.named(a.rate_norm, RateNorm::twice_speed, "projectile.aero.rate_norm");
   c.named(a.damping_frame, DampingFrame::inertial, "projectile.aero.damping_frame");
   c.not_negative(a.area, "projectile.aero.area", "0: from the diameter");
@@ -123,8 +120,8 @@ bool is_surely_right(const std::vector<DragPoint>& curve) {
 /// Points with a time and a value that is not negative; times rising from 0. Where a table may have steps, two points
 /// at one time are one.
 template <class Point>
-[[gnu::cold]] void check_table(Checker& c, const std::vector<Point>& table, double Point::*value,
-                               const std::string& name, bool may_step) {
+PHYSIM_COLD void check_table(Checker& c, const std::vector<Point>& table, double Point::*value, const std::string& name,
+                             bool may_step) {
   constexpr std::size_t kMost = 1000;
   c.require(table.size() >= 2 && table.size() <= kMost, name, "has too few or too many points", "2 to 1000");
   for (std::size_t i = 0; i < table.size() && i < kMost; ++i) {
@@ -143,7 +140,7 @@ template <class Point>
   }
 }
 
-[[gnu::cold]] void check_motor(Checker& c, const ProjectileDef& p) {
+PHYSIM_COLD void check_motor(Checker& c, const ProjectileDef& p) {
   const MotorDef& m = p.motor;
   check_table(c, m.thrust, &ThrustPoint::force, "projectile.motor.thrust", true);
   c.not_negative(m.propellant_mass, "projectile.motor.propellant_mass", "in kg");
@@ -176,7 +173,7 @@ template <class Point>
             "give drag_factor instead");
 }
 
-[[gnu::cold]] void check_magnus(Checker& c, const MagnusDef& m) {
+PHYSIM_COLD void check_magnus(Checker& c, const MagnusDef& m) {
   c.named(m.measure, SpinMeasure::parameter, "projectile.magnus.measure");
   c.is_number(m.lift, "projectile.magnus.lift").positive(m.lift_base, "projectile.magnus.lift_base", "");
   c.not_negative(m.lift_saturation, "projectile.magnus.lift_saturation", "");
@@ -257,7 +254,7 @@ bool is_surely_right(const Launch& l) {
 
 }  // namespace
 
-[[gnu::cold]] Status check(const Launch& l) {
+PHYSIM_COLD Status check(const Launch& l) {
   if (is_surely_right(l)) return {};
   Checker c;
   c.is_vector(l.position, "launch.position").not_negative(l.speed, "launch.speed", "in m/s");
@@ -289,7 +286,7 @@ bool is_surely_right(const Launch& l) {
 namespace {
 
 /// The levels of a sounding, which rise, and whose pressures fall.
-[[gnu::cold]] void check_levels(const Atmosphere& a, Checker& c) {
+PHYSIM_COLD void check_levels(const Atmosphere& a, Checker& c) {
   const std::string_view place = "environment.atmosphere.profile";
   PHYSIM_ASSERT(!a.profile.empty());
   c.require(a.profile.size() <= std::size_t(kMostLevels), place, "has too many levels", "at most 100000");
@@ -319,9 +316,9 @@ namespace {
   }
   if (!c.status_so_far()) return;
   const std::vector<AirLevel> levels = air_levels(a);
-  for (const AirLevel& any : levels)
-    c.require(any.humidity == 0 || vapour_fraction(any.temperature, any.pressure, any.humidity) < 0.5, place,
-              "has more vapour at " + short_text(std::round(any.height)) +
+  for (const AirLevel& each : levels)
+    c.require(each.humidity == 0 || vapour_fraction(each.temperature, each.pressure, each.humidity) < 0.5, place,
+              "has more vapour at " + short_text(std::round(each.height)) +
                   " m than air of its temperature and pressure can be made of",
               "lower the humidity of levels that are high and warm");
   if (!c.status_so_far()) return;
@@ -345,7 +342,7 @@ namespace {
 
 }  // namespace
 
-Status check(const Environment& e) {
+PHYSIM_COLD Status check(const Environment& e) {
   Checker c;
   c.require(e.altitude >= kLowestAltitude && e.altitude <= 1e9, "environment.altitude",
             "must lie between -5000 m and 1e9 m", "");
@@ -476,7 +473,7 @@ Status check(const ContactDef& contact, const std::string& place) {
   return c.status();
 }
 
-Status check(const Until& u) {
+PHYSIM_COLD Status check(const Until& u) {
   Checker c;
   if (u.ground) c.is_number(*u.ground, "until.ground");
   if (u.range) c.positive(*u.range, "until.range", "in m");

@@ -50,7 +50,7 @@ class Granting {
     note(effect, name(value), name(value), reason);
   }
 
-  [[gnu::cold]] void note(const char* effect, std::string_view asked, std::string_view granted, const char* reason) {
+  PHYSIM_COLD void note(const char* effect, std::string_view asked, std::string_view granted, const char* reason) {
     notes_.push_back({effect, std::string(asked), std::string(granted), reason});
   }
 
