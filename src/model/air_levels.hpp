@@ -24,22 +24,23 @@
 
 namespace physim {
 
-/// A level with all that is known of it.
+/// A level with what follows from its temperature, pressure and humidity.
 struct AirLevel {
-  double height;       // geopotential [m]
-  double temperature;  // [K]
-  double pressure;     // [Pa]
-  double humidity;     // relative [-]
-  double density;      // [kg/m^3]
-  double sound_speed;  // [m/s]
+  double height = 0;       // geopotential [m]
+  double temperature = 0;  // [K]
+  double pressure = 0;     // [Pa]
+  double humidity = 0;     // relative [-]
+  double density = 0;      // [kg/m^3]
+  double sound_speed = 0;  // [m/s]
+  double hydrostatic = 0;  // k [K/m]
 };
 
-/// The levels of a profile that has some, with those of the standard below and above; more of them where temperature
-/// changes by over a quarter between two.
+/// The levels of a profile, with those of the standard below and above, and more where temperature changes by over a
+/// quarter between two; none without a profile.
 [[nodiscard]] std::vector<AirLevel> air_levels(const Atmosphere& atmosphere);
-/// The layer above each of some levels, above the last one with its temperature.
-[[nodiscard]] std::vector<AirLayer<double>> air_layers(const std::vector<AirLevel>& levels);
-/// The fall of the logarithm of pressure from a level up to the next one in hydrostatic equilibrium [-].
+/// The layer above the i-th level; above the last one air has its temperature.
+[[nodiscard]] AirLayer<double> layer_above(const std::vector<AirLevel>& levels, std::size_t i);
+/// The fall of the logarithm of pressure from one level to another in hydrostatic equilibrium [-].
 [[nodiscard]] double balanced_fall(const AirLevel& low, const AirLevel& high);
 /// The air at a geopotential height, by these layers [m].
 [[nodiscard]] AirLevel air_between(const std::vector<AirLevel>& levels, double height);

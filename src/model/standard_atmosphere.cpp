@@ -110,20 +110,21 @@ StationPlace station_place(const Environment& environment, AirModel model) {
 
 namespace {
 
-/// The air of a profile of levels at the origin.
-void put_origin(const Environment& environment, AirNumbers<double>& air) {
-  const AirLevel there = air_between(air_levels(environment.atmosphere), geopotential(environment.altitude));
+/// The air between levels at the origin.
+PHYSIM_COLD void put_origin(const std::vector<AirLevel>& levels, double height, AirNumbers<double>& air) {
+  const AirLevel there = air_between(levels, height);
   air.temperature = there.temperature;
   air.density = there.density;
   air.per_sound_speed = 1 / there.sound_speed;
   air.kelvin_per_sound = there.temperature * air.per_sound_speed * air.per_sound_speed;
 }
 
-/// Into numbers that are all zero.
-void put_air_numbers(const Environment& environment, AirModel model, AirNumbers<double>& air) {
+/// Into numbers that are all zero. The levels are those of the environment's profile.
+void put_air_numbers(const Environment& environment, AirModel model, const std::vector<AirLevel>& levels,
+                     AirNumbers<double>& air) {
   const Atmosphere& given = environment.atmosphere;
-  if (!given.profile.empty()) {
-    put_origin(environment, air);
+  if (!levels.empty()) {
+    put_origin(levels, geopotential(environment.altitude), air);
   } else if (is_standard(given)) {
     const StandardProfile& profile = standard_profile();
     const double h = geopotential(environment.altitude);
@@ -147,25 +148,32 @@ void put_air_numbers(const Environment& environment, AirModel model, AirNumbers<
 
 AirNumbers<double> prepare_air_numbers(const Environment& environment, AirModel model) {
   AirNumbers<double> air{};
-  put_air_numbers(environment, model, air);
+  put_air_numbers(environment, model, air_levels(environment.atmosphere), air);
   return air;
 }
 
-void put_air(const Environment& environment, AirModel model, Air<double>& air) {
+void put_air(const Environment& environment, AirModel model, const std::vector<AirLevel>& levels, Air<double>& air) {
   put_frame(model, environment.atmosphere.scale_height, air);
-  put_air_numbers(environment, model, air.common);
+  put_air_numbers(environment, model, levels, air.common);
+  if (levels.empty() || model != AirModel::isa) return;
+  PHYSIM_ASSERT(levels.size() >= 2);
+  air.low_top = -kInfinity;
+  air.layers = static_cast<int>(levels.size());
+  std::ranges::fill(air.base, levels[1].height);
+  air.base[0] = levels[0].height;
 }
 
 AirSample air_sample(const Environment& environment, double altitude) {
   PHYSIM_ASSERT(altitude >= kLowestAltitude && altitude <= kHighestAltitude);
-  if (environment.atmosphere.model == AirModel::isa && !environment.atmosphere.profile.empty()) {
-    const AirLevel air = air_between(air_levels(environment.atmosphere), geopotential(altitude));
+  const std::vector<AirLevel> levels = air_levels(environment.atmosphere);
+  if (environment.atmosphere.model == AirModel::isa && !levels.empty()) {
+    const AirLevel air = air_between(levels, geopotential(altitude));
     return {air.temperature, air.pressure, air.density, air.sound_speed, viscosity(air.temperature)};
   }
   Conditions<double> c{};
   c.fidelity.air = environment.atmosphere.model;
   c.altitude = environment.altitude;
-  put_air(environment, c.fidelity.air, c.air);
+  put_air(environment, c.fidelity.air, levels, c.air);
   const AirState<double> state = air_state(c, c.air.common, Vec3d{0, altitude - c.altitude, 0});
   const double kelvin = temperature(c, c.air.common, state);
   const double factor = density_factor(environment);

@@ -3,6 +3,7 @@
 // Model, symbols, equations and Source: model/station.hpp; exponential and constant air: model/air.hpp.
 #pragma once
 
+#include "model/air_levels.hpp"
 #include "model/station.hpp"
 #include "physim/environment.hpp"
 
@@ -16,8 +17,9 @@ namespace physim {
 /// The air at an altitude that the standard defines [m].
 [[nodiscard]] AirSample air_sample(const Environment& environment, double altitude);
 
-/// The air of an environment, into numbers that are all zero; `model` is the granted rung.
-void put_air(const Environment& environment, AirModel model, Air<double>& air);
+/// The air of an environment, into numbers that are all zero; `model` is the granted rung, the levels are those of the
+/// environment's profile.
+void put_air(const Environment& environment, AirModel model, const std::vector<AirLevel>& levels, Air<double>& air);
 /// What the weather changes of an environment's air.
 [[nodiscard]] AirNumbers<double> prepare_air_numbers(const Environment& environment, AirModel model);
 /// For put_air(), in lanes.

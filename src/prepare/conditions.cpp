@@ -35,15 +35,6 @@ void put_wind(const Wind& wind, WindModel model, WindField<double>& field, Profi
   tables.put_wind(wind.profile);
 }
 
-void put_levels(const std::vector<AirLevel>& levels, Air<double>& air, ProfileTables& tables) {
-  PHYSIM_ASSERT(levels.size() >= 2);
-  air.low_top = -kInfinity;
-  air.layers = static_cast<int>(levels.size());
-  std::ranges::fill(air.base, levels[1].height);
-  air.base[0] = levels[0].height;
-  tables.put_air(levels);
-}
-
 /// A function that is called with times later by `delay` [s].
 template <class Batch>
 FieldFunction<Batch> later_by(double delay, const FieldFunction<Batch>& function) {
@@ -63,9 +54,10 @@ Conditions<double> prepare_conditions(const Environment& environment, const Fide
   Conditions<double> c{};
   c.fidelity = granted;
   prepare_earth(environment, granted, c);
-  put_air(environment, granted.air, c.air);
-  c.has_air_profile = granted.air == AirModel::isa && !environment.atmosphere.profile.empty();
-  if (c.has_air_profile) put_levels(air_levels(environment.atmosphere), c.air, tables);
+  const std::vector<AirLevel> levels = air_levels(environment.atmosphere);
+  put_air(environment, granted.air, levels, c.air);
+  c.has_air_profile = granted.air == AirModel::isa && !levels.empty();
+  if (c.has_air_profile) tables.put_air(levels);
   put_wind(environment.wind, granted.wind, c.wind, tables);
   c.wind_function = environment.wind.field.get();
   c.force_function = environment.force.get();

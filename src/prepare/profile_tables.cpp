@@ -13,7 +13,7 @@ void narrow(const std::vector<Wide>& wide, std::vector<Narrow>& rows) {
 
 }  // namespace
 
-[[gnu::cold]] void ProfileTables::put_wind(std::span<const WindPoint> points) {
+PHYSIM_COLD void ProfileTables::put_wind(std::span<const WindPoint> points) {
   auto& wind = in_double_.wind;
   wind.clear();
   for (const WindPoint& p : points) {
@@ -28,10 +28,12 @@ void narrow(const std::vector<Wide>& wide, std::vector<Narrow>& rows) {
   narrow(wind, in_float_.wind);
 }
 
-[[gnu::cold]] void ProfileTables::put_air(const std::vector<AirLevel>& levels) {
-  in_double_.air = air_layers(levels);
-  in_double_.bases.clear();
-  for (const AirLevel& level : levels) in_double_.bases.push_back(level.height);
+PHYSIM_COLD void ProfileTables::put_air(const std::vector<AirLevel>& levels) {
+  in_double_.air.clear(), in_double_.bases.clear();
+  for (std::size_t i = 0; i < levels.size(); ++i) {
+    in_double_.air.push_back(layer_above(levels, i));
+    in_double_.bases.push_back(levels[i].height);
+  }
   PHYSIM_ASSERT(in_double_.air.size() == in_double_.bases.size());
   narrow(in_double_.air, in_float_.air);
   narrow(in_double_.bases, in_float_.bases);
