@@ -24,9 +24,14 @@ Status check_columns(const Weather& weather, std::size_t shots) {
 }
 
 Status check_station(const Weather& weather, const Atmosphere& air) {
-  if (!weather.has_station() || air.profile.empty()) return {};
-  return Error{"is that of a station, and the environment has air by levels", "weather.temperature",
-               "leave temperature, pressure and humidity of the weather out, or Atmosphere::profile"};
+  const std::pair<const char*, bool> columns[] = {{"weather.temperature", !weather.temperature.empty()},
+                                                  {"weather.pressure", !weather.pressure.empty()},
+                                                  {"weather.humidity", !weather.humidity.empty()}};
+  for (const auto& [place, is_given] : columns)
+    if (is_given && !air.profile.empty())
+      return Error{"is that of a station, and the environment has air by levels", place,
+                   "leave temperature, pressure and humidity of the weather out, or Atmosphere::profile"};
+  return {};
 }
 
 }  // namespace

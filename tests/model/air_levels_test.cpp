@@ -245,10 +245,11 @@ TEST(AirLevels, that_contradict_themselves_are_refused) {
   e.atmosphere.temperature = 280;
   EXPECT_NE(refused(e).find("a station gives it, too"), std::string::npos);
   e = with_levels(morning());
-  const std::vector<double> kelvin(3, 290.0);
+  const std::vector<double> damp(3, 0.5);
   const std::vector<Launch> launches(3, {.speed = 100});
-  const BatchResult batch = fly_batch(ProjectileDef{}, launches, e, {}, {}, {}, nullptr, {.temperature = kelvin});
+  const BatchResult batch = fly_batch(ProjectileDef{}, launches, e, {}, {}, {}, nullptr, {.humidity = damp});
   ASSERT_TRUE(batch.error);
+  EXPECT_EQ(batch.error->place, "weather.humidity");
   EXPECT_NE(batch.error->text().find("is that of a station"), std::string::npos);
 }
 
