@@ -5,19 +5,22 @@
 
 namespace physim::test {
 
-/// .308 Winchester, a 168 gr bullet by G7 0.218 lb/in^2 at 2600 ft/s, zeroed at 100 yd; it flies to 1000 yd.
-inline const std::string kRifle308 = R"([[shot]]
+/// .308 Winchester, a 168 gr bullet by G7 0.218 lb/in^2 at 2600 ft/s, zeroed at 100 yd. `more`: lines of the shot.
+inline std::string rifle308(const std::string& range = "1000 yd", const std::string& more = "") {
+  return R"([[shot]]
 name = "308"
 mass = "168 gr"
 diameter = "0.308 in"
-drag = { table = "g7", ballistic_coefficient = "0.218 lb/in^2" }
+)" + more +
+         R"(drag = { table = "g7", ballistic_coefficient = "0.218 lb/in^2" }
 speed = "2600 ft/s"
 sight = { height = "1.5 in", zero_range = "100 yd" }
 fidelity = "small_arms"
 [until]
 ground = "off"
-range = "1000 yd"
-)";
+range = ")" +
+         range + "\"\n";
+}
 
 /// 6.5 Creedmoor, a 140 gr bullet by G7 0.315 lb/in^2 at 2710 ft/s, zeroed at 100 yd. `sight`: more of the sight.
 inline std::string creedmoor(const std::string& sight = "") {

@@ -22,7 +22,7 @@ namespace physim {
 
 class Neighbours {
  public:
-  /// `conditions` are those of the flight; its air and its wind are read. They outlive this.
+  /// `conditions` are those of the flight; its air and its wind are read. The caller keeps them as long as this.
   Neighbours(const Flight& flight, const Environment& environment, const Conditions<double>& conditions);
 
   /// Takes over what a flight before this one, flown a little differently, shows of the error of the model: the

@@ -22,8 +22,8 @@ struct FlownStudy {
   std::vector<FlownStudy> at{};          // as it is at each of Study::at
   std::vector<const Unit*> units{};      // of each input, as it was written; null: that of SI
 };
-/// What was flown with its slopes, and so at each place. `texts`: the inputs as the file and the options have them, in
-/// any order.
+/// A flown study with its slopes, and the same at each place. `texts`: the inputs as the file and the options have
+/// them, in any order.
 [[nodiscard]] FlownStudy told_study(const StudyPlan& plan, StudyResult result, std::size_t histogram_bars,
                                     std::span<const std::string> texts = {});
 /// "800 m", "height 100 m falling": what the i-th place is called.

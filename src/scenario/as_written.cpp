@@ -22,7 +22,7 @@ bool has_numbers(const Entry& entry) {
          std::holds_alternative<std::vector<Vec3d>*>(slot);
 }
 
-/// What a value says of a setting of numbers.
+/// A number of a value, with what it measures.
 struct Number {
   double value = 0;
   Quantity quantity = Quantity::number;
@@ -40,7 +40,7 @@ std::optional<Number> written_number(const Value& value) {
   return number ? std::optional(Number{*number, quantity}) : std::nullopt;
 }
 
-/// Whether a value of a file is the number, bit for bit.
+/// Whether a value of a file reads back as the number, bit for bit.
 bool says(const Value& value, const Number& number) {
   if (const auto* text = value.get<std::string>()) {
     const Result<double> read = parse_quantity(*text, number.quantity);

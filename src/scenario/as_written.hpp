@@ -11,7 +11,7 @@
 
 namespace physim {
 
-/// Numbers that somebody typed with units for settings. A file that is to say such a number says it as it was typed.
+/// Numbers that users typed with units for settings. A file that holds such a number holds the typed text.
 class TypedNumbers {
  public:
   /// All of them in the text of a setting, as "1 m, 2 ft, 0"; bare ones are no news.

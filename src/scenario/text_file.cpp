@@ -7,13 +7,13 @@
 
 #include <algorithm>
 #include <cerrno>
-#include <charconv>
 #include <cmath>
 #include <cstring>
 #include <filesystem>
 
 #include "base/assert.hpp"
 #include "scenario/files_in_use.hpp"
+#include "scenario/units.hpp"
 
 namespace physim {
 namespace fs = std::filesystem;
@@ -148,9 +148,8 @@ std::vector<std::string_view> words_of(std::string_view line) {
 }
 
 std::optional<double> finite_number(std::string_view word) {
-  if (word.starts_with('+')) word.remove_prefix(1);
   double value = 0;
-  const auto [end, failure] = std::from_chars(word.data(), word.data() + word.size(), value);
+  const auto [end, failure] = number_at_start(word, value);
   if (failure != std::errc() || end != word.data() + word.size() || !std::isfinite(value)) return std::nullopt;
   return value;
 }

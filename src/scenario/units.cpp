@@ -108,15 +108,10 @@ std::string_view trimmed(std::string_view text) {
   return text;
 }
 
-namespace {
-
-/// Reads the number that a text begins with, a "+" before it too; as std::from_chars() does.
 std::from_chars_result number_at_start(std::string_view text, double& number) {
   const bool has_plus = text.starts_with('+') && !text.starts_with("+-");
   return std::from_chars(text.data() + (has_plus ? 1 : 0), text.data() + text.size(), number);
 }
-
-}  // namespace
 
 std::string_view behind_number(std::string_view text) {
   double number = 0;

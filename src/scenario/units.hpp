@@ -1,6 +1,7 @@
 // Quantities as text: what is accepted at the door.
 #pragma once
 
+#include <charconv>
 #include <optional>
 #include <span>
 #include <string>
@@ -23,6 +24,8 @@ inline constexpr double kSquareDegree = 3.0461741978670857e-4;
 /// The last unit in a text such as "shot.speed = +- 10 ft/s per round"; null if the text has none of the quantity.
 [[nodiscard]] const Unit* last_unit(std::string_view text, Quantity quantity);
 
+/// Reads the number that a text begins with, a "+" before it too; as std::from_chars() does.
+std::from_chars_result number_at_start(std::string_view text, double& number);
 /// What stands behind the number that a text begins with, blanks included: " gr" of "168 gr"; the whole text if that
 /// begins with none.
 [[nodiscard]] std::string_view behind_number(std::string_view text);

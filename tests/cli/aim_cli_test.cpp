@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "cli/program.hpp"
+#include "rifles.hpp"
 
 #ifdef PHYSIM_CLI
 
@@ -31,21 +32,7 @@ elevation = "20 deg"
 fidelity = { preset = "simulation", earth = "flat" }
 )";
 
-constexpr const char* kBullet = R"(physim = 1
-[[shot]]
-name = "308"
-mass = "168 gr"
-diameter = "7.82 mm"
-length = "31 mm"
-twist = "12 in"
-drag = { table = "g7", ballistic_coefficient = "0.218 lb/in^2" }
-speed = "2600 ft/s"
-sight = { height = "1.5 in", zero_range = "100 yd" }
-fidelity = "small_arms"
-[until]
-ground = "off"
-range = "1000 m"
-)";
+const std::string kBullet = "physim = 1\n" + test::rifle308("1000 m", "length = \"31 mm\"\ntwist = \"12 in\"\n");
 
 std::vector<std::string> cells_of(const std::string& line) {
   std::vector<std::string> cells;

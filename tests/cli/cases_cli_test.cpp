@@ -14,7 +14,7 @@ namespace cli_cases_cli_test {
 
 using nlohmann::json;
 
-const std::string kRifle = "physim = 1\n" + test::kRifle308;
+const std::string kRifle = "physim = 1\n" + test::rifle308();
 
 json json_of(std::vector<std::string> words) {
   words.insert(words.end(), {"--json", "-"});

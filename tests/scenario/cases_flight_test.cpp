@@ -318,7 +318,7 @@ TEST(CasesOfGuns, rifling_to_the_left_gives_the_mirror_image) {
 /// In a scenario whose flight ends at 1000 yd the row of 1000 yd is there. Right: an RK4 of 1.900113 s, 12.1342 m below
 /// the line of sight and 312.546 m/s.
 TEST(CasesOfGuns, the_last_yard_of_a_card_is_on_it) {
-  const Scenario scenario = read(test::kRifle308 + "[output]\nranges = \"100 yd .. 1000 yd step 100 yd\"\n");
+  const Scenario scenario = read(test::rifle308() + "[output]\nranges = \"100 yd .. 1000 yd step 100 yd\"\n");
   ASSERT_EQ(scenario.ranges.size(), 10u);
   const auto last = flown(scenario).at_range(scenario.ranges.back());
   ASSERT_TRUE(last) << last.error().text();

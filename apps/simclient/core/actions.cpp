@@ -37,12 +37,24 @@ constexpr auto act(Deed) {
   };
 }
 
+using Text = std::string_view;
+
+/// Shows something and hides it.
 template <bool Shown::*what>
-constexpr auto kToggle = act([](Client& client) { client.show.*what = !(client.show.*what); });
-template <bool Shown::*what>
-constexpr auto kShown = +[](const Client& client) { return client.show.*what; };
+constexpr Action toggle(Text name, Text keys, Text menu, Text help) {
+  return {name,       keys,
+          menu,       help,
+          "",         act([](Client& c) { c.show.*what = !(c.show.*what); }),
+          Loss::none, [](const Client& c) { return c.show.*what; }};
+}
+/// Opens a panel at the bottom and closes it.
 template <BottomPanel panel>
-constexpr auto kOpen = +[](const Client& client) { return client.bottom == panel; };
+constexpr Action bottom(Text name, Text keys, Text help) {
+  return {name,       keys,
+          "Panels",   help,
+          "",         act([](Client& c) { c.show_bottom(panel); }),
+          Loss::none, [](const Client& c) { return c.bottom == panel; }};
+}
 template <Tool tool>
 constexpr auto kInHand = +[](const Client& client) { return client.tool == tool; };
 template <int right, int up>
@@ -299,25 +311,21 @@ constexpr Action kActions[] = {
     {"zoom-in", "PageUp", "View", "nearer", "", act([](Client& c) { zoom(c, 0.8); })},
     {"zoom-out", "PageDown", "View", "farther away", "", act([](Client& c) { zoom(c, 1.25); })},
     {"select", "Tab", "View", "selects the next projectile", "", act([](Client& c) { c.select_next(); })},
-    {"trails", "T", "View", "trails", "", kToggle<&Shown::trails>, Loss::none, kShown<&Shown::trails>},
+    toggle<&Shown::trails>("trails", "T", "View", "trails"),
     {"trail-colour", "Ctrl+K", "View", "trails in colours by the next of: shot, speed, mach, energy", "NAME",
      colour_trails},
-    {"attitude", "Q", "View", "the cone of the yaw of the selected one, where its attitude is flown", "",
-     kToggle<&Shown::attitude>, Loss::none, kShown<&Shown::attitude>},
-    {"vectors", "V", "View", "velocity, acceleration and forces of the selected one", "", kToggle<&Shown::vectors>,
-     Loss::none, kShown<&Shown::vectors>},
+    toggle<&Shown::attitude>("attitude", "Q", "View",
+                             "the cone of the yaw of the selected one, where its attitude is flown"),
+    toggle<&Shown::vectors>("vectors", "V", "View", "velocity, acceleration and forces of the selected one"),
     {"add-up", "U", "View", "forces of the selected one from tip to tip: they add up to mass times acceleration", "",
      act([](Client& c) {
        c.show.forces_add_up = !c.show.forces_add_up || !c.show.vectors;
        c.show.vectors = true;
      }),
      Loss::none, +[](const Client& c) { return c.show.forces_add_up && c.show.vectors; }},
-    {"prediction", "A", "View", "predicted path of the next shot", "", kToggle<&Shown::prediction>,
-     Loss::none, kShown<&Shown::prediction>},
-    {"marks", "K", "View", "marks of apex and impact, hits on things, and their names", "", kToggle<&Shown::marks>,
-     Loss::none, kShown<&Shown::marks>},
-    {"drop-lines", "Ctrl+L", "View", "lines down to the ground, and the ways over it", "", kToggle<&Shown::depth>,
-     Loss::none, kShown<&Shown::depth>},
+    toggle<&Shown::prediction>("prediction", "A", "View", "predicted path of the next shot"),
+    toggle<&Shown::marks>("marks", "K", "View", "marks of apex and impact, hits on things, and their names"),
+    toggle<&Shown::depth>("drop-lines", "Ctrl+L", "View", "lines down to the ground, and the ways over it"),
     {"theme", "Ctrl+T", "View", "next light and colours: day, dusk, chart, night", "NAME", choose_theme},
     {"quality", "Ctrl+U", "View", "how much is drawn: the next of high, medium, low, picked by how long frames take",
      "NAME", choose_quality},
@@ -327,21 +335,15 @@ constexpr Action kActions[] = {
      act([](Client& c) { c.letters = c.letters == TextSize::large ? TextSize::usual : TextSize::small; })},
     {"clear", "X", "View", "forgets those that have left", "", act([](Client& c) { c.session.clear_tracks(); })},
     // panels
-    {"settings", "F2", "Panels", "settings of the next shot", "", kToggle<&Shown::settings>,
-     Loss::none, kShown<&Shown::settings>},
-    {"statistics", "F3", "Panels", "statistics of those in flight", "", kToggle<&Shown::statistics>,
-     Loss::none, kShown<&Shown::statistics>},
-    {"plots", "F4", "Panels", "plots", "", act([](Client& c) { c.show_bottom(BottomPanel::plots); }),
-     Loss::none, kOpen<BottomPanel::plots>},
+    toggle<&Shown::settings>("settings", "F2", "Panels", "settings of the next shot"),
+    toggle<&Shown::statistics>("statistics", "F3", "Panels", "statistics of those in flight"),
+    bottom<BottomPanel::plots>("plots", "F4", "plots"),
     {"plot", "", "", "plots quantities over others: y/x speed/time", "QUANTITIES", plot},
-    {"compare", "F5", "Panels", "the next shot on several rungs", "",
-     act([](Client& c) { c.show_bottom(BottomPanel::compare); }), Loss::none, kOpen<BottomPanel::compare>},
-    {"performance", "F7", "Panels", "what steps and frames cost", "",
-     act([](Client& c) { c.show_bottom(BottomPanel::performance); }), Loss::none, kOpen<BottomPanel::performance>},
-    {"hits", "L", "Panels", "what was hit: where, how fast, and what became of it", "",
-     act([](Client& c) { c.show_bottom(BottomPanel::hits); }), Loss::none, kOpen<BottomPanel::hits>},
-    {"study", "Y", "Panels", "how likely is a hit: many flights of the next shot, with numbers that are uncertain", "",
-     act([](Client& c) { c.show_bottom(BottomPanel::study); }), Loss::none, kOpen<BottomPanel::study>},
+    bottom<BottomPanel::compare>("compare", "F5", "the next shot on several rungs"),
+    bottom<BottomPanel::performance>("performance", "F7", "what steps and frames cost"),
+    bottom<BottomPanel::hits>("hits", "L", "what was hit: where, how fast, and what became of it"),
+    bottom<BottomPanel::study>("study", "Y",
+                               "how likely is a hit: many flights of the next shot, with numbers that are uncertain"),
     {"study-run", "Z", "Tools", "starts the study of the next shot, pauses it, goes on", "",
      act([](Client& c) { return start_or_pause_study(c); })},
     {"study-again", "", "Tools", "throws away what was flown, and begins the study anew", "",
@@ -358,13 +360,11 @@ constexpr Action kActions[] = {
      act([](Client& c, auto& s) { return set_study_shots(c, s); })},
     {"study-width", "", "", "a study ends when its figure is known to so much: 1 % of hits, 2 mm of a mean", "WIDTH",
      act([](Client& c, auto& s) { return set_study_width(c, s); })},
-    {"emitters", "J", "Panels", "curves and gradients of emitters, drawn with the mouse", "",
-     kToggle<&Shown::emitters>, Loss::none, kShown<&Shown::emitters>},
-    {"panel-keys", "F8", "Panels", "arrows, Space, Enter and Ctrl+Tab go to the panels, Alt to the menu", "",
-     kToggle<&Shown::panel_keys>, Loss::none, kShown<&Shown::panel_keys>},
-    {"play-bar", "Ctrl+B", "Panels", "the bar of play, with the timeline", "", kToggle<&Shown::play>,
-     Loss::none, kShown<&Shown::play>},
-    {"help", "F1 H", "Help", "keys", "", kToggle<&Shown::help>, Loss::none, kShown<&Shown::help>},
+    toggle<&Shown::emitters>("emitters", "J", "Panels", "curves and gradients of emitters, drawn with the mouse"),
+    toggle<&Shown::panel_keys>("panel-keys", "F8", "Panels",
+                               "arrows, Space, Enter and Ctrl+Tab go to the panels, Alt to the menu"),
+    toggle<&Shown::play>("play-bar", "Ctrl+B", "Panels", "the bar of play, with the timeline"),
+    toggle<&Shown::help>("help", "F1 H", "Help", "keys"),
     // tools
     {"tape", "M", "Tools", "tape measure: left clicks set its ends", "",
      act([](Client& c) { c.use_tool(Tool::tape); }), Loss::none, kInHand<Tool::tape>},

@@ -25,12 +25,12 @@ struct Action {
   std::string_view argument;  // what a script may give to it, "FILE"; empty: nothing
   Status (*run)(Client& client, const std::string& argument) = nullptr;
   Loss loss = Loss::none;
-  bool (*is_on)(const Client& client) = nullptr;  // ticks it in the menu; null: it is done, not switched on
+  bool (*is_on)(const Client& client) = nullptr;  // the menu ticks it then; null: it has no tick
 };
 
 [[nodiscard]] std::span<const Action> actions();
 [[nodiscard]] const Action* find_action(std::string_view name);
-/// What an action is called in menus: "Fire into world".
+/// The label of an action in menus: "Fire into world".
 [[nodiscard]] std::string label_of(const Action& action);
 /// The action of a key. Letters count in either case: Shift and Caps Lock change nothing for those without Shift in
 /// their name. `key` is "E", "Space", "F5"...; `ctrl` whether Ctrl is held.

@@ -33,7 +33,7 @@ void add_later(Track& track, const TrackSample& sample) {
   if (sample.time > track.samples.back().time + kInstant) add_sample(track, sample);
 }
 
-/// Whether it lies where it lay before: it stands still, and has since its last sample but one.
+/// Whether a projectile rests: its velocity is zero, as it was in the sample before, and its place is that of then.
 bool rests(const Track& track, const TrackSample& now) {
   PHYSIM_ASSERT(!track.samples.empty());
   const auto before = std::find_if(track.samples.rbegin(), track.samples.rend(),

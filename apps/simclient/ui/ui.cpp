@@ -4,6 +4,7 @@
 #include <imgui_stdlib.h>
 
 #include <algorithm>
+#include <optional>
 
 #include "physim/names.hpp"
 #include "simclient/core/actions.hpp"
@@ -25,24 +26,20 @@ const char* mode_text(CameraMode mode) {
   return "";
 }
 
-/// What an action does: those that take back say what.
-std::string help_of(const Client& client, const Action& action) {
-  const bool undoes = action.name == "undo", redoes = action.name == "redo";
-  const std::string what = undoes   ? client.history().undo_text()
-                           : redoes ? client.history().redo_text()
-                                    : std::string();
-  return what.empty() ? std::string(action.help) : (undoes ? "takes back: " : "changes again: ") + what;
+/// The change that undo or redo is about, empty if there is none; nothing for other actions.
+std::optional<std::string> change_of(const Client& client, const Action& action) {
+  if (action.name == "undo") return client.history().undo_text();
+  if (action.name == "redo") return client.history().redo_text();
+  return std::nullopt;
 }
 
 /// A line of a menu: ticked where it is on, grey where it would do nothing, with what it does beside the pointer.
 void action_item(Client& client, const Action& action, const std::string& label) {
-  const History& history = client.history();
-  const bool is_idle =
-      (action.name == "undo" && history.undo_text().empty()) || (action.name == "redo" && history.redo_text().empty());
-  const bool is_on = action.is_on != nullptr && action.is_on(client);
+  const std::optional<std::string> change = change_of(client, action);
+  const bool is_on = action.is_on != nullptr && action.is_on(client), is_idle = change && change->empty();
   if (ImGui::MenuItem(label.c_str(), std::string(action.keys).c_str(), is_on, !is_idle)) run_action(client, action);
-  if (ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenDisabled))
-    ImGui::SetTooltip("%s", help_of(client, action).c_str());
+  const std::string help = std::string(action.help) + (change && !is_idle ? ": " + *change : "");
+  if (ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenDisabled)) ImGui::SetTooltip("%s", help.c_str());
 }
 void action_item(Client& client, const char* name, const char* label) {
   action_item(client, *find_action(name), label);
