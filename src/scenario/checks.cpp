@@ -96,7 +96,7 @@ void check_shots(const Scenario& scenario, const ScenarioNames& names, const Val
   }
 }
 
-/// What the library objects to in an environment, where the file gives it. What flies there reports all else.
+/// What the library objects to first in an environment, where the file gives it. What flies there reports all else.
 Status check_places(const Environment& environment, const Value& document) {
   const Status status = check(environment);
   if (status) return {};
@@ -144,7 +144,11 @@ Status check_scenario(const Scenario& scenario, const Value& document) {
   const ScenarioNames names(scenario);
   Mistakes mistakes;
   check_shots(scenario, names, document, mistakes);
-  mistakes.take(check_places(scenario.environment, document));
+  Environment without_wind = scenario.environment, without_air = scenario.environment;
+  without_wind.wind = {};
+  without_air.atmosphere = {};
+  mistakes.take(check_places(without_wind, document));
+  mistakes.take(check_places(without_air, document));
   check_world(scenario, names, document, mistakes);
   if (!scenario.world.given) check_expectations(scenario, names, document, mistakes);
   return mistakes.status();

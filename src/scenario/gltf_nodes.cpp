@@ -12,7 +12,7 @@ namespace {
 
 using Json = nlohmann::json;
 
-constexpr std::size_t kHeader = 12, kChunkHeader = 8;  // of a binary file [bytes]
+constexpr std::size_t kFileHeader = 12, kChunkFileHeader = 8;  // of a binary file [bytes]
 static_assert(std::endian::native == std::endian::little, "binary glTF has its words so");
 
 std::uint32_t word_at(const std::string& text, std::size_t at) {
@@ -87,9 +87,9 @@ const Affine* GltfNodes::find(const std::string& name) const {
 }
 
 std::optional<GltfNodes> gltf_nodes(const std::string& text) {
-  const bool is_binary = text.starts_with("glTF") && text.size() >= kHeader + kChunkHeader;
-  const std::size_t begin = is_binary ? kHeader + kChunkHeader : 0;
-  const std::size_t size = is_binary ? word_at(text, kHeader) : text.size();
+  const bool is_binary = text.starts_with("glTF") && text.size() >= kFileHeader + kChunkFileHeader;
+  const std::size_t begin = is_binary ? kFileHeader + kChunkFileHeader : 0;
+  const std::size_t size = is_binary ? word_at(text, kFileHeader) : text.size();
   if ((!is_binary && !text.starts_with('{')) || size > text.size() - begin) return std::nullopt;
   Json file = Json::parse(text.begin() + static_cast<std::ptrdiff_t>(begin),
                           text.begin() + static_cast<std::ptrdiff_t>(begin + size), nullptr, false);
@@ -112,7 +112,7 @@ std::optional<GltfNodes> gltf_nodes(const std::string& text) {
   out.text.resize((out.text.size() + 3) / 4 * 4, ' ');
   const std::string rest = text.substr(begin + size);
   out.text = text.substr(0, 8) + as_bytes(begin + out.text.size() + rest.size()) + as_bytes(out.text.size()) +
-             text.substr(kHeader + 4, 4) + out.text + rest;
+             text.substr(kFileHeader + 4, 4) + out.text + rest;
   return out;
 }
 

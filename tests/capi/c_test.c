@@ -86,7 +86,7 @@ static void test_flight(void) {
   physim_def* def = made(kFirst);
   physim_flight *flight = NULL, *other = NULL;
   physim_flight_info info = {.size = sizeof info};
-  physim_sample at = {.size = sizeof at}, end = {.size = sizeof end};
+  physim_sample at = {.size = sizeof at}, end = {.size = sizeof end}, later = {.size = sizeof later};
   physim_launch launch = {.size = sizeof launch};
   double time[5], x[5], y[5], jerk[3];
   physim_samples columns = {.size = sizeof columns};
@@ -105,8 +105,8 @@ static void test_flight(void) {
   /* The jerk is the slope of the acceleration. */
   OK(physim_flight_jerk(flight, 0.5, jerk));
   OK(physim_flight_at(flight, PHYSIM_AT_TIME, 0.49, &at));
-  OK(physim_flight_at(flight, PHYSIM_AT_TIME, 0.51, &end));
-  CHECK(jerk[0] > 1 && is_near(jerk[0], (end.acceleration[0] - at.acceleration[0]) / 0.02, 0.01 * jerk[0]));
+  OK(physim_flight_at(flight, PHYSIM_AT_TIME, 0.51, &later));
+  CHECK(jerk[0] > 1 && is_near(jerk[0], (later.acceleration[0] - at.acceleration[0]) / 0.02, 0.01 * jerk[0]));
   IS(PHYSIM_BAD_ARGUMENT, physim_flight_jerk(flight, NAN, jerk));
   IS(PHYSIM_BAD_ARGUMENT, physim_flight_at(flight, PHYSIM_AT_TIME, NAN, &at));
   columns.time = time;
