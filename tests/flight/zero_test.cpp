@@ -72,7 +72,7 @@ TEST(Zero, what_is_dialled_raises_the_bore_above_it_at_every_door) {
   EXPECT_NEAR(flight.end().drop, range * std::tan(zero + dial) - g * range * range / (2 * v * v * c * c), 1e-9);
   EXPECT_EQ(fly_batch({}, {&launch, 1}, constant_gravity(), vacuum(), {}, until).shots[0].position,
             flight.end().position);
-  World world(WorldDef{.environment = constant_gravity(), .ground = {.mode = GroundMode::none}});
+  World world = World::create({.environment = constant_gravity(), .ground = {.mode = GroundMode::none}}).value();
   const ProjectileId id = world.spawn({.fidelity = vacuum()}, launch).value();
   EXPECT_EQ(world[id].velocity(), flight.at(0).velocity);
   launch.sight.zero_range = 0;
