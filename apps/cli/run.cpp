@@ -233,13 +233,17 @@ Outputs world_outputs_in_folder(const RunOptions& options, const Scenario& scena
   if (options.folder.empty()) return {};
   Outputs outputs = outputs_in(options.folder, std::filesystem::path(scenario.file).stem().string(), Subject::world);
   for (const Format* format : outputs.asked())
-    if (!has_for(*format, scenario)) outputs.forget(*format);
+    if (!has_for(*format, scenario) || (format->check_world != nullptr && !format->check_world(scenario)))
+      outputs.forget(*format);
   return outputs;
 }
 
 Result<int> run_world(const RunOptions& options, Scenario scenario, std::optional<double> interval) {
   if (options.threads) scenario.world.def.threading.threads = *options.threads;
   warn_of_size(scenario);
+  for (const Format* format : options.outputs.asked())
+    if (Status status = format->check_world != nullptr ? format->check_world(scenario) : Status(); !status)
+      return Error{status.error().message, status.error().place, "--set " + status.error().hint};
   const Outputs in_folder = world_outputs_in_folder(options, scenario);
   if (Status status = announce(in_folder, "--out"); !status) return status.error();
   LogOptions log_options{.parts = {},

@@ -296,6 +296,7 @@ Result<int> run_over_ranges(const StudyCommand& command, const AskedShot& asked,
     PlanePoint held;
     if (study.launch.sight.zero_range > 0) {
       there.launch.sight.zero_range = range;
+      there.launch.sight.dial = 0;  // it is that of one range
       const auto known = hold(there);
       if (!known) return about(asked, known.error());
       held = *known;

@@ -1136,6 +1136,9 @@ public static unsafe class C {
   /// <summary>The state at a moment. PHYSIM_NOT_FOUND: the flight never came there.</summary>
   [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
   public static extern physim_result physim_flight_at(IntPtr flight, physim_moment moment, double value, physim_sample* sample);
+  /// <summary>How fast the acceleration changes along the path at a time since launch [s], in the world frame [m/s^3].</summary>
+  [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+  public static extern physim_result physim_flight_jerk(IntPtr flight, double time, double* jerk);
   /// <summary>States at `count` times [s]; null: evenly from the start to the end, both included.</summary>
   [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
   public static extern physim_result physim_flight_samples(IntPtr flight, double* times, UIntPtr count, physim_samples* into);
@@ -1256,6 +1259,9 @@ public static unsafe class C {
   public static extern physim_result physim_world_rest(IntPtr world, physim_id* ids, UIntPtr count, int sleep, UIntPtr* changed);
   [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
   public static extern physim_result physim_world_projectile(IntPtr world, physim_id id, physim_projectile* into);
+  /// <summary>How fast the acceleration of a projectile changes along its path now, in the world frame [m/s^3].</summary>
+  [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+  public static extern physim_result physim_world_jerk(IntPtr world, physim_id id, double* jerk);
   /// <summary>A setting of one projectile in flight: those that are live ("mass", "drag.k1", "body.gravity_scale"), and all of "fidelity". Reads any setting of its shot and body.</summary>
   [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
   public static extern physim_result physim_world_set(IntPtr world, physim_id id, string path, string value);

@@ -228,6 +228,7 @@ struct Sight {
   double cant = 0;                ///< roll of launcher and sight, clockwise seen from behind [rad]
   double zero_range = 0;          ///< > 0: the bore hits the line of sight at this range on the level [m]
   bool zero_in_calm_air = false;  ///< the zero was shot without wind [-]
+  double dial = 0;                ///< of the elevation turret: raises the bore above the zero, -pi/2..pi/2 [rad]
 };
 
 /// The reference frame of launch angles.

@@ -30,8 +30,9 @@ enum class Quantity {
   attraction,
   moment_of_inertia,
   area,
+  jerk,
 };
-inline constexpr Quantity kLastQuantity = Quantity::area;
+inline constexpr Quantity kLastQuantity = Quantity::jerk;
 
 }  // namespace physim
 

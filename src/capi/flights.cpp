@@ -271,6 +271,15 @@ physim_result physim_flight_at(const physim_flight* flight, physim_moment moment
   });
 }
 
+physim_result physim_flight_jerk(const physim_flight* flight, double time, double jerk[3]) {
+  return guarded([&](Call& call) {
+    const auto of = call.find(flight, "flight");
+    call.need(!std::isnan(time), "time", "is not a number");
+    call.need(jerk, "jerk");
+    if (call.ok()) put(jerk, of->flight.jerk(time));
+  });
+}
+
 physim_result physim_flight_samples(const physim_flight* flight, const double* times, size_t count,
                                     const physim_samples* into) {
   return guarded([&](Call& call) {

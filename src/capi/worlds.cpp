@@ -620,6 +620,17 @@ physim_result physim_world_projectile(const physim_world* world, physim_id id, p
   });
 }
 
+physim_result physim_world_jerk(const physim_world* world, physim_id id, double jerk[3]) {
+  return guarded([&](Call& call) {
+    const auto of = call.find(world, "world");
+    call.need(jerk, "jerk");
+    if (!call.ok()) return;
+    const ProjectileView p = of->world()[id_of<ProjectileId>(id)];
+    if (!p.is_alive()) return call.fail(PHYSIM_NOT_FOUND, "there is no such projectile", "id");
+    put(jerk, p.jerk());
+  });
+}
+
 physim_result physim_world_set(physim_world* world, physim_id id, const char* path, const char* value) {
   return guarded([&](Call& call) {
     const IeeeMode mode;

@@ -17,6 +17,7 @@
 #include <optional>
 
 #include "base/assert.hpp"
+#include "collide/passages.hpp"
 #include "collide/tube_casts.hpp"
 #include "math/vec3.hpp"
 #include "physim/scene.hpp"
@@ -142,8 +143,8 @@ void each_passage(const Scene& scene, const SceneFilter& filter, const Path& pat
     const double begin = end * (i / chords);
     const double to = i + 1 == chords ? end : end * ((i + 1) / chords);
     const Vec3d there = path(to);
-    for (const SceneHit& hit : scene.all_hits(time.chord(from, there, 0, begin, to), filter))
-      if (hit.part > 0) tell(begin + hit.part * (to - begin), hit);  // what is met at its start the chord before told
+    for (const SceneHit& hit : passages(scene, filter, time.chord(from, there, 0, begin, to)))
+      tell(begin + hit.part * (to - begin), hit);
     from = there;
   }
 }

@@ -143,7 +143,7 @@ Result<double> elevation_of(const ProjectileDef& projectile, const Launch& launc
   level.sight.look_angle = 0;
   const auto zeroed = zero_elevation(projectile, level, environment, fidelity, launch.sight.zero_range);
   if (!zeroed) return zeroed.error();
-  return launch.sight.look_angle + *zeroed;
+  return launch.sight.look_angle + *zeroed + launch.sight.dial;
 }
 
 Result<Launch> aimed_launch(const ProjectileDef& projectile, Launch launch, const Environment& environment,

@@ -245,10 +245,11 @@ bool is_surely_right(const Launch& l) {
   const Sight& s = l.sight;
   const double numbers = sum(l.position) + (l.velocity ? sum(*l.velocity) : 0.0) + (l.speed + l.rail_length) +
                          (l.elevation + l.azimuth) + (l.spin.backspin + l.spin.sidespin + l.spin.gyrospin) +
-                         (a.yaw + a.pitch + a.roll + sum(a.rates)) + (s.height + s.cant);
+                         (a.yaw + a.pitch + a.roll + sum(a.rates)) + (s.height + s.cant + s.dial);
   if (!std::isfinite(numbers) || s.zero_range != 0 || (l.velocity && l.speed != 0)) return false;
   return l.speed >= 0 && l.rail_length >= 0 && std::abs(l.elevation) <= 2 * kRightAngleUp &&
-         std::abs(s.look_angle) <= kRightAngleUp && static_cast<unsigned>(a.frame) <= unsigned(AttitudeFrame::world) &&
+         std::abs(s.look_angle) <= kRightAngleUp && std::abs(s.dial) <= kRightAngleUp &&
+         static_cast<unsigned>(a.frame) <= unsigned(AttitudeFrame::world) &&
          static_cast<unsigned>(a.rate_frame) <= unsigned(RateFrame::inertial);
 }
 
@@ -275,6 +276,8 @@ PHYSIM_COLD Status check(const Launch& l) {
   c.require(std::abs(l.sight.look_angle) <= kRightAngleUp, "launch.sight.look_angle",
             "must lie between -90 and 90 degrees", "angles are in radians");
   c.not_negative(l.sight.zero_range, "launch.sight.zero_range", "0: no zero");
+  c.require(std::abs(l.sight.dial) <= kRightAngleUp, "launch.sight.dial", "must lie between -90 and 90 degrees",
+            "angles are in radians");
   c.require(!(l.sight.zero_range > 0 && l.elevation != 0), "launch.elevation",
             "cannot be given together with a zero range", "the zero range decides the elevation");
   c.require(!(l.sight.zero_range > 0 && l.velocity), "launch.velocity", "cannot be given together with a zero range",

@@ -36,6 +36,8 @@ struct Format {
   Text (*records)(Records records) = nullptr;
   /// An error where it cannot show these flights; may be missing.
   Status (*check)(const FlownScenario& flown) = nullptr;
+  /// An error where it cannot show the world of this scenario; may be missing.
+  Status (*check_world)(const Scenario& scenario) = nullptr;
   /// Whether a scenario has what it shows; missing: every one has.
   bool (*scenario_has)(const Scenario& scenario) = nullptr;
 };

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <memory>
 #include <nlohmann/json.hpp>
 
 #include "base/assert.hpp"
@@ -10,6 +11,7 @@
 #include "math/vec3.hpp"
 #include "model/ladder.hpp"
 #include "physim/names.hpp"
+#include "prepare/grant.hpp"
 #include "report/json.hpp"
 #include "report/kml.hpp"
 #include "report/number.hpp"
@@ -33,20 +35,135 @@ GlobePoint point_of(const EarthFrames& frames, double time, const Vec3d& positio
   return {time, g.longitude * kDegrees, g.latitude * kDegrees, g.height};
 }
 
+/// What happened where.
+struct Mark {
+  std::string name;
+  GlobePoint point;
+  double speed;
+};
+
+struct PathPoint {
+  double time;
+  Vec3d position;
+};
+
+/// A path over the globe: samples, and what lies between them. Times are those of the file.
+struct Track {
+  std::string name;
+  std::string outcome;
+  EarthFrames frames;
+  std::vector<PathPoint> points;               // in order of time
+  Times breaks;                                // of the path or its slope
+  std::function<Vec3d(double time)> position;  // in W, at a time between the first point and the last
+  std::vector<Mark> marks;                     // launch, events and end
+
+  [[nodiscard]] GlobePoint at(const PathPoint& point) const { return point_of(frames, point.time, point.position); }
+  [[nodiscard]] Mark mark(std::string_view what, double time, const BodyState& state) const {
+    return {std::string(what), point_of(frames, time, state.position), length(state.velocity)};
+  }
+};
+
+Track track_of(const FlownShot& shot, const Times& times) {
+  const Flight& flight = shot.flight;
+  const Sample start = flight.at(0), end = flight.end();
+  Track track{.name = shot.name,
+              .outcome = std::string(name(flight.outcome())),
+              .frames = flight.earth_frames(),
+              .points = {},
+              .breaks = breaks_of(flight),
+              .position = [&flight](double time) { return flight.at(time).position; },
+              .marks = {}};
+  for (std::size_t i = 0; i < times.size(); ++i)
+    track.points.push_back({times[i], sample_at(flight, times, i).position});
+  track.marks.push_back(track.mark("launch", 0, {start.position, start.velocity}));
+  for (const Event& e : flight.events())
+    if (e.time < flight.duration()) track.marks.push_back(track.mark(name(e.kind), e.time, {e.position, e.velocity}));
+  track.marks.push_back(track.mark(track.outcome, end.time, {end.position, end.velocity}));
+  return track;
+}
+
+/// The samples of a projectile of a world. Between two of them its path is the parabola of their places and of a
+/// velocity that is that of the launch or no corner's: a corner's may be the one before or the one behind a bounce.
+struct WorldPath {
+  struct Point {
+    double time;
+    BodyState state;
+    bool is_corner;
+  };
+  std::vector<Point> points;
+
+  [[nodiscard]] Vec3d position(double time) const {
+    PHYSIM_ASSERT(!points.empty());
+    const auto next = std::ranges::lower_bound(points, time, {}, &Point::time);
+    if (next == points.end()) return points.back().state.position;
+    if (next == points.begin() || next->time == time) return next->state.position;
+    const Point &from = *std::prev(next), &to = *next;
+    const double span = to.time - from.time, part = (time - from.time) / span;
+    const Vec3d way = to.state.position - from.state.position, straight = from.state.position + way * part;
+    Vec3d bend;  // the parabola's: how far it ends from where its first velocity leads
+    if (!from.is_corner || &from == &points.front())
+      bend = way - from.state.velocity * span;
+    else if (!to.is_corner)
+      bend = to.state.velocity * span - way;
+    return straight - bend * (part * (1 - part));
+  }
+};
+
+std::vector<Track> tracks_of(const WorldLog& log) {
+  std::vector<std::shared_ptr<WorldPath>> paths;  // by number of the launch
+  std::vector<Track> tracks;
+  std::vector<std::size_t> track_of_number;
+  const auto track_of = [&](const Launched& launched) -> Track& {
+    const auto number = static_cast<std::size_t>(launched.number);
+    if (paths.size() <= number) paths.resize(number + 1), track_of_number.resize(number + 1);
+    if (!paths[number]) {
+      paths[number] = std::make_shared<WorldPath>();
+      track_of_number[number] = tracks.size();
+      const WorldGroup& group = log.groups[launched.group];
+      const ScenarioShot& shot = log.scenario.shots[group.shot];
+      const Environment& environment = log.scenario.environment;
+      const EarthModel earth = grant(shot.projectile.fidelity, shot.projectile, environment).fidelity.earth;
+      const bool is_alone = group.spawned == 1 && group.name == shot.projectile.name;
+      tracks.push_back({.name = group.name + (is_alone ? "" : " " + std::to_string(launched.number)),
+                        .outcome = std::string(name(LifeStatus::in_flight)),
+                        .frames = EarthFrames(environment, earth),
+                        .points = {},
+                        .breaks = {},
+                        .position = [path = paths[number]](double time) { return path->position(time); },
+                        .marks = {}});
+    }
+    return tracks[track_of_number[number]];
+  };
+  log.each_sample([&](const WorldSample& sample, bool is_corner) {
+    Track& track = track_of(sample.launched);
+    track.points.push_back({sample.time, sample.state.position});
+    if (is_corner) track.breaks.push_back(sample.time);
+    paths[sample.launched.number]->points.push_back({sample.time, sample.state, is_corner});
+  });
+  for (const LoggedEvent& event : log.events) {
+    Track& track = track_of(event.launched);
+    const bool is_launch = event.kind == EventKind::spawned;
+    track.marks.push_back(track.mark(is_launch ? "launch" : name(event.kind), event.time, event.state));
+    if (event.kind == EventKind::landed || event.kind == EventKind::expired || event.kind == EventKind::retired)
+      track.outcome = std::string(name(event.kind));
+  }
+  std::erase_if(tracks, [](const Track& track) { return track.points.empty(); });
+  return tracks;
+}
+
 /// Parts of a path that do not cross the antimeridian, of two points at least. A path over a pole jumps too: it runs
 /// along the edge of the map there.
 using Parts = std::vector<std::vector<GlobePoint>>;
 
-/// The point at which the flight crosses the antimeridian between two samples.
-GlobePoint at_antimeridian(const Flight& flight, const EarthFrames& frames, const GlobePoint& from,
-                           const GlobePoint& to) {
+/// The point at which the path crosses the antimeridian between two samples.
+GlobePoint at_antimeridian(const Track& track, const GlobePoint& from, const GlobePoint& to) {
   PHYSIM_ASSERT(std::abs(to.longitude - from.longitude) > 180);
   double before = from.time, behind = to.time;
   GlobePoint edge = from;
   constexpr int kHalvings = 60;
   for (int i = 0; i < kHalvings && before < behind; ++i) {
     const double middle = before + 0.5 * (behind - before);
-    const GlobePoint p = point_of(frames, middle, flight.at(middle).position);
+    const GlobePoint p = track.at({middle, track.position(middle)});
     if (std::abs(p.longitude - from.longitude) > 180) {
       behind = middle;
     } else {
@@ -58,13 +175,12 @@ GlobePoint at_antimeridian(const Flight& flight, const EarthFrames& frames, cons
   return edge;
 }
 
-Parts parts_of(const Flight& flight, const Times& times) {
-  const EarthFrames frames = flight.earth_frames();
+Parts parts_of(const Track& track) {
   Parts parts(1);
-  for (std::size_t i = 0; i < times.size(); ++i) {
-    const GlobePoint p = point_of(frames, times[i], sample_at(flight, times, i).position);
+  for (const PathPoint& point : track.points) {
+    const GlobePoint p = track.at(point);
     if (!parts.back().empty() && std::abs(p.longitude - parts.back().back().longitude) > 180) {
-      GlobePoint edge = at_antimeridian(flight, frames, parts.back().back(), p);
+      GlobePoint edge = at_antimeridian(track, parts.back().back(), p);
       parts.back().push_back(edge);
       edge.longitude = -edge.longitude;
       parts.push_back({edge});
@@ -81,26 +197,6 @@ constexpr std::string_view kHeights =
     "Heights are metres above the ellipsoid (WGS 84) or the sphere that was flown over, with environment.altitude as "
     "the height of the origin above it.";
 constexpr std::string_view kReaders = " Programs that read KML take them as metres above the sea.";
-
-/// What happened where: the launch, the events and the end.
-struct Mark {
-  std::string name;
-  GlobePoint point;
-  double speed;
-};
-
-std::vector<Mark> marks_of(const Flight& flight) {
-  const EarthFrames frames = flight.earth_frames();
-  const auto mark = [&](std::string_view what, double time, const Vec3d& x, const Vec3d& v) {
-    return Mark{std::string(what), point_of(frames, time, x), std::sqrt(v.x * v.x + v.y * v.y + v.z * v.z)};
-  };
-  const Sample start = flight.at(0), end = flight.end();
-  std::vector<Mark> marks{mark("launch", 0, start.position, start.velocity)};
-  for (const Event& e : flight.events())
-    if (e.time < flight.duration()) marks.push_back(mark(name(e.kind), e.time, e.position, e.velocity));
-  marks.push_back(mark(name(flight.outcome()), end.time, end.position, end.velocity));
-  return marks;
-}
 
 // -------------------------------------------------------------------------------------------------------------- times
 /// A time since the launch, which a file without a date puts at noon of 1 January 2000: "2000-01-01T12:00:01.25Z", with
@@ -126,20 +222,21 @@ std::string utc(double seconds) {
 // ---------------------------------------------------------------------------------------------------------------- KML
 std::string kml_coordinates(const GlobePoint& p) { return report::kml_coordinates(p.longitude, p.latitude, p.height); }
 
-void write_kml_shot(const Sink& sink, const FlownShot& shot, const Times& times) {
-  const Parts parts = parts_of(shot.flight, times);
+void write_kml_track(const Sink& sink, const Track& track) {
+  const Parts parts = parts_of(track);
   const bool is_whole = parts.size() == 1;
-  sink(" <Folder>\n  <name>" + xml(shot.name) + "</name>\n  <Placemark>\n   <name>" + xml(shot.name) +
-       "</name>\n   <TimeSpan><begin>" + utc(0) + "</begin><end>" + utc(shot.flight.duration()) +
-       "</end></TimeSpan>\n   <styleUrl>#path</styleUrl>\n" + (is_whole ? "" : "   <MultiGeometry>\n"));
+  sink(" <Folder>\n  <name>" + xml(track.name) + "</name>\n  <Placemark>\n   <name>" + xml(track.name) +
+       "</name>\n   <TimeSpan><begin>" + utc(track.points.front().time) + "</begin><end>" +
+       utc(track.points.back().time) + "</end></TimeSpan>\n   <styleUrl>#path</styleUrl>\n" +
+       (is_whole ? "" : "   <MultiGeometry>\n"));
   for (const std::vector<GlobePoint>& part : parts) {
     sink("   <LineString>\n    <altitudeMode>absolute</altitudeMode>\n    <coordinates>\n");
     for (const GlobePoint& p : part) sink("     " + kml_coordinates(p) + "\n");
     sink("    </coordinates>\n   </LineString>\n");
   }
   sink(std::string(is_whole ? "" : "   </MultiGeometry>\n") + "  </Placemark>\n");
-  for (const Mark& mark : marks_of(shot.flight))
-    sink("  <Placemark>\n   <name>" + xml(mark.name) + "</name>\n   <description>" + xml(shot.name) + ": " +
+  for (const Mark& mark : track.marks)
+    sink("  <Placemark>\n   <name>" + xml(mark.name) + "</name>\n   <description>" + xml(track.name) + ": " +
          significant(mark.point.time, 6) + " s, " + significant(mark.speed, 6) +
          " m/s</description>\n   <TimeStamp><when>" + utc(mark.point.time) +
          "</when></TimeStamp>\n   <Point>\n    <altitudeMode>absolute</altitudeMode>\n    <coordinates>" +
@@ -152,11 +249,7 @@ constexpr std::size_t kPathDegree = 3;  // of the polynomial that viewers lay th
 
 /// A part of a path without a break, as samples between which a viewer finds the places by a polynomial.
 struct Smooth {
-  struct Point {
-    double time;
-    Vec3d position;
-  };
-  std::vector<Point> points;
+  std::vector<PathPoint> points;
 
   /// The position that viewers interpolate between samples k - 1 and k, by the samples around.
   [[nodiscard]] Vec3d shown(double time, std::size_t k) const {
@@ -187,17 +280,17 @@ struct Smooth {
   }
 
   /// Adds samples until what viewers show between them is the path.
-  void refine(const Flight& flight) {
+  void refine(const Track& track) {
     constexpr double kAllowed = 1e-3;   // [m]
     constexpr double kShortest = 1e-6;  // [s]
     constexpr int kRounds = 20;
     bool is_done = points.size() < 2;
     for (int round = 0; round < kRounds && !is_done && points.size() < kMaxSamples; ++round) {
-      std::vector<Point> finer = {points[0]};
+      std::vector<PathPoint> finer = {points[0]};
       for (std::size_t k = 1; k < points.size(); ++k) {
         const double length_of_step = points[k].time - points[k - 1].time;
         const double middle = points[k - 1].time + 0.5 * length_of_step;
-        const Vec3d flown = flight.at(middle).position;
+        const Vec3d flown = track.position(middle);
         if (length_of_step > kShortest && length(shown(middle, k) - flown) > kAllowed) finer.push_back({middle, flown});
         finer.push_back(points[k]);
       }
@@ -208,37 +301,36 @@ struct Smooth {
 };
 
 /// The parts of a path between its breaks.
-std::vector<Smooth> smooth_parts(const Flight& flight, const Times& times) {
+std::vector<Smooth> smooth_parts(const Track& track) {
   constexpr double kShortest = 1e-9;  // [s]; viewers do not know times better
-  const Times breaks = breaks_of(flight);
   std::vector<Smooth> parts(1);
-  for (std::size_t i = 0; i < times.size(); ++i) {
-    const double time = times[i];
-    const Smooth::Point point{time, sample_at(flight, times, i).position};
-    std::vector<Smooth::Point>& open = parts.back().points;
-    const bool is_again = !open.empty() && open.back().time == time;
+  const double last = track.points.back().time;
+  for (std::size_t i = 0; i < track.points.size(); ++i) {
+    const PathPoint& point = track.points[i];
+    std::vector<PathPoint>& open = parts.back().points;
+    const bool is_again = !open.empty() && open.back().time == point.time;
     if (is_again && open.size() == 1)
       open.back() = point;
     else if (!is_again)
       open.push_back(point);
-    if (open.size() > 1 && time - open.front().time < kShortest) {
+    if (open.size() > 1 && point.time - open.front().time < kShortest) {
       open.resize(1);
       continue;
     }
-    const bool is_last = i + 1 == times.size() || times.back() == time;
-    if (open.size() > 1 && !is_last && std::ranges::binary_search(breaks, time))
+    const bool is_last = i + 1 == track.points.size() || last == point.time;
+    if (open.size() > 1 && !is_last && std::ranges::binary_search(track.breaks, point.time))
       parts.emplace_back().points.push_back(point);
   }
   if (parts.size() > 1 && parts.back().points.size() == 1) parts.pop_back();
   for (Smooth& part : parts) {
     PHYSIM_ASSERT(!part.points.empty());
     part.thin_out();
-    part.refine(flight);
+    part.refine(track);
   }
   return parts;
 }
 
-void add_czml_part(JsonStream& out, const EarthFrames& frames, const Smooth& part, bool is_whole) {
+void add_czml_part(JsonStream& out, const Track& track, const Smooth& part, bool is_whole) {
   if (!is_whole) out.add({{"interval", utc(part.points.front().time) + "/" + utc(part.points.back().time)}});
   out.add({{"epoch", utc(0)},
            {"interpolationAlgorithm", "LAGRANGE"},
@@ -246,28 +338,28 @@ void add_czml_part(JsonStream& out, const EarthFrames& frames, const Smooth& par
            {"forwardExtrapolationType", "HOLD"},
            {"backwardExtrapolationType", "HOLD"}});
   out.list("cartographicDegrees");
-  for (const Smooth::Point& point : part.points) {
-    const GlobePoint p = point_of(frames, point.time, point.position);
+  for (const PathPoint& point : part.points) {
+    const GlobePoint p = track.at(point);
     for (const double number : {p.time, p.longitude, p.latitude, p.height}) out.push(number);
   }
   out.close();
 }
 
-void add_czml_shot(JsonStream& out, const FlownShot& shot, const Times& times) {
+void add_czml_track(JsonStream& out, const Track& track) {
   const Json colour = {{"solidColor", {{"color", {{"rgba", {255, 160, 0, 255}}}}}}};
-  const std::vector<Smooth> parts = smooth_parts(shot.flight, times);
-  const EarthFrames frames = shot.flight.earth_frames();
+  const std::vector<Smooth> parts = smooth_parts(track);
   const bool is_whole = parts.size() == 1;
   out.object();
-  out.add(
-      {{"id", "shot/" + shot.name}, {"name", shot.name}, {"availability", utc(0) + "/" + utc(shot.flight.duration())}});
+  out.add({{"id", "shot/" + track.name},
+           {"name", track.name},
+           {"availability", utc(track.points.front().time) + "/" + utc(track.points.back().time)}});
   if (is_whole)
     out.object("position");
   else
     out.list("position");
   for (const Smooth& part : parts) {
     if (!is_whole) out.object();
-    add_czml_part(out, frames, part, is_whole);
+    add_czml_part(out, track, part, is_whole);
     if (!is_whole) out.close();
   }
   out.close();
@@ -292,12 +384,12 @@ void add_parts(JsonStream& out, std::string_view key, const Parts& parts, const 
   if (!whole) out.close();
 }
 
-void add_path_feature(JsonStream& out, const FlownShot& shot, const Times& times) {
-  const Parts parts = parts_of(shot.flight, times);
+void add_path_feature(JsonStream& out, const Track& track) {
+  const Parts parts = parts_of(track);
   out.object();
   out.add({{"type", "Feature"}});
   out.object("properties");
-  out.add({{"shot", shot.name}, {"what", "path"}, {"outcome", name(shot.flight.outcome())}});
+  out.add({{"shot", track.name}, {"what", "path"}, {"outcome", track.outcome}});
   add_parts(out, "times [s]", parts, [](const GlobePoint& p) { return p.time; });
   out.close();
   out.object("geometry");
@@ -307,74 +399,106 @@ void add_path_feature(JsonStream& out, const FlownShot& shot, const Times& times
   out.close();
 }
 
-Json mark_feature(const FlownShot& shot, const Mark& mark) {
+Json mark_feature(const Track& track, const Mark& mark) {
   return {{"type", "Feature"},
           {"properties",
-           {{"shot", shot.name}, {"what", mark.name}, {"time [s]", mark.point.time}, {"speed [m/s]", mark.speed}}},
+           {{"shot", track.name}, {"what", mark.name}, {"time [s]", mark.point.time}, {"speed [m/s]", mark.speed}}},
           {"geometry", {{"type", "Point"}, {"coordinates", position_json(mark.point)}}}};
+}
+
+// -------------------------------------------------------------------------------------------------------------- files
+/// Tracks one after the other, so that only one is in memory where that is possible.
+using EachTrack = std::function<void(const std::function<void(const Track&)>& take)>;
+
+EachTrack each_track(const Flights& flights) {
+  return [flights](const auto& take) {
+    PHYSIM_ASSERT(flights.times.size() == flights.flown.shots.size());
+    for (std::size_t i = 0; i < flights.times.size(); ++i) take(track_of(flights.flown.shots[i], flights.times[i]));
+  };
+}
+EachTrack each_track(const WorldLog& log) {
+  return [&log](const auto& take) {
+    for (const Track& track : tracks_of(log)) take(track);
+  };
+}
+
+Content kml_of(const Scenario& scenario, EachTrack each) {
+  return [&scenario, each = std::move(each)](const Sink& sink) {
+    const std::string& source = scenario.source;
+    const std::string said = source + (source.empty() ? "" : "\n") + std::string(kHeights) + std::string(kReaders);
+    sink(kml_begin(title_of(scenario), said) +
+         " <Style id=\"path\"><LineStyle><color>ff00a0ff</color><width>2</width></LineStyle></Style>\n");
+    each([&](const Track& track) { write_kml_track(sink, track); });
+    sink(kml_end());
+  };
+}
+
+/// `last`: when the clock of the file ends [s].
+Content czml_of(const Scenario& scenario, double last, EachTrack each) {
+  return [&scenario, last, each = std::move(each)](const Sink& sink) {
+    JsonStream out(sink);
+    out.list();
+    out.push({{"id", "document"},
+              {"name", title_of(scenario)},
+              {"version", "1.0"},
+              {"description", kHeights},
+              {"clock", {{"interval", utc(0) + "/" + utc(last)}, {"currentTime", utc(0)}, {"multiplier", 1}}}});
+    each([&](const Track& track) { add_czml_track(out, track); });
+    out.close();
+  };
+}
+
+Content geojson_of(const Scenario& scenario, EachTrack each) {
+  return [&scenario, each = std::move(each)](const Sink& sink) {
+    JsonStream out(sink);
+    out.object();
+    out.add({{"type", "FeatureCollection"}, {"name", title_of(scenario)}, {"description", kHeights}});
+    out.list("features");
+    each([&](const Track& track) {
+      add_path_feature(out, track);
+      for (const Mark& mark : track.marks) out.push(mark_feature(track, mark));
+    });
+    out.close();
+    out.close();
+  };
+}
+
+Status check_shape(EarthModel earth, const std::string& shot, const Scenario& scenario) {
+  if (row(earth).shape != EarthShape::flat) return {};
+  return Error{.message = "shot \"" + shot + "\" flies over a flat Earth, which globes do not know",
+               .place = scenario.file,
+               .hint = "shot.fidelity.earth=ellipsoid, or fidelity = { earth = \"ellipsoid\" }"};
 }
 
 }  // namespace
 
 Status check_round(const FlownScenario& flown) {
+  Status status;
   for (const FlownShot& shot : flown.shots)
-    if (row(shot.flight.fidelity_in_use().fidelity.earth).shape == EarthShape::flat)
-      return Error{.message = "shot \"" + shot.name + "\" flew over a flat Earth, which globes do not know",
-                   .place = flown.scenario.file,
-                   .hint = "shot.fidelity.earth=ellipsoid, or fidelity = { earth = \"ellipsoid\" }"};
-  return {};
+    if (status) status = check_shape(shot.flight.fidelity_in_use().fidelity.earth, shot.name, flown.scenario);
+  return status;
 }
 
-Content globe_kml(const Flights& flights) {
-  return [flights](const Sink& sink) {
-    const FlownScenario& flown = flights.flown;
-    const SampleTimes& times = flights.times;
-    PHYSIM_ASSERT(times.size() == flown.shots.size());
-    const std::string& source = flown.scenario.source;
-    const std::string said = source + (source.empty() ? "" : "\n") + std::string(kHeights) + std::string(kReaders);
-    sink(kml_begin(title_of(flown.scenario), said) +
-         " <Style id=\"path\"><LineStyle><color>ff00a0ff</color><width>2</width></LineStyle></Style>\n");
-    for (std::size_t i = 0; i < flown.shots.size(); ++i) write_kml_shot(sink, flown.shots[i], times[i]);
-    sink(kml_end());
-  };
+Status check_round_world(const Scenario& scenario) {
+  Status status;
+  for (const ScenarioShot& shot : scenario.shots) {
+    const Fidelity granted = grant(shot.projectile.fidelity, shot.projectile, scenario.environment).fidelity;
+    if (status) status = check_shape(granted.earth, shot.projectile.name, scenario);
+  }
+  return status;
 }
+
+Content globe_kml(const Flights& flights) { return kml_of(flights.flown.scenario, each_track(flights)); }
+Content globe_kml(const WorldLog& log) { return kml_of(log.scenario, each_track(log)); }
 
 Content globe_czml(const Flights& flights) {
-  return [flights](const Sink& sink) {
-    const FlownScenario& flown = flights.flown;
-    const SampleTimes& times = flights.times;
-    PHYSIM_ASSERT(times.size() == flown.shots.size());
-    double last = 0;
-    for (const FlownShot& shot : flown.shots) last = std::max(last, shot.flight.duration());
-    JsonStream out(sink);
-    out.list();
-    out.push({{"id", "document"},
-              {"name", title_of(flown.scenario)},
-              {"version", "1.0"},
-              {"description", kHeights},
-              {"clock", {{"interval", utc(0) + "/" + utc(last)}, {"currentTime", utc(0)}, {"multiplier", 1}}}});
-    for (std::size_t i = 0; i < flown.shots.size(); ++i) add_czml_shot(out, flown.shots[i], times[i]);
-    out.close();
-  };
+  double last = 0;
+  for (const FlownShot& shot : flights.flown.shots) last = std::max(last, shot.flight.duration());
+  return czml_of(flights.flown.scenario, last, each_track(flights));
 }
+Content globe_czml(const WorldLog& log) { return czml_of(log.scenario, log.time, each_track(log)); }
 
-Content globe_geojson(const Flights& flights) {
-  return [flights](const Sink& sink) {
-    const FlownScenario& flown = flights.flown;
-    const SampleTimes& times = flights.times;
-    PHYSIM_ASSERT(times.size() == flown.shots.size());
-    JsonStream out(sink);
-    out.object();
-    out.add({{"type", "FeatureCollection"}, {"name", title_of(flown.scenario)}, {"description", kHeights}});
-    out.list("features");
-    for (std::size_t i = 0; i < flown.shots.size(); ++i) {
-      const FlownShot& shot = flown.shots[i];
-      add_path_feature(out, shot, times[i]);
-      for (const Mark& mark : marks_of(shot.flight)) out.push(mark_feature(shot, mark));
-    }
-    out.close();
-    out.close();
-  };
-}
+Content globe_geojson(const Flights& flights) { return geojson_of(flights.flown.scenario, each_track(flights)); }
+Content globe_geojson(const WorldLog& log) { return geojson_of(log.scenario, each_track(log)); }
 
 }  // namespace physim::report

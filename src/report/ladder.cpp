@@ -186,6 +186,17 @@ void mark_beaten(Ladder& ladder) {
   }
 }
 
+/// As mark_beaten(), of the steps of a world, whose costs are measured.
+void mark_beaten_steps(std::vector<StepsOfRung>& steps) {
+  constexpr double kMicrometre = 1e-6;  // [m]
+  for (StepsOfRung& rung : steps) {
+    double least = 0.99 * std::max(rung.largest, kMicrometre);
+    for (const StepsOfRung& other : steps)
+      if (other.cost <= rung.cost && std::max(other.largest, kMicrometre) < least)
+        least = other.largest, rung.beaten_by = other.name;
+  }
+}
+
 // --------------------------------------------------------------------------------------------------------- climbing
 class Climber {
   static constexpr double kHighestConstantAir = 10e3;  // a third of the density is left there [m]
@@ -247,6 +258,7 @@ class Climber {
         leaves_out += (leaves_out.empty() ? "" : "; ") + std::string("rotation none");
       ladder.steps.push_back({result.rung.name(), *largest, *cost, std::move(leaves_out)});
     }
+    mark_beaten_steps(ladder.steps);
   }
 
   [[nodiscard]] Result<Comparison> compare(std::span<const FlightSetting> settings, const Progress& progress) const {
@@ -399,10 +411,10 @@ std::string ladder_text(const LadderOfShot& subject, const Style& style) {
         "\nIn a world of 60 steps a second: the greatest distance from the reference at any frame, and what a step of "
         "one\n"
         "projectile costs on this machine, by one thread among a thousand that are alike.\n\n";
-    Table steps({"rung", "at worst [m]", "a step [ns]", "leaves out"}, "lrrl");
+    Table steps({"rung", "at worst [m]", "a step [ns]", "beaten by", "leaves out"}, "lrrll");
     for (const StepsOfRung& rung : ladder.steps)
       steps.add_row({rung.name, significant(rung.largest, 3), readable(rung.cost * kNano, 3),
-                     rung.leaves_out.empty() ? "-" : rung.leaves_out});
+                     rung.beaten_by.empty() ? "-" : rung.beaten_by, rung.leaves_out.empty() ? "-" : rung.leaves_out});
     out += steps.text();
   }
   for (const RungLeftOut& rung : ladder.left_out) out += "not shown: " + rung.name + ": " + rung.reason + "\n";
@@ -463,6 +475,7 @@ Content ladder_json(const LadderOfShot& subject) {
       out.push({{"rung", rung.name},
                 {"at_worst [m]", rung.largest},
                 {"a step [ns]", rung.cost * kNano},
+                {"beaten_by", rung.beaten_by},
                 {"leaves_out", rung.leaves_out}});
     out.close();
     out.list("left_out");

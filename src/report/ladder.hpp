@@ -43,9 +43,10 @@ struct RungResult {
 /// A preset as a world steps it.
 struct StepsOfRung {
   std::string name;
-  double largest = 0;      // distance from the reference at any frame [m]
-  double cost = 0;         // of one step of one projectile among a thousand [s]
-  std::string leaves_out;  // physics of the reference that its flight leaves out; worlds leave out spin drift, too
+  double largest = 0;       // distance from the reference at any frame [m]
+  double cost = 0;          // of one step of one projectile among a thousand [s]
+  std::string leaves_out;   // physics of the reference that its flight leaves out; worlds leave out spin drift, too
+  std::string beaten_by{};  // a preset whose steps cost no more, as measured, and err less; empty: none
 };
 
 /// A rung that is not in the table, and why.

@@ -457,23 +457,23 @@ bool tells_of_past(const LogParts& parts, const Scenario& scenario) {
 
 }  // namespace
 
-void WorldLog::each_sample(const std::function<void(const WorldSample&)>& take) const {
+void WorldLog::each_sample(const std::function<void(const WorldSample&, bool is_corner)>& take) const {
   std::vector<const WorldSample*> last;  // by number of the launch
-  const auto hand_over = [&](const WorldSample& sample) {
+  const auto hand_over = [&](const WorldSample& sample, bool is_corner) {
     const std::uint64_t number = sample.launched.number;
     if (last.size() <= number) last.resize(number + 1);
     const WorldSample* const before = std::exchange(last[number], &sample);
-    if (before == nullptr || before->time != sample.time || before->state != sample.state) take(sample);
+    if (before == nullptr || before->time != sample.time || before->state != sample.state) take(sample, is_corner);
   };
   std::size_t event = 0, sample = 0;
   const auto hand_over_corners = [&](std::size_t until) {
     for (; event < until; ++event)
-      if (may_break_path(events[event].kind)) hand_over(events[event]);
+      if (may_break_path(events[event].kind)) hand_over(events[event], true);
   };
   for (const Round& round : rounds) {
     PHYSIM_ASSERT(round.events >= event && round.samples >= sample);
     hand_over_corners(round.events);
-    for (; sample < round.samples; ++sample) hand_over(samples[sample]);
+    for (; sample < round.samples; ++sample) hand_over(samples[sample], false);
   }
   hand_over_corners(events.size());
 }
@@ -522,7 +522,7 @@ std::string world_text(const WorldLog& log, const Style& style) {
 }
 
 Records records_of(const WorldLog& log) {
-  const auto each = [&log](const auto& take) { log.each_sample(take); };
+  const auto each = [&log](const auto& take) { log.each_sample([&](const WorldSample& at, bool) { take(at); }); };
   return records_with_states({"what", "number", "t [s]"}, each, [&log](const WorldSample& sample) -> Cells {
     const auto& [group, number] = sample.launched;
     PHYSIM_ASSERT(group < log.groups.size());

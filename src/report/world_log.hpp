@@ -81,8 +81,8 @@ struct WorldLog {
   std::vector<std::vector<Vec3d>> alive;    // by group, where it is an emitter: those at the end
 
   /// Calls take() for all samples, of rounds and of corners, in their order, but for samples that repeat the last one
-  /// of their projectile.
-  void each_sample(const std::function<void(const WorldSample&)>& take) const;
+  /// of their projectile. The path, or its slope, may jump at a corner.
+  void each_sample(const std::function<void(const WorldSample&, bool is_corner)>& take) const;
 };
 
 /// Runs a scenario that has a [world]. An error with the place "interval" where there are too many samples.

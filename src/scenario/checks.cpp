@@ -96,26 +96,14 @@ void check_shots(const Scenario& scenario, const ScenarioNames& names, const Val
   }
 }
 
-Status check_air(const Atmosphere& air, const Value& document) {
-  for (std::size_t i = 1; i < air.profile.size(); ++i) {
-    if (air.profile[i].altitude > air.profile[i - 1].altitude) continue;
-    const Value& table = *document.find("environment")->find("atmosphere");
-    return Error{"environment.atmosphere.profile: " + quantity_text(air.profile[i].altitude, Quantity::length) +
-                     " after " + quantity_text(air.profile[i - 1].altitude, Quantity::length),
-                 place_of(element(table, "profile", i), {"altitude"}), "altitudes must rise"};
-  }
-  return {};
-}
-
-Status check_wind(const Wind& wind, const Value& document) {
-  for (std::size_t i = 1; i < wind.profile.size(); ++i) {
-    if (wind.profile[i].at > wind.profile[i - 1].at) continue;
-    const Value& table = *document.find("environment")->find("wind");
-    return Error{"environment.wind.profile: " + quantity_text(wind.profile[i].at, Quantity::length) + " after " +
-                     quantity_text(wind.profile[i - 1].at, Quantity::length),
-                 place_of(element(table, "profile", i), {"at"}), "places must rise"};
-  }
-  return {};
+/// What the library objects to first in an environment, where the file gives it. What flies there reports all else.
+Status check_places(const Environment& environment, const Value& document) {
+  const Status status = check(environment);
+  if (status) return {};
+  const Error& bad = status.error();
+  const PathInFile at = follow(document, bad.place);
+  if (!at.is_there) return {};
+  return Error{bad.place + ": " + bad.message, at.nearest.place.text(), bad.hint};
 }
 
 /// Flights have figures of their own, and where there are things, those of hits.
@@ -156,8 +144,11 @@ Status check_scenario(const Scenario& scenario, const Value& document) {
   const ScenarioNames names(scenario);
   Mistakes mistakes;
   check_shots(scenario, names, document, mistakes);
-  mistakes.take(check_air(scenario.environment.atmosphere, document));
-  mistakes.take(check_wind(scenario.environment.wind, document));
+  Environment without_wind = scenario.environment, without_air = scenario.environment;
+  without_wind.wind = {};
+  without_air.atmosphere = {};
+  mistakes.take(check_places(without_wind, document));
+  mistakes.take(check_places(without_air, document));
   check_world(scenario, names, document, mistakes);
   if (!scenario.world.given) check_expectations(scenario, names, document, mistakes);
   return mistakes.status();

@@ -1,6 +1,5 @@
 // Checks of [[emitter]]: what it names exists, and its definition makes sense; errors have its line.
 #include <algorithm>
-#include <charconv>
 
 #include "base/assert.hpp"
 #include "emit/emission.hpp"
@@ -13,24 +12,6 @@
 namespace physim {
 namespace {
 
-/// Where the library's place "emitter.bursts[1].count" stands in a file; where it does not, what is around it.
-const Value& value_at(const Value& table, std::string_view path) {
-  const Value* value = &table;
-  while (!path.empty()) {
-    const std::string_view part = path.substr(0, path.find('.')), key = part.substr(0, part.find('['));
-    path.remove_prefix(std::min(part.size() + 1, path.size()));
-    const Value* next = value->find(key);
-    if (next == nullptr) break;
-    value = next;
-    std::size_t index = 0;
-    const Array* array = value->get<Array>();
-    if (key.size() == part.size() || array == nullptr) continue;
-    const auto read = std::from_chars(part.data() + key.size() + 1, part.data() + part.size(), index);
-    if (read.ec == std::errc() && index < array->size()) value = &(*array)[index];
-  }
-  return *value;
-}
-
 /// An error of the library about an emitter, as one of the file; its settings have the library's paths.
 Error in_file(const Error& error, const Value& table) {
   constexpr std::string_view kEmitter = "emitter.", kSubs = "subs", kSub = "sub";
@@ -38,7 +19,7 @@ Error in_file(const Error& error, const Value& table) {
   if (path.starts_with(kEmitter)) path.erase(0, kEmitter.size());
   if (path.starts_with(kSubs)) path.replace(0, kSubs.size(), kSub);
   const std::string name = path.empty() ? "emitter" : std::string(kEmitter) + path;
-  return {name + ": " + error.message, value_at(table, path).place.text(), error.hint};
+  return {name + ": " + error.message, follow(table, path).nearest.place.text(), error.hint};
 }
 
 Status check_gun(const ScenarioNames& names, const ScenarioEmitter& emitter, const Value& table) {

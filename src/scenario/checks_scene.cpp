@@ -1,6 +1,5 @@
 // Checks of [[material]], [[shape]] and [[thing]]: by making the scene, so that errors have its line.
 #include <algorithm>
-#include <charconv>
 #include <filesystem>
 #include <set>
 
@@ -18,31 +17,20 @@
 namespace physim {
 namespace {
 
-/// Where a path such as "compound[1].shape" leads from a table, and the path without its numbers; null where the file
-/// has nothing there.
-std::pair<const Value*, std::string> follow(const Value& table, std::string_view path) {
-  const Value* here = &table;
-  std::string keys;
-  while (here != nullptr && !path.empty()) {
-    const std::string_view step = path.substr(0, path.find('.'));
-    path.remove_prefix(std::min(step.size() + 1, path.size()));
-    const std::size_t bracket = std::min(step.find('['), step.size());
-    here = here->find(step.substr(0, bracket));
-    keys += "." + std::string(step.substr(0, bracket));
-    if (bracket == step.size() || here == nullptr) continue;
-    std::size_t index = 0;
-    std::from_chars(step.data() + bracket + 1, step.data() + step.size(), index);
-    // What is no list stands for a list of one.
-    if (const Array* array = here->get<Array>()) here = index < array->size() ? &(*array)[index] : nullptr;
-  }
-  return {here, keys};
+/// A path without the numbers of its lists.
+std::string keys_of(std::string path) {
+  for (std::size_t open = path.find('['); open != path.npos; open = path.find('['))
+    path.erase(open, path.find(']', open) + 1 - open);
+  return path;
 }
 
 /// An error about an element of a list, as one of the file: at the key that it names, where the element has it.
 Error at_key(const Error& error, const std::string& list, const Value& table) {
-  const auto [value, keys] = follow(table, error.place);
-  const std::string path = value ? list + keys : list + " (" + error.place + ")";
-  return {path + ": " + error.message, (value ? value : &table)->place.text(), error.hint};
+  const PathInFile at = follow(table, error.place);
+  const std::string path = !at.is_there          ? list + " (" + error.place + ")"
+                           : error.place.empty() ? list
+                                                 : list + "." + keys_of(error.place);
+  return {path + ": " + error.message, (at.is_there ? at.nearest : table).place.text(), error.hint};
 }
 
 /// The tables in an element that say of which kind it is, and the key that names one.

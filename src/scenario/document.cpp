@@ -2,6 +2,7 @@
 #include "scenario/document.hpp"
 
 #include <algorithm>
+#include <charconv>
 #include <tuple>
 
 #include "base/assert.hpp"
@@ -125,6 +126,24 @@ const Value& element(const Value& document, std::string_view list, std::size_t i
   PHYSIM_ASSERT(array != nullptr);
   PHYSIM_ASSERT(index < array->size());
   return (*array)[index];
+}
+
+PathInFile follow(const Value& table, std::string_view path) {
+  const Value* value = &table;
+  while (!path.empty()) {
+    const std::string_view part = path.substr(0, path.find('.')), key = part.substr(0, part.find('['));
+    path.remove_prefix(std::min(part.size() + 1, path.size()));
+    const Value* next = value->find(key);
+    if (next == nullptr) return {*value};
+    value = next;
+    const Array* list = value->get<Array>();
+    if (key.size() == part.size() || list == nullptr) continue;
+    std::size_t index = list->size();
+    std::from_chars(part.data() + key.size() + 1, part.data() + part.size(), index);
+    if (index >= list->size()) return {*value};
+    value = &(*list)[index];
+  }
+  return {*value, true};
 }
 
 std::string place_of(const Value& table, std::initializer_list<std::string_view> path) {

@@ -77,6 +77,14 @@ struct Member {
 /// Where a setting of a table stands; where it is not given, where the table stands.
 [[nodiscard]] std::string place_of(const Value& table, std::initializer_list<std::string_view> path);
 
+/// Where a path of the library such as "bursts[1].count" leads from a table.
+struct PathInFile {
+  const Value& nearest;  // the value itself, or the one around it that the file has
+  bool is_there = false;
+};
+/// What is no list stands for a list of one.
+[[nodiscard]] PathInFile follow(const Value& table, std::string_view path);
+
 /// "a number", "a table", ...
 [[nodiscard]] std::string_view kind_of(const Value& value);
 /// A value as messages show it.

@@ -100,6 +100,10 @@ Amount gyroscopic_stability(const Flight& flight, const Sample& s) {
   const auto stability = flight.stability(s.time);
   return stability ? Amount(stability->gyroscopic) : std::nullopt;
 }
+template <double Vec3d::*axis>
+Amount jerk(const Flight& flight, const Sample& s) {
+  return flight.jerk(s.time).*axis;
+}
 
 constexpr Figure kFigures[] = {
     {"drop", Quantity::length, [](const Sample& s) { return s.drop; }},
@@ -122,6 +126,9 @@ constexpr Figure kFigures[] = {
     {"ax", Quantity::acceleration, [](const Sample& s) { return s.acceleration.x; }},
     {"ay", Quantity::acceleration, [](const Sample& s) { return s.acceleration.y; }},
     {"az", Quantity::acceleration, [](const Sample& s) { return s.acceleration.z; }},
+    {"jx", Quantity::jerk, nullptr, nullptr, nullptr, jerk<&Vec3d::x>},
+    {"jy", Quantity::jerk, nullptr, nullptr, nullptr, jerk<&Vec3d::y>},
+    {"jz", Quantity::jerk, nullptr, nullptr, nullptr, jerk<&Vec3d::z>},
     {"mach", Quantity::number, [](const Sample& s) { return s.mach; }},
     {"energy", Quantity::energy, [](const Sample& s) { return s.energy; }},
     {"mass", Quantity::mass, [](const Sample& s) { return s.mass; }},

@@ -17,14 +17,13 @@ struct Figure {
   Quantity quantity;
   double (*value)(const Sample&) = nullptr;
   double Geodetic::*place = nullptr;
-  std::optional<double> (*of_group)(const WorldGroup&) = nullptr;                // nothing: nothing there to measure
-  std::optional<double> (*of_rotation)(const Flight&, const Sample&) = nullptr;  // nothing: rotation was not flown
-  std::optional<double> (*of_hits)(const ThingHits&) = nullptr;                  // nothing: nothing there to measure
-  bool is_of_emitters = false;                                                   // of groups, those that emitters fire
+  std::optional<double> (*of_group)(const WorldGroup&) = nullptr;              // nothing: nothing there to measure
+  std::optional<double> (*of_moment)(const Flight&, const Sample&) = nullptr;  // nothing: rotation was not flown
+  std::optional<double> (*of_hits)(const ThingHits&) = nullptr;                // nothing: nothing there to measure
+  bool is_of_emitters = false;                                                 // of groups, those that emitters fire
 
   [[nodiscard]] bool is_of_flights() const {
-    return value != nullptr || place != nullptr || of_rotation != nullptr ||
-           (of_group == nullptr && of_hits == nullptr);
+    return value != nullptr || place != nullptr || of_moment != nullptr || (of_group == nullptr && of_hits == nullptr);
   }
 };
 

@@ -49,14 +49,14 @@ Result<double> measure_anywhere(const Flight& flight, const Expectation& expecta
     return Error{"unknown quantity " + in_quotes(expectation.quantity), "",
                  suggestion(expectation.quantity, figure_names(), "known quantities")};
   if (!figure->is_of_flights()) return Error{in_quotes(figure->name) + " is a figure of a world", "", ""};
-  const bool of_moment = figure->value != nullptr || figure->place != nullptr || figure->of_rotation != nullptr;
-  if (!of_moment) return flight.elevation();
+  const bool is_of_moment = figure->value != nullptr || figure->place != nullptr || figure->of_moment != nullptr;
+  if (!is_of_moment) return flight.elevation();
   const Result<Sample> sample = sample_at(flight, expectation);
   if (!sample) return sample.error();
   if (figure->place != nullptr) return flight.earth_frames().geodetic(sample->position).*(figure->place);
   if (figure->value != nullptr) return figure->value(*sample);
-  PHYSIM_ASSERT(figure->of_rotation != nullptr);
-  if (const auto value = figure->of_rotation(flight, *sample)) return *value;
+  PHYSIM_ASSERT(figure->of_moment != nullptr);
+  if (const auto value = figure->of_moment(flight, *sample)) return *value;
   return Error{"there is no " + in_quotes(figure->name) + " where rotation is not flown", "",
                "ask for the rotation model \"rigid_body\" or \"modified_point_mass\""};
 }

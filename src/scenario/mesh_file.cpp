@@ -8,6 +8,7 @@
 #include "base/assert.hpp"
 #include "base/ieee_mode.hpp"
 #include "scenario/files_in_use.hpp"
+#include "scenario/gltf_nodes.hpp"
 #include "scenario/libraries.hpp"
 #include "scenario/mesh_text.hpp"
 #include "scenario/text_file.hpp"
@@ -35,10 +36,10 @@ constexpr std::uintmax_t kLargestMesh = 256 << 20;  // [bytes]
 /// regular file of a bounded size, or is not there for Assimp.
 class MeshFiles : public Assimp::DefaultIOSystem {
  public:
-  /// `status` becomes that of the first file that may not be read. The mesh's own file has the text of `mesh`, if there
-  /// is one.
-  MeshFiles(Status& status, std::string file, const std::optional<NumberedMesh>& mesh)
-      : status_(status), file_(std::move(file)), mesh_(mesh) {}
+  /// `status` becomes that of the first file that may not be read. The mesh's own file has the text `instead`, unless
+  /// that is null.
+  MeshFiles(Status& status, std::string file, const std::string* instead)
+      : status_(status), file_(std::move(file)), instead_(instead) {}
 
   bool Exists(const char* file) const override { return check_file(file, kLargestMesh, "mesh").ok(); }
   Assimp::IOStream* Open(const char* file, const char* mode) override {
@@ -46,16 +47,16 @@ class MeshFiles : public Assimp::DefaultIOSystem {
       if (status_) status_ = begun;
       return nullptr;
     }
-    if (mesh_ && file == file_)
-      return new Assimp::MemoryIOStream(static_cast<const std::uint8_t*>(static_cast<const void*>(mesh_->text.data())),
-                                        mesh_->text.size());
+    if (instead_ != nullptr && file == file_)
+      return new Assimp::MemoryIOStream(static_cast<const std::uint8_t*>(static_cast<const void*>(instead_->data())),
+                                        instead_->size());
     return Exists(file) ? DefaultIOSystem::Open(file, mode) : nullptr;
   }
 
  private:
   Status& status_;
   std::string file_;
-  const std::optional<NumberedMesh>& mesh_;
+  const std::string* instead_;
 };
 
 /// Gives corners, which have whole numbers, the places that the file has. False if the file lacks one.
@@ -69,12 +70,12 @@ bool put_in_place(MeshShape& mesh, const NumberedMesh& file) {
 }
 
 /// `node` takes the mesh into the file's frame. A scale that mirrors turns the corners of triangles round.
-void add_mesh(MeshShape& to, const aiMesh& from, const aiMatrix4x4& node) {
+void add_mesh(MeshShape& to, const aiMesh& from, const Affine& node) {
   const auto first = static_cast<std::uint32_t>(to.vertices.size());
-  const bool mirrors = node.Determinant() < 0;
+  const bool mirrors = node.mirrors();
   for (unsigned i = 0; i < from.mNumVertices; ++i) {
-    const aiVector3D at = node * from.mVertices[i];
-    to.vertices.push_back({at.x, at.y, at.z});
+    const aiVector3D& at = from.mVertices[i];
+    to.vertices.push_back(node({at.x, at.y, at.z}));
   }
   for (unsigned i = 0; i < from.mNumFaces; ++i) {
     const aiFace& face = from.mFaces[i];
@@ -85,20 +86,27 @@ void add_mesh(MeshShape& to, const aiMesh& from, const aiMatrix4x4& node) {
   }
 }
 
-void add_node(MeshShape& to, const aiScene& scene, const aiNode& node, const aiMatrix4x4& parent) {
-  const aiMatrix4x4 here = parent * node.mTransformation;
+Affine affine_of(const aiMatrix4x4& m) {
+  return {{m.a1, m.b1, m.c1}, {m.a2, m.b2, m.c2}, {m.a3, m.b3, m.c3}, {m.a4, m.b4, m.c4}};
+}
+
+/// `nodes`: the transforms of nodes by name, instead of Assimp's own; may be null.
+void add_node(MeshShape& to, const aiScene& scene, const aiNode& node, const Affine& parent, const GltfNodes* nodes) {
+  const Affine* known = nodes != nullptr ? nodes->find(node.mName.C_Str()) : nullptr;
+  const Affine here = known != nullptr ? *known : parent.after(affine_of(node.mTransformation));
   for (unsigned i = 0; i < node.mNumMeshes; ++i) {
     PHYSIM_ASSERT(node.mMeshes[i] < scene.mNumMeshes);
     add_mesh(to, *scene.mMeshes[node.mMeshes[i]], here);
   }
-  for (unsigned i = 0; i < node.mNumChildren; ++i) add_node(to, scene, *node.mChildren[i], here);
+  for (unsigned i = 0; i < node.mNumChildren; ++i) add_node(to, scene, *node.mChildren[i], here, nodes);
 }
 
-/// Reads the file itself, or the text that numbers its corners.
-Result<MeshShape> read_mesh(const std::string& file, const std::optional<NumberedMesh>& numbered) {
+/// Reads the file itself, or the text `instead`, which may be null.
+Result<MeshShape> read_mesh(const std::string& file, const std::string* instead = nullptr,
+                            const GltfNodes* nodes = nullptr) {
   Status files;
   Assimp::Importer importer;
-  importer.SetIOHandler(new MeshFiles(files, file, numbered));  // the importer owns it
+  importer.SetIOHandler(new MeshFiles(files, file, instead));  // the importer owns it
   // Corners are joined where they differ in nothing but what is not read.
   importer.SetPropertyInteger(AI_CONFIG_PP_RVC_FLAGS, aiComponent_NORMALS | aiComponent_TANGENTS_AND_BITANGENTS |
                                                           aiComponent_COLORS | aiComponent_TEXCOORDS |
@@ -110,8 +118,7 @@ Result<MeshShape> read_mesh(const std::string& file, const std::optional<Numbere
   if (!files) return files.error();
   if (scene == nullptr) return Error{"Assimp: " + std::string(importer.GetErrorString()), file, ""};
   MeshShape mesh;
-  if (scene->mRootNode != nullptr) add_node(mesh, *scene, *scene->mRootNode, {});
-  if (numbered && !put_in_place(mesh, *numbered)) return Error{"the file lacks a corner", file, ""};
+  if (scene->mRootNode != nullptr) add_node(mesh, *scene, *scene->mRootNode, {}, nodes);
   if (mesh.triangles.empty()) return Error{"there are no triangles in it", file, ""};
   return mesh;
 }
@@ -121,11 +128,14 @@ Result<MeshShape> read_mesh(const std::string& file, const std::optional<Numbere
 Result<MeshShape> read_mesh_file(const std::string& file) {
   const IeeeMode mode;
   if (const Status status = check_file(file, kLargestMesh, "mesh"); !status) return status.error();
-  // Assimp's numbers are floats: it reads whole numbers instead of the digits of a text file.
+  // Assimp's numbers are floats: it reads whole numbers instead of the digits of a text file, and glTF without the
+  // transforms of its nodes.
   const auto text = read_text_file(file, kLargestMesh, "mesh");
   if (const auto numbered = text ? numbered_mesh(*text) : std::nullopt)
-    if (auto mesh = read_mesh(file, numbered)) return mesh;
-  return read_mesh(file, std::nullopt);
+    if (auto mesh = read_mesh(file, &numbered->text); mesh && put_in_place(*mesh, *numbered)) return mesh;
+  if (const auto plain = text ? gltf_nodes(*text) : std::nullopt)
+    if (auto mesh = read_mesh(file, &plain->text, &*plain)) return mesh;
+  return read_mesh(file);
 }
 
 #else

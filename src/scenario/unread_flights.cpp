@@ -310,6 +310,7 @@ constexpr UnreadRule kProjectileRules[] = {
        return read_with(projectile(r).force != Vec3d{}, "shot.force");
      }},
     {"shot.sight.zero_in_calm_air", why_no_zero},
+    {"shot.sight.dial", why_no_zero},
     {"shot.spin", why_no_spin},
     {"shot.magnus", why_no_spin},
     {"shot.magnus.lift", why_no_formula},

@@ -56,7 +56,7 @@ Status WorldRun::Impl::load() {
   if (Status status = set_scene(); !status) return status;
   // Springs to a shot need it to exist; all other forces are added first, so that they act on what is fired.
   if (Status status = add_forces(false); !status) return status;
-  fire();
+  fire(0);
   const std::size_t known = world.events().size();
   if (Status status = add_emitters(); !status) return status;
   count(world.events().subspan(known));  // what they fired before the start
@@ -128,23 +128,39 @@ Status WorldRun::Impl::add_force(const ScenarioForce& force) {
   return {};
 }
 
+/// The last step within the duration is as long as what is left of it [s].
+double WorldRun::Impl::coming_step() const {
+  const ScenarioWorld& w = scenario.world;
+  const std::uint64_t taken = world.counters().steps;
+  const double left = w.duration - static_cast<double>(taken) * w.def.step;
+  return taken + 1 == steps() && left < (1 - 1e-9) * w.def.step ? left : w.def.step;
+}
+
+std::uint64_t WorldRun::Impl::steps() const {
+  return static_cast<std::uint64_t>(std::ceil(scenario.world.duration / scenario.world.def.step - 1e-9));
+}
+
 // ------------------------------------------------------------------------------------------------------------- firing
-void WorldRun::Impl::fire() {
-  for (Magazine& magazine : magazines) fire(magazine);
+void WorldRun::Impl::fire(double within) {
+  for (Magazine& magazine : magazines) fire(magazine, within);
   std::erase_if(magazines, [](const Magazine& m) { return m.fired == static_cast<std::uint64_t>(m.volley.count); });
 }
 
-void WorldRun::Impl::fire(Magazine& magazine) {
+/// Launches what is due now or within a time [s], each at its own time.
+void WorldRun::Impl::fire(Magazine& magazine, double within) {
   const Volley& volley = magazine.volley;
+  const double now = world.time();
   const double slack = 1e-9 * scenario.world.def.step;  // a launch at 0.1 s belongs to the step that starts there
   PHYSIM_ASSERT(magazine.group < groups.size());
   WorldGroup& group = groups[magazine.group];
   while (magazine.fired < static_cast<std::uint64_t>(volley.count)) {
-    if (volley.start + static_cast<double>(magazine.fired) * volley.interval > world.time() + slack) return;
+    const double wait = volley.start + static_cast<double>(magazine.fired) * volley.interval - now;
+    if (wait > slack && wait >= within - slack) return;
+    const double delay = wait > slack ? wait : 0;
     const Launch launch = scattered(magazine.launch, volley, magazine.fired++);
     std::size_t known = world.events().size();
     if (known > kMostEventsOfCalls / 2) world.forget_events(), known = 0;  // they are counted
-    const Result<ProjectileId> spawned = world.spawn(group.kind, launch);
+    const Result<ProjectileId> spawned = world.spawn(group.kind, launch, delay);
     const std::span<const Event> news = world.events().subspan(known);
     if (!spawned) {
       if (group.refused++ == 0) group.refusal = spawned.error().message;
@@ -156,7 +172,7 @@ void WorldRun::Impl::fire(Magazine& magazine) {
     const auto before = static_cast<std::size_t>(born - news.begin());
     count(news.first(before));  // it may have taken the place of another; that one's track ends here
     if (tracks.size() <= id.index) tracks.resize(id.index + std::size_t{1});
-    tracks[id.index] = {id.generation, {magazine.group, ++launches}, false, world.time(), launch.position};
+    tracks[id.index] = {id.generation, {magazine.group, ++launches}, false, now + delay, launch.position};
     count(news.subspan(before));
     if (volley.shot.empty()) lone[group.shot] = id;
   }
@@ -247,11 +263,12 @@ void WorldRun::Impl::look_at_wall(double dt) {
     if (!(s.from.x < wall && s.to.x >= wall)) continue;
     Track* track = track_of(s.id);
     if (track == nullptr) continue;
-    const double part = (wall - s.from.x) / (s.to.x - s.from.x), rest = (1 - part) * dt;
+    const double span = std::min(dt, world.time() - track->since);  // it may have been launched within the step
+    const double part = (wall - s.from.x) / (s.to.x - s.from.x), rest = (1 - part) * span;
     PHYSIM_ASSERT(part <= 1);
     const Vec3d a = world[s.id].accelerations().total;
     WallHit hit{track->launched, s.id, world.time() - rest,
-                s.from + (s.to - s.from) * part - a * (part * dt * rest / 2), world[s.id].velocity() - a * rest};
+                s.from + (s.to - s.from) * part - a * (part * span * rest / 2), world[s.id].velocity() - a * rest};
     hit.position.x = wall;
     hits.push_back(hit);
     stopped.push_back(s.id);
@@ -274,14 +291,12 @@ void WorldRun::Impl::look_at_wall(double dt) {
 }
 
 void WorldRun::Impl::step() {
-  if (!is_loaded) {
-    events.clear();
-    fire();
-  }
+  if (!is_loaded) events.clear();
   is_loaded = false;
+  const double dt = coming_step();
+  fire(dt);
   hits.clear();
   thing_hits.clear();
-  const double dt = scenario.world.def.step;
   PHYSIM_ASSERT(dt > 0);
   world.step(dt);
   count(world.events());
@@ -411,8 +426,7 @@ void WorldRun::step() {
 }
 std::uint64_t WorldRun::steps() const {
   const IeeeMode mode;
-  const ScenarioWorld& world = impl_->scenario.world;
-  return static_cast<std::uint64_t>(std::ceil(world.duration / world.def.step - 1e-9));
+  return impl_->steps();
 }
 World& WorldRun::world() { return impl_->world; }
 const World& WorldRun::world() const { return impl_->world; }

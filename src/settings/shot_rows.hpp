@@ -162,6 +162,7 @@ inline constexpr auto kSightRows = std::tuple{
     PHYSIM_SETTING(sight.zero_range, "on the level, the bore hits the line of sight there; 0: no zero",
                    Quantity::length, at_least(0)),
     PHYSIM_SETTING(sight.zero_in_calm_air, "the zero was shot without wind"),
+    PHYSIM_SETTING(sight.dial, "of the elevation turret: raises the bore above the zero", Quantity::angle, kHalfTurn),
     PHYSIM_SETTING(spin.backspin, "of a ball at launch: lifts it; negative: topspin", Quantity::angular_rate,
                    kUncertain),
     PHYSIM_SETTING(spin.sidespin, "of a ball at launch: turns its path to the right", Quantity::angular_rate,

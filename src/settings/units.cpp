@@ -74,6 +74,8 @@ constexpr Unit kMomentOfInertia[] = {{"kg m^2"},
 
 constexpr Unit kArea[] = {{"m^2"}, {"cm^2", 1e-4}, {"mm^2", 1e-6}, {"in^2", kInch* kInch}, {"ft^2", 0.3048 * 0.3048}};
 
+constexpr Unit kJerk[] = {{"m/s^3"}, {"ft/s^3", 0.3048}};
+
 constexpr std::array kQuantities = {
     QuantityInfo{Quantity::number, "a plain number", "0.5", kNumber},
     QuantityInfo{Quantity::length, "a length", "7.82 mm", kLength},
@@ -97,6 +99,7 @@ constexpr std::array kQuantities = {
     QuantityInfo{Quantity::attraction, "an attraction (G M)", "2000 m^3/s^2", kAttraction},
     QuantityInfo{Quantity::moment_of_inertia, "a moment of inertia", "0.02326 kg m^2", kMomentOfInertia},
     QuantityInfo{Quantity::area, "an area", "45 mm^2", kArea},
+    QuantityInfo{Quantity::jerk, "a jerk", "2 m/s^3", kJerk},
 };
 
 constexpr bool in_order_of_values() {

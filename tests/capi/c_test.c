@@ -86,9 +86,9 @@ static void test_flight(void) {
   physim_def* def = made(kFirst);
   physim_flight *flight = NULL, *other = NULL;
   physim_flight_info info = {.size = sizeof info};
-  physim_sample at = {.size = sizeof at}, end = {.size = sizeof end};
+  physim_sample at = {.size = sizeof at}, end = {.size = sizeof end}, later = {.size = sizeof later};
   physim_launch launch = {.size = sizeof launch};
-  double time[5], x[5], y[5];
+  double time[5], x[5], y[5], jerk[3];
   physim_samples columns = {.size = sizeof columns};
   physim_event events[4];
   size_t count = 0;
@@ -102,6 +102,12 @@ static void test_flight(void) {
   OK(physim_flight_at(flight, PHYSIM_AT_END, 0, &end));
   CHECK(end.time == info.duration && is_near(end.position[1], 0, 1e-6));
   IS(PHYSIM_NOT_FOUND, physim_flight_at(flight, PHYSIM_AT_RANGE, 1e6, &at));
+  /* The jerk is the slope of the acceleration. */
+  OK(physim_flight_jerk(flight, 0.5, jerk));
+  OK(physim_flight_at(flight, PHYSIM_AT_TIME, 0.49, &at));
+  OK(physim_flight_at(flight, PHYSIM_AT_TIME, 0.51, &later));
+  CHECK(jerk[0] > 1 && is_near(jerk[0], (later.acceleration[0] - at.acceleration[0]) / 0.02, 0.01 * jerk[0]));
+  IS(PHYSIM_BAD_ARGUMENT, physim_flight_jerk(flight, NAN, jerk));
   IS(PHYSIM_BAD_ARGUMENT, physim_flight_at(flight, PHYSIM_AT_TIME, NAN, &at));
   columns.time = time;
   columns.x = x;

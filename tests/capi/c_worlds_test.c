@@ -22,8 +22,8 @@ static void test_world(void) {
   } sprites[4];
   physim_states states = {.size = sizeof states};
   physim_event events[16];
-  physim_id ids[4], all[8];
-  double z[3] = {-1, 0, 1}, position[24], velocity[12], impulse[3] = {0, 0, 5};
+  physim_id ids[4], all[8] = {{0, 0}};
+  double z[3] = {-1, 0, 1}, position[24], velocity[12], impulse[3] = {0, 0, 5}, jerk[3];
   physim_launches launches = {.size = sizeof launches};
   physim_flight* ahead = NULL;
   physim_sample end = {.size = sizeof end};
@@ -75,6 +75,9 @@ static void test_world(void) {
   CHECK(strcmp(text, "2 kg") == 0);
   OK(physim_world_get(world, ids[0], "fidelity.drag", text, sizeof text, NULL));
   CHECK(strcmp(text, "off") == 0);
+  OK(physim_world_jerk(world, ids[0], jerk)); /* of constant gravity alone */
+  CHECK(fabs(jerk[0]) + fabs(jerk[1]) + fabs(jerk[2]) < 1e-9);
+  IS(PHYSIM_NOT_FOUND, physim_world_jerk(world, all[0], jerk));
   IS(PHYSIM_REFUSED, physim_world_set(world, ids[0], "length", "1 m"));
   IS(PHYSIM_REFUSED, physim_world_set(world, ids[0], "mass", "-2 kg"));
   OK(physim_world_hash(world, &again));

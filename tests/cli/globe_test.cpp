@@ -161,6 +161,11 @@ TEST(Globe, a_flat_earth_is_on_no_globe) {
   EXPECT_EQ(refused.code, 2);
   EXPECT_NE(refused.err.find("flat Earth"), std::string::npos) << refused.err;
   EXPECT_NE(refused.err.find("shot.fidelity.earth=ellipsoid"), std::string::npos) << refused.err;
+  const Ran world = run_program(PHYSIM_CLI, {"run", folder.write("world.toml", kScenario + std::string("[world]\n")),
+                                             "--set", "shot.fidelity.earth=flat", "--czml", folder / "world.czml"});
+  EXPECT_EQ(world.code, 2);
+  EXPECT_NE(world.err.find("flat Earth"), std::string::npos) << world.err;
+  EXPECT_FALSE(std::filesystem::exists(folder / "world.czml"));
 }
 
 // --------------------------------------------------------------------------------- files for others: corners and times
@@ -408,6 +413,38 @@ TEST(FilesForOthers, CzmlsClockEndsWhereTheSamplesDo) {
     const double end = seconds_of(clock.substr(clock.find('/') + 1));
     EXPECT_NEAR(end, flown.flight.duration(), 1e-11 * (1 + end));
   }
+}
+
+/// A world of one shot has the files of its flight.
+TEST(FilesForOthers, WorldsAreOnGlobesToo) {
+  std::string text = kWall;
+  text.replace(text.find("[until]"), text.npos, "[world]\nduration = \"2 s\"\n");
+  const Flown flown(kWall);
+  const auto [hit, place] = *flown.corners().begin();
+  const json packets = json::parse(written(text, "--czml", {"--interval", "0.05 s"}));
+  ASSERT_EQ(packets.size(), 2U);
+  EXPECT_EQ(packets[1].at("name"), flown.scenario.shots[0].projectile.name);
+  const CzmlPath path(packets[1].at("position"), flown.flight.earth_frames());
+  EXPECT_GE(path.parts(), 2U) << "parted at the wall";
+  double farthest = 0;
+  for (int i = 0; i <= 1000; ++i) {
+    const double time = 1.5 * i / 1000;
+    farthest = std::max(farthest, length(path.at(time) - flown.flight.at(time).position));
+  }
+  EXPECT_LT(farthest, 3e-3);
+  const json map = json::parse(written(text, "--geojson", {"--interval", "0.05 s"}));
+  std::vector<std::string> marks;
+  for (const json& feature : map.at("features")) marks.push_back(feature.at("properties").at("what"));
+  EXPECT_EQ(marks[0], "path");
+  EXPECT_EQ(marks[1], "launch");
+  EXPECT_EQ(std::ranges::count(marks, "hit"), 1);
+  EXPECT_EQ(map["features"][0]["geometry"]["type"], "MultiLineString") << "it crosses the antimeridian";
+  EXPECT_NE(written(text, "--kml").find(flown.degrees_at(place)), std::string::npos) << "a sample at the hit";
+  // Of many, each has its number.
+  const json volley = json::parse(
+      written(text + "[[volley]]\nname = \"balls\"\nshot = \"ball, fast & <loud>\"\ncount = 3\n", "--czml"));
+  ASSERT_EQ(volley.size(), 4U);
+  EXPECT_EQ(volley[3].at("id"), "shot/balls 3");
 }
 
 TEST(FilesForOthers, HeadersSayWhatHeightsAre) {

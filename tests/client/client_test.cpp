@@ -399,7 +399,14 @@ TEST(Compare, MeasuresAgainstTheTruth) {
   EXPECT_EQ(rungs[1].name, "game");
   EXPECT_GT(rungs[1].farthest, 1) << "a bullet to 1000 m with k1 k2 drag";
   EXPECT_LT(rungs[3].farthest, 0.1);
-  for (const ComparedRung& rung : rungs) EXPECT_GT(rung.per_step, 0) << rung.name;
+  for (const ComparedRung& rung : rungs) {
+    EXPECT_GT(rung.per_step, 0) << rung.name;
+    ASSERT_TRUE(rung.in_frames) << rung.name;
+  }
+  // The same bullet in frames of a game: the reference of a world has no drift by formula, 0.36 m at 1000 m.
+  EXPECT_GT(*rungs[1].in_frames, 1);
+  EXPECT_LT(*rungs[3].in_frames, *rungs[1].in_frames);
+  EXPECT_NEAR(*rungs.back().in_frames, 0.36, 0.02);
   ASSERT_TRUE(client.fire_compared());
   ASSERT_EQ(client.session.tracks().size(), 5U);
   EXPECT_EQ(client.session.tracks()[1].colour, rungs[1].colour);

@@ -126,6 +126,23 @@ TEST(Save, WritesWhatIsChangedIntoTheFileThatWasOpened) {
   EXPECT_NE(testing_cli::read(file).find("[[expect]]"), std::string::npos);
 }
 
+/// An aim is dialled on top of a zero, and both are in the file.
+TEST(Save, KeepsAZeroAndTheAimOffIt) {
+  const Folder folder;
+  const std::string file = folder.write("rifle.toml", testing_cli::read(shipped("22lr")));
+  Client client = open(file);
+  client.launcher.turn(0.01, 0.002);
+  const double elevation = fly_shot(client.session.scenario(), client.launcher.shot()).elevation();
+  ASSERT_TRUE(client.save(file));
+  const std::string text = testing_cli::read(file);
+  EXPECT_NE(text.find("zero_range"), std::string::npos);
+  EXPECT_NE(text.find("dial = "), std::string::npos) << text;
+  const Client again = open(file);
+  EXPECT_TRUE(again.launcher.is_zeroed());
+  EXPECT_EQ(again.launcher.raised(), 0.002);
+  EXPECT_EQ(fly_shot(again.session.scenario(), again.launcher.shot()).elevation(), elevation);
+}
+
 TEST(Save, WritesNothingThatCouldNotBeRead) {
   const Folder folder;
   const std::string file = folder / "mine.toml";

@@ -67,7 +67,7 @@ Straight fly(Session& session, const ScenarioShot& shot, std::uint64_t steps) {
   return all;
 }
 
-ScenarioShot next_shot(const char* scenario) { return client_of(scenario).next_shot(); }
+ScenarioShot next_shot(const char* scenario) { return client_of(scenario).launcher.shot(); }
 
 void expect_same_wherever_it_goes(Session& session, const Straight& straight) {
   std::mt19937 random(7);  // NOLINT: the same every time

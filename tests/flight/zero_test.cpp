@@ -59,6 +59,30 @@ TEST(Zero, is_shot_on_the_level_and_the_look_angle_comes_afterwards) {
   }
 }
 
+/// In vacuum on the level: drop = x tan e - g x^2 / (2 v^2 cos^2 e), with e the zero and what is dialled.
+TEST(Zero, what_is_dialled_raises_the_bore_above_it_at_every_door) {
+  const double range = 900, g = 9.80665, v = 300, dial = 0.003;
+  Launch launch{.speed = v, .sight = {.zero_range = 400}};
+  const Until until{.ground = {}, .range = range};
+  const double zero = fly({}, launch, constant_gravity(), vacuum(), {}, until).elevation();
+  launch.sight.dial = dial;
+  const Flight flight = fly({}, launch, constant_gravity(), vacuum(), {}, until);
+  EXPECT_EQ(flight.elevation(), zero + dial);
+  const double c = std::cos(zero + dial);
+  EXPECT_NEAR(flight.end().drop, range * std::tan(zero + dial) - g * range * range / (2 * v * v * c * c), 1e-9);
+  EXPECT_EQ(fly_batch({}, {&launch, 1}, constant_gravity(), vacuum(), {}, until).shots[0].position,
+            flight.end().position);
+  World world = World::create({.environment = constant_gravity(), .ground = {.mode = GroundMode::none}}).value();
+  const ProjectileId id = world.spawn({.fidelity = vacuum()}, launch).value();
+  EXPECT_EQ(world[id].velocity(), flight.at(0).velocity);
+  launch.sight.zero_range = 0;
+  EXPECT_EQ(fly({}, launch, constant_gravity(), vacuum(), {}, until).elevation(), 0) << "a dial is that of a zero";
+  for (const double wrong : {2.0, -2.0, std::nan("")}) {
+    launch.sight.dial = wrong;
+    EXPECT_EQ(fly({}, launch, constant_gravity(), vacuum(), {}, until).error().value().place, "launch.sight.dial");
+  }
+}
+
 TEST(Zero, from_a_tower_may_lie_below_the_horizon) {
   // A sight a metre above the bore at a very short range: the bore has to point up steeply, one below the bore, down.
   const auto up = zero_elevation({}, {.speed = 300, .sight = {.height = 1}}, constant_gravity(), vacuum(), 10);

@@ -99,6 +99,24 @@ TEST_P(PresetsOfScenario, the_preset_reference_is_the_dearest) {
 INSTANTIATE_TEST_SUITE_P(Ladder, PresetsOfScenario, ::testing::ValuesIn(shipped()),
                          [](const auto& scenario) { return scenario.param; });
 
+TEST(LadderOfSteps, a_rung_is_beaten_by_one_that_costs_no_more_and_errs_less) {
+  const auto scenario = load_scenario(PHYSIM_SOURCE_DIR "/scenarios/golf_ball_no_spin.toml");
+  ASSERT_TRUE(scenario) << scenario.error().text();
+  const auto ladder = climb(*scenario, scenario->shots.front());
+  ASSERT_TRUE(ladder) << ladder.error().text();
+  ASSERT_GE(ladder->steps.size(), 6U);
+  for (const StepsOfRung& rung : ladder->steps) {
+    const auto better = [&](const StepsOfRung& other) {
+      return other.cost <= rung.cost && std::max(other.largest, 1e-6) < 0.99 * std::max(rung.largest, 1e-6);
+    };
+    EXPECT_EQ(std::ranges::any_of(ladder->steps, better), !rung.beaten_by.empty()) << rung.name;
+    if (rung.beaten_by.empty()) continue;
+    const auto winner = std::ranges::find(ladder->steps, rung.beaten_by, &StepsOfRung::name);
+    ASSERT_NE(winner, ladder->steps.end()) << rung.beaten_by;
+    EXPECT_TRUE(better(*winner)) << rung.name << " by " << winner->name;
+  }
+}
+
 TEST(LadderOfPresets, flies_spin_as_far_as_the_data_go) {
   struct Case {
     const char* scenario;

@@ -100,7 +100,7 @@ TEST(FilesForOthers, PathsOfWorldsHaveASampleAtEveryCorner) {
   ASSERT_TRUE(scenario) << scenario.error().text();
   const WorldLog log = run_world(*scenario, {.parts = {.samples = true, .events = true}, .interval = 0.5}).value();
   std::map<std::uint64_t, std::vector<WorldSample>> paths;
-  log.each_sample([&](const WorldSample& sample) { paths[sample.launched.number].push_back(sample); });
+  log.each_sample([&](const WorldSample& sample, bool) { paths[sample.launched.number].push_back(sample); });
   ASSERT_EQ(paths.size(), 5u);
   int hits = 0, corners = 0;
   for (const LoggedEvent& event : log.events) {

@@ -231,7 +231,15 @@ INSTANTIATE_TEST_SUITE_P(
             "f.toml:6:12: error: shot.drag.bands: two bands from 5 m/s; each band needs its own speed"},
         Bad{"[environment.wind]\nprofile = [{ at = 10, velocity = [0,0,0] },\n { at = 5, velocity = [0,0,0] "
             "}]\n[[shot]]",
-            "f.toml:4:9: error: environment.wind.profile: 5 m after 10 m; places must rise"},
+            "f.toml:4:2: error: environment.wind.profile[1]: places must rise, by 1e-9 m at least; sort the points"},
+        Bad{"[environment.atmosphere]\nprofile = [{ altitude = 0, temperature = 288, pressure = 101325 },\n { altitude "
+            "= "
+            "1000, temperature = 281, pressure = 120000 }]\n[environment.wind]\nprofile = [{ at = 10, velocity = "
+            "[0,0,0] "
+            "}, { at = 5, velocity = [0,0,0] }]\n[[shot]]",
+            "f.toml:4:2: error: environment.atmosphere.profile[1]: must have less pressure than the level below; "
+            "pressures are those at the level, in pascal\nf.toml:6:45: error: environment.wind.profile[1]: places must "
+            "rise, by 1e-9 m at least; sort the points"},
         Bad{"[[shot]]\nname = \"one\"\n[[expect]]\nshot = \"ome\"\nquantity = \"drop\"\nequals = 1\nwithin = 1",
             "f.toml:5:8: error: expect.shot: no shot is named \"ome\"; did you mean \"one\"?"},
         Bad{"[[shot]]\n[[expect]]\nat = { time = 1, range = 2 }\nquantity = \"drop\"\nequals = 1\nwithin = 1",

@@ -68,5 +68,22 @@ TEST(Measure, SaysWhyThereIsNothing) {
   EXPECT_NE(error_of(refused, {.quantity = "x"}), "no error");
 }
 
+/// Linear drag of rate k: v' = g - k v, so that the jerk is -k a.
+TEST(Measure, LooksAtTheJerk) {
+  const double k = 0.5;
+  Fidelity fidelity = Fidelity::reference();
+  fidelity.gravity = GravityModel::constant;
+  fidelity.drag = DragModel::linear_quadratic;
+  const ProjectileDef projectile{.mass = 2, .drag = {.k1 = 2 * k}};
+  const Flight flight = fly(projectile, {.velocity = Vec3d{30, 20, 5}}, {}, fidelity);
+  for (const std::string axis : {"x", "y", "z"}) {
+    const auto at_one_second = [&](const std::string& what) {
+      return *measure(flight, {.at = ExpectAt::time, .at_value = 1, .quantity = what + axis});
+    };
+    EXPECT_NEAR(at_one_second("j"), -k * at_one_second("a"), 1e-6) << axis;
+  }
+  EXPECT_NEAR(figure("jy", ExpectAt::time, 2), 0, 1e-9);
+}
+
 }  // namespace scenario_measure_test
 }  // namespace physim

@@ -134,7 +134,7 @@ name = "b"
 speed = "800 m/s"
 drag = { table = "g1", bands = [ { above = "800 m/s", ballistic_coefficient = "0.5 lb/in^2" },
                                  { above = 0, ballistic_coefficient = "0.4 lb/in^2" } ] }
-sight = { height = "1.5 in", look_angle = "10 deg", cant = "5 deg", zero_range = "100 m", zero_in_calm_air = true }
+sight = { height = "1.5 in", look_angle = "10 deg", cant = "5 deg", zero_range = "100 m", zero_in_calm_air = true, dial = "2 mil" }
 [tolerance]
 relative = 1e-10
 step = "5 ms"
@@ -182,6 +182,7 @@ ranges = ["100 m", 200, "300 yd"]
   EXPECT_EQ(b.launch.sight.height, 1.5_in);
   EXPECT_EQ(b.launch.sight.zero_range, 100);
   EXPECT_TRUE(b.launch.sight.zero_in_calm_air);
+  EXPECT_EQ(b.launch.sight.dial, 0.002);
   EXPECT_EQ(s.tolerance.relative, 1e-10);
   EXPECT_EQ(s.tolerance.step, 0.005);
   EXPECT_TRUE(std::isinf(s.tolerance.max_step));

@@ -378,6 +378,44 @@ TEST(MeshFile, MirroredNodesGiveTheSameHitsMirrored) {
   }
 }
 
+/// Places of nodes are numbers in text: floats would put them 31 mm off at 500 km.
+TEST(MeshFile, NodesOfGltfLieWhereTheFileSays) {
+  if (!reads_mesh_files()) GTEST_SKIP() << "this build reads no meshes from files";
+  const testing_cli::Folder folder;
+  const std::string far = "\"translation\": [500000.0, 0.03, -1000000.01]";
+  std::string text = two_wedges("\"children\": [2], " + far, "\"matrix\": [2,0,0,0, 0,2,0,0, 0,0,2,0, 5e5,0.07,3,1]");
+  // A third, below the first: a quarter of a turn about y takes its x axis to -z.
+  const std::string third =
+      "{\"mesh\": 0, \"translation\": [0.011, 0, 0], \"rotation\": [0, 0.7071067811865476, 0, "
+      "0.7071067811865476], \"scale\": [1, 3, 1]}],\n\"meshes\"";
+  text.replace(text.find("],\n\"meshes\""), 11, ", " + third);
+  std::ofstream(folder / "far.gltf") << text;
+  std::string json = text;
+  json.resize((json.size() + 3) / 4 * 4, ' ');
+  const auto word = [](std::size_t number) {
+    std::string bytes;
+    for (int shift = 0; shift < 32; shift += 8) bytes += static_cast<char>(number >> shift & 0xFF);
+    return bytes;
+  };
+  std::ofstream(folder / "far.glb", std::ios::binary)
+      << "glTF" << word(2) << word(20 + json.size()) << word(json.size()) << "JSON" << json;
+  for (const char* name : {"far.gltf", "far.glb"}) {
+    const Result<MeshShape> mesh = read_mesh_file(folder / name);
+    ASSERT_TRUE(mesh) << mesh.error().text();
+    ASSERT_EQ(mesh->vertices.size(), 12U) << name;
+    EXPECT_EQ(mesh->triangles.size(), 12U) << name;
+    const auto nearest = [&](const Vec3d& place) {
+      double least = kInfinity;
+      for (const Vec3d& v : mesh->vertices) least = std::min(least, length(v - place));
+      return least;
+    };
+    for (const Vec3d& place :
+         {Vec3d{500000, 0.03, -1000000.01}, Vec3d{500001, 0.03, -1000000.01}, Vec3d{500000, 0.07, 3},
+          Vec3d{500002, 0.07, 3}, Vec3d{500000.011, 0.03, -1000001.01}, Vec3d{500000.011, 3.03, -1000000.01}})
+      EXPECT_LT(nearest(place), 1e-9) << name << ": " << place.x << ' ' << place.y << ' ' << place.z;
+  }
+}
+
 TEST(HeightMap, IsReadOrTheBuildSaysThatItCannot) {
   const testing_cli::Folder folder;
   // 3 columns by 2 rows of 16 bits, from black to white in steps of a fifth, as zlib packs them.

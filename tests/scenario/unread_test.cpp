@@ -171,6 +171,8 @@ TEST(Unread, numbers_of_models_that_do_not_fly) {
   expect_unread("shot.force_duration", " without shot.force", shot("force_duration = 1"),
                 shot("force = [1, 0, 0]\nforce_duration = 1"));
   expect_unread("shot.length", " without shot.twist", shot("length = 0.3"), shot("length = 0.3\ntwist = 2"));
+  expect_unread("shot.sight.dial", " without shot.sight.zero_range", shot("sight = { dial = \"3 mil\" }"),
+                shot("sight = { dial = \"3 mil\", zero_range = 5 }\nspeed = 60"));
   expect_unread("shot.sight.zero_in_calm_air", " without shot.sight.zero_range",
                 shot("sight = { zero_in_calm_air = true }"),
                 shot("sight = { zero_in_calm_air = true, zero_range = 5 }\nspeed = 60"));

@@ -110,19 +110,6 @@ Status Client::bring_back(const Moment* moment, const char* how) {
   return {};
 }
 
-const ScenarioShot& Client::next_shot() {
-  if (next_at_ == versions()) return next_;
-  next_at_ = versions();
-  next_ = launcher.shot();
-  if (launcher.raised() == 0) return next_;
-  const Result<Launch> aimed =
-      aimed_launch(next_.projectile, next_.launch, session.scenario().environment, next_.projectile.fidelity);
-  if (!aimed) return next_;  // the prediction shows the error
-  next_.launch = *aimed;
-  next_.launch.elevation += launcher.raised();
-  return next_;
-}
-
 /// Remembers which file the session is of. That of a scenario is come back to from a replay.
 void Client::take_file(const std::string& file) {
   if (!file.empty()) recent.add(file);
@@ -181,7 +168,7 @@ Status Client::restart() {
 }
 
 Status Client::fire() {
-  const Result<ProjectileId> fired = session.fire(next_shot());
+  const Result<ProjectileId> fired = session.fire(launcher.shot());
   if (!fired) return fired.error();
   selected = fired_ = *fired;
   fired_at_ = versions();
@@ -193,7 +180,7 @@ Status Client::fire_whole() {
     return Error{"its shots fly in a world", "fire-whole", "fire it into the world, as its scenario does"};
   if (!session.scenario().things.empty())
     return Error{"whole flights know no things", "fire-whole", "fire it, or take away what was put up: Ctrl+Z"};
-  const ScenarioShot& shot = next_shot();
+  const ScenarioShot& shot = launcher.shot();
   const Result<ProjectileId> played = session.play(shot, fly_shot(session.scenario(), shot));
   if (!played) return played.error();
   selected = fired_ = *played;
@@ -222,7 +209,7 @@ Status Client::fire_scenario() {
 }
 
 Status Client::fire_compared() {
-  ScenarioShot shot = next_shot();
+  ScenarioShot shot = launcher.shot();
   shot.cheapest_within.reset();
   for (const ComparedRung& rung : comparison()) {
     shot.projectile.fidelity = rung.asked;
@@ -237,7 +224,7 @@ Status Client::fire_compared() {
 
 const std::vector<ComparedRung>& Client::comparison() {
   const bool is_new = compared_at_ != versions() || compared_presets_ != compared;
-  if (is_new && !session.is_replay()) comparison_ = compare_rungs(session, next_shot(), compared, costs_);
+  if (is_new && !session.is_replay()) comparison_ = compare_rungs(session, launcher.shot(), compared, costs_);
   compared_at_ = versions();
   compared_presets_ = compared;
   return comparison_;
@@ -305,7 +292,6 @@ Status Client::save(const std::string& file) {
   }
   const auto is_next = [&](const ScenarioShot& s) { return s.projectile.name == launcher.shot().projectile.name; };
   if (std::ranges::none_of(scenario.shots, is_next)) left_out = ", but for the next shot: its world would fire it";
-  if (launcher.raised() != 0) left_out += ", but for the aim off the zero";
   const bool is_own_file = is_same_file(path, scenario_file_) || is_same_file(path, own_scenario.file);
   if (Status status = is_own_file ? Status() : check_output(path); !status) return status;
   if (Status status = report::write_file(path, text); !status) return status;
@@ -423,7 +409,7 @@ Status Client::use(const Scenario& scenario, const ScenarioShot& shot) {
 const Prediction& Client::prediction() {
   if (predicted_at_ == versions()) return prediction_;
   if (!predicted_at_ || predicted_at_->second != session_version_) predictor_.forget_world();
-  if (!session.is_replay()) prediction_ = predictor_.predict(session, next_shot());
+  if (!session.is_replay()) prediction_ = predictor_.predict(session, launcher.shot());
   predicted_at_ = versions();
   return prediction_;
 }
@@ -489,7 +475,7 @@ std::vector<Vec3d> Client::subject() {
     run_at_ = session_version_;
   }
   if (flight_at_ != versions() && run_places_.empty() && !session.is_replay()) {
-    flight_places_ = places_of_flight(scenario, next_shot(), {prediction().path, prediction().is_cut});
+    flight_places_ = places_of_flight(scenario, launcher.shot(), {prediction().path, prediction().is_cut});
     flight_at_ = versions();
   }
   std::vector<Vec3d> places = run_places_;  // what it fires is among them

@@ -146,8 +146,6 @@ class Client {
   [[nodiscard]] Status open(const std::string& file);
   [[nodiscard]] Status restart();
   [[nodiscard]] Status fire();
-  /// The shot that is fired next: with a zero range and a barrel that is raised above it, at the elevation of both.
-  [[nodiscard]] const ScenarioShot& next_shot();
   /// Takes back the last change by hand, and brings back what was taken back.
   [[nodiscard]] Status undo() { return bring_back(history_.undo(), "undo"); }
   [[nodiscard]] Status redo() { return bring_back(history_.redo(), "redo"); }
@@ -267,8 +265,7 @@ class Client {
   ContentVersions content_;
   std::uint64_t contents_ = 0;  // versions of content that there were
   double since_change_ = 1e9;   // of the screen [s]
-  ScenarioShot next_;
-  std::optional<Versions> next_at_, noted_, fired_at_;
+  std::optional<Versions> noted_, fired_at_;
   std::uint64_t noted_slide_ = 0;
   ProjectileId fired_;  // by hand, the last one
   Predictor predictor_;

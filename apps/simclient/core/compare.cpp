@@ -35,10 +35,15 @@ void fill(ComparedRung& rung, const ComparedFlight& flown) {
   rung.flight = flown.flight;
 }
 
-/// Time of a step of the shot in the session's world, without what else flies there [s]; 0 if the world refuses it.
-double measure_cost(const Session& session, const ScenarioShot& shot) {
+WorldDef bare_world(const Session& session) {
   WorldDef def = session.world().def();
   def.environment = session.scenario().environment;
+  return def;
+}
+
+/// Time of a step of the shot in the session's world, without what else flies there [s]; 0 if the world refuses it.
+double measure_cost(const Session& session, const ScenarioShot& shot) {
+  const WorldDef def = bare_world(session);
   return report::time_of_step(def, shot, def.step).value_or(0);
 }
 
@@ -96,9 +101,12 @@ std::vector<ComparedRung> compare_rungs(const Session& session, const ScenarioSh
       rung.problem = own.error().message;
     else
       fill(rung, rung.is_truth ? ComparedFlight{compared->reference, {}} : compared->flights[i]);
+    if (!rung.problem.empty()) continue;
     ScenarioShot changed = shot;
     changed.projectile.fidelity = rung.asked;
-    if (rung.problem.empty()) rung.per_step = costs.of(session, changed);
+    rung.per_step = costs.of(session, changed);
+    changed.launch = compared->launch;
+    rung.in_frames = report::error_of_steps(bare_world(session), changed, report::kGameFrame, compared->reference);
   }
   return rungs;
 }

@@ -18,12 +18,13 @@ struct ComparedRung {
   std::string problem;    // why it cannot be compared; empty: it can
   FidelityInUse granted;
   std::vector<TrackSample> path;
-  double farthest = 0;           // largest distance from the truth at any equal time [m]
-  double at_end = 0;             // distance between its end and that of the truth [m]
-  double later = 0;              // end of its flight after that of the truth [s]
-  Sample end;                    // of its flight
-  std::optional<Flight> flight;  // nothing where there is a problem
-  double per_step = 0;           // cost of a step, among many of its kind, on this machine [s]
+  double farthest = 0;              // largest distance from the truth at any equal time [m]
+  double at_end = 0;                // distance between its end and that of the truth [m]
+  double later = 0;                 // end of its flight after that of the truth [s]
+  Sample end;                       // of its flight
+  std::optional<Flight> flight;     // nothing where there is a problem
+  double per_step = 0;              // cost of a step, among many of its kind, on this machine [s]
+  std::optional<double> in_frames;  // largest distance from the truth in a world of 60 steps a second [m]
 
   /// Error and time error as `physim compare` prints them, the largest distance, and of the end its time, range, height
   /// and windage.

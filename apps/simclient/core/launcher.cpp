@@ -64,7 +64,6 @@ Launcher::Launcher(const Scenario& scenario, std::uint64_t version) : version_(v
 void Launcher::select(std::size_t type) {
   type_ = std::min(type, types_.size() - 1);
   shot_ = types_[type_].shot;
-  raised_ = 0;
   ++version_;
   if (types_[type_].is_original()) set_original_elevation(setting_), put_original(), push();
 }
@@ -77,7 +76,6 @@ bool Launcher::select(std::string_view name) {
 
 void Launcher::set_shot(const ScenarioShot& shot) {
   const bool was_pushed = is_pushed() && shot.projectile.force == shot_.projectile.force;
-  if (shot.launch.sight.zero_range != shot_.launch.sight.zero_range) raised_ = 0;
   shot_ = shot;
   ++version_;
   if (!is_original()) return;
@@ -200,7 +198,7 @@ void Launcher::cycle_elevation() {
     set_original_elevation((setting_ + 1) % (kMaxSetting + 1));
   } else {
     use_angles();
-    double& elevation = is_zeroed() ? raised_ : shot_.launch.elevation;
+    double& elevation = is_zeroed() ? shot_.launch.sight.dial : shot_.launch.elevation;
     const double steps = std::floor(elevation / kElevationStep + 1e-6) + 1;
     elevation = steps * kElevationStep > kMaxElevation + 1e-6 ? 0 : steps * kElevationStep;
   }
@@ -211,7 +209,7 @@ void Launcher::point(double azimuth, double elevation) {
   const bool was_pushed = is_pushed();
   use_angles();
   shot_.launch.azimuth = std::remainder(azimuth, 360 * kDegree);
-  (is_zeroed() ? raised_ : shot_.launch.elevation) = std::clamp(elevation, -kSteepest, kSteepest);
+  (is_zeroed() ? shot_.launch.sight.dial : shot_.launch.elevation) = std::clamp(elevation, -kSteepest, kSteepest);
   if (was_pushed) push();
 }
 
@@ -234,7 +232,7 @@ std::optional<int> Launcher::elevation_setting() const {
 
 double Launcher::elevation() const {
   const Launch& launch = shot_.launch;
-  if (is_zeroed()) return raised_;
+  if (is_zeroed()) return launch.sight.dial;
   if (!launch.velocity) return launch.elevation;
   const double v = length(*launch.velocity);
   return v > 0 ? std::asin(launch.velocity->y / v) : 0;
@@ -249,8 +247,8 @@ double Launcher::speed() const { return shot_.launch.velocity ? length(*shot_.la
 
 std::string Launcher::elevation_text() const {
   const double degrees = elevation() / kDegree, zero = shot_.launch.sight.zero_range;
-  const std::string raised = raised_ != 0 ? formatted(", %+.2f\u00b0", degrees) : "";
-  if (zero > 0) return formatted("zeroed at %.6g m", zero) + raised;
+  const std::string above = raised() != 0 ? formatted(", %+.2f\u00b0", degrees) : "";
+  if (zero > 0) return formatted("zeroed at %.6g m", zero) + above;
   if (const auto setting = elevation_setting()) return formatted("e = %d (%.1f\u00b0)", *setting, degrees);
   return formatted("%.2f\u00b0", degrees);
 }

@@ -70,7 +70,7 @@ class Launcher {
   /// Changes the speed, along the barrel as it is [m/s].
   void set_speed(double speed);
   /// Elevation of the barrel above that of the zero range [rad].
-  [[nodiscard]] double raised() const { return is_zeroed() ? raised_ : 0; }
+  [[nodiscard]] double raised() const { return is_zeroed() ? shot_.launch.sight.dial : 0; }
   [[nodiscard]] bool is_zeroed() const { return shot_.launch.sight.zero_range > 0; }
   /// Takes the place of another launcher, as of its next version.
   void bring_back(const Launcher& from);
@@ -106,7 +106,6 @@ class Launcher {
   Motion motion_ = Motion::velocity;
   OriginalEffect gravity_ = OriginalEffect::constant, drag_ = OriginalEffect::constant;
   ScenarioShot shot_;
-  double raised_ = 0;
   std::uint64_t version_ = 0;
 };
 

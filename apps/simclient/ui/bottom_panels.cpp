@@ -4,6 +4,7 @@
 #include "base/text.hpp"
 #include "math/angles.hpp"
 #include "physim/names.hpp"
+#include "report/number.hpp"
 #include "simclient/core/actions.hpp"
 #include "simclient/ui/panel.hpp"
 
@@ -29,6 +30,7 @@ void draw_rung(const ComparedRung& rung, const ComparedRung& truth) {
   }
   cell("%s", truth.problem.empty() ? rung.why(truth).c_str() : "");
   for (const std::string& figure : rung.figures()) cell("%s", figure.c_str());
+  cell("%s", rung.in_frames ? report::significant(*rung.in_frames, 3).c_str() : "-");
   cell("%.1f", rung.per_step * 1e9);
   ImGui::TableNextColumn();
   for (const FidelityNote& note : rung.granted.notes) {
@@ -65,9 +67,9 @@ void draw_comparison(Client& client) {
                                                                                     : "forces and things");
   const ImGuiTableFlags flags = ImGuiTableFlags_RowBg | ImGuiTableFlags_BordersInnerV | ImGuiTableFlags_ScrollX |
                                 ImGuiTableFlags_ScrollY | ImGuiTableFlags_SizingFixedFit;
-  if (!ImGui::BeginTable("rungs", 11, flags)) return;
+  if (!ImGui::BeginTable("rungs", 12, flags)) return;
   headings({"rung", "why", "error [m]", "time error [s]", "farthest off [m]", "time [s]", "range [m]", "height [m]",
-            "windage [m]", "ns per step", "granted instead"});
+            "windage [m]", "at 60 Hz [m]", "ns per step", "granted instead"});
   const std::vector<ComparedRung>& rungs = client.comparison();
   for (const ComparedRung& rung : rungs) draw_rung(rung, rungs.back());
   ImGui::EndTable();

@@ -212,6 +212,10 @@ class Flight:
         """Acceleration by effect at a time [m/s^2]."""
         return self._flight.accelerations(_number(time, "time"))
 
+    def jerk(self, time: float) -> NDArray[np.float64]:
+        """How fast the acceleration changes along the path at a time [m/s^3]."""
+        return np.asarray(self._flight.jerk(_number(time, "time")))
+
     def stability(self, time: float = 0.0) -> tuple[float, float] | None:
         """Gyroscopic and dynamic stability of a rigid body at a time; None where rotation is not flown."""
         both: tuple[float, float] | None = self._flight.stability(_number(time, "time"))

@@ -114,6 +114,16 @@ class Projectile:
         return np.asarray(self._value("force"))
 
     @property
+    def acceleration(self) -> NDArray[np.float64]:
+        """By all that acts on it now [m/s^2]."""
+        return np.asarray(self._value("acceleration"))
+
+    @property
+    def jerk(self) -> NDArray[np.float64]:
+        """How fast the acceleration changes along its path now [m/s^3]."""
+        return np.asarray(self._value("jerk"))
+
+    @property
     def label(self) -> str:
         return str(self._value("label"))
 

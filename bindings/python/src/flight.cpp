@@ -390,6 +390,9 @@ void add_flight(nb::module_& m) {
           "accelerations", [](const Flight& f, double time) { return accelerations_table(f.accelerations(time)); },
           "time"_a, "Acceleration by effect.")
       .def(
+          "jerk", [](const Flight& f, double time) { return array_of(f.jerk(time)); }, "time"_a,
+          "How fast the acceleration changes along the path.")
+      .def(
           "step_times", [](const Flight& f) { return owned(f.step_times()); }, "Times of the steps taken.")
       .def(
           "events",

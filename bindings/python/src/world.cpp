@@ -344,6 +344,8 @@ nb::object projectile_value(PyWorld& py, std::uint64_t number, const std::string
   if (what == "velocity") return array_of(one.velocity());
   if (what == "alive") return nb::cast(one.is_alive());
   if (what == "force") return array_of(one.resultant_force());
+  if (what == "acceleration") return array_of(one.accelerations().total);
+  if (what == "jerk") return array_of(one.jerk());
   const nb::dict all = projectile_table(py, number);
   if (!all.contains(what.c_str())) fail("there is no such value", what);
   return all[what.c_str()];

@@ -52,6 +52,8 @@ def test_questions(bullet):
     assert same_bits(samples.x[-1], flight.end.position[0])
     total = flight.accelerations(0.5)
     assert np.allclose(total["gravity"] + total["drag"], total["total"])
+    before, behind = (flight.at_time(t).acceleration for t in (0.49, 0.51))
+    assert np.allclose(flight.jerk("0.5 s"), (behind - before) / 0.02, rtol=0.01, atol=0.05)
     assert flight.cost["steps"] > 0 and len(flight.step_times) == flight.cost["steps"] + 1
     near, far = flight.danger_space(300, 0.5)
     assert near < 300 < far

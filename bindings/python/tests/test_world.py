@@ -159,6 +159,10 @@ def test_one_projectile_is_changed_in_flight(world, ball):
     one.position, one.velocity = (1, 50, 3), (0, 0, 7)
     one.push((0.5, 0, 0))
     assert list(one.position) == [1, 50, 3] and list(one.velocity) == [1, 0, 7]
+    before = one.acceleration
+    assert list(one.force) == list(before * one.as_dict()["mass"])
+    jerk = one.jerk  # of a drag that changes with the velocity, within a step
+    assert jerk.shape == (3,) and np.all(np.isfinite(jerk))
     one.label, one.user_data = "red", 42
     assert one.label == "red" and one.user_data == 42
     one.set(mass="2 kg", body_can_sleep=False, body_gravity_scale=0)
