@@ -5,7 +5,8 @@
 // Equation: f(t) = dist(p(t)) - r. The distance from a convex set is a convex function, and so is f along a line; where
 //   f > 0 and f' < 0, the tangent's zero t - f / f' lies before the first zero of f. Newton's method from outside
 //   therefore never passes the surface, converges to its first touch, and a slope that is not negative says that there
-//   is none. A body is a core with a margin about it: a sphere is a point, a capsule a line, with theirs.
+//   is none. What is nearest stays in front: where it lies behind, rounding took the sphere through the surface. A
+//   body is a core with a margin about it: a sphere is a point, a capsule a line, with theirs.
 //   Points meet flat faces exactly, by clipping the segment.
 // Source: S. Boyd, L. Vandenberghe, Convex Optimization (2004), sec. 3.1.3 (tangents below convex functions) and 3.2.5
 //   (the distance from a convex set is convex); clipping: M. Cyrus, J. Beck, "Generalized two- and three-dimensional
@@ -93,12 +94,14 @@ template <class NearestTo>
   const double touch = 4 * std::numeric_limits<double>::epsilon() * (s.extent() + margin);
   if (s.reach < 0) return std::nullopt;
   double t = 0;
+  Vec3d ahead;                // `away` of the place before
   constexpr int kMost = 200;  // a sphere that grazes comes nearer by halves
   for (int i = 0; i < kMost; ++i) {
     const Nearest near = nearest(s.at(t));
     const double gap = near.distance - reach;
     const double slope = dot(near.away, s.along);
     PHYSIM_ASSERT(t >= 0 && t <= s.reach && (near.distance == 0 || std::abs(length(near.away) - 1) < 1e-6));
+    if (dot(near.away, ahead) < -0.5) return Crossing{t, ahead};  // where it turns by less, it may be far
     if (gap <= touch) {
       if (i > 0) return Crossing{t, near.away};
       if (gap < -touch) return Crossing{0, normalized(-s.along), 0, true, true};
@@ -110,6 +113,7 @@ template <class NearestTo>
     if (next > s.reach) return std::nullopt;
     if (next == t) return Crossing{t, near.away};
     t = next;
+    ahead = near.away;
   }
   return std::nullopt;
 }

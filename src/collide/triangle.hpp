@@ -138,16 +138,23 @@ class Shear {
   return nearest_point(t, p, over_face);
 }
 
-/// How far p is from a triangle. Over its face the way there is along the normal: the difference of two places has the
-/// rounding of both in it, which turns it by a part of a hundred where p is a tenth of a nanometre off and a kilometre
-/// from the origin, and who slides along the face would seem to leave it.
+[[nodiscard]] inline double size_of(const Vec3d& p) { return std::abs(p.x) + std::abs(p.y) + std::abs(p.z); }
+
+/// How far p is from a triangle. Over its face, or over its edge but for rounding, the way there is along the normal:
+/// the difference of two places has the rounding of both in it, which turns it by a part of a hundred where p is a
+/// tenth of a nanometre off and a kilometre from the origin, and what slides along the face would seem to leave it.
 [[nodiscard]] inline Nearest nearest_to(const Triangle& t, const Vec3d& p) {
   constexpr double kNarrow = 1e-5;  // what is narrower has a normal that rounding turns, too
   bool over_face = false;
   Nearest near = nearest_by(p - nearest_point(t, p, over_face));
-  if (!over_face || !(near.distance > 0)) return near;
+  if (!(near.distance > 0)) return near;
   const Vec3d ab = t.b - t.a, ac = t.c - t.a, across = cross(ab, ac);
   const double size = dot(across, across);
+  if (!over_face) {
+    const double rounding = 16 * std::numeric_limits<double>::epsilon() * (size_of(p) + size_of(t.a));
+    const double part = rounding / near.distance;
+    if (!(length_squared(cross(near.away, across)) <= part * part * size)) return near;
+  }
   if (!(size > kNarrow * kNarrow * dot(ab, ab) * dot(ac, ac))) return near;
   const double per_length = 1 / std::sqrt(size);
   near.away = across * (dot(across, near.away) < 0 ? -per_length : per_length);

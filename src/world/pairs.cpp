@@ -65,6 +65,7 @@ class PairStep {
   void run() {
     find_paths();
     sweep_.emplace(all_);
+    if (straighten_those_that_lie()) sweep_.emplace(all_);
     sweep_->each([this](std::uint32_t i, std::uint32_t j) { look(i, j, 0); });
     if (queue_.empty()) return;
     swap_rows();
@@ -141,6 +142,48 @@ class PairStep {
     c.box.widen(reach(c) * (1 + 1e-9) + 4 * c.spacing);
     const bool is_sound = std::ranges::all_of(c.path, [](const Knot& k) { return std::isfinite(length_squared(k.v)); });
     if (!std::isfinite(largest) || !is_sound || c.path.size() < 2) c.is_gone = true, c.box = {};
+  }
+
+  /// Steps that move with the velocity at their start leave a projectile where it is as it begins to fall, so that what
+  /// lies on another one would leave it for a step. What lies in a pile has the velocity of its row: so it falls from
+  /// there.
+  bool straighten_those_that_lie() {
+    const auto begins_late = [this](const Collider& c) {
+      if (!c.flies || !c.traces.empty() || c.is_gone) return false;
+      const Fidelity& f = w_.registry.cohort(c.cohort).key.fidelity;
+      return stagger(f) < 0 || is_classic(f);
+    };
+    if (std::ranges::none_of(all_, begins_late)) return false;
+    std::set<std::pair<std::uint32_t, std::uint32_t>> touching;
+    sweep_->each([&](std::uint32_t i, std::uint32_t j) {
+      if (stay_together(all_[i], all_[j])) touching.insert({i, j});
+    });
+    const std::map<std::uint32_t, std::uint32_t> groups = groups_of(touching);
+    std::set<std::uint32_t> held;  // groups of which one stands, or touched something else
+    for (const auto& [i, group] : groups)
+      if (!all_[i].flies || !all_[i].traces.empty()) held.insert(group);
+    bool any = false;
+    for (const auto& [i, group] : groups) {
+      Collider& c = all_[i];
+      if (!held.contains(group) || !begins_late(c)) continue;
+      for (Knot& k : c.path) k.v -= c.ahead;
+      c.ahead = {};
+      c.path.back().x = c.path.front().x + (c.path.front().v + c.path.back().v) * (0.5 * context_.dt);
+      look_how_far(c);
+      any = true;
+    }
+    return any;
+  }
+  /// Whether two touch when the step begins, and neither part nor approach by the velocities of their rows.
+  [[nodiscard]] bool stay_together(const Collider& a, const Collider& b) const {
+    if (a.path.size() < 2 || b.path.size() < 2 || !want_each_other(a, b) || passes(a) || passes(b)) return false;
+    Knot on_a = a.path.front(), on_b = b.path.front();
+    if (a.traces.empty()) on_a.v -= a.ahead;
+    if (b.traces.empty()) on_b.v -= b.ahead;
+    const double gap = length(on_a.x - on_b.x) - (reach(a) + reach(b)), near = 4 * slack(a, b);
+    if (gap > near || is_deep(a, b, on_a, on_b)) return false;
+    const double speed = dot(on_a.v - on_b.v, normal_between(on_a, on_b));
+    return std::abs(speed) <= near / context_.dt + rounding_of_speed(a, b, on_a, on_b);
   }
 
   /// What the numbers of its row are rounded by [-].
@@ -290,7 +333,7 @@ class PairStep {
       for (const std::uint32_t i : {m.a, m.b}) now_[i] = {at(all_[i], time)};
     for (const Meeting& m : meetings) touches_.push_back(touch_of(m, time));
     find_who_lies_on_those(time);
-    find_what_passes_on(time);
+    if (find_what_passes_on(time)) find_who_lies_on_those(time);
     for (const TouchNow& t : touches_) {
       if (!t.strikes) continue;
       const Reason reason = t.inside ? Reason::inside : Reason::none;
@@ -387,7 +430,8 @@ class PairStep {
 
   /// What lies at those that lie feels the same moment: the weight of a pile goes through to the floor. A blow goes
   /// from one to the next, as in a row of hard balls a little apart; what lay at one that is struck may meet it anew.
-  void find_what_passes_on(double time) {
+  /// True if others take part.
+  bool find_what_passes_on(double time) {
     walls_.clear();
     PHYSIM_ASSERT(!touches_.empty() && !now_.empty());
     if (std::ranges::any_of(touches_, [](const TouchNow& t) { return t.strikes; })) {
@@ -395,8 +439,9 @@ class PairStep {
         const auto meets_now = [&](const TouchNow& t) { return std::pair{t.a, t.b} == pair; };
         return (now_.contains(pair.first) || now_.contains(pair.second)) && std::ranges::none_of(touches_, meets_now);
       });
-      return;
+      return false;
     }
+    const std::size_t met = touches_.size();
     std::vector<std::uint32_t> asked;
     for (const auto& [i, body] : now_) asked.push_back(i);
     for (std::size_t k = 0; k < asked.size(); ++k) {
@@ -414,6 +459,7 @@ class PairStep {
         asked.push_back(j);
       });
     }
+    return touches_.size() > met;
   }
   /// Two that touch and do not part.
   [[nodiscard]] std::optional<TouchNow> touch_at_rest(std::uint32_t i, std::uint32_t j, double time) const {

@@ -6,6 +6,7 @@
 #include "math/elementary.hpp"
 #include "model/jerk.hpp"
 #include "model/magnus.hpp"
+#include "world/surface_motion.hpp"
 #include "world/world_impl.hpp"
 
 namespace physim {
@@ -157,9 +158,19 @@ Accelerations ProjectileView::accelerations() const {
   const BodyState now = world_->state.state_of(*slot);
   const Rows& rows = world_->state.rows_of(*slot);
   const bool turning = rows.layout().turning;
-  Accelerations a = accelerations_of(c, b, turning ? rows.rotor(slot->row) : Rotor<double>{}, t,
-                                     {now.position, now.velocity}, turning ? rows.turn(slot->row) : Turn<double>{});
-  if (rows.layout().carried)  // the original's register, as in Flight
+  const auto in_state = [&](const State<double>& s) {
+    return accelerations_of(c, b, turning ? rows.rotor(slot->row) : Rotor<double>{}, t, s,
+                            turning ? rows.turn(slot->row) : Turn<double>{});
+  };
+  Accelerations a = in_state({now.position, now.velocity});
+  std::optional<Vec3d> on;  // a surface, or where it rests
+  if (slot->is(kAsleep | kStuck))
+    on = Vec3d{};
+  else if (!slot->is(kStill) && !world_->state.joints.of_slot(id_.index))
+    on = acceleration_on_surface(*world_, *slot, b, [&](const State<double>& s) { return in_state(s).total; });
+  if (on)
+    a.constraint += *on - a.total, a.total = *on;
+  else if (rows.layout().carried)  // the original's register, as in Flight
     a.total = rows.visit([&](const auto& columns) { return Rows::at(columns.carried, slot->row); });
   return a;
 }

@@ -64,6 +64,33 @@ TEST(Seam, what_rounding_takes_apart_has_no_gap) {
     }
 }
 
+/// A ball that is smaller than what places are rounded to is stopped as a point is.
+TEST(Seam, the_smallest_balls_do_not_pass_faces) {
+  Random r(7);
+  for (int i = 0; i < 400; ++i) {
+    const Quatd turn = normalized(test::random_transform(r, 1).rotation);
+    const Vec3d half{r.in(0.1, 3), r.in(0.1, 1), r.in(0.5, 4)};
+    HeightFieldShape field{.columns = 3, .rows = 3, .spacing_x = half.x, .spacing_z = half.z};
+    field.heights.assign(9, 0);
+    const ShapeDef shapes[] = {closed_box(half), hull_box(half), BoxShape{half}, CylinderShape{half.x, half.y}, field};
+    const int kind = i % 5;
+    const Vec3d middle = kind == 4 ? Vec3d{-half.x, 0, -half.z} : Vec3d{0, -half.y, 0};
+    Scene scene;
+    ASSERT_TRUE(scene.add(
+        {.shape = *scene.add_shape(shapes[kind]), .transform = {.position = rotate(turn, middle), .rotation = turn}}));
+    for (int k = 0; k < 200; ++k) {
+      const double a = r.in(0, 6.28), part = 0.9 * half.x * r.in(0, 1);
+      const Vec3d on = rotate(turn, kind == 3 ? Vec3d{part * std::cos(a), 0, part * std::sin(a)}
+                                              : Vec3d{part, 0, half.z * r.in(-0.9, 0.9)});
+      const Vec3d down = rotate(turn, normalized(Vec3d{r.in(-2, 2), -1, r.in(-2, 2)}));
+      const double radius = std::pow(10.0, r.in(-18, -13)), high = r.in(0.01, 3);
+      const SceneHit hit = scene.first_hit({on - down * high, on + down * r.in(0.01, 0.05), radius});
+      ASSERT_TRUE(hit) << kind << ", radius " << radius;
+      ASSERT_NEAR(dot(hit.position, rotate(turn, Vec3d{0, 1, 0})), 0, 2e-13) << kind << ", radius " << radius;
+    }
+  }
+}
+
 /// Cylinders that stand beside each other touch in a line; lying, end to end.
 TEST(Seam, cylinders_touch_without_a_gap) {
   Scene scene;

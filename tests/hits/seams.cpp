@@ -91,8 +91,9 @@ void cast(Tried& tried, const Floor& floor, const Frame& frame, Body left, Body 
   s.to = aim + rotate(frame.turn, down) * r.in(0.05, 1);
   s.radius = radius;
   const double above = rotate(conjugate(frame.turn), s.from - frame.origin).y;  // floats have moved it
-  const bool has_field = left == Body::field || right == Body::field;
-  if (has_field && above + radius < 0) return;  // a height field has no inside: nothing below it meets it
+  const auto is_hollow = [](Body body) { return body == Body::field || body == Body::mesh; };
+  // Triangles are met at their surfaces alone: what begins below those comes out below them, or meets nothing.
+  if ((is_hollow(left) || is_hollow(right)) && above + radius < 0) return;
   if (rotate(conjugate(frame.turn), s.to - frame.origin).y > radius) return;  // it ends above the floor
   ++tried.casts;
   const SceneHit hit = floor.scene.first_hit(s);

@@ -250,6 +250,30 @@ TEST(Joints, a_heavy_ball_on_a_light_chain_is_held_as_well) {
   }
 }
 
+/// Ten links of a gram hold 1000 kg as one rod does: let go at rest from some degrees off straight down, the ball
+/// swings with the pendulum's period. At 90 degrees the chain is all but slack at its highest points.
+TEST(Joints, a_heavy_ball_swings_on_light_links_as_on_one_rod) {
+  for (const double degrees : {1, 10, 30, 60, 90}) {
+    const double angle = degrees * kPi / 180, period = pendulum_period(1, angle);
+    const Vec3d along{std::sin(angle), -std::cos(angle), 0};
+    std::vector<Vec3d> places;
+    for (int i = 0; i < 10; ++i) places.push_back(along * (0.1 * i));
+    Chain chain(places, false, 0.001, bob(), JointKind::rod, {});
+    const ProjectileId ball = put(chain.world, mass_of(1000), bob(), along);
+    join(chain.world, {.kind = JointKind::rod, .a = chain.links.back(), .b = ball});
+    double most = 0, least = 2;
+    const auto times = upward_passes(chain.world, 1.0 / 60, 1.9 * period, [&] {
+      const Vec3d x = chain.world[ball].position();
+      most = std::max(most, length(x)), least = std::min(least, length(x));
+      return x.x;
+    });
+    ASSERT_EQ(times.size(), 2u) << degrees;
+    EXPECT_TRUE(near(times[1] - times[0], period, 1e-3)) << degrees;
+    EXPECT_LT(most, 1 + 1e-4) << degrees;
+    EXPECT_GT(least, 1 - 1e-4) << degrees;
+  }
+}
+
 // ------------------------------------------------------------------------------------------------------------ cables
 TEST(Joints, a_cable_comes_taut_with_its_restitution) {
   for (const double restitution : {0.0, 0.5, 1.0}) {

@@ -14,13 +14,24 @@ using test_pairs::put;
 
 constexpr double kRadius = 0.05, kHz = 60;
 
-ProjectileDef ball_on(Integrator integrator, Precision precision) {
-  ProjectileDef p{.mass = 1, .diameter = 2 * kRadius};
-  p.fidelity = test::vacuum(integrator);
-  p.fidelity.precision = precision;
-  return p;
+ProjectileDef ball_on(const Fidelity& fidelity) { return {.mass = 1, .diameter = 2 * kRadius, .fidelity = fidelity}; }
+ProjectileDef ball_on(Integrator integrator) { return ball_on(test::vacuum(integrator)); }
+ProjectileDef wooden() { return ball_on(Integrator::semi_implicit_euler); }
+
+/// Every rung that gravity moves, in both precisions.
+std::vector<Fidelity> rungs() {
+  std::vector<Fidelity> all;
+  for (const Integrator integrator : test::kIntegrators) all.push_back(test::vacuum(integrator));
+  all.push_back(test::vacuum());
+  all.back().motion = Motion::closed_form;
+  const std::size_t count = all.size();
+  for (std::size_t i = 0; i < count; ++i) {
+    all[i].precision = Precision::float64;
+    all.push_back(all[i]);
+    all.back().precision = Precision::float32;
+  }
+  return all;
 }
-ProjectileDef wooden() { return ball_on(Integrator::semi_implicit_euler, Precision::float64); }
 
 BodyDef sleepy() {
   BodyDef body = ball(kRadius, 0.5, 0.5);
@@ -54,41 +65,50 @@ std::size_t asleep(const World& world, const std::vector<ProjectileId>& ids) {
   return count;
 }
 
+std::string what_of(const Fidelity& rung, int count) {
+  return std::string(name(rung.motion)) + " " + std::string(name(rung.integrator)) + " " +
+         std::string(name(rung.precision)) + " " + std::to_string(count);
+}
+
 TEST(Piles, at_rest_sleep_in_one_step_and_stay_where_they_are) {
-  for (const Integrator integrator : {Integrator::semi_implicit_euler, Integrator::rk4, Integrator::tsit5})
-    for (const Precision precision : {Precision::float32, Precision::float64})
-      for (const int count : {2, 3, 10}) {
-        const std::string what = std::to_string(static_cast<int>(integrator)) + " " +
-                                 std::to_string(static_cast<int>(precision)) + " " + std::to_string(count);
-        World world = world_with();
-        const std::vector<ProjectileId> pile = stack(world, count, ball_on(integrator, precision));
-        const auto slept = test::of_kind(run_for(world, 2, 1 / kHz), EventKind::slept);
-        ASSERT_EQ(slept.size(), pile.size()) << what;
-        for (const Event& e : slept) EXPECT_EQ(e.time, slept.front().time) << what;
-        EXPECT_NEAR(slept.front().time, sleepy().sleep_time, 3 / kHz) << what;
-        EXPECT_EQ(asleep(world, pile), pile.size());
-        const std::vector<Event> later = run_for(world, 1, 1 / kHz);
-        EXPECT_TRUE(later.empty()) << what;
-        for (int i = 0; i < count; ++i) {
-          const Vec3d x = world[pile[static_cast<std::size_t>(i)]].position();
-          EXPECT_NEAR(x.y, kRadius + 2 * kRadius * i, 1e-5) << what << " " << i;
-          EXPECT_NEAR(x.x, 0, 1e-5);
-        }
+  for (const Fidelity& rung : rungs())
+    for (int count = 2; count <= 10; ++count) {
+      const std::string what = what_of(rung, count);
+      World world = world_with();
+      const std::vector<ProjectileId> pile = stack(world, count, ball_on(rung));
+      const auto slept = test::of_kind(run_for(world, 2, 1 / kHz), EventKind::slept);
+      ASSERT_EQ(slept.size(), pile.size()) << what;
+      for (const Event& e : slept) EXPECT_EQ(e.time, slept.front().time) << what;
+      EXPECT_NEAR(slept.front().time, sleepy().sleep_time, 3 / kHz) << what;
+      EXPECT_EQ(asleep(world, pile), pile.size());
+      const std::vector<Event> later = run_for(world, 1, 1 / kHz);
+      EXPECT_TRUE(later.empty()) << what;
+      for (int i = 0; i < count; ++i) {
+        const Vec3d x = world[pile[static_cast<std::size_t>(i)]].position();
+        EXPECT_NEAR(x.y, kRadius + 2 * kRadius * i, 1e-5) << what << " " << i;
+        EXPECT_NEAR(x.x, 0, 1e-5);
       }
+    }
 }
 
 TEST(Piles, that_are_hit_wake_and_sleep_again) {
-  World world = world_with();
-  std::vector<ProjectileId> pile = stack(world, 3);
-  run_for(world, 1, 1 / kHz);
-  ASSERT_EQ(asleep(world, pile), 3u);
-  pile.push_back(put(world, wooden(), sleepy(), {0, 1, 0}));
-  const auto all = run_for(world, 1, 1 / kHz);
-  EXPECT_EQ(test::of_kind(all, EventKind::woke).size(), 3u);
-  run_for(world, 4, 1 / kHz);
-  EXPECT_EQ(asleep(world, pile), 4u);
-  for (std::size_t i = 0; i < pile.size(); ++i)
-    EXPECT_NEAR(world[pile[i]].position().y, kRadius + 2 * kRadius * static_cast<double>(i), 1e-4);
+  for (const Fidelity& rung : rungs())
+    for (int count = 2; count <= 10; ++count) {
+      const std::string what = what_of(rung, count);
+      const std::size_t all = static_cast<std::size_t>(count);
+      const ProjectileDef p = ball_on(rung);
+      World world = world_with();
+      std::vector<ProjectileId> pile = stack(world, count, p);
+      run_for(world, 1, 1 / kHz);
+      ASSERT_EQ(asleep(world, pile), all) << what;
+      pile.push_back(put(world, p, sleepy(), {0, 2 * kRadius * count + 0.7, 0}));
+      const auto events = run_for(world, 1, 1 / kHz);
+      EXPECT_EQ(test::of_kind(events, EventKind::woke).size(), all) << what;
+      run_for(world, 4, 1 / kHz);
+      EXPECT_EQ(asleep(world, pile), all + 1) << what;
+      for (std::size_t i = 0; i < pile.size(); ++i)
+        EXPECT_NEAR(world[pile[i]].position().y, kRadius + 2 * kRadius * static_cast<double>(i), 1e-4) << what;
+    }
 }
 
 /// Whatever happens to the ball below, what lay on it falls.
@@ -131,7 +151,7 @@ TEST(Piles, gain_no_energy_where_they_fall) {
     World world = world_with();
     BodyDef awake = sleepy();
     awake.can_sleep = false;
-    const std::vector<ProjectileId> pile = stack(world, 4, ball_on(integrator, Precision::float64), awake);
+    const std::vector<ProjectileId> pile = stack(world, 4, ball_on(integrator), awake);
     run_for(world, 1, 1 / kHz);
     ASSERT_TRUE(world[pile.front()].set_velocity({3, 0, 0}));
     for (int i = 0; i < 60; ++i) {

@@ -375,6 +375,39 @@ TEST(SceneSurface, what_is_held_in_a_plane_stays_in_it) {
       }
 }
 
+/// Down the line in which triangles of one plane meet, of which the way from the nearest place is rounding alone.
+TEST(SceneSurface, what_slides_along_an_edge_of_triangles_stays_on_them) {
+  const double slope = 20 * test::kDegree, friction = 0.1, a = kG * (std::sin(slope) - friction * std::cos(slope));
+  const Quatd turn{std::cos(slope / 2), 0, 0, std::sin(slope / 2)};
+  HeightFieldShape field{.columns = 3, .rows = 3, .spacing_x = 60, .spacing_z = 60};
+  field.heights.assign(9, 0);
+  const MeshShape mesh{.vertices = {{0, 0, 0}, {120, 0, 0}, {120, 0, 60}, {0, 0, 60}, {120, 0, 120}, {0, 0, 120}},
+                       .triangles = {{0, 2, 1}, {0, 3, 2}, {3, 4, 2}, {3, 5, 4}}};
+  for (const ShapeDef& shape : {ShapeDef(field), ShapeDef(mesh)})
+    for (const double radius : {0.0, 0.1})
+      for (const double hz : {60.0, 1000.0}) {
+        Scene scene;
+        ASSERT_TRUE(scene.add({.shape = *scene.add_shape(shape),
+                               .transform = {.position = rotate(turn, Vec3d{-60, 0, -60}), .rotation = turn},
+                               .material = *scene.add_material({.restitution = 0, .friction = 1})}));
+        World world = world_with(scene);
+        BodyDef body;
+        body.restitution = 0, body.friction = friction, body.rolling_resistance = 0, body.can_sleep = false;
+        body.frozen_rotation = Axes::x | Axes::y | Axes::z;
+        body.collision = {.on_hit = OnHit::bounce, .radius = radius};
+        ProjectileDef p = thrown();
+        p.diameter = 0.2;
+        const Vec3d along = rotate(turn, Vec3d{-1, 0, 0}), up = rotate(turn, Vec3d{0, 1, 0});
+        const ProjectileId id = *world.spawn(p, {.position = up * (radius + 1e-9), .velocity = along}, body);
+        std::size_t hits = 0;
+        for (const Event& e : run_for(world, 2, 1 / hz)) hits += e.kind == EventKind::hit;
+        EXPECT_LE(hits, 1u) << radius << " " << hz;
+        EXPECT_NEAR(dot(world[id].position(), along), 2 + a * 2, 1e-4) << radius << " " << hz;
+        EXPECT_NEAR(dot(world[id].velocity(), along), 1 + a * 2, 1e-4) << radius << " " << hz;
+        EXPECT_NEAR(dot(world[id].velocity(), up), 0, 1e-9) << radius << " " << hz;
+      }
+}
+
 /// Adaptive steps look for contacts by spheres as small as a path bends, which the next ones follow.
 TEST(SceneSurface, points_that_slide_far_from_the_origin_stay_on_large_triangles) {
   test::Random r(5);
