@@ -328,7 +328,7 @@ void App::on_key(int code, int scancode, int action, int mods) {
   if (!key || (client_.show.panel_keys && kOfPanels.count(*key) != 0)) return;
   if (filming_) return void(client_.stops_film |= *key == "Esc");
   if (client_.question) {
-    if (*key == "Esc" || *key == "Enter") answer(client_, *key == "Enter");
+    if (*key == "Esc" || *key == "Enter") answer(client_, *key == "Enter" ? Answer::yes : Answer::no);
     return;
   }
   if (client_.dialog != Dialog::none) return;  // nothing goes on behind it

@@ -82,7 +82,12 @@ bool put(std::string& text, const Value& table, const SchemaNode& node, std::str
     return text.replace(begin, length, in_manner_of(*found, text, value, *child, typed)), true;
   }
   rest.remove_prefix(dot + 1);
-  if (found->get<Table>() != nullptr) return put(text, *found, *child, rest, value, typed);
+  if (found->get<Table>() != nullptr) {
+    if (put(text, *found, *child, rest, value, typed)) return true;
+    const bool is_dotted = !has_header(text, *found) && !is_inline(text, *found);  // it takes no key, but gets one more
+    return is_dotted && add_key(text, table, is_root, key + "." + std::string(rest),
+                                as_typed(value, *setting_below(*child, rest), typed));
+  }
   const std::string bare = text.substr(begin, length);  // stands for the table
   const SchemaNode& setting = *setting_below(*child, rest);
   text.replace(begin, length,

@@ -5,10 +5,12 @@
 
 #include <cmath>
 #include <fstream>
+#include <map>
 #include <set>
 
 #include "cli/program.hpp"
 #include "client/support.hpp"
+#include "physim/names.hpp"
 #include "report/format.hpp"
 #include "report/ladder.hpp"
 #include "simclient/core/actions.hpp"
@@ -409,8 +411,23 @@ TEST(Compare, MeasuresAgainstTheTruth) {
   EXPECT_NEAR(*rungs.back().in_frames, 0.36, 0.02);
   ASSERT_TRUE(client.fire_compared());
   ASSERT_EQ(client.session.tracks().size(), 5U);
-  EXPECT_EQ(client.session.tracks()[1].colour, rungs[1].colour);
+  for (std::size_t i = 0; i < rungs.size(); ++i) EXPECT_EQ(client.session.tracks()[i].colour, rungs[i].colour) << i;
   EXPECT_EQ(client.session.tracks()[1].granted.fidelity.drag, DragModel::linear_quadratic);
+}
+
+/// One more preset recolours none of the others, and no two of all have one colour.
+TEST(Compare, KeepsTheColoursOfItsRungs) {
+  Client client = client_of("arrow");
+  std::map<std::string, Colour> before;
+  for (const ComparedRung& rung : client.comparison()) before[rung.name] = rung.colour;
+  client.compared.assign(fidelity_presets().begin(), fidelity_presets().end());
+  std::set<Colour> all;
+  for (const ComparedRung& rung : client.comparison()) {
+    EXPECT_TRUE(all.insert(rung.colour).second) << rung.name;
+    EXPECT_NE(rung.colour, kNoColour) << rung.name;
+    EXPECT_EQ(rung.colour, before.contains(rung.name) ? before[rung.name] : rung.colour) << rung.name;
+  }
+  EXPECT_EQ(all.size(), fidelity_presets().size() + 1);
 }
 
 TEST(Compare, HasTheFiguresOfTheCommandLine) {

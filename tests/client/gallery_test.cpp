@@ -61,7 +61,7 @@ TEST(Gallery, AsksBeforeWorkIsLost) {
   ASSERT_TRUE(run(client, "set shot.mass=3 kg"));
   run_action(client, *find_action("gallery"), "billiards");
   ASSERT_TRUE(client.question);
-  answer(client, true);
+  answer(client, Answer::yes);
   EXPECT_EQ(client.session.scenario().title, "Balls on a billiard table");
 }
 

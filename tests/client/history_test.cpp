@@ -114,10 +114,10 @@ TEST(Saving, AsksBeforeExpectationsAreLost) {
   run_action(client, *find_action("save"));
   ASSERT_TRUE(client.question);
   EXPECT_NE(client.question->text.find("expectations"), std::string::npos) << client.question->text;
-  answer(client, false);
+  answer(client, Answer::no);
   EXPECT_EQ(testing_cli::read(file), text);
   run_action(client, *find_action("save"));
-  answer(client, true);
+  answer(client, Answer::yes);
   EXPECT_NE(testing_cli::read(file), text);
 }
 

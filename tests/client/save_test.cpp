@@ -208,14 +208,14 @@ TEST(Ask, BeforeWhatWasFiredIsForgotten) {
     run_action(client, action(name), *name == 't' ? "1" : "");
     ASSERT_TRUE(client.question) << name;
     EXPECT_EQ(client.session.step(), 2U) << name;
-    answer(client, false);
+    answer(client, Answer::no);
     EXPECT_FALSE(client.question || client.leaves);
     EXPECT_EQ(client.session.tracks().size(), 1U);
   }
   Client client = open("");
   ASSERT_TRUE(run(client, "fire; step"));
   run_action(client, action("restart"));
-  answer(client, true);
+  answer(client, Answer::yes);
   EXPECT_TRUE(client.session.tracks().empty());
   run_action(client, action("restart"));
   EXPECT_FALSE(client.question) << "nothing was fired since";
@@ -227,7 +227,7 @@ TEST(Ask, BeforeSettingsAreLost) {
   ASSERT_TRUE(run(client, "set shot.mass=3 kg"));
   run_action(client, action("open"), shipped("arrow"));
   ASSERT_TRUE(client.question);
-  answer(client, false);
+  answer(client, Answer::no);
   run_action(client, action("restart"));
   EXPECT_FALSE(client.question) << "settings of the next shot stay";
   ASSERT_TRUE(run(client, "save " + (folder / "a.toml")));
@@ -242,15 +242,46 @@ TEST(Ask, BeforeAnotherFileIsReplaced) {
   Client client = open("");
   run_action(client, action("save-as"), other);
   ASSERT_TRUE(client.question);
-  answer(client, false);
+  answer(client, Answer::no);
   EXPECT_EQ(testing_cli::read(other), "mine");
   run_action(client, action("save-as"), folder / "new.toml");
   EXPECT_FALSE(client.question);
   run_action(client, action("save"));
   EXPECT_FALSE(client.question) << "its own file";
   run_action(client, action("save-as"), other);
-  answer(client, true);
+  answer(client, Answer::yes);
   EXPECT_TRUE(load_scenario(other));
+}
+
+/// A new scenario has no file: the client asks where, and writes nothing by itself.
+TEST(Ask, WhereANewScenarioIsSaved) {
+  const Folder folder;
+  Client client = open("");
+  ASSERT_TRUE(run(client, "set shot.mass=3 kg"));
+  run_action(client, action("save"));
+  EXPECT_EQ(client.dialog, Dialog::save);
+  EXPECT_EQ(client.file(), "");
+  client.dialog = Dialog::none;
+  // Before unsaved changes are left, too; then it goes on with what was asked for.
+  run_action(client, action("quit"));
+  ASSERT_TRUE(client.question && client.question->can_save);
+  answer(client, Answer::save);
+  EXPECT_EQ(client.dialog, Dialog::save);
+  EXPECT_FALSE(client.leaves);
+  client.dialog = Dialog::none;  // given up
+  client.advance(1.0 / 60);
+  run_action(client, action("save-as"), folder / "one.toml");
+  EXPECT_FALSE(client.leaves) << "nobody waits any more";
+  ASSERT_TRUE(run(client, "set shot.mass=4 kg"));
+  run_action(client, action("open"), shipped("arrow"));
+  ASSERT_TRUE(client.question);
+  answer(client, Answer::save);  // in its own file
+  EXPECT_EQ(client.file(), shipped("arrow"));
+  EXPECT_EQ(load_scenario(folder / "one.toml").value().shots.at(0).projectile.mass, 4);
+  ASSERT_TRUE(run(client, "fire-whole; step"));
+  run_action(client, action("restart"));
+  ASSERT_TRUE(client.question);
+  EXPECT_FALSE(client.question->can_save) << "settings stay";
 }
 
 TEST(Ask, BeforeARecordingIsCutOff) {
@@ -259,7 +290,7 @@ TEST(Ask, BeforeARecordingIsCutOff) {
   ASSERT_TRUE(run(client, "record " + (folder / "a.rec") + "; step"));
   run_action(client, action("quit"));
   EXPECT_TRUE(client.question);
-  answer(client, false);
+  answer(client, Answer::no);
   run_action(client, action("record"));
   EXPECT_FALSE(client.question) << "that completes it";
   EXPECT_FALSE(client.session.is_recording());

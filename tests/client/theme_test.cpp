@@ -26,26 +26,22 @@ TEST(Themes, ContrastIsThatOfTheGuidelines) {
   EXPECT_EQ(contrast(0x123456FF, 0x123456FF), 1);
 }
 
+/// On whatever stands under them, in every theme.
 TEST(Themes, LettersOfEveryColourCanBeRead) {
   for (const Theme& theme : themes()) {
     for (const Colour colour : {colours::kText, colours::kDim, colours::kVelocity, colours::kAcceleration,
                                 colours::kForce, colours::kWarning, Colour{0x555555FF}, Colour{0x444444FF},
                                 Colour{0x0072B2FF}, Colour{0x000000FF}, Colour{0xFFFFFFFF}, Colour{0x00FF00FF}})
-      EXPECT_GE(contrast(letters(theme, colour), theme.panel), 4.5) << theme.name << " " << std::hex << colour;
+      for (const Colour ground : grounds_of_letters(theme))
+        EXPECT_GE(contrast(letters(theme, colour), ground), 4.5)
+            << theme.name << std::hex << " " << colour << " " << ground;
     for (const Colour colour : kPalette)
-      EXPECT_GE(contrast(letters(theme, colour), theme.panel), 4.5) << theme.name << " " << std::hex << colour;
-    EXPECT_GE(contrast(letters(theme, colours::kText), theme.button), 4.5) << theme.name;
-    // Fields, plots and the labels over the brightest part of a scene are grounds of letters, too.
-    const auto over_sky = [&](int shift) {
-      const double part = static_cast<double>(theme.label & 0xFFU) / 255;
-      const auto of = [shift](Colour c) { return static_cast<double>(c >> shift & 0xFFU); };
-      return static_cast<Colour>(part * of(theme.label) + (1 - part) * of(theme.horizon)) << shift;
-    };
-    for (const Colour ground :
-         {theme.field, theme.popup, theme.plot, over_sky(24) | over_sky(16) | over_sky(8) | 0xFFU})
-      for (const Colour colour :
-           {colours::kText, colours::kDim, colours::kWarning, colours::kAcceleration, kPalette[2]})
-        EXPECT_GE(contrast(letters(theme, colour), ground), 4.45) << theme.name << " " << std::hex << ground;
+      for (const Colour ground : grounds_of_letters(theme))
+        EXPECT_GE(contrast(letters(theme, colour), ground), 4.5)
+            << theme.name << std::hex << " " << colour << " " << ground;
+    for (const Colour ground : {theme.button, theme.hovered, theme.active, grab(theme), selected_letters(theme)})
+      EXPECT_GE(contrast(letters(theme, colours::kText), ground), 4.5) << theme.name << " " << std::hex << ground;
+    EXPECT_GE(contrast(grab(theme), theme.field), 1.5) << theme.name << ": a grab is seen";
     EXPECT_EQ(letters(theme, 0x11223344) & 0xFFU, 0x44U) << "as opaque as it was";
   }
 }

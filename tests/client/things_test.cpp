@@ -249,6 +249,46 @@ TEST(Scenery, FitsIntoTheView) {
   }
 }
 
+/// In a scenario that runs by itself a click selects what is there, and fires nothing.
+TEST(Clicks, SelectWhereAWorldRuns) {
+  for (const char* name : {"emit_fountain", "billiards"}) {
+    Client client = client_of(name);
+    ASSERT_TRUE(run(client, "wait 60")) << name;
+    const std::size_t tracks = client.session.tracks().size();
+    ASSERT_GT(tracks, 0U);
+    const Track& track = client.session.tracks()[0];
+    client.click(*client.camera.project(track.samples.back().position));
+    EXPECT_EQ(client.session.changes_by_hand(), 0U) << name;
+    EXPECT_TRUE(client.selected) << name;
+    client.selected = {};
+    client.click({2, 2});
+    EXPECT_EQ(client.session.changes_by_hand(), 0U) << name;
+    EXPECT_FALSE(client.selected) << name;
+    EXPECT_NE(client.messages().back().text.find("Enter fires"), std::string::npos);
+  }
+  Client flights = client_of("golf_drive");
+  flights.click({2, 2});
+  EXPECT_EQ(flights.session.tracks().size(), 1U) << "elsewhere it fires";
+}
+
+/// Two posts down to the ground, as far apart as the radius; none of what hangs over things of its own.
+TEST(Scenery, ATargetHasAStand) {
+  Client client = client_of();
+  client.placing.radius = 1;
+  ASSERT_TRUE(run(client, "target 20 3 0"));
+  const Scenery& scenery = client.scenery();
+  double lowest = 1e9, left = 1e9, right = -1e9;
+  for (const LitVertex& v : scenery.vertices) {
+    const double y = v.at[1] + scenery.origin.y, z = v.at[2] + scenery.origin.z;
+    lowest = std::min(lowest, y);
+    if (y < 1.5) left = std::min(left, z), right = std::max(right, z);
+  }
+  EXPECT_NEAR(lowest, 0, 1e-5);
+  EXPECT_NEAR(right - left, 1.07, 0.01);
+  ASSERT_TRUE(run(client, "undo; wall 19 -2 21 -2; wall 19 2 21 2; target 20 3 0"));
+  EXPECT_NEAR(client.scenery().low.y, 0, 1e-5);
+}
+
 // -------------------------------------------------------------------------------------------------------------- placed
 /// Two clicks on the ground: the wall stands between them, stops what is fired at it, and is named in the list of hits.
 TEST(Placing, AWallStandsBetweenTwoClicks) {

@@ -64,6 +64,13 @@ TEST(TargetText, SaysWhereAndWhatToDo) {
   EXPECT_EQ((TargetReport{false, 0, -1.7, 0, 100}.text(0.5)), "missed by 1.2 m: aim 0.97\u00b0 higher");
   EXPECT_EQ((TargetReport{false, 1.5, 0, 0, 100}.text(0.5)), "missed by 1 m: aim 0.86\u00b0 to the left");
   EXPECT_EQ((TargetReport{false, 0, 0, 12.34, 100}.text(0.5)), "12.3 m short");
+  const AimChange change{true, 0.3 * kDegree, -0.1 * kDegree};
+  EXPECT_EQ((TargetReport{false, 0, 0, 1.2, 100, change}.text(0.5)),
+            "1.2 m short: aim 0.3\u00b0 higher, 0.1\u00b0 to the left");
+  EXPECT_EQ((TargetReport{false, 0, -1.7, 0, 100, change}.text(0.5)),
+            "missed by 1.2 m: aim 0.3\u00b0 higher, 0.1\u00b0 to the left");
+  EXPECT_EQ((TargetReport{false, 0, 0, 12.34, 100, AimChange{false}}.text(0.5)),
+            "12.3 m short: out of reach at this speed");
 }
 
 struct Shot {
@@ -84,13 +91,42 @@ TEST(Targets, TellHowFarAShotWasFromTheMiddle) {
     const std::vector<TargetDisc> targets = targets_of(client.session.scenario());
     ASSERT_EQ(targets.size(), 1U);
     EXPECT_NEAR(std::abs(targets[0].normal.x), 1, 1e-12);
-    const auto report = report_of(targets[0], client.session, client.session.tracks()[0]);
+    auto report = report_of(targets[0], client.session, client.session.tracks()[0]);
     ASSERT_TRUE(report) << shot.says;
+    if (!report->has_hit) report->change = client.aim_change_of(client.session.tracks()[0], targets[0]);
     EXPECT_NE(report->text(1).find(shot.says), std::string::npos) << report->text(1);
     Scene scene;
     build_scene(client, 1, scene);
     EXPECT_TRUE(std::ranges::any_of(scene.labels, [&](const SceneLabel& l) { return l.text == report->text(1); }));
   }
+}
+
+/// The report's advice, taken to the letter, hits: a mortar that is raised, and a flat shot.
+TEST(Targets, TheCorrectionHits) {
+  for (const char* aim : {"set shot.speed=60 m/s; set shot.elevation=20 deg; target 280 1 4; ",
+                          "set shot.speed=60 m/s; set shot.elevation=75 deg; target 250 1 4; "}) {
+    Client client = client_of();
+    client.placing.radius = 1;
+    ASSERT_TRUE(run(client, std::string("shot sphere; set shot.azimuth=0 deg; ") + aim + "fire; wait 1200"));
+    const TargetDisc target = targets_of(client.session.scenario()).at(0);
+    const Track& track = client.session.tracks()[0];
+    const auto report = report_of(target, client.session, track);
+    ASSERT_TRUE(report && !report->has_hit) << aim;
+    const auto change = client.aim_change_of(track, target);
+    ASSERT_TRUE(change && change->is_in_reach) << aim;
+    client.launcher.turn(change->right, change->up);
+    ASSERT_TRUE(run(client, "fire; wait 1200"));
+    const auto again = report_of(target, client.session, client.session.tracks()[1]);
+    ASSERT_TRUE(again) << aim;
+    EXPECT_TRUE(again->has_hit) << aim << again->text(target.radius);
+  }
+  Client slow = client_of();
+  ASSERT_TRUE(run(slow, "shot sphere; set shot.speed=10 m/s; target 280 1 0; fire; wait 1200"));
+  Scene scene;
+  build_scene(slow, 1, scene);
+  EXPECT_TRUE(std::ranges::any_of(scene.labels, [](const SceneLabel& l) {
+    return l.text.find(" short: out of reach at this speed") != std::string::npos;
+  }));
 }
 
 /// Rings of five colours on a target; a flat thing of another name has none.

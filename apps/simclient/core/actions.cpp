@@ -261,7 +261,7 @@ Status check_determinism(Client& client) {
 // clang-format off
 constexpr Action kActions[] = {
     // the original's
-    {"fire", "Enter", "Shot", "fires along the arrow; also a left click: shots of a file without a world fly whole", "",
+    {"fire", "Enter", "Shot", "fires along the arrow; also a left click, where no world runs by itself", "",
      act([](Client& c) { return c.fire(); })},
     {"fire-whole", "W", "Shot", "computes the whole flight of the next shot, as physim run does, and plays it", "",
      act([](Client& c) { return c.fire_whole(); })},
@@ -460,11 +460,24 @@ std::string actions_table() {
 
 namespace {
 
+bool saves(const Action& action) { return action.name == "save" || action.name == "save-as"; }
+
+/// By a hand. Scripts say whether shots fly whole, and name the file of a new scenario.
+Status run_by_hand(Client& client, const Action& action, const std::string& argument) {
+  if (action.name == "fire") return client.fire_by_hand();
+  const bool has_no_file = action.name == "save" && argument.empty() && client.file().empty();
+  if (has_no_file && !client.session.is_replay()) return save_as(client, "");
+  return action.run(client, argument);
+}
+
 void run_at_once(Client& client, const Action& action, const std::string& argument) {
-  // Scripts say which of the two they mean.
-  const Status status = action.name == "fire" ? client.fire_by_hand() : action.run(client, argument);
+  const Status status = run_by_hand(client, action, argument);
   if (!status) client.complain(status.error());
   client.note_changes();
+  const bool is_saved = status && saves(action) && client.dialog == Dialog::none;
+  if (!is_saved || !client.waits) return;
+  const Question next = *std::exchange(client.waits, std::nullopt);
+  run_at_once(client, *next.action, next.argument);
 }
 
 /// What would be lost, for people; empty where nothing would.
@@ -494,12 +507,19 @@ std::string loss_of(const Client& client, const Action& action, const std::strin
 void run_action(Client& client, const Action& action, const std::string& argument) {
   std::string lost = loss_of(client, action, argument);
   if (lost.empty()) return run_at_once(client, action, argument);
-  client.question = Question{std::move(lost), &action, argument};
+  const bool has_changes = action.loss == Loss::file || client.has_unsaved_settings();
+  const bool can_save = has_changes && action.loss != Loss::flights && !client.session.is_replay();
+  client.question = Question{std::move(lost), &action, argument, can_save};
 }
 
-void answer(Client& client, bool yes) {
+void answer(Client& client, Answer answer) {
   const std::optional<Question> asked = std::exchange(client.question, std::nullopt);
-  if (asked && yes) run_at_once(client, *asked->action, asked->argument);
+  if (!asked || answer == Answer::no) return;
+  if (answer == Answer::yes) return run_at_once(client, *asked->action, asked->argument);
+  PHYSIM_ASSERT(asked->can_save);
+  if (!saves(*asked->action)) client.waits = asked;
+  const bool loses = saves(*asked->action) || !client.loss_of_saving("").empty();
+  run_at_once(client, *find_action(loses ? "save-as" : "save"), "");
 }
 
 }  // namespace physim::client

@@ -41,7 +41,12 @@ struct Action {
 
 /// Runs an action as a hand asks for it: where work would be lost the client asks first. What goes wrong is shown.
 void run_action(Client& client, const Action& action, const std::string& argument = "");
+enum class Answer {
+  no,
+  yes,
+  save,  // first: in the scenario's own file where that loses nothing, else in one that is chosen
+};
 /// Answers the question that the client asks.
-void answer(Client& client, bool yes);
+void answer(Client& client, Answer answer);
 
 }  // namespace physim::client

@@ -6,6 +6,7 @@
 #include <iterator>
 #include <utility>
 
+#include "base/assert.hpp"
 #include "flight/zero.hpp"
 #include "math/angles.hpp"
 #include "model/ladder.hpp"
@@ -128,15 +129,17 @@ void Client::take_file(const std::string& file) {
 void Client::advance(double real_dt, double patience) {
   note_changes();
   since_change_ += real_dt;
+  if (dialog != Dialog::save && !question) waits.reset();
   session.advance(real_dt, patience);
   study.run.advance(patience == std::numeric_limits<double>::infinity());
+  if (foresees_more()) foresee_more(patience);
   for (Message& message : messages_) message.shown += real_dt;
   while (!messages_.empty() && messages_.front().shown > kMessageTime) messages_.pop_front();
   follow();
 }
 
 bool Client::is_changing() const {
-  return session.is_moving() || study.run.state() == StudyRun::State::running || !pictures.empty();
+  return session.is_moving() || study.run.state() == StudyRun::State::running || !pictures.empty() || foresees_more();
 }
 
 Status Client::open(const std::string& file) {
@@ -192,12 +195,14 @@ const Track* Client::last_of_this_shot() const {
   return show.trails && fired_at_ == versions() ? session.track(fired_) : nullptr;
 }
 
-Status Client::fire_by_hand() {
+/// As shots of a scenario without a world and without things do.
+bool Client::flies_whole() const {
   const Scenario& scenario = session.scenario();
   const bool is_of_flights = !scenario.world.given && scenario.things.empty() && !scenario.shots.empty();
-  const bool flies_whole = is_of_flights && !session.is_replay() && !session.is_recording();
-  return flies_whole ? fire_whole() : fire();
+  return is_of_flights && !session.is_replay() && !session.is_recording();
 }
+
+Status Client::fire_by_hand() { return flies_whole() ? fire_whole() : fire(); }
 
 Status Client::fire_scenario() {
   for (const ScenarioShot& shot : session.scenario().shots)
@@ -235,18 +240,26 @@ const std::vector<ComparedRung>& Client::comparison() {
 Scenario Client::with_next_shot() const {
   Scenario scenario = session.scenario();
   scenario.study = study.asked;
-  const ScenarioShot& next = launcher.shot();
+  ScenarioShot next = launcher.shot();
   const auto is_namesake = [&](const ScenarioShot& s) { return s.projectile.name == next.projectile.name; };
   const auto namesake = std::find_if(scenario.shots.begin(), scenario.shots.end(), is_namesake);
+  if (keeps_no_bodies())
+    next.body = namesake != scenario.shots.end() ? namesake->body : launcher.types()[launcher.type()].shot.body;
   if (namesake != scenario.shots.end())
     *namesake = next;
   else if (!scenario.world.given || scenario.shots.empty())
     scenario.shots.push_back(next);
-  // Flights that had things keep theirs; what is put up beside other flights stands in a world, where expectations of
-  // flights would not be read.
-  const bool becomes_world = became_world_ || (!scenario.things.empty() && !meets_things_);
-  if (becomes_world && !scenario.world.given) scenario.expect.clear();
-  return becomes_world ? with_world(scenario) : scenario;
+  if (becomes_world() && !scenario.world.given) scenario.expect.clear();
+  return becomes_world() ? with_world(scenario) : scenario;
+}
+
+/// Flights that had things keep theirs; what is put up beside other flights stands in a world, where expectations of
+/// flights would not be read.
+bool Client::becomes_world() const { return became_world_ || (!session.scenario().things.empty() && !meets_things_); }
+
+/// A file of flights says nothing of bodies: they are those of worlds.
+bool Client::keeps_no_bodies() const {
+  return !scenario_file_.empty() && !session.scenario().world.given && !becomes_world();
 }
 
 std::string Client::path_to_save(const std::string& file) const {
@@ -283,15 +296,18 @@ Status Client::save(const std::string& file) {
   if (scenario.world.given && !own_scenario.world.given && !own_scenario.things.empty())
     left_out =
         own_scenario.expect.empty() ? ", as a world" : ", as a world, without what its flights were expected to do";
-  if (!say_the_same(*again, scenario)) {  // bodies are those of worlds
-    became_world_ = scenario_file_.empty();
-    if (became_world_)
-      scenario = with_world(scenario), text = text_of();
-    else
-      left_out = ", but for shot.body: its flights know no world";
+  if (!say_the_same(*again, scenario)) {  // the body of the first shot of a new file
+    PHYSIM_ASSERT(!keeps_no_bodies());
+    became_world_ = true;
+    scenario = with_world(scenario), text = text_of();
   }
+  const auto has_this_body = [&](const ScenarioShot& s) { return s.body == launcher.shot().body; };
+  if (keeps_no_bodies() && std::ranges::none_of(scenario.shots, has_this_body))
+    left_out = ", but for shot.body: its flights know no world";
   const auto is_next = [&](const ScenarioShot& s) { return s.projectile.name == launcher.shot().projectile.name; };
   if (std::ranges::none_of(scenario.shots, is_next)) left_out = ", but for the next shot: its world would fire it";
+  const Result<Session> opened = Session::create(*again);
+  if (!opened) return Error{"what is set could not be opened: " + opened.error().message, "save", opened.error().hint};
   const bool is_own_file = is_same_file(path, scenario_file_) || is_same_file(path, own_scenario.file);
   if (Status status = is_own_file ? Status() : check_output(path); !status) return status;
   if (Status status = report::write_file(path, text); !status) return status;
@@ -409,9 +425,23 @@ Status Client::use(const Scenario& scenario, const ScenarioShot& shot) {
 const Prediction& Client::prediction() {
   if (predicted_at_ == versions()) return prediction_;
   if (!predicted_at_ || predicted_at_->second != session_version_) predictor_.forget_world();
-  if (!session.is_replay()) prediction_ = predictor_.predict(session, launcher.shot());
+  if (flies_whole())
+    prediction_ = prediction_of(fly_shot(session.scenario(), launcher.shot()), session.scenario());
+  else if (!session.is_replay())
+    prediction_ = predictor_.predict(session, launcher.shot());
   predicted_at_ = versions();
   return prediction_;
+}
+
+/// The prediction at hand is of a long flight in the world, and goes on.
+bool Client::foresees_more() const { return prediction_.grows && predicted_at_ == versions() && !session.is_replay(); }
+
+void Client::foresee_more(double patience) {
+  constexpr double kOfAFrame = 0.008;  // [s]
+  const bool has_time = patience == std::numeric_limits<double>::infinity();
+  predictor_.go_on(prediction_, has_time ? patience : std::min(patience, kOfAFrame));
+  if (!prediction_.grows)
+    prediction_.apsides = apsides_of(prediction_.path, session.scenario().environment, prediction_.granted.fidelity);
 }
 
 const Track* Client::selected_track() const {

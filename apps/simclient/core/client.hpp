@@ -20,6 +20,7 @@
 #include "simclient/core/session.hpp"
 #include "simclient/core/setting_rows.hpp"
 #include "simclient/core/study_desk.hpp"
+#include "simclient/core/target_report.hpp"
 #include "simclient/core/theme.hpp"
 
 namespace physim::client {
@@ -63,6 +64,7 @@ struct Question {
   std::string text;  // what would be lost
   const Action* action = nullptr;
   std::string argument;
+  bool can_save = false;  // in another file, and nothing is lost
 };
 
 /// Contents of a picture.
@@ -127,6 +129,7 @@ class Client {
   std::optional<double> filmed;  // part of a film that is being made
   bool stops_film = false;
   std::optional<Question> question;  // to be answered before anything else
+  std::optional<Question> waits;     // what follows when the scenario has been saved
   Dialog dialog = Dialog::none;
   RecentFiles recent;
   StudyDesk study;
@@ -212,8 +215,9 @@ class Client {
     Vec3d from, to;
   };
   [[nodiscard]] std::optional<Arrow> arrow();
-  /// A click on the scene that was not a drag.
+  /// A click on the scene that was not a drag: fires, where no world runs by itself; else it selects what is there.
   void click(const Pixel& pixel);
+  [[nodiscard]] bool fires_by_click() const { return !session.scenario().world.given && !session.is_replay(); }
   /// The mouse goes on with this; with what it did before where it has it already.
   void use_tool(Tool tool);
   /// Where a pixel meets a thing or the ground, or height 0 where there is none.
@@ -222,6 +226,8 @@ class Client {
   [[nodiscard]] Status place_target(const Vec3d& middle);
   /// Where a target would stand for a click: on a path, or with its lower edge on what is there.
   [[nodiscard]] std::optional<Vec3d> target_under(const Pixel& pixel);
+  /// What to change to hit a target with a shot that missed it; found once for each.
+  [[nodiscard]] std::optional<AimChange> aim_change_of(const Track& track, const TargetDisc& target);
   /// The things of the scene as they are drawn.
   [[nodiscard]] const Scenery& scenery();
   /// The nearest moment of a path under the mouse, within 12 pixels.
@@ -249,9 +255,15 @@ class Client {
 
  private:
   void follow();
+  void select_under(const Pixel& pixel);
+  [[nodiscard]] bool flies_whole() const;
+  [[nodiscard]] bool foresees_more() const;
+  void foresee_more(double patience);
   [[nodiscard]] bool is_out_of_view() const;
   void take_file(const std::string& file);
   [[nodiscard]] Scenario with_next_shot() const;
+  [[nodiscard]] bool becomes_world() const;
+  [[nodiscard]] bool keeps_no_bodies() const;
   [[nodiscard]] Status use_session(Result<Session> opened);
   [[nodiscard]] Status use(const Scenario& scenario, const ScenarioShot& shot);
   [[nodiscard]] std::optional<Vec3d> point_under(const Pixel& pixel);
@@ -261,6 +273,13 @@ class Client {
   [[nodiscard]] std::string path_to_save(const std::string& file) const;
 
   SceneryMaker scenery_;
+  struct Missed {
+    ProjectileId id;
+    std::string target;
+    std::uint64_t session_version = 0;
+    std::optional<AimChange> change;
+  };
+  std::deque<Missed> missed_;
   History history_;
   ContentVersions content_;
   std::uint64_t contents_ = 0;  // versions of content that there were

@@ -15,8 +15,15 @@ void Client::use_tool(Tool wanted) {
   if (tool == Tool::target) say("target: click on a path, a thing or the ground");
 }
 
+void Client::select_under(const Pixel& pixel) {
+  const auto found = probe(pixel);
+  if (found && found->track != nullptr) return void(selected = found->track->id);
+  say(session.is_replay() ? "nothing flies here" : "nothing flies here; Enter fires the next shot");
+}
+
 void Client::click(const Pixel& pixel) {
   if (tool == Tool::fire) {
+    if (!fires_by_click()) return select_under(pixel);
     if (Status status = fire_by_hand(); !status) complain(status.error());
     return;
   }
@@ -88,10 +95,20 @@ Status Client::place(const Result<Placed>& placed) {
   return say(placed->name + of + "; Ctrl+Z takes it away"), Status();
 }
 
+std::optional<AimChange> Client::aim_change_of(const Track& track, const TargetDisc& target) {
+  constexpr std::size_t kMost = 64;
+  for (const Missed& each : missed_)
+    if (each.id == track.id && each.target == target.name && each.session_version == session_version_)
+      return each.change;
+  missed_.push_back({track.id, target.name, session_version_, aim_change(target, session, track)});
+  if (missed_.size() > kMost) missed_.pop_front();
+  return missed_.back().change;
+}
+
 const Scenery& Client::scenery() {
   // Planes reach so far that their edges are beyond what is looked at.
   const double reach = std::exp2(std::ceil(std::log2(40 * camera.distance + length(camera.target))));
-  return scenery_.make(session.world().scene(), session_version_, session.shown_time(), reach);
+  return scenery_.make(session.world().scene(), session_version_, session.shown_time(), reach, session.ground());
 }
 
 }  // namespace physim::client

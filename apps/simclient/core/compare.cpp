@@ -15,7 +15,16 @@ namespace physim::client {
 namespace {
 
 constexpr const char* kTruth = "reference";
+constexpr const char* kAsSet = "as set";
 constexpr int kPathPoints = 400;  // of what is drawn
+
+/// Those of the palette, and a grey and a brown, as there are more presets than colours in it. Its white is that of
+/// bodies without a colour.
+constexpr std::pair<std::string_view, Colour> kColours[] = {
+    {kAsSet, kPalette[0]},       {"game", kPalette[1]},      {"constant_air", kPalette[2]},
+    {"small_arms", kPalette[3]}, {"artillery", kPalette[4]}, {"simulation", kPalette[5]},
+    {kTruth, 0xF4F4F4FF},        {"arcade", 0x9AA3ADFF},     {"classic", 0xA0764AFF},
+};
 
 std::vector<TrackSample> path_of(const Flight& flight) {
   std::vector<TrackSample> path;
@@ -49,6 +58,12 @@ double measure_cost(const Session& session, const ScenarioShot& shot) {
 
 }  // namespace
 
+Colour colour_of_rung(std::string_view name) {
+  const auto found = std::ranges::find(kColours, name, &std::pair<std::string_view, Colour>::first);
+  PHYSIM_ASSERT(found != std::end(kColours));
+  return found->second;
+}
+
 std::array<std::string, 7> ComparedRung::figures() const {
   using report::fixed, report::significant;
   return {significant(at_end, 3), significant(std::abs(later), 3), significant(farthest, 3), fixed(end.time, 6),
@@ -81,11 +96,11 @@ std::vector<ComparedRung> compare_rungs(const Session& session, const ScenarioSh
   std::vector<ComparedRung> rungs;
   std::vector<FlightSetting> settings;
   const auto add = [&](const std::string& name, const FlightSetting& setting) {
-    rungs.push_back({.name = name, .asked = setting.fidelity, .colour = palette(rungs.size())});
+    rungs.push_back({.name = name, .asked = setting.fidelity, .colour = colour_of_rung(name)});
     settings.push_back(setting);
   };
   const Result<FlightSetting> own = report::own_setting(scenario, shot);
-  add("as set", own ? *own : FlightSetting{shot.projectile.fidelity, scenario.tolerance});
+  add(kAsSet, own ? *own : FlightSetting{shot.projectile.fidelity, scenario.tolerance});
   for (const std::string& name : presets)
     if (name != kTruth && fidelity_preset(name)) add(name, report::preset_setting(scenario, shot, name));
   const FlightSetting truth = report::reference_setting(scenario, shot);

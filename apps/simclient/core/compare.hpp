@@ -4,6 +4,7 @@
 #include <array>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "simclient/core/session.hpp"
@@ -32,6 +33,9 @@ struct ComparedRung {
   /// The distance and the side of its end from the end of the truth, with the cause: "107 m short: no lift from spin".
   [[nodiscard]] std::string why(const ComparedRung& truth) const;
 };
+
+/// The colour of a rung by its name, whatever else is compared.
+[[nodiscard]] Colour colour_of_rung(std::string_view name);
 
 /// Time of one step of one projectile, measured on a thousand of them and remembered: aiming changes it little.
 class CostTable {

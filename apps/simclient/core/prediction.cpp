@@ -1,12 +1,18 @@
 #include "simclient/core/prediction.hpp"
 
 #include <algorithm>
+#include <chrono>
 #include <cmath>
+
+#include "base/assert.hpp"
+#include "simclient/core/subject.hpp"
+#include "simclient/core/thinning.hpp"
 
 namespace physim::client {
 namespace {
 
-constexpr std::uint64_t kMaxSteps = 12000;
+constexpr std::uint64_t kAtOnce = 12000;                   // steps
+constexpr std::uint64_t kMostSteps = 500000, kPart = 500;  // kPart: between looks at the machine's clock
 constexpr double kMostBehind = 20000;  // steps; a world that is farther behind the session's is saved anew
 constexpr int kMostHits = 4;           // on things: what comes later hangs on the last digits of the aim
 
@@ -17,30 +23,44 @@ void look(Prediction& prediction, const Event& event) {
   prediction.path.push_back(at);
 }
 
+}  // namespace
+
+Prediction prediction_of(const Flight& flight, const Scenario& scenario) {
+  Prediction prediction;
+  if (flight.error()) return prediction.error = flight.error(), prediction;
+  prediction.path = samples_of(flight);
+  prediction.muzzle = prediction.path.front().position;
+  prediction.velocity = prediction.path.front().velocity;
+  prediction.granted = flight.fidelity_in_use();
+  prediction.is_cut = !has_end(flight, scenario.until);
+  prediction.apsides = apsides_of(prediction.path, scenario.environment, prediction.granted.fidelity);
+  return prediction;
+}
+
 /// Steps the world until the shot is gone or rests, or the limit is reached.
-void fly(World& world, ProjectileId id, std::uint64_t limit, Prediction& prediction) {
-  const ProjectileView projectile = world[id];
-  const double start = world.time();
-  int hits = 0;
-  prediction.is_cut = false;
-  for (std::uint64_t i = 0; i < limit && projectile.is_alive() && !projectile.is_asleep() && hits < kMostHits; ++i) {
+void Predictor::fly(Prediction& prediction, std::uint64_t steps) {
+  World& world = *world_;
+  const ProjectileView projectile = world[id_];
+  for (std::uint64_t i = 0; i < std::min(steps, left_) && prediction.grows; ++i) {
     world.step(world.def().step);
     bool has_hit = false;  // once a step: what slides along a thing touches it all the time
     for (Event event : world.events()) {
-      if (event.id != id) continue;
-      event.time -= start;
+      if (event.id != id_) continue;
+      event.time -= start_;
       look(prediction, event);
       has_hit |= event.kind == EventKind::bounced && event.instance;
       has_hit |= event.kind == EventKind::ricocheted || event.kind == EventKind::penetrated;
     }
-    hits += has_hit;
-    if (projectile.is_alive()) prediction.path.push_back(sample_of(projectile, projectile.age()));
-    if (projectile.status() == LifeStatus::landed) return;  // where it is, it stays
+    hits_ += has_hit;
+    const bool is_alive = projectile.is_alive();
+    if (is_alive) prediction.path.push_back(sample_of(projectile, projectile.age()));
+    const bool stays = projectile.status() == LifeStatus::landed;
+    prediction.grows = is_alive && !projectile.is_asleep() && hits_ < kMostHits && !stays;
   }
-  prediction.is_cut = projectile.is_alive() && !projectile.is_asleep() && hits < kMostHits;
+  left_ -= std::min(steps, left_);
+  prediction.is_cut = prediction.grows;
+  prediction.grows &= left_ > 0;
 }
-
-}  // namespace
 
 /// The session's world as it is now, without those in it. One that was taken before catches up: nothing moves in it.
 Status Predictor::take_world(const Session& session) {
@@ -75,9 +95,29 @@ Prediction Predictor::predict(const Session& session, const ScenarioShot& shot, 
   prediction.velocity = projectile.velocity();
   prediction.granted = projectile.fidelity_in_use();
   prediction.path.push_back(sample_of(projectile, projectile.age()));
-  fly(world, *fired, std::min(kMaxSteps, static_cast<std::uint64_t>(std::ceil(max_time / world.def().step))),
-      prediction);
+  id_ = *fired, start_ = world.time(), hits_ = 0, thinned_ = 0;
+  const auto revolution = revolution_time(session.scenario().environment, prediction.granted.fidelity,
+                                          prediction.muzzle, prediction.velocity);
+  const double steps = std::ceil(std::max(max_time, revolution.value_or(0)) / world.def().step);
+  left_ = std::min(kMostSteps, static_cast<std::uint64_t>(std::min(steps, 1e9)));
+  prediction.grows = projectile.is_alive();
+  fly(prediction, kAtOnce);
   return prediction;
+}
+
+void Predictor::go_on(Prediction& prediction, double patience) {
+  PHYSIM_ASSERT(world_ && prediction.grows);
+  const auto start = std::chrono::steady_clock::now();
+  const auto is_late = [&] {
+    return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count() > patience;
+  };
+  do {
+    fly(prediction, kPart);
+    if (prediction.path.size() - thinned_ > kFreshSamples || !prediction.grows) {
+      thin_out(prediction.path, thinned_);
+      thinned_ = prediction.path.size() - 1;
+    }
+  } while (prediction.grows && !is_late());
 }
 
 }  // namespace physim::client

@@ -118,9 +118,14 @@ Status set_quick(Client& client, const QuickSetting& setting, double value) {
     return parse_quantity(in_file(path, unit), quantity).value();
   };
   const Vec3d wind = client.session.scenario().environment.wind.velocity;
+  // Parts that stay keep their digits; nothing is nothing in every unit.
+  const auto kept = [&](double part) {
+    const std::string text = quantity_text(part, Quantity::speed);
+    const std::string& shot = launcher.shot().projectile.name;
+    return part == 0 ? client.units().restated("environment.wind.velocity", shot, text) : text;
+  };
   const auto set_wind = [&](const std::string& along, const std::string& across) {
-    const std::string up = quantity_text(wind.y, Quantity::speed);
-    return client.set("environment.wind.velocity=" + along + ", " + up + ", " + across);
+    return client.set("environment.wind.velocity=" + along + ", " + kept(wind.y) + ", " + across);
   };
   switch (setting.what) {
     case Quick::speed:
@@ -138,10 +143,8 @@ Status set_quick(Client& client, const QuickSetting& setting, double value) {
       const DragModel on = own == DragModel::off ? Fidelity{}.drag : own;
       return client.set("shot.fidelity.drag=" + std::string(name(value > 0.5 ? on : DragModel::off)));
     }
-    case Quick::wind_along:
-      return set_wind(in_file("environment.wind.velocity", "m/s"), quantity_text(wind.z, Quantity::speed));
-    case Quick::wind_across:
-      return set_wind(quantity_text(wind.x, Quantity::speed), in_file("environment.wind.velocity", "m/s"));
+    case Quick::wind_along: return set_wind(in_file("environment.wind.velocity", "m/s"), kept(wind.z));
+    case Quick::wind_across: return set_wind(kept(wind.x), in_file("environment.wind.velocity", "m/s"));
   }
   return {};
 }

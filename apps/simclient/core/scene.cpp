@@ -3,8 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "model/ladder.hpp"
-#include "physim/environment.hpp"
 #include "simclient/core/stroke.hpp"
 
 namespace physim::client {
@@ -149,26 +147,6 @@ std::string distance_text(double metres) {
 
 namespace {
 
-/// From so far away the Earth is round.
-constexpr double kGlobeDistance = 30e3;  // [m]
-
-std::optional<SceneGlobe> globe_of(const Client& client) {
-  const EarthModel earth = client.launcher.shot().projectile.fidelity.earth;
-  if (row(earth).shape == EarthShape::flat || client.camera.distance < kGlobeDistance) return std::nullopt;
-  const EarthFrames frames(client.session.scenario().environment, earth);
-  const Vec3d origin = frames.earth_fixed({}, {}).position;
-  SceneGlobe globe;
-  globe.centre = frames.from_earth_fixed({}).position;
-  globe.radius = length(origin) - frames.geodetic({}).height;
-  std::size_t i = 0;
-  for (const Vec3d& axis : {Vec3d{1, 0, 0}, Vec3d{0, 1, 0}, Vec3d{0, 0, 1}}) {
-    constexpr double kFar = 1e6;  // [m]
-    const Vec3d way = (frames.earth_fixed(axis * kFar, {}).position - origin) * (1 / kFar);
-    for (const double x : {way.x, way.y, way.z}) globe.to_geographic[i++] = x;
-  }
-  return globe;
-}
-
 /// The next shot goes farther than up or down, among no things: distances stand at the height of its muzzle then.
 bool flies_level(Client& client) {
   if (client.session.is_replay() || client.session.world().scene() != nullptr) return false;
@@ -198,6 +176,7 @@ void build_scene(Client& client, double scale, Scene& scene) {
   build_misses(client, scale, scene);
   build_particles(client, scale, scene);
   if (client.show.depth) build_depth(client, scale, scene);
+  build_globe(client, scale, scene);
   build_projectiles(client, scale, scene);
   build_bodies(client, scale, scene);
   build_dust(client, scale, scene);

@@ -125,6 +125,9 @@ void build_scene(Client& client, double scale, Scene& scene);
 // Its parts.
 void build_ground(const Client& client, double scale, Scene& scene);
 void build_depth(const Client& client, double scale, Scene& scene);
+/// Nothing over a flat Earth, or from near.
+[[nodiscard]] std::optional<SceneGlobe> globe_of(const Client& client);
+void build_globe(Client& client, double scale, Scene& scene);
 void build_comparison(Client& client, double scale, Scene& scene);
 void build_aim(Client& client, double scale, Scene& scene);
 /// Leaves out dots of the crowd beyond the view, and those behind another on the same few pixels.

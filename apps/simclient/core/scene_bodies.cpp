@@ -210,8 +210,9 @@ void build_misses(Client& client, double scale, Scene& scene) {
   const Track* track = client.selected_track();
   if (track == nullptr || !track->by_hand || track->whole) return;
   for (const TargetDisc& target : targets_of(client.session.scenario())) {
-    const auto report = report_of(target, client.session, *track);
+    auto report = report_of(target, client.session, *track);
     if (!report) continue;
+    if (!report->has_hit) report->change = client.aim_change_of(*track, target);
     const Colour colour = report->has_hit ? palette(2) : colours::kWarning;
     scene.label(target.middle + Vec3d{0, target.radius, 0}, report->text(target.radius), colour, -1.6);
     if (report->has_hit || report->short_by > 0) continue;

@@ -38,7 +38,8 @@ struct SamePlace {
 /// Takes what is drawn, thing by thing.
 class Gatherer final : public SceneCanvas {
  public:
-  Gatherer(const physim::Scene& scene, double time, Scenery& into) : scene_(scene), time_(time), into_(into) {}
+  Gatherer(const physim::Scene& scene, double time, std::optional<double> ground, Scenery& into)
+      : scene_(scene), time_(time), ground_(ground), into_(into) {}
 
   void begin(InstanceId thing) override {
     finish();
@@ -99,7 +100,7 @@ class Gatherer final : public SceneCanvas {
     const Vec3d top = is_plane ? thing_->transform.position : Vec3d{(low.x + high.x) / 2, high.y, (low.z + high.z) / 2};
     if (!thing_->name.empty() && into_.names.size() < kMostNames) into_.names.push_back({top, thing_->name});
     add_faces();
-    if (!is_plane && !is_sensor_) add_rings();
+    if (const auto disc = is_plane || is_sensor_ ? std::nullopt : target_disc()) add_rings(*disc), add_stand(*disc);
     if (!is_plane && !is_sensor_ && faces_.size() < kMostEdges) add_edges();
     part.vertices = vertices.size() - part.vertex;
     part.edges = into_.edges.size() - part.edge;
@@ -109,34 +110,69 @@ class Gatherer final : public SceneCanvas {
     of_sensors_.push_back(is_sensor_);
   }
 
-  /// Rings of a target, a flat disc with that word in its name: before both faces, from the rim to the middle.
-  void add_rings() {
+  struct Disc {
+    Vec3d middle, axis;
+    double radius = 0, half = 0;  // half: of its height [m]
+  };
+  /// A target is a flat disc with that word in its name.
+  [[nodiscard]] std::optional<Disc> target_disc() const {
+    if (thing_->name.find("target") == std::string::npos) return std::nullopt;
+    Disc disc{thing_->transform.position, rotate(thing_->transform.rotation, Vec3d{0, 1, 0})};
+    for (const Face& face : faces_)
+      for (const Vec3d& p : face.corners) {
+        const Vec3d way = p - disc.middle;
+        disc.half = std::max(disc.half, std::abs(dot(way, disc.axis)));
+        disc.radius = std::max(disc.radius, length(way - disc.axis * dot(way, disc.axis)));
+      }
+    return disc.half < kFlatDisc * disc.radius ? std::optional(disc) : std::nullopt;
+  }
+
+  /// Two posts from the rim of a target that stands upright, down to a thing or to the ground.
+  void add_stand(const Disc& disc) {
+    constexpr double kAside = 0.5, kWidth = 0.035;  // parts of the radius
+    constexpr Colour kWood = 0x8A6A45FF;
+    if (std::abs(disc.axis.y) > 0.5 || !std::holds_alternative<AtRest>(thing_->motion)) return;
+    const PlaneAxes plane = axes_across(disc.axis);
+    const double below_rim = std::sqrt(1 - kAside * kAside) * disc.radius;
+    for (const double side : {-kAside, kAside}) {
+      const Vec3d top = disc.middle + plane.right * (side * disc.radius) - plane.up * (below_rim + 0.01 * disc.radius);
+      const SceneHit hit = scene_.first_hit({.from = top, .to = top - Vec3d{0, 1e3 * disc.radius, 0}, .time = time_},
+                                            {.sensors = false});
+      const std::optional<double> foot = hit ? std::optional(hit.position.y) : ground_;
+      if (foot && *foot < top.y) add_post(top + plane.up * (0.02 * disc.radius), *foot, kWidth * disc.radius, kWood);
+    }
+  }
+  void add_post(const Vec3d& top, double foot, double half_width, Colour colour) {
+    constexpr double kCorners[5][2] = {{-1, -1}, {1, -1}, {1, 1}, {-1, 1}, {-1, -1}};
+    for (int i = 0; i < 4; ++i) {
+      const auto corner = [&](int k, double y) {
+        return Vec3d{top.x + kCorners[k][0] * half_width, y, top.z + kCorners[k][1] * half_width};
+      };
+      const Vec3d out{(kCorners[i][0] + kCorners[i + 1][0]) / 2, 0, (kCorners[i][1] + kCorners[i + 1][1]) / 2};
+      for (const Vec3d& p : {corner(i, top.y), corner(i + 1, top.y), corner(i + 1, foot), corner(i, top.y),
+                             corner(i + 1, foot), corner(i, foot)})
+        into_.vertices.push_back(lit_vertex(p - into_.origin, out, colour));
+    }
+  }
+
+  /// Rings of a target: before both faces, from the rim to the middle.
+  void add_rings(const Disc& disc) {
     constexpr double kBefore = 0.002;  // part of the radius
     constexpr int kRings = 5, kSides = 40;
     constexpr Colour kColours[kRings] = {0xF2F2EEFF, 0x2B2E33FF, 0x3B8FC2FF, 0xC9403AFF, 0xF0CF3AFF};
-    if (thing_->name.find("target") == std::string::npos) return;
-    const Vec3d middle = thing_->transform.position, axis = rotate(thing_->transform.rotation, Vec3d{0, 1, 0});
-    double radius = 0, half = 0;
-    for (const Face& face : faces_)
-      for (const Vec3d& p : face.corners) {
-        const Vec3d way = p - middle;
-        half = std::max(half, std::abs(dot(way, axis)));
-        radius = std::max(radius, length(way - axis * dot(way, axis)));
-      }
-    if (!(half < kFlatDisc * radius)) return;
-    const auto [right, up] = axes_across(axis);
+    const PlaneAxes plane = axes_across(disc.axis);
     for (const double side : {-1.0, 1.0})
       for (int ring = 0; ring < kRings; ++ring)
         for (int i = 0; i < kSides; ++i) {
-          const auto at = [&, right = right, up = up](int rim, int k) {
-            const double angle = 2 * kPi * k / kSides, r = 0.98 * radius * (kRings - rim) / kRings;
-            return middle + axis * (side * (half + kBefore * radius)) +
-                   (right * std::cos(angle) + up * std::sin(angle)) * r;
+          const auto at = [&](int rim, int k) {
+            const double angle = 2 * kPi * k / kSides, r = 0.98 * disc.radius * (kRings - rim) / kRings;
+            return disc.middle + disc.axis * (side * (disc.half + kBefore * disc.radius)) +
+                   (plane.right * std::cos(angle) + plane.up * std::sin(angle)) * r;
           };
           const Vec3d corners[] = {at(ring, i), at(ring, i + 1),     at(ring + 1, i + 1),
                                    at(ring, i), at(ring + 1, i + 1), at(ring + 1, i)};
           for (const Vec3d& p : corners)
-            into_.vertices.push_back(lit_vertex(p - into_.origin, axis * side, kColours[ring]));
+            into_.vertices.push_back(lit_vertex(p - into_.origin, disc.axis * side, kColours[ring]));
         }
   }
 
@@ -193,6 +229,7 @@ class Gatherer final : public SceneCanvas {
 
   const physim::Scene& scene_;
   const double time_;
+  const std::optional<double> ground_;
   Scenery& into_;
   InstanceId id_;
   std::optional<InstanceDef> thing_;
@@ -246,7 +283,8 @@ Colour colour_of_material(const std::string& name) {
   return kOthers[sum % std::size(kOthers)];
 }
 
-const Scenery& SceneryMaker::make(const physim::Scene* scene, std::uint64_t version, double time, double reach) {
+const Scenery& SceneryMaker::make(const physim::Scene* scene, std::uint64_t version, double time, double reach,
+                                  std::optional<double> ground) {
   if (scene == nullptr) {
     if (!scenery_.is_empty()) scenery_ = Scenery{.version = scenery_.version + 1};
     is_made_ = false;
@@ -260,7 +298,7 @@ const Scenery& SceneryMaker::make(const physim::Scene* scene, std::uint64_t vers
   }
   scenery_ = Scenery{.version = scenery_.version + 1};
   is_made_ = true, made_at_ = version, changes_ = scene->changes(), time_ = time, reach_ = reach;
-  Gatherer gatherer(*scene, time, scenery_);
+  Gatherer gatherer(*scene, time, ground, scenery_);
   scene->draw(gatherer, {.plane_faces = true, .time = time, .plane_size = reach});
   gatherer.end();
   if (!gatherer.has_planes()) reach_ = kAnyReach;

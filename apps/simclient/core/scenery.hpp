@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -49,9 +50,10 @@ struct Scenery {
 class SceneryMaker {
  public:
   /// As the scene stands at a time [s], planes about their origins as far as `reach` [m]; null: there is no scene.
-  /// `version`: another one for another scene.
+  /// `version`: another one for another scene. `ground`: the height on which stands of targets end, beside things.
   /// Things that move take their triangles along; other changes make all of it anew.
-  const Scenery& make(const physim::Scene* scene, std::uint64_t version, double time, double reach);
+  const Scenery& make(const physim::Scene* scene, std::uint64_t version, double time, double reach,
+                      std::optional<double> ground = {});
 
  private:
   void move_things(const physim::Scene& scene, double time);

@@ -236,6 +236,7 @@ Result<ProjectileId> Session::fire(const ScenarioShot& shot) {
   const bool has_colour = body.colour != kNoColour;
   begin_track(id, shot.projectile.name, has_colour ? body.colour : palette(fired_), true);
   tracks_.back().spin = spin_in_world(shot.launch);
+  tracks_.back().shot = std::make_shared<const ScenarioShot>(shot);
   if (!has_colour) world[id].set_colour(tracks_.back().colour);
   remember_moment(true);
   return id;

@@ -37,6 +37,7 @@ Result<ProjectileId> Session::play(const ScenarioShot& shot, const Flight& fligh
   Track track;
   track.id = {kNoSlot, static_cast<std::uint32_t>(++by_hand_)};
   track.by_hand = true;
+  track.shot = std::make_shared<const ScenarioShot>(shot);
   track.name = shot.projectile.name;
   track.colour = shot.body.colour != kNoColour ? shot.body.colour : palette(fired_);
   track.radius = shot.projectile.diameter / 2;

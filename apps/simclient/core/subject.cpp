@@ -86,6 +86,10 @@ std::vector<Vec3d> places_of_run(const Scenario& scenario) {
   return places;
 }
 
+bool has_end(const Flight& whole, const Until& until) {
+  return whole.outcome() == Outcome::landed || until.time != Until{}.time || until.range;
+}
+
 std::vector<Vec3d> places_of_flight(const Scenario& scenario, const ScenarioShot& shot, const Foreseen& foreseen) {
   constexpr double kOpenEnd = 10;  // of flights that go on and on [s]
   constexpr std::size_t kMostOthers = 6;
@@ -95,15 +99,11 @@ std::vector<Vec3d> places_of_flight(const Scenario& scenario, const ScenarioShot
       if (s.time <= end) places.push_back(s.position);
   };
   const auto add_whole = [&](const Flight& whole) {
-    const bool has_end =
-        whole.outcome() == Outcome::landed || scenario.until.time != Until{}.time || scenario.until.range;
-    if (!whole.error()) add(samples_of(whole), has_end ? whole.duration() : kOpenEnd);
+    if (!whole.error()) add(samples_of(whole), has_end(whole, scenario.until) ? whole.duration() : kOpenEnd);
   };
-  const bool is_single = !scenario.world.given && scenario.things.empty();
-  if (is_single && foreseen.is_cut)
-    add_whole(fly_shot(scenario, shot));
-  else
-    add(foreseen.path, scenario.world.given ? scenario.world.duration : scenario.until.time);
+  const bool is_single = !scenario.world.given && scenario.things.empty() && !scenario.shots.empty();
+  const double wanted = scenario.world.given ? scenario.world.duration : scenario.until.time;
+  add(foreseen.path, is_single && foreseen.is_cut ? kOpenEnd : wanted);
   std::size_t others = 0;
   for (const ScenarioShot& other : scenario.shots)
     if (is_single && other.projectile.name != shot.projectile.name && ++others <= kMostOthers)

@@ -14,10 +14,13 @@ namespace physim::client {
 /// projectiles go. Empty where it fires nothing by itself.
 [[nodiscard]] std::vector<Vec3d> places_of_run(const Scenario& scenario);
 
+/// A scenario sets the end of its flight, or the ground is reached.
+[[nodiscard]] bool has_end(const Flight& whole, const Until& until);
+
 /// A predicted flight.
 struct Foreseen {
   std::vector<TrackSample> path;
-  bool is_cut = false;  // the path goes on
+  bool is_cut = false;  // nothing ends it
 };
 /// Places of a shot, as it was foreseen, and of the other shots of its scenario where they fly one by one: to their
 /// ends, or for ten seconds where none is in sight.

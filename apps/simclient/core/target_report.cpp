@@ -6,6 +6,7 @@
 #include "base/assert.hpp"
 #include "base/text.hpp"
 #include "math/angles.hpp"
+#include "physim/solve.hpp"
 #include "simclient/core/scenery.hpp"
 
 namespace physim::client {
@@ -28,10 +29,11 @@ std::string offset_text(double right, double up) {
   return text;
 }
 
-/// "aim 0.30° higher, 0.1° to the left".
-std::string correction_text(double right, double up, double distance) {
+/// ": aim 0.30° higher, 0.1° to the left".
+std::string text_of(const AimChange& change) {
   constexpr double kLeast = 0.005;  // [deg]
-  const double higher = -std::atan2(up, distance) / kDegree, to_the_right = -std::atan2(right, distance) / kDegree;
+  if (!change.is_in_reach) return ": out of reach at this speed";
+  const double higher = change.up / kDegree, to_the_right = change.right / kDegree;
   std::string text;
   if (std::abs(higher) >= kLeast) text = formatted("%.2g\u00b0 ", std::abs(higher)) + (higher > 0 ? "higher" : "lower");
   if (std::abs(to_the_right) >= kLeast)
@@ -69,11 +71,41 @@ std::vector<TargetDisc> targets_of(const Scenario& scenario) {
 std::string TargetReport::text(double radius) const {
   PHYSIM_ASSERT(radius > 0);
   constexpr double kMiddle = 0.02;  // of the radius
-  if (short_by > 0) return length_text(short_by) + " short";
+  if (short_by > 0) return length_text(short_by) + " short" + (change ? text_of(*change) : "");
   const double away = std::hypot(right, up);
   if (has_hit && away < kMiddle * radius) return "hit, in the middle";
   if (has_hit) return "hit, " + offset_text(right, up) + " of the middle";
-  return "missed by " + length_text(std::max(away - radius, 0.0)) + correction_text(right, up, distance);
+  return "missed by " + length_text(std::max(away - radius, 0.0)) +
+         text_of(change.value_or(AimChange{true, -std::atan2(up, distance), -std::atan2(right, distance)}));
+}
+
+std::optional<AimChange> aim_change(const TargetDisc& target, const Session& session, const Track& track) {
+  if (!track.shot || !(length(target.middle - track.samples.front().position) > 0)) return std::nullopt;
+  const Vec3d way = track.samples.front().velocity;
+  const double speed = length(way);
+  Launch launch = track.shot->launch;
+  if (speed > 0) {
+    launch.velocity.reset();
+    launch.speed = speed, launch.elevation = std::asin(way.y / speed), launch.azimuth = std::atan2(way.z, way.x);
+  }
+  AimOptions options;
+  options.tolerance = std::max(0.05 * target.radius, options.tolerance);
+  options.ground = session.ground();
+  options.flight = session.scenario().tolerance;
+  if (!session.scenario().world.given && options.flight.step == 0) options.flight.step = session.step_length();
+  const ProjectileDef& projectile = track.shot->projectile;
+  const Result<Aim> found = aim(projectile, launch, session.scenario().environment, projectile.fidelity,
+                                {.position = target.middle}, options);
+  if (!found) return std::nullopt;
+  if (!found->in_reach()) return AimChange{.is_in_reach = false};
+  std::optional<AimChange> best;
+  for (const auto& solution : {found->low, found->high}) {
+    if (!solution) continue;
+    const AimChange change{true, solution->launch.elevation - launch.elevation,
+                           std::remainder(solution->launch.azimuth - launch.azimuth, 2 * kPi)};
+    if (!best || std::abs(change.up) < std::abs(best->up)) best = change;
+  }
+  return best;
 }
 
 std::optional<TargetReport> report_of(const TargetDisc& target, const Session& session, const Track& track) {

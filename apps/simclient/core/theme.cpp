@@ -167,13 +167,11 @@ Colour over(Colour colour, Colour ground) {
   return out;
 }
 
-/// The ground of letters that is nearest to them. On buttons stand none but those of plain text.
+/// The ground of letters that is nearest to them.
 Colour worst_ground(const Theme& theme) {
-  const Colour scene = theme.is_light ? theme.ground : theme.horizon;
-  Colour worst = theme.panel;
-  for (const Colour each : {theme.popup, theme.field, theme.plot, over(theme.label, scene)})
-    if (theme.is_light ? luminance(each) < luminance(worst) : luminance(each) > luminance(worst)) worst = each;
-  return worst;
+  const auto grounds = grounds_of_letters(theme);
+  return theme.is_light ? *std::ranges::min_element(grounds, {}, luminance)
+                        : *std::ranges::max_element(grounds, {}, luminance);
 }
 
 Colour on_white(Colour colour) {
@@ -218,7 +216,33 @@ Colour ink(const Theme& theme, Colour colour) {
 }
 
 Colour letters(const Theme& theme, Colour colour) {
-  return readable(theme.is_light ? on_white(colour) : colour, worst_ground(theme), kLettersContrast);
+  static const auto kWorst = [] {
+    std::array<Colour, std::size(kThemes)> worst{};
+    std::ranges::transform(kThemes, worst.begin(), worst_ground);
+    return worst;
+  }();
+  const std::ptrdiff_t number = &theme - std::begin(kThemes);
+  PHYSIM_ASSERT(number >= 0 && number < std::ssize(kWorst));
+  return readable(theme.is_light ? on_white(colour) : colour, kWorst[static_cast<std::size_t>(number)],
+                  kLettersContrast);
 }
+
+std::array<Colour, 9> grounds_of_letters(const Theme& theme) {
+  constexpr double kMessages = 0.9;  // of the opacity of panels
+  const Colour scene = theme.is_light ? theme.ground : theme.horizon, faint = theme.is_light ? 0x00000008 : 0xFFFFFF08;
+  return {theme.panel,
+          over(faint, theme.panel),
+          theme.popup,
+          theme.bar,
+          theme.field,
+          theme.hovered,
+          theme.plot,
+          over(theme.label, scene),
+          over(faded(theme.panel, kMessages), scene)};
+}
+
+Colour grab(const Theme& theme) { return readable(theme.accent, letters(theme, colours::kText), kLettersContrast); }
+
+Colour selected_letters(const Theme& theme) { return over(faded(theme.accent, 0.3), theme.field); }
 
 }  // namespace physim::client

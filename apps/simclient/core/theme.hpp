@@ -39,7 +39,14 @@ struct Theme {
 [[nodiscard]] Colour readable(Colour colour, Colour ground, double wanted);
 /// A colour of lines and marks as a theme draws it: inks for dark grounds turn dark on light ones.
 [[nodiscard]] Colour ink(const Theme& theme, Colour colour);
-/// A colour of letters as a theme writes it on its panels.
+/// A colour of letters as a theme writes it on any of its grounds.
 [[nodiscard]] Colour letters(const Theme& theme, Colour colour);
+/// What letters of any colour stand on: panels, bars, fields, rows under the mouse, plots, and labels over the scene.
+/// On buttons, tabs and grabs stand letters of plain text alone.
+[[nodiscard]] std::array<Colour, 9> grounds_of_letters(const Theme& theme);
+/// The grab of a slider, under its value.
+[[nodiscard]] Colour grab(const Theme& theme);
+/// Letters that are selected stand on this, as part of a field.
+[[nodiscard]] Colour selected_letters(const Theme& theme);
 
 }  // namespace physim::client

@@ -9,6 +9,7 @@
 
 #include "physim/flight.hpp"
 #include "physim/world.hpp"
+#include "scenario/scenario.hpp"
 #include "simclient/core/bodies.hpp"
 #include "simclient/core/palette.hpp"
 
@@ -71,9 +72,10 @@ struct Track {
   std::optional<TrackSample> apex, impact;
   std::optional<double> burnout;  // of its motor, since launch [s]
   LifeStatus status = LifeStatus::in_flight;
-  bool by_hand = false;                 // fired by one, not by the scenario
-  bool edited = false;                  // something about it was changed while it flew
-  std::shared_ptr<const Flight> whole;  // computed before it is shown, and played; null: it flies in the world
+  bool by_hand = false;                      // fired by one, not by the scenario
+  std::shared_ptr<const ScenarioShot> shot;  // that was fired by hand; null: by the scenario
+  bool edited = false;                       // something about it was changed while it flew
+  std::shared_ptr<const Flight> whole;       // computed before it is shown, and played; null: it flies in the world
   std::shared_ptr<const std::vector<TrackSample>> path;  // of that, to its end
   std::size_t passed = 1;                                // samples of the path that it has passed
 

@@ -68,6 +68,7 @@ void draw_comparison(Client& client) {
   const ImGuiTableFlags flags = ImGuiTableFlags_RowBg | ImGuiTableFlags_BordersInnerV | ImGuiTableFlags_ScrollX |
                                 ImGuiTableFlags_ScrollY | ImGuiTableFlags_SizingFixedFit;
   if (!ImGui::BeginTable("rungs", 12, flags)) return;
+  ImGui::TableSetupScrollFreeze(1, 1);  // the name of a rung stays beside its figures
   headings({"rung", "why", "error [m]", "time error [s]", "farthest off [m]", "time [s]", "range [m]", "height [m]",
             "windage [m]", "at 60 Hz [m]", "ns per step", "granted instead"});
   const std::vector<ComparedRung>& rungs = client.comparison();

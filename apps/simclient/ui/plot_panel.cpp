@@ -1,5 +1,6 @@
 // Plots that grow while things fly.
 #include <algorithm>
+#include <cmath>
 
 #include "simclient/core/actions.hpp"
 #include "simclient/core/timeline.hpp"
@@ -222,9 +223,11 @@ void draw_plots(Client& client, bool bare) {
   if (!bare) draw_buttons(client);
   const float gap = ImGui::GetStyle().ItemSpacing.x;
   const auto count = static_cast<float>(client.plots.size());
-  const float even = (ImGui::GetContentRegionAvail().x - gap * (count - 1)) / count;
-  const float width = bare ? even : std::max(even, ImGui::GetFontSize() * 9);  // else the row is scrolled
-  ImGui::BeginChild("row", {0, 0}, false, width > even ? ImGuiWindowFlags_HorizontalScrollbar : 0);
+  const float room = ImGui::GetContentRegionAvail().x, least = ImGui::GetFontSize() * 9;
+  const float fit = std::max(std::floor((room + gap) / (least + gap)), 1.0F);
+  const float seen = bare ? count : std::min(count, fit);  // whole ones; the row is scrolled to the others
+  const float width = std::floor((room - gap * (seen - 1)) / seen);
+  ImGui::BeginChild("row", {0, 0}, false, seen < count ? ImGuiWindowFlags_HorizontalScrollbar : 0);
   for (std::size_t i = 0; i < client.plots.size(); ++i) {
     if (i > 0) ImGui::SameLine();
     ImGui::PushID(static_cast<int>(i));

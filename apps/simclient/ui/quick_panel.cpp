@@ -49,12 +49,8 @@ void draw_notes(Client& client) {
 void QuickPanel::draw(Client& client) {
   const float label = std::min(ImGui::GetFontSize() * 8.4F, ImGui::GetWindowWidth() * 0.5F);
   client.slide = 0;
-  ImVec4 grab = exact_tint(theme_in_use().accent);
-  grab.w = 0.5F;  // the value stands over it
-  ImGui::PushStyleColor(ImGuiCol_SliderGrab, grab);
   draw_accuracy(client, label);
   for (const QuickSetting& setting : quick_settings(client)) draw_slider(client, setting, label);
-  ImGui::PopStyleColor();
   draw_notes(client);
   ImGui::Dummy({0, ImGui::GetStyle().ItemSpacing.y});
 }

@@ -258,14 +258,16 @@ void draw_all_settling(const StudyResult& result, float width) {
 // --------------------------------------------------------------------------------------------------------- figures
 void draw_figures(const StudyResult& result) {
   if (!ImGui::BeginTable("figures", 3, ImGuiTableFlags_RowBg | ImGuiTableFlags_SizingFixedFit)) return;
+  ImGui::TableSetupColumn("what");
+  ImGui::TableSetupColumn("value");
+  ImGui::TableSetupColumn("error", ImGuiTableColumnFlags_WidthStretch);  // is wrapped where it has no room
   for (const StudyFigure& figure : figures_of(result)) {
     ImGui::TableNextRow();
     ImGui::TableNextColumn();
     ImGui::TextDisabled("%s", figure.what.c_str());
     cell("%s", figure.value.c_str());
     ImGui::TableNextColumn();
-    ImGui::TextDisabled("%s", figure.error.c_str());
-    tooltip(figure.error);  // its end may be clipped
+    coloured_text(colours::kDim, figure.error);
   }
   ImGui::EndTable();
 }

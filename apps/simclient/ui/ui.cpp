@@ -192,7 +192,8 @@ void Ui::draw_help(Client& client) {
   centre_window(layout_.scene, 560 * scale_, 620 * scale_);
   if (ImGui::Begin("Keys", &client.show.help, ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoSavedSettings)) {
     ImGui::TextWrapped(
-        "Left click: fires. Right drag: turns the view. Middle drag: moves it. Wheel: nearer, farther. "
+        "Left click: fires; selects, in a scenario that runs by itself. Right drag: turns the view. Middle drag: moves "
+        "it. Wheel: nearer, farther. "
         "Letters count in either case.");
     if (ImGui::BeginTable("keys", 2, ImGuiTableFlags_RowBg | ImGuiTableFlags_SizingFixedFit)) {
       ImGui::TableSetupColumn("key");
@@ -236,10 +237,16 @@ void Ui::draw_question(Client& client) {
     return ImGui::EndPopup();
   }
   ImGui::TextWrapped("%s", client.question->text.c_str());
+  const bool is_of_file = client.question->action->loss == Loss::file, can_save = client.question->can_save;
   const std::string yes = std::string(client.question->action->name) + " (Enter)";
-  if (ImGui::Button(yes.c_str())) answer(client, true);
-  ImGui::SameLine();
-  if (ImGui::Button("no (Esc)")) answer(client, false);
+  if (ImGui::Button(yes.c_str())) answer(client, Answer::yes);
+  if (can_save) {
+    const std::string saves = is_of_file ? "save as ..." : "save, then " + std::string(client.question->action->name);
+    go_beside(saves.c_str());
+    if (ImGui::Button(saves.c_str())) answer(client, Answer::save);
+  }
+  go_beside("no (Esc)");
+  if (client.question && ImGui::Button("no (Esc)")) answer(client, Answer::no);
   ImGui::EndPopup();
 }
 
@@ -258,6 +265,7 @@ std::vector<Ui::Item> Ui::status_items(Client& client) const {
                    is_slow ? colours::kWarning : colours::kText,
                    "seconds of simulation in a second; where two are shown the steps take too long for what is asked"});
   if (!session.is_replay()) {
+    if (!client.fires_by_click()) items.push_back({"", "Enter fires", colours::kDim, "a click selects", true});
     items.push_back({"shot", launcher.types()[launcher.type()].name, colours::kText, ""});
     items.push_back({"elevation", launcher.elevation_text(), colours::kText, ""});
     const Fidelity& wanted = launcher.shot().projectile.fidelity;
