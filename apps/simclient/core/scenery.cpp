@@ -242,7 +242,7 @@ class Gatherer final : public SceneCanvas {
   bool is_sensor_ = false, has_planes_ = false;
 };
 
-/// Of all sceneries: a renderer draws those of several clients, as the gallery's pictures are.
+/// A version that no scenery has had: one renderer draws the sceneries of the client and of the gallery's pictures.
 std::uint64_t next_version() {
   static std::atomic<std::uint64_t> last{0};
   return ++last;
