@@ -27,5 +27,13 @@ TEST(Scenery, PartsHaveTheColoursOfTheirMaterials) {
   EXPECT_EQ(edges.size(), 2u);
 }
 
+/// The renderer draws the sceneries of the gallery's pictures, too, and tells them apart by their versions.
+TEST(Scenery, HasAVersionThatNoOtherHas) {
+  physim::Scene scene;
+  ASSERT_TRUE(scene.add({.shape = scene.add_shape(BoxShape{}).value()}));
+  SceneryMaker one, other;
+  EXPECT_NE(one.make(&scene, 1, 0, 100).version, other.make(&scene, 1, 0, 100).version);
+}
+
 }  // namespace
 }  // namespace physim::client

@@ -211,7 +211,11 @@ Status choose_theme(Client& client, const std::string& name) {
   const std::span<const Theme> all = themes();
   const auto next = static_cast<std::size_t>(client.theme - all.data() + 1) % all.size();
   const Theme* wanted = name.empty() ? &all[next] : find_theme(name);
-  if (wanted != nullptr) return client.theme = wanted, Status();
+  if (wanted != nullptr) {
+    client.theme = wanted;
+    if (name.empty()) client.say("theme " + std::string(wanted->name) + ": " + std::string(wanted->doc));
+    return {};
+  }
   std::vector<std::string_view> names;
   for (const Theme& theme : all) names.push_back(theme.name);
   return Error{"there is no theme " + in_quotes(name), "", suggestion(name, names, "themes")};

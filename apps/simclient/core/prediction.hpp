@@ -21,7 +21,7 @@ struct Prediction {
   Apsides apsides;                // of the path over a round Earth
 };
 
-/// Of a flight that was computed whole. It is cut if nothing that the scenario asks for ends it.
+/// The prediction by a flight that was computed whole. It is cut if nothing that the scenario asks for ends it.
 [[nodiscard]] Prediction prediction_of(const Flight& flight, const Scenario& scenario);
 
 /// Predicts the shots of one session.
@@ -41,7 +41,7 @@ class Predictor {
 
   std::optional<World> world_;
   Snapshot empty_;  // of it, before anything is fired
-  // Of the last prediction:
+  // The last prediction:
   ProjectileId id_;
   double start_ = 0;         // of the world [s]
   std::uint64_t left_ = 0;   // steps up to the limit

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <atomic>
 #include <cmath>
 #include <map>
 #include <unordered_map>
@@ -241,12 +242,18 @@ class Gatherer final : public SceneCanvas {
   bool is_sensor_ = false, has_planes_ = false;
 };
 
+/// A version that no scenery has had: one renderer draws the sceneries of the client and of the gallery's pictures.
+std::uint64_t next_version() {
+  static std::atomic<std::uint64_t> last{0};
+  return ++last;
+}
+
 }  // namespace
 
 /// From where each thing was when all was made, so that no errors add up.
 void SceneryMaker::move_things(const physim::Scene& scene, double time) {
   time_ = time;
-  ++scenery_.version;
+  scenery_.version = next_version();
   for (const SceneryPart& part : parts_) {
     const std::optional<MotionState> now = scene.state(part.thing, time);
     if (!now) continue;
@@ -286,7 +293,7 @@ Colour colour_of_material(const std::string& name) {
 const Scenery& SceneryMaker::make(const physim::Scene* scene, std::uint64_t version, double time, double reach,
                                   std::optional<double> ground) {
   if (scene == nullptr) {
-    if (!scenery_.is_empty()) scenery_ = Scenery{.version = scenery_.version + 1};
+    if (!scenery_.is_empty()) scenery_ = Scenery{.version = next_version()};
     is_made_ = false;
     return scenery_;
   }
@@ -296,7 +303,7 @@ const Scenery& SceneryMaker::make(const physim::Scene* scene, std::uint64_t vers
     if (time_ != time && scene->has_motion()) move_things(*scene, time);
     return scenery_;
   }
-  scenery_ = Scenery{.version = scenery_.version + 1};
+  scenery_ = Scenery{.version = next_version()};
   is_made_ = true, made_at_ = version, changes_ = scene->changes(), time_ = time, reach_ = reach;
   Gatherer gatherer(*scene, time, ground, scenery_);
   scene->draw(gatherer, {.plane_faces = true, .time = time, .plane_size = reach});

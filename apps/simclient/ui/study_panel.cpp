@@ -260,14 +260,18 @@ void draw_figures(const StudyResult& result) {
   if (!ImGui::BeginTable("figures", 3, ImGuiTableFlags_RowBg | ImGuiTableFlags_SizingFixedFit)) return;
   ImGui::TableSetupColumn("what");
   ImGui::TableSetupColumn("value");
-  ImGui::TableSetupColumn("error", ImGuiTableColumnFlags_WidthStretch);  // is wrapped where it has no room
+  ImGui::TableSetupColumn("error", ImGuiTableColumnFlags_WidthStretch);  // has two lines where it has no room
   for (const StudyFigure& figure : figures_of(result)) {
     ImGui::TableNextRow();
     ImGui::TableNextColumn();
     ImGui::TextDisabled("%s", figure.what.c_str());
     cell("%s", figure.value.c_str());
     ImGui::TableNextColumn();
-    coloured_text(colours::kDim, figure.error);
+    std::string error = figure.error;
+    const std::size_t comma = error.find(", ");
+    if (comma != error.npos && ImGui::CalcTextSize(error.c_str()).x > ImGui::GetContentRegionAvail().x)
+      error[comma + 1] = '\n';
+    ImGui::TextDisabled("%s", error.c_str());
   }
   ImGui::EndTable();
 }
