@@ -34,6 +34,9 @@ class SeenRow final : public ContactHost {
     return *v - s.v;
   }
 
+  /// It lies on something when the step begins; known behind change().
+  [[nodiscard]] bool lies() const { return lies_; }
+
   [[nodiscard]] const Conditions<double>& conditions() const { return cohort_.conditions; }
   [[nodiscard]] const Scene* scene() const override { return cohort_.key.meets ? w_.state.scene.get() : nullptr; }
   [[nodiscard]] Precision precision() const override { return cohort_.key.fidelity.precision; }
@@ -60,6 +63,7 @@ class SeenRow final : public ContactHost {
     GroundContacts<SeenRow> ground(*this, w_.def.ground, parts);
     if (ground.is_met_at_start(s)) {
       if (w_.def.ground.mode != GroundMode::bounce) return std::nullopt;
+      lies_ = true;
       const auto after = ground.struck(s, ground.up_at(s.x), 0);
       using Then = GroundContacts<SeenRow>::Then;
       return after.then == Then::rolls ? std::optional(after.rolled.v) : std::nullopt;
@@ -67,6 +71,7 @@ class SeenRow final : public ContactHost {
     SceneContacts things(*this);
     const auto on = things ? things.lies_on(s, 0) : std::nullopt;
     if (!on) return std::nullopt;
+    lies_ = true;
     const SceneContacts::After after = things.goes_along(s, *on, 0);
     return after.then == SceneContacts::Then::lies ? std::optional(after.state.v) : std::nullopt;
   }
@@ -80,6 +85,7 @@ class SeenRow final : public ContactHost {
   double length_;
   std::optional<Vec3d> spin_;
   bool has_told_ = false;
+  bool lies_ = false;
 };
 
 }  // namespace
@@ -90,8 +96,11 @@ std::optional<Vec3d> acceleration_on_surface(const WorldImpl& world, const Slot&
   const Restored<const Gate*> asking(Gate::in_question, &world);  // an engine may be asked
   // What velocities are rounded to counts less over a longer time; what comes to a wall in it takes a shorter one.
   const bool is_float32 = world.registry.cohort(slot.cohort).key.fidelity.precision == Precision::float32;
-  for (const double length : {is_float32 ? 1e-2 : 1e-4, 1e-4, 1e-7})
-    if (const auto change = SeenRow(world, slot, body, free, length).change()) return *change * (1 / length);
+  for (const double length : {is_float32 ? 1e-2 : 1e-4, 1e-4, 1e-7}) {
+    SeenRow row(world, slot, body, free, length);
+    if (const auto change = row.change()) return *change * (1 / length);
+    if (!row.lies()) break;
+  }
   return std::nullopt;
 }
 
