@@ -28,7 +28,7 @@ void look(Prediction& prediction, const Event& event) {
 Prediction prediction_of(const Flight& flight, const Scenario& scenario) {
   Prediction prediction;
   if (flight.error()) return prediction.error = flight.error(), prediction;
-  prediction.path = samples_of(flight);
+  prediction.path = samples_of(flight, 0);  // enough for dots and an aim that is dragged
   prediction.muzzle = prediction.path.front().position;
   prediction.velocity = prediction.path.front().velocity;
   prediction.granted = flight.fidelity_in_use();

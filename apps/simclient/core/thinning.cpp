@@ -127,8 +127,8 @@ void add_sample(Track& track, const TrackSample& sample) {
   track.thinned = samples.size() - 1;
 }
 
-std::vector<TrackSample> samples_of(const Flight& flight) {
-  constexpr int kIntervals = 800, kRounds = 10;
+std::vector<TrackSample> samples_of(const Flight& flight, int rounds) {
+  constexpr int kIntervals = 800;
   report::Times times;
   for (int i = 0; i <= kIntervals; ++i) times.push_back(flight.duration() * i / kIntervals);
   std::vector<TrackSample> samples;
@@ -138,7 +138,7 @@ std::vector<TrackSample> samples_of(const Flight& flight) {
     samples.push_back(sample_of(flight, time));
     last = time;
   }
-  for (int i = 0; i < kRounds && samples.size() < kMostSamples; ++i)
+  for (int i = 0; i < rounds && samples.size() < kMostSamples; ++i)
     if (!refine(flight, samples)) break;
   return samples;
 }
