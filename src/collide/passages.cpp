@@ -19,11 +19,14 @@ double overhang(const SceneSegment& chord) {
   return way > 0 ? std::clamp(places / way, kLeast, kMost) : kMost;
 }
 
+/// No surface, but where the point is when its way begins. By which surface it leaves, has the mark too.
+bool begins_inside(const SceneHit& hit) { return hit.starts_inside && hit.entering; }
+
 /// Whether a place is inside of the body that a surface is of, by a cast that is always the same.
 bool is_inside(const Scene& scene, const SceneFilter& filter, const SceneHit& surface, const Vec3d& place,
                double time) {
   constexpr Vec3d kAside{1e-6, 6e-7, 3e-7};  // [m]
-  const auto begins_there = [&](const SceneHit& hit) { return hit.starts_inside && is_one_body(scene, hit, surface); };
+  const auto begins_there = [&](const SceneHit& hit) { return begins_inside(hit) && is_one_body(scene, hit, surface); };
   return std::ranges::any_of(scene.all_hits({place, place + kAside, 0, time, 0}, filter), begins_there);
 }
 
@@ -42,7 +45,7 @@ void join_parts(const Scene& scene, std::vector<SceneHit>& hits, double one) {
     const auto same = [&](const Body& body) { return is_one_body(scene, body.surface, hit); };
     auto body = std::ranges::find_if(bodies, same);
     if (body == bodies.end()) body = bodies.insert(bodies.end(), Body{hit});
-    if (hit.starts_inside) {
+    if (begins_inside(hit)) {
       ++body->depth;
     } else if (hit.entering) {
       const bool goes_on = body->depth == 0 && body->last_out < i && hit.part - hits[body->last_out].part <= one;
@@ -72,7 +75,7 @@ std::vector<SceneHit> passages(const Scene& scene, const SceneFilter& filter, co
   if (hits.empty()) return hits;
   join_parts(scene, hits, beyond);
   std::erase_if(hits, [&](SceneHit& hit) {
-    if (hit.starts_inside) return true;
+    if (begins_inside(hit)) return true;
     const double part = hit.part * whole - beyond;
     hit.part = std::clamp(part, 0.0, 1.0);
     // What lies on an end belongs to the chord before it if the place is behind the surface, and else to the next one.

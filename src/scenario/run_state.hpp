@@ -33,7 +33,7 @@ struct RunState {
   std::vector<ThingHit> thing_hits;
   std::vector<ProjectileId> lone;  // by shot: of those fired by themselves
   std::uint64_t launches = 0;
-  bool is_loaded = false;  // what was launched before the first step is still among its events
+  bool is_loaded = false;  // the launches of the next step are made
 };
 
 /// A run as bytes: its state and the save of its world, with what its world was made from.

@@ -56,7 +56,7 @@ Status WorldRun::Impl::load() {
   if (Status status = set_scene(); !status) return status;
   // Springs to a shot need it to exist; all other forces are added first, so that they act on what is fired.
   if (Status status = add_forces(false); !status) return status;
-  fire(0);
+  fire();
   const std::size_t known = world.events().size();
   if (Status status = add_emitters(); !status) return status;
   count(world.events().subspan(known));  // what they fired before the start
@@ -141,26 +141,22 @@ std::uint64_t WorldRun::Impl::steps() const {
 }
 
 // ------------------------------------------------------------------------------------------------------------- firing
-void WorldRun::Impl::fire(double within) {
-  for (Magazine& magazine : magazines) fire(magazine, within);
+void WorldRun::Impl::fire() {
+  for (Magazine& magazine : magazines) fire(magazine);
   std::erase_if(magazines, [](const Magazine& m) { return m.fired == static_cast<std::uint64_t>(m.volley.count); });
 }
 
-/// Launches what is due now or within a time [s], each at its own time.
-void WorldRun::Impl::fire(Magazine& magazine, double within) {
+void WorldRun::Impl::fire(Magazine& magazine) {
   const Volley& volley = magazine.volley;
-  const double now = world.time();
   const double slack = 1e-9 * scenario.world.def.step;  // a launch at 0.1 s belongs to the step that starts there
   PHYSIM_ASSERT(magazine.group < groups.size());
   WorldGroup& group = groups[magazine.group];
   while (magazine.fired < static_cast<std::uint64_t>(volley.count)) {
-    const double wait = volley.start + static_cast<double>(magazine.fired) * volley.interval - now;
-    if (wait > slack && wait >= within - slack) return;
-    const double delay = wait > slack ? wait : 0;
+    if (volley.start + static_cast<double>(magazine.fired) * volley.interval > world.time() + slack) return;
     const Launch launch = scattered(magazine.launch, volley, magazine.fired++);
     std::size_t known = world.events().size();
     if (known > kMostEventsOfCalls / 2) world.forget_events(), known = 0;  // they are counted
-    const Result<ProjectileId> spawned = world.spawn(group.kind, launch, delay);
+    const Result<ProjectileId> spawned = world.spawn(group.kind, launch);
     const std::span<const Event> news = world.events().subspan(known);
     if (!spawned) {
       if (group.refused++ == 0) group.refusal = spawned.error().message;
@@ -172,7 +168,7 @@ void WorldRun::Impl::fire(Magazine& magazine, double within) {
     const auto before = static_cast<std::size_t>(born - news.begin());
     count(news.first(before));  // it may have taken the place of another; that one's track ends here
     if (tracks.size() <= id.index) tracks.resize(id.index + std::size_t{1});
-    tracks[id.index] = {id.generation, {magazine.group, ++launches}, false, now + delay, launch.position};
+    tracks[id.index] = {id.generation, {magazine.group, ++launches}, false, world.time(), launch.position};
     count(news.subspan(before));
     if (volley.shot.empty()) lone[group.shot] = id;
   }
@@ -291,12 +287,14 @@ void WorldRun::Impl::look_at_wall(double dt) {
 }
 
 void WorldRun::Impl::step() {
-  if (!is_loaded) events.clear();
+  if (!is_loaded) {
+    events.clear();
+    fire();
+  }
   is_loaded = false;
-  const double dt = coming_step();
-  fire(dt);
   hits.clear();
   thing_hits.clear();
+  const double dt = coming_step();
   PHYSIM_ASSERT(dt > 0);
   world.step(dt);
   count(world.events());

@@ -161,7 +161,7 @@ class WorldRun {
   WorldRun& operator=(WorldRun&&) noexcept;
   ~WorldRun();
 
-  /// Fires what is due within one step and takes it. The last step within the scenario's duration ends with that.
+  /// Fires what is due and takes one step. The last step within the scenario's duration ends with that.
   void step();
   /// Steps within the scenario's duration.
   [[nodiscard]] std::uint64_t steps() const;

@@ -60,8 +60,8 @@ struct WorldRun::Impl : RunState {
   Status add_joints();
   [[nodiscard]] std::uint64_t steps() const;
   [[nodiscard]] double coming_step() const;
-  void fire(double within);
-  void fire(Magazine& magazine, double within);
+  void fire();
+  void fire(Magazine& magazine);
   void look_at_wall(double dt);
   void count(std::span<const Event> news);
   void touch(Track& track, WorldGroup& group, double time, const Vec3d& position, const Vec3d& velocity);

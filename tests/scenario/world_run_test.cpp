@@ -174,35 +174,6 @@ TEST(WorldRun, FiresOnTime) {
   EXPECT_GT(group.range.high, group.range.low);
 }
 
-/// Rounds every 0.11 s at 800 m/s, whatever the steps: x = 800 (t - 0.11 k).
-TEST(WorldRun, FiresBetweenStepsToo) {
-  for (const double step : {1.0 / 60, 0.1, 0.25, 1.0, 5.0}) {
-    WorldRun run = WorldRun::create(parsed("[[shot]]\nname = \"r\"\nspeed = 800\n"
-                                           "fidelity = { preset = \"arcade\", gravity = \"off\", precision = "
-                                           "\"float64\" }\n[[volley]]\nname = \"v\"\nshot = \"r\"\ncount = 5\n"
-                                           "interval = 0.11\n[world]\nduration = 1\nground = \"none\"\nwall = 400\n",
-                                           {"world.step=" + std::to_string(step)}))
-                       .value();
-    std::vector<double> launched, hit;
-    const auto take = [&] {
-      for (const RunEvent& each : run.events())
-        if (each.event.kind == EventKind::spawned) launched.push_back(each.event.time);
-      for (const WallHit& each : run.hits()) hit.push_back(each.time);
-    };
-    for (std::uint64_t i = 0; i < run.steps(); ++i) {
-      run.step();
-      take();
-    }
-    ASSERT_EQ(launched.size(), 5U) << step;
-    ASSERT_EQ(hit.size(), 5U) << step;
-    for (std::size_t k = 0; k < 5; ++k) {
-      EXPECT_NEAR(launched[k], 0.11 * static_cast<double>(k), 1e-12) << step;
-      EXPECT_NEAR(hit[k], launched[k] + 0.5, 1e-6) << step;
-    }
-    EXPECT_NEAR(run.world().time(), 1, 1e-12);
-  }
-}
-
 /// A duration that is no multiple of the step ends with a shorter one.
 TEST(WorldRun, EndsWhereItsDurationDoes) {
   for (const char* step : {"16.6666666666667 ms", "0.1 s", "10 s", "0.409 s"}) {
