@@ -123,7 +123,9 @@ Result<int> run(const AimCommand& command) {
   launch.sight = {};
   const Result<Aim> found = aim(shot.projectile, launch, asked->scenario.environment, shot.projectile.fidelity,
                                 target->target, target->options);
-  if (!found) return about(*asked, found.error());
+  if (!found)
+    return about(*asked, found.error(),
+                 {{"--tolerance", command.tolerance, "options.tolerance"}, {"--time", command.time, "options.time"}});
   Until until{.ground = target->options.ground};
   const bool are_one = found->low && found->high && found->low->time == found->high->time;
   for (const auto& solution : {found->low, are_one ? std::nullopt : found->high}) {

@@ -101,6 +101,15 @@ Result<std::optional<Vec3d>> option_vector(const char* option, const std::string
   return std::optional<Vec3d>({v[0], v[1], v[2]});
 }
 
+Error about(const AskedShot& asked, Error error, std::initializer_list<OptionOfError> options) {
+  for (const auto& [option, text, member] : options) {
+    if (text.empty() || error.place != member) continue;
+    error.place = option;
+    return error;
+  }
+  return about(asked, std::move(error));
+}
+
 Status give(const Question& question, const Answer& answer) {
   if (!question.json.empty())
     if (Status status = write_output(question.json, answer.json); !status) return status;

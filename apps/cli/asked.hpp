@@ -43,6 +43,15 @@ void warn_of_curve(const Scenario& scenario, const ScenarioShot& shot);
 [[nodiscard]] Result<std::optional<Vec3d>> option_vector(const char* option, const std::string& text,
                                                          Quantity quantity);
 
+/// An option, its value as it was given, and what an error of the library calls that.
+struct OptionOfError {
+  const char* option;
+  const std::string& text;
+  std::string_view member;
+};
+/// An error about a shot; one about the value of an option that was given names the option.
+[[nodiscard]] Error about(const AskedShot& asked, Error error, std::initializer_list<OptionOfError> options);
+
 /// Prints the text, or writes the JSON where that was asked for.
 [[nodiscard]] Status give(const Question& question, const Answer& answer);
 

@@ -27,25 +27,6 @@ struct FitData {
   FitUnits units;
 };
 
-/// A field of a line with the column where it starts, from 1.
-struct Field {
-  std::string text;
-  std::size_t column;
-};
-
-std::vector<Field> fields_of(const std::string& line) {
-  std::vector<Field> fields;
-  for (std::size_t from = 0; from <= line.size();) {
-    const std::size_t comma = std::min(line.find(',', from), line.size());
-    const std::string_view raw = std::string_view(line).substr(from, comma - from);
-    const std::string_view text = trimmed(raw);
-    const std::size_t skipped = text.empty() ? 0 : static_cast<std::size_t>(text.data() - raw.data());
-    fields.push_back({std::string(text), from + skipped + 1});
-    from = comma + 1;
-  }
-  return fields;
-}
-
 /// What a column holds.
 struct DataColumn {
   std::string_view name;
@@ -98,21 +79,21 @@ class Reader {
   }
 
   Status read_header(const std::string& line) {
-    for (const Field& field : fields_of(line)) {
+    for (const CsvField& field : csv_fields(line)) {
       const std::size_t bracket = field.text.find('[');
-      const std::string name(trimmed(std::string_view(field.text).substr(0, bracket)));
+      const std::string name(trimmed(field.text.substr(0, bracket)));
       const auto known = std::find(kNames.begin(), kNames.end(), name);
       if (known == kNames.end())
         return Error{.message = "unknown column " + in_quotes(name),
                      .place = place(field.column),
                      .hint = suggestion(name, kNames, "known columns")};
       DataColumn column{*known, kQuantities[known - kNames.begin()], ""};
-      if (bracket != std::string::npos) {
+      if (bracket != std::string_view::npos) {
         const std::size_t end = field.text.find(']', bracket);
-        if (end == std::string::npos)
+        if (end == std::string_view::npos)
           return Error{
               .message = "the unit has no closing bracket", .place = place(field.column), .hint = "write range [m]"};
-        column.unit = std::string(trimmed(std::string_view(field.text).substr(bracket + 1, end - bracket - 1)));
+        column.unit = std::string(trimmed(field.text.substr(bracket + 1, end - bracket - 1)));
         const std::string unit = "1 " + column.unit;
         Result<double> one = parse_quantity(unit, column.quantity);
         if (const auto angle = parse_quantity(unit, Quantity::angle); angle && name == "drop")
@@ -133,7 +114,7 @@ class Reader {
   }
 
   Status read_row(const std::string& line) {
-    const std::vector<Field> fields = fields_of(line);
+    const std::vector<CsvField> fields = csv_fields(line);
     if (fields.size() != columns_.size())
       return Error{.message = std::to_string(fields.size()) + " fields",
                    .place = place(1),
@@ -142,8 +123,9 @@ class Reader {
     for (std::size_t i = 0; i < fields.size(); ++i) {
       const DataColumn& column = columns_[i];
       if (fields[i].text.empty() && column.name != "range") continue;
-      const bool has_unit = fields[i].text.find_first_not_of("0123456789+-.eE") != std::string::npos;
-      const std::string text = has_unit || column.unit.empty() ? fields[i].text : fields[i].text + " " + column.unit;
+      const bool has_unit = fields[i].text.find_first_not_of("0123456789+-.eE") != std::string_view::npos;
+      std::string text(fields[i].text);
+      if (!has_unit && !column.unit.empty()) text += " " + column.unit;
       const Result<double> value = parse_quantity(text, column.quantity);
       if (!value || !std::isfinite(*value))
         return Error{.message = value ? "must be a finite number" : value.error().message,

@@ -30,7 +30,11 @@ Result<int> run(const MaxRangeCommand& command) {
   const double ground = scenario.until.ground.value_or(0);
   const auto far = max_range(shot.projectile, shot.launch, scenario.environment, shot.projectile.fidelity, ground,
                              slope->value_or(0));
-  if (!far) return about(*asked, far.error());
+  if (!far) {
+    Error error = far.error();
+    if (error.place == "slope") error.hint = "as in \"5 deg\"; a bare number is in radians";
+    return about(*asked, std::move(error), {{"--slope", command.slope, "slope"}});
+  }
   if (has_own_curve(shot.projectile)) {
     Launch launch = shot.launch;
     launch.sight = {};
@@ -60,7 +64,8 @@ Result<int> run(const DangerCommand& command) {
   warn_of_curve(flight);
   const auto space = command.terrain ? danger_space(flight, **range, **height, *ground, shot.body.collision.layers)
                                      : danger_space(flight, **range, **height);
-  if (!space) return about(*asked, space.error());
+  if (!space)
+    return about(*asked, space.error(), {{"--range", command.range, "range"}, {"--height", command.height, "height"}});
   return done(give(command.question, danger_space_answer(*asked, flight, **range, **height, *space, style_of(stdout))));
 }
 
@@ -72,7 +77,8 @@ void add_max_range_command(Command& program) {
   add_question_options(command, options->question);
   command.add_option("--slope", options->slope, "ANGLE", "How the ground rises in the direction of fire, as \"5 deg\"");
   command.footer(
-      "The ground is that of the scenario (until.ground), under the muzzle; without one it is at height 0.\n\n"
+      "The ground is that of the scenario (until.ground), under the muzzle; without one it is at height 0. Elevation "
+      "and sight\nof the shot, until.time, until.range and until.events are not read.\n\n"
       "Examples:\n"
       "  physim max-range scenarios/308_168gr_g7.toml\n"
       "  physim max-range scenarios/shot_put.toml --slope \"-3 deg\" --json -\n");

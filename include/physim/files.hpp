@@ -27,6 +27,7 @@ struct MotorFileEntry {
   double mass = 0;               ///< of the loaded motor [kg]
   std::string delays{};          ///< of the ejection charge, as written: "0-3-5-7" [-]
   std::string manufacturer{};    ///< [-]
+  std::size_t line = 0;          ///< of its header in the file, from 1 [-]
   std::optional<Error> fault{};  ///< why it cannot be flown, with file:line; nothing where it can [-]
 };
 
@@ -38,7 +39,8 @@ struct MotorFileEntry {
 [[nodiscard]] Result<std::vector<MotorFileEntry>> read_motor_file(const std::string& file);
 /// Reads motors from the text of a RASP file; `file` only names it in errors.
 [[nodiscard]] Result<std::vector<MotorFileEntry>> parse_motor_file(const std::string& text, const std::string& file);
-/// The motor of a name, or the only one where the name is empty; an error where it cannot be flown.
+/// The motor of a name ("C6"), of a maker and a name ("Estes C6"), or the only one where the name is empty. An error if
+/// it cannot be flown, or if several that differ have the name.
 [[nodiscard]] Result<MotorFileEntry> pick_motor(const std::vector<MotorFileEntry>& motors, const std::string& name,
                                                 const std::string& file);
 

@@ -3,10 +3,12 @@
 #include <cmath>
 
 #include "base/assert.hpp"
+#include "prepare/grant.hpp"
 #include "report/number.hpp"
 #include "report/table.hpp"
 #include "scenario/expectation.hpp"
 #include "scenario/names.hpp"
+#include "scenario/suggest.hpp"
 #include "scenario/units.hpp"
 
 namespace physim::report {
@@ -43,6 +45,20 @@ Check judged(const Expectation& expectation, const std::string& shot, Result<dou
   return {&expectation, shot, std::move(value), met};
 }
 
+namespace {
+/// Says that a flight ended before its motor burned, by another end than its time, which the scenario's notes tell.
+void note_unlit(const Scenario& scenario, const FlownShot& shot, std::vector<std::string>& notes) {
+  PHYSIM_ASSERT(shot.shot != nullptr);
+  const MotorDef& motor = shot.shot->projectile.motor;
+  if (motor.thrust.empty() || !flies_motors(shot.flight.fidelity_in_use().fidelity)) return;
+  const double end = shot.flight.duration();
+  if (motor.ignition_delay <= end || motor.ignition_delay >= scenario.until.time) return;
+  notes.push_back("the motor of shot " + in_quotes(shot.name) + " never burns: the flight ends after " +
+                  quantity_text(end, Quantity::time) + ", and shot.motor.ignition_delay is " +
+                  quantity_text(motor.ignition_delay, Quantity::time));
+}
+}  // namespace
+
 Status fly_all(FlownScenario& flown, const Progress& progress) {
   PHYSIM_ASSERT(flown.shots.empty());
   const Scenario& scenario = flown.scenario;
@@ -57,6 +73,7 @@ Status fly_all(FlownScenario& flown, const Progress& progress) {
     hits.push_back(flight_hits(scenario, shot, flight, *parts));
     flown.hits.insert(flown.hits.end(), hits.back().all.begin(), hits.back().all.end());
     flown.shots.push_back({shot.projectile.name, &shot, std::move(flight)});
+    note_unlit(scenario, flown.shots.back(), flown.notes);
     if (progress) progress(flown.shots.size(), scenario.shots.size());
   }
   PHYSIM_ASSERT(hits.size() == flown.shots.size());

@@ -76,7 +76,13 @@ void add_columns(JsonStream& out, const Records& records) {
     out.list(records.columns[i]);
     records.rows([&](Row row) {
       PHYSIM_ASSERT(row.size() == records.columns.size());
-      std::visit([&](const auto& value) { out.push(value); }, row[i]);
+      const auto push = [&]<class Value>(const Value& value) {
+        if constexpr (std::is_same_v<Value, std::monostate>)
+          out.push(nullptr);
+        else
+          out.push(value);
+      };
+      std::visit(push, row[i]);
     });
     out.close();
   }

@@ -16,6 +16,7 @@ std::string csv_field(std::string_view text) {
 }
 
 std::string csv_cell(const Cell& cell) {
+  if (std::holds_alternative<std::monostate>(cell)) return {};
   if (const auto* text = std::get_if<std::string_view>(&cell)) return csv_field(*text);
   if (const auto* number = std::get_if<double>(&cell)) return shortest(*number);
   return std::to_string(std::get<std::uint64_t>(cell));

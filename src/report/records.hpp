@@ -13,7 +13,8 @@
 
 namespace physim::report {
 
-using Cell = std::variant<std::string_view, double, std::uint64_t>;
+/// Text or a number; the first: there is none.
+using Cell = std::variant<std::monostate, std::string_view, double, std::uint64_t>;
 using Row = std::span<const Cell>;
 
 struct Records {

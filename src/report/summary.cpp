@@ -145,7 +145,7 @@ std::string shot_text(const FlownShot& flown, const Scenario& scenario, const St
   out += line("granted", in_words(in_use.fidelity));
   for (const FidelityNote& note : in_use.notes) out += line(style.warn("note"), note_text(note));
   for (const std::string& note : curve_notes(flight)) out += line(style.warn("note"), note);
-  out += range_card(flown, scenario.ranges.empty() ? default_ranges(flight.end().range) : scenario.ranges);
+  out += range_card(flown, ranges_of_card(scenario, flight));
   out += line(std::string(name(flight.outcome())), "at " + end_text(flight));
   const MotorDef& motor = flown.shot->projectile.motor;
   if (!motor.thrust.empty()) out += line("motor", motor_text(motor));
@@ -218,6 +218,10 @@ std::vector<double> default_ranges(double end_range) {
   PHYSIM_ASSERT(step > 0);
   for (int k = 1; k * step <= end_range && k <= 10; ++k) ranges.push_back(k * step);
   return ranges;
+}
+
+std::vector<double> ranges_of_card(const Scenario& scenario, const Flight& flight) {
+  return scenario.ranges.empty() ? default_ranges(flight.end().range) : scenario.ranges;
 }
 
 std::string checks_text(const std::vector<Check>& checks, const Style& style) {

@@ -31,5 +31,7 @@ namespace physim::report {
 
 /// Round ranges [m] for a range card of a flight that ends at this range [m].
 [[nodiscard]] std::vector<double> default_ranges(double end_range);
+/// The ranges [m] of a flight's card: output.ranges of its scenario, or else round ones.
+[[nodiscard]] std::vector<double> ranges_of_card(const Scenario& scenario, const Flight& flight);
 
 }  // namespace physim::report

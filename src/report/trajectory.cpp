@@ -8,6 +8,7 @@
 #include "base/event_table.hpp"
 #include "report/json.hpp"
 #include "report/number.hpp"
+#include "report/summary.hpp"
 #include "report/world_hits.hpp"
 
 namespace physim::report {
@@ -220,7 +221,7 @@ Content flights_json(const Flights& flights) {
       out.add({{"name", from.name}});
       out.add(flight_json(from.flight, from.shot->projectile.fidelity));
       out.add({{"assumed", assumed_json(flown, i)}});
-      out.add({{"range_card", range_card_json(from.flight, flown.scenario.ranges)}});
+      out.add({{"range_card", range_card_json(from.flight, ranges_of_card(flown.scenario, from.flight))}});
       out.object("trajectory");
       add_columns(out, columns_of(from.flight, times[i], with_jerk));
       out.close();

@@ -18,6 +18,7 @@
 #include "scenario/expectation.hpp"
 #include "scenario/names.hpp"
 #include "scenario/text_file.hpp"
+#include "scenario/thing_hits.hpp"
 
 namespace physim::report {
 namespace {
@@ -45,6 +46,7 @@ class Logger {
     log_.impacts.resize(groups);
     log_.hits.resize(groups);
     log_.alive.resize(groups);
+    passages_.resize(groups);
     drawn_.resize(groups);
     most_drawn_ = std::max<std::size_t>(kMostPaths / std::max<std::size_t>(groups, 1), 2);
     const double dt = run.scenario().world.def.step;
@@ -57,6 +59,7 @@ class Logger {
   /// Steps a run from its present step to the last one.
   Status run(const Progress& progress) {
     const std::uint64_t before = run_->world().counters().steps;
+    is_whole_ = before == 0;
     if (before > 0)
       meet_all();
     else
@@ -125,13 +128,20 @@ class Logger {
     for (const Expectation& expectation : log_.scenario.expect) {
       const auto check = [&](const WorldGroup& group) {
         if (has_figure(expectation, group))
-          log_.checks.push_back(judged(expectation, group.name, measure(group, expectation)));
+          log_.checks.push_back(judged(expectation, group.name, measure(group, passages_of(group), expectation)));
       };
       if (expectation.shot.empty())
         for (const WorldGroup& group : log_.groups) check(group);
       else if (const auto named = names.find(expectation.shot))
         check(log_.groups[*named]);
     }
+  }
+
+  /// Null where the run began before this.
+  [[nodiscard]] const Passages* passages_of(const WorldGroup& group) const {
+    const auto number = static_cast<std::size_t>(&group - log_.groups.data());
+    PHYSIM_ASSERT(number < passages_.size());
+    return is_whole_ ? &passages_[number] : nullptr;
   }
 
   /// Those that a save brought along.
@@ -234,6 +244,8 @@ class Logger {
     for (const ThingHit& hit : run_->thing_hits()) {
       if (options_.parts.hits || log_.thing_hits.size() < kShownHits) log_.thing_hits.push_back(hit);
       ++log_.thing_hit_count;
+      PHYSIM_ASSERT(hit.launched.group < passages_.size());
+      count_passage(passages_[hit.launched.group], hit, log_.scenario);
     }
   }
 
@@ -274,7 +286,9 @@ class Logger {
   std::vector<bool> met_;          // groups
   std::uint64_t sample_every_ = 1, draw_every_ = 1;
   bool is_saved_ = false;
-  bool is_again_ = false;  // it flies what was saved
+  bool is_again_ = false;           // it flies what was saved
+  std::vector<Passages> passages_;  // by group, of what was stepped here
+  bool is_whole_ = true;            // that is all from the start on
 };
 
 using Json = nlohmann::ordered_json;

@@ -116,7 +116,7 @@ Status check_hit_expectation(const ScenarioNames& names, const Expectation& expe
   const Figure* figure = find_figure(expect.quantity);
   PHYSIM_ASSERT(figure != nullptr);  // the reader knows no others
   if (figure->is_of_flights()) return {};
-  if (!has_things || figure->of_hits == nullptr)
+  if (!has_things || !figure->is_of_things())
     return Error{"expect.quantity: " + in_quotes(expect.quantity) + " is a figure of a [world]",
                  place_of(table, {"quantity"}), "write [world], and the shots fly in it"};
   if (expect.at == ExpectAt::end) return {};

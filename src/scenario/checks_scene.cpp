@@ -1,9 +1,11 @@
 // Checks of [[material]], [[shape]] and [[thing]]: by making the scene, so that errors have its line.
 #include <algorithm>
+#include <cmath>
 #include <filesystem>
 #include <set>
 
 #include "base/assert.hpp"
+#include "math/angles.hpp"
 #include "physim/environment.hpp"
 #include "physim/files.hpp"
 #include "scenario/checks.hpp"
@@ -73,6 +75,29 @@ Result<EarthFrames> frames_of(const Scenario& scenario) {
   return Error{"some shots fly over a sphere and others do not", "", "give all of them one fidelity.earth"};
 }
 
+/// How far a grid goes about a place on the side that it ends first; infinite if that is as far as was asked for, at a
+/// pole or once round the Earth.
+double reach_within(const GeodeticGrid& grid, const TerrainCut& cut) {
+  constexpr double kEarthRadius = 6371008.8, kQuarterTurn = kPi / 2;
+  PHYSIM_ASSERT(grid.rows >= 2 && grid.columns >= 2);
+  const double north = grid.latitude + (grid.rows - 1) * grid.latitude_step;
+  const double half = (grid.columns - 1) * grid.longitude_step / 2, parallel = std::max(std::cos(cut.latitude), 1e-6);
+  const double east = std::remainder(cut.longitude - grid.longitude - half, 2 * kPi);  // of the middle
+  double least = kInfinity;
+  // Points are the middles of cells, and of several points one may be taken.
+  const auto take = [&](double angle, double step, double metres) {
+    if ((angle + std::abs(step)) * metres < cut.reach) least = std::min(least, std::max(angle, 0.0) * metres);
+  };
+  if (north + grid.latitude_step < kQuarterTurn) take(north - cut.latitude, grid.latitude_step, kEarthRadius);
+  if (grid.latitude - grid.latitude_step > -kQuarterTurn)
+    take(cut.latitude - grid.latitude, grid.latitude_step, kEarthRadius);
+  if (2 * half + grid.longitude_step < 2 * kPi * (1 - 1e-9)) {
+    take(half + east, grid.longitude_step, kEarthRadius * parallel);
+    take(half - east, grid.longitude_step, kEarthRadius * parallel);
+  }
+  return least;
+}
+
 /// Terrain about the place of the environment.
 Status read_terrain(ScenarioShape& shape, const Scenario& scenario) {
   PHYSIM_ASSERT(is_mesh(shape) && !shape.terrain.empty());
@@ -84,6 +109,7 @@ Status read_terrain(ScenarioShape& shape, const Scenario& scenario) {
   if (!grid) return grid.error();
   shape.impossible = grid->impossible;
   shape.impossible_height = grid->impossible_height;
+  if (std::isfinite(shape.cut.reach)) shape.reached = reach_within(*grid, shape.cut);
   Result<MeshShape> mesh = terrain_mesh(*grid, *frames);
   if (!mesh) return mesh.error();
   shape.shape = std::move(*mesh);
@@ -227,7 +253,7 @@ Status check_thing_expectation(const ScenarioNames& names, const Expectation& ex
                  suggestion(expect.thing, names.things.all(), "things")};
   const Figure* figure = find_figure(expect.quantity);
   PHYSIM_ASSERT(figure != nullptr);  // the reader knows no others
-  if (figure->of_hits != nullptr) return {};
+  if (figure->is_of_things()) return {};
   return Error{"expect.quantity: " + in_quotes(expect.quantity) + " is no figure of hits",
                place_of(table, {"quantity"}), suggestion(expect.quantity, hit_figure_names(), "of hits there are")};
 }

@@ -160,7 +160,7 @@ Status check_group_expectation(const ScenarioNames& names, const Expectation& ex
   if (figure->is_of_emitters && !has_emitter)
     return Error{"expect.quantity: " + in_quotes(expect.quantity) + " is a figure of emitters",
                  place_of(table, {"quantity"}), has_any ? "name one as expect.shot" : "there is no [[emitter]]"};
-  if (figure->of_group == nullptr && figure->of_hits == nullptr)
+  if (!figure->is_of_worlds())
     return Error{"expect.quantity: " + in_quotes(expect.quantity) + " is a figure of single flights",
                  place_of(table, {"quantity"}),
                  suggestion(expect.quantity, group_figure_names(), "in a world there are")};

@@ -77,6 +77,10 @@ constexpr Figure of_hits(std::string_view name, Quantity quantity, OfHits measur
   return {name, quantity, nullptr, nullptr, nullptr, nullptr, measure};
 }
 
+constexpr Figure of_passages(std::string_view name) {
+  return {.name = name, .quantity = Quantity::number, .is_of_passages = true};
+}
+
 /// A count that emitters alone have.
 template <std::uint64_t EmitterCounts::*count>
 Amount emitted(const WorldGroup& g) {
@@ -176,6 +180,7 @@ constexpr Figure kFigures[] = {
     of_hits("hit_speed_after", Quantity::speed, hits_part<&ThingHits::speed_after>),
     of_hits("hit_obliquity", Quantity::angle, hits_part<&ThingHits::obliquity>),
     of_hits("hit_depth", Quantity::length, hits_part<&ThingHits::depth>),
+    of_passages("passages"),
     // Figures of emitters; refused, landed, expired and alive are those of groups.
     of_emitters("born", emitted<&EmitterCounts::born>),
     of_emitters("aged", emitted<&EmitterCounts::aged>),
@@ -210,11 +215,11 @@ std::vector<std::string_view> names_where(const Is& is) {
 }  // namespace
 
 std::vector<std::string_view> group_figure_names() {
-  return names_where([](const Figure& f) { return f.of_group != nullptr || f.of_hits != nullptr; });
+  return names_where([](const Figure& f) { return f.is_of_worlds(); });
 }
 
 std::vector<std::string_view> hit_figure_names() {
-  return names_where([](const Figure& f) { return f.of_hits != nullptr; });
+  return names_where([](const Figure& f) { return f.is_of_things(); });
 }
 
 const Figure* find_figure(std::string_view name) {

@@ -10,8 +10,8 @@
 namespace physim {
 
 /// A figure: of a flight at one time, by its sample, by its place on the Earth or by more of the flight; of a flight as
-/// a whole if it is none of these; and of a group of projectiles at the end of a world's run, or of its hits on
-/// things.
+/// a whole if it is none of these; and of a group of projectiles at the end of a world's run, of its hits on things, or
+/// of what it passed.
 struct Figure {
   std::string_view name;
   Quantity quantity;
@@ -21,9 +21,12 @@ struct Figure {
   std::optional<double> (*of_moment)(const Flight&, const Sample&) = nullptr;  // nothing: rotation was not flown
   std::optional<double> (*of_hits)(const ThingHits&) = nullptr;                // nothing: nothing there to measure
   bool is_of_emitters = false;                                                 // of groups, those that emitters fire
+  bool is_of_passages = false;                                                 // Passages::of()
 
+  [[nodiscard]] bool is_of_things() const { return of_hits != nullptr || is_of_passages; }
+  [[nodiscard]] bool is_of_worlds() const { return of_group != nullptr || is_of_things(); }
   [[nodiscard]] bool is_of_flights() const {
-    return value != nullptr || place != nullptr || of_moment != nullptr || (of_group == nullptr && of_hits == nullptr);
+    return value != nullptr || place != nullptr || of_moment != nullptr || !is_of_worlds();
   }
 };
 

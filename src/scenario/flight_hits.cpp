@@ -51,6 +51,7 @@ FlightHits flight_hits(const Scenario& scenario, const ScenarioShot& shot, const
     if (hit != nullptr) count_hit(out.on_things, out.by_thing, *hit, scenario);
   }
   drop_contacts(out.all);
+  for (const ThingHit& hit : out.all) count_passage(out.passages, hit, scenario);
   return out;
 }
 

@@ -75,15 +75,23 @@ Result<double> measure(const Flight& flight, const Expectation& expectation) {
 Result<double> measure(const Flight& flight, const FlightHits& hits, const Expectation& expectation) {
   const IeeeMode mode;
   const Figure* figure = find_figure(expectation.quantity);
+  if (figure != nullptr && figure->is_of_passages) return static_cast<double>(hits.passages.of(expectation.thing));
   if (figure == nullptr || figure->is_of_flights() || figure->of_hits == nullptr) return measure(flight, expectation);
   if (const auto value = figure->of_hits(hits_on(hits, expectation.thing))) return *value;
   return Error{"there is no hit to measure", expectation.place, "its count is zero"};
 }
 
+Result<double> measure(const WorldGroup& group, const Passages* passages, const Expectation& expectation) {
+  const Figure* figure = find_figure(expectation.quantity);
+  if (figure == nullptr || !figure->is_of_passages) return measure(group, expectation);
+  if (passages != nullptr) return static_cast<double>(passages->of(expectation.thing));
+  return Error{"passages before the save are not known", expectation.place, "run the world from its start"};
+}
+
 Result<double> measure(const WorldGroup& group, const Expectation& expectation) {
   const IeeeMode mode;
   const Figure* figure = find_figure(expectation.quantity);
-  if (figure == nullptr || (figure->of_group == nullptr && figure->of_hits == nullptr))
+  if (figure == nullptr || !figure->is_of_worlds())
     return Error{in_quotes(expectation.quantity) + " is no figure of a world", expectation.place,
                  suggestion(expectation.quantity, group_figure_names(), "known are")};
   const bool of_hits = figure->of_group == nullptr || !expectation.thing.empty();

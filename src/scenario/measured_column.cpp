@@ -14,29 +14,6 @@ namespace {
 
 constexpr std::uintmax_t kLargestFile = 64 << 20;
 
-std::string_view without_quotes(std::string_view field) {
-  field = trimmed(field);
-  if (field.size() >= 2 && field.front() == '"' && field.back() == '"')
-    field = trimmed(field.substr(1, field.size() - 2));
-  return field;
-}
-
-/// Commas within quotes part nothing.
-std::size_t end_of_field(std::string_view line, std::size_t from) {
-  bool quoted = false;
-  for (; from < line.size() && (quoted || line[from] != ','); ++from) quoted = quoted != (line[from] == '"');
-  return from;
-}
-std::vector<std::string_view> fields_of(std::string_view line) {
-  std::vector<std::string_view> fields;
-  for (std::size_t from = 0; from <= line.size();) {
-    const std::size_t at = end_of_field(line, from);
-    fields.push_back(without_quotes(line.substr(from, at - from)));
-    from = at + 1;
-  }
-  return fields;
-}
-
 /// "speed [ft/s]" in two.
 struct Head {
   std::string_view name, unit;
@@ -51,16 +28,15 @@ struct CsvColumn {
   std::size_t index;
   std::string unit;
 };
-Result<CsvColumn> column_of(const std::vector<std::string_view>& heads, std::string_view column,
-                            const std::string& place) {
+Result<CsvColumn> column_of(const std::vector<CsvField>& heads, std::string_view column, const std::string& place) {
   std::vector<std::string_view> names;
-  for (const std::string_view head : heads) names.push_back(head_of(head).name);
+  for (const CsvField& head : heads) names.push_back(head_of(head.text).name);
   const auto at = std::ranges::find(names, column);
   if (at == names.end())
     return Error{"no column is called " + in_quotes(column), place, suggestion(column, names, "its columns are")};
   const auto index = static_cast<std::size_t>(at - names.begin());
   PHYSIM_ASSERT(index < heads.size());
-  return CsvColumn{index, std::string(head_of(heads[index]).unit)};
+  return CsvColumn{index, std::string(head_of(heads[index].text).unit)};
 }
 
 /// A number with its unit, which stands behind it or in the head of its column.
@@ -90,15 +66,15 @@ Result<std::vector<double>> read_measured_column(const std::string& file, std::s
     from = at + 1;
     const std::string place = file + ":" + std::to_string(++line_number);
     if (line.empty() || line.front() == '#') continue;
-    const auto fields = fields_of(line);
+    const auto fields = csv_fields(line);
     if (!wanted) {
       const auto found = column_of(fields, column, place);
       if (!found) return found.error();
       wanted = *found;
       continue;
     }
-    if (wanted->index >= fields.size() || fields[wanted->index].empty()) continue;
-    const std::string field(fields[wanted->index]);
+    if (wanted->index >= fields.size() || fields[wanted->index].text.empty()) continue;
+    const std::string field(fields[wanted->index].text);
     const auto number = number_of(field, wanted->unit, quantity, measured);
     if (!number) return Error{number.error().message, place, number.error().hint};
     if (!std::isfinite(*number)) return Error{in_quotes(field) + " is not a finite number", place, ""};

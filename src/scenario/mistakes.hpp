@@ -30,6 +30,7 @@ class Mistakes {
     if (std::ranges::none_of(all_, is_same)) all_.push_back(error);
   }
   [[nodiscard]] bool empty() const { return all_.empty(); }
+  [[nodiscard]] std::size_t count() const { return all_.size(); }
   /// True if there are more errors than the report shows.
   [[nodiscard]] bool is_full() const { return all_.size() > kMost; }
 

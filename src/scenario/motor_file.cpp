@@ -92,6 +92,7 @@ class MotorReader {
     PHYSIM_ASSERT(!words.empty());
     MotorFileEntry& entry = motors_.emplace_back();
     entry.motor.name = words[0];
+    entry.line = line_;
     open_ = true;
     if (words.size() != kHeader) return no_header(words);
     entry.delays = words[3];
@@ -163,6 +164,24 @@ Result<MotorFileEntry> sound_only(const MotorFileEntry& entry) {
   return entry;
 }
 
+std::string with_maker(const MotorFileEntry& entry) { return entry.manufacturer + " " + entry.motor.name; }
+
+/// Copies of one motor are no two.
+bool is_copy(const MotorFileEntry& a, const MotorFileEntry& b) {
+  return a.motor == b.motor && a.manufacturer == b.manufacturer && a.mass == b.mass && !a.fault && !b.fault;
+}
+
+Error named_twice(const MotorFileEntry& first, const MotorFileEntry& other, const std::string& name,
+                  const std::string& file) {
+  PHYSIM_ASSERT(first.line < other.line);
+  const bool differs = first.manufacturer != other.manufacturer;
+  return Error{"two motors are named " + in_quotes(name) + ", in lines " + std::to_string(first.line) + " and " +
+                   std::to_string(other.line),
+               file,
+               differs ? "name its maker, too: " + in_quotes(with_maker(first)) + " or " + in_quotes(with_maker(other))
+                       : "take one of them out of the file"};
+}
+
 }  // namespace
 
 Result<MotorFileEntry> pick_motor(const std::vector<MotorFileEntry>& motors, const std::string& name,
@@ -170,8 +189,13 @@ Result<MotorFileEntry> pick_motor(const std::vector<MotorFileEntry>& motors, con
   if (name.empty() && motors.size() == 1) return sound_only(motors.front());
   std::vector<std::string_view> names;
   for (const MotorFileEntry& entry : motors) names.push_back(entry.motor.name);
-  for (const MotorFileEntry& entry : motors)
-    if (entry.motor.name == name) return sound_only(entry);
+  const MotorFileEntry* found = nullptr;
+  for (const MotorFileEntry& entry : motors) {
+    if (entry.motor.name != name && with_maker(entry) != name) continue;
+    if (found != nullptr && !is_copy(*found, entry)) return named_twice(*found, entry, name, file);
+    if (found == nullptr) found = &entry;
+  }
+  if (found != nullptr) return sound_only(*found);
   if (name.empty())
     return Error{"there are " + std::to_string(motors.size()) + " motors in it", file,
                  suggestion("", names, "name one of them")};

@@ -9,6 +9,7 @@
 #include "model/sight.hpp"
 #include "physim/names.hpp"
 #include "scenario/checks.hpp"
+#include "scenario/expectation.hpp"
 #include "scenario/suggest.hpp"
 #include "scenario/units.hpp"
 #include "scenario/unread.hpp"
@@ -33,6 +34,8 @@ class Notes {
       of_emitter(scenario_.emitters[i], element(document_, "emitter", i));
     for (std::size_t i = 0; i < scenario_.shapes.size(); ++i)
       of_shape(scenario_.shapes[i], element(document_, "shape", i));
+    for (std::size_t i = 0; i < scenario_.expect.size(); ++i)
+      of_expectation(scenario_.expect[i], element(document_, "expect", i));
   }
 
  private:
@@ -86,25 +89,47 @@ class Notes {
   }
 
   void of_shot(const ScenarioShot& shot, const Value& table) {
-    if (scenario_.world.given && !emitter_alone_of(scenario_, shot.projectile.name)) of_beginning(shot, table);
+    const bool is_world = scenario_.world.given;
+    if (!is_world || !emitter_alone_of(scenario_, shot.projectile.name)) of_ground(shot, table);
+    if (is_world && !emitter_alone_of(scenario_, shot.projectile.name)) of_beginning(shot, table);
     of_numbers(shot, table);
+    of_sight(shot, table);
+    of_drag(shot.projectile, table);
+    of_ignition(shot, table);
     of_motor(shot, table);
   }
 
-  /// Adds a note if a shot of a world begins where it ends at once: below the ground, or by a rule of despawning.
-  void of_beginning(const ScenarioShot& shot, const Value& table) {
+  static std::string begins_below(double height) {
+    return "it begins at a height of " + quantity_text(height, Quantity::length) + ", below ";
+  }
+
+  /// Adds a note if a shot begins below the ground that ends its flight. The ground stops what sinks.
+  void of_ground(const ScenarioShot& shot, const Value& table) {
     const Ground& ground = scenario_.world.def.ground;
+    const bool is_world = scenario_.world.given,
+               ends = ground.mode == GroundMode::land || ground.mode == GroundMode::stick;
+    const std::optional<double> level = !is_world ? scenario_.until.ground
+                                        : ends    ? std::optional(ground.height)
+                                                  : std::nullopt;
+    const Launch& launch = shot.launch;
+    if (!level || !(launch.position.y < *level)) return;
+    const double climb = launch.velocity ? launch.velocity->y : launch.speed * sincos(launch.elevation).sin;
+    const bool may_rise = launch.sight.zero_range > 0 || !shot.projectile.motor.thrust.empty();
+    std::string what = "and has landed there";
+    if (climb > 0) what = "and rises through it; it lands where it sinks to the ground or below it";
+    if (!(climb > 0) && may_rise) what = "and lands at once unless it rises";
+    note(table, "shot", {},
+         begins_below(launch.position.y) + (is_world ? "world.ground.height = " : "until.ground = ") +
+             quantity_text(*level, Quantity::length) + ", " + what);
+  }
+
+  /// Adds a note if a shot of a world ends at once by a rule of despawning.
+  void of_beginning(const ScenarioShot& shot, const Value& table) {
     const DespawnRules& rules = shot.body.despawn;
     const double height = shot.launch.position.y, speed = launch_speed(shot.launch);
-    const std::string begins = "it begins at a height of " + quantity_text(height, Quantity::length) + ", below ";
-    const bool ends_flights = ground.mode == GroundMode::land || ground.mode == GroundMode::stick;
-    if (ends_flights && height < ground.height)
-      note(table, "shot", {},
-           begins + "world.ground.height = " + quantity_text(ground.height, Quantity::length) +
-               ", and has landed there");
     if (height < rules.below)
       note(table, "shot", {},
-           begins + "shot.body.despawn.below = " + quantity_text(rules.below, Quantity::length) +
+           begins_below(height) + "shot.body.despawn.below = " + quantity_text(rules.below, Quantity::length) +
                ", and leaves at once");
     if (speed < rules.slower)
       note(table, "shot", {},
@@ -127,14 +152,59 @@ class Notes {
                quantity_text(held, Quantity::force) + "; the rocket stays where it is");
   }
 
+  /// Adds a note if the run ends before a motor burns.
+  void of_ignition(const ScenarioShot& shot, const Value& table) {
+    const MotorDef& motor = shot.projectile.motor;
+    const bool is_world = scenario_.world.given;
+    const double end = is_world ? scenario_.world.duration : scenario_.until.time;
+    double launched = kInfinity;  // for the first time
+    for (const Volley& volley : scenario_.volleys)
+      if (volley.shot == shot.projectile.name) launched = std::min(launched, volley.start);
+    if (!std::isfinite(launched)) launched = 0;
+    if (motor.thrust.empty() || launched + motor.ignition_delay < end) return;
+    note(table, "shot", {"motor", "ignition_delay"},
+         quantity_text(motor.ignition_delay, Quantity::time) + ", and " + (is_world ? "world.duration" : "until.time") +
+             " = " + quantity_text(end, Quantity::time) + ": the motor never burns");
+  }
+
+  void of_sight(const ScenarioShot& shot, const Value& table) {
+    constexpr double kHighest = 1;  // above a bore [m]
+    const double height = shot.launch.sight.height;
+    if (std::abs(height) > kHighest)
+      unusual(table, "shot", {"sight", "height"}, quantity_text(height, Quantity::length),
+              "sights of rifles stand 3 to 10 cm above the bore, as \"1.5 in\"");
+  }
+
+  /// Adds a note for each ballistic coefficient that mass and diameter cannot give.
+  void of_drag(const ProjectileDef& p, const Value& table) {
+    if (!(p.diameter > 0) || !is_given(table, {"drag"})) return;
+    const double sectional_density = p.mass / (p.diameter * p.diameter);
+    const auto judge = [&](Path path, double coefficient) {
+      constexpr double kHigh = 1406, kLeastFactor = 0.3, kMostFactor = 30;  // 2 lb/in^2 [kg/m^2]; of shapes [-]
+      const double factor = sectional_density / coefficient;
+      if ((coefficient > kHigh && factor < kLeastFactor) || factor > kMostFactor)
+        unusual(table, "shot", path, quantity_text(coefficient, Quantity::ballistic_coefficient),
+                "with this mass and diameter the form factor is " + number_text(std::round(1e4 * factor) / 1e4) +
+                    ", and bullets have 0.8 to 2; as \"0.223 lb/in^2\"");
+    };
+    if (p.drag.ballistic_coefficient > 0) judge({"drag", "ballistic_coefficient"}, p.drag.ballistic_coefficient);
+    for (const BallisticBand& band : p.drag.bands) judge({"drag", "bands"}, band.ballistic_coefficient);
+  }
+
   void of_numbers(const ScenarioShot& shot, const Value& table) {
     const ProjectileDef& p = shot.projectile;
     constexpr double kFastest = 1e5;  // of what Newton's mechanics and drag tables are for [m/s]
+    constexpr double kFastestBullet = 2000, kWidestBullet = 0.02;  // [m/s], [m]
+    const bool has_curve_of_bullets = p.drag.ballistic_coefficient > 0 || !p.drag.bands.empty() || p.twist != 0;
+    const bool is_bullet = has_curve_of_bullets && p.diameter < kWidestBullet;
     for (const std::string_view key : {"speed", "velocity"}) {
       const double speed = shot.launch.velocity ? length(*shot.launch.velocity) : shot.launch.speed;
       if (speed > kFastest)
         unusual(table, "shot", {key}, quantity_text(speed, Quantity::speed),
                 "guns reach 3 km/s and meteors 72 km/s, and there is no relativity here");
+      else if (speed > kFastestBullet && is_bullet)
+        unusual(table, "shot", {key}, quantity_text(speed, Quantity::speed),
+                "bullets of rifles have 300 to 1400 m/s, as \"2600 ft/s\"");
     }
     // A cylinder of lead of this mass and diameter would be so many calibres long.
     constexpr double kLead = 11340, kLongest = 60;
@@ -179,12 +249,44 @@ class Notes {
                " of the past are not flown");
   }
 
+  /// Whether a shot is of those that an expectation asks about: by its own name, or by a volley or an emitter.
+  [[nodiscard]] bool is_asked_about(const ScenarioShot& shot, const std::string& group) const {
+    const std::string& name = shot.projectile.name;
+    const auto fires = [&](const auto& each) { return each.name == group && each.shot == name; };
+    const auto emits = [&](const ScenarioEmitter& each) { return each.def.name == group && each.shot == name; };
+    return group.empty() || group == name || std::ranges::any_of(scenario_.volleys, fires) ||
+           std::ranges::any_of(scenario_.emitters, emits);
+  }
+
+  /// Adds a note if an expectation asks for hits on what is only passed: there is none.
+  void of_expectation(const Expectation& expect, const Value& table) {
+    const Figure* figure = find_figure(expect.quantity);
+    PHYSIM_ASSERT(figure != nullptr);  // the reader knows no others
+    if (expect.thing.empty() || figure->of_hits == nullptr) return;
+    const bool is_sensor = std::ranges::all_of(
+        scenario_.things, [&](const ScenarioThing& thing) { return thing.name != expect.thing || thing.sensor; });
+    const bool passes = std::ranges::all_of(scenario_.shots, [&](const ScenarioShot& shot) {
+      return !is_asked_about(shot, expect.shot) || shot.body.collision.on_hit == OnHit::pass;
+    });
+    if (!is_sensor && !passes) return;
+    note(table, "expect", {"quantity"},
+         in_quotes(expect.quantity) + " is of hits, and " +
+             (is_sensor ? "the sensor " + in_quotes(expect.thing) + " is passed without one"
+                        : "shots with on_hit = \"pass\" have none") +
+             ": \"passages\" counts ways into it");
+  }
+
   void of_shape(const ScenarioShape& shape, const Value& table) {
     if (shape.impossible > 0)
       note(table, "shape", {"mesh", "missing"},
            "it replaces a height of " + quantity_text(shape.impossible_height, Quantity::length) +
                ", which no ground has" +
                (shape.impossible == 1 ? "" : ", and " + std::to_string(shape.impossible - 1) + " more such heights"));
+    if (std::isfinite(shape.reached))
+      note(table, "shape", {"mesh", "reach"},
+           quantity_text(shape.cut.reach, Quantity::length) + ", and on one side the file ends " +
+               quantity_text(std::round(shape.reached), Quantity::length) +
+               " from environment.earth.latitude and longitude; there is no ground beyond");
     const bool is_picture = std::holds_alternative<HeightFieldShape>(shape.shape) && !shape.file.empty();
     if (is_picture && shape.low >= shape.high)
       note(table, "shape", {"height_field", "low"},

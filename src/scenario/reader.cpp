@@ -438,6 +438,13 @@ Status read_setting(const SchemaNode& node, const Scope& scope, const Value& val
 }
 
 // -------------------------------------------------------------------------------------------------------------- tables
+std::string hint_of_key(std::string_view table, std::string_view key) {
+  static constexpr std::string_view kWind[] = {"speed", "from", "direction", "angle", "azimuth", "bearing", "heading"};
+  if (table != "environment.wind" || std::ranges::find(kWind, key) == std::end(kWind)) return {};
+  return "wind is a velocity of x downrange, y up, z right: velocity = [0, 0, \"-5 m/s\"] comes from the right with "
+         "5 m/s; only inputs of studies have speed and from";
+}
+
 namespace {
 
 std::string table_name(const SchemaNode& node) { return node.name.empty() ? "the file" : "[" + node.name + "]"; }
@@ -452,6 +459,8 @@ const SchemaNode* parent_of_key(const SchemaNode& node, std::string_view key) {
 }
 
 Error unknown_key(const SchemaNode& node, const Member& member) {
+  if (std::string hint = hint_of_key(node.path, member.key); !hint.empty())
+    return {"unknown key " + in_quotes(member.key) + " in " + table_name(node), member.key_place.text(), hint};
   std::vector<std::string_view> names;
   for (const SchemaNode& child : node.children) names.push_back(child.name);
   std::string hint = suggestion(member.key, names, "known keys");
@@ -479,6 +488,16 @@ void read_child(const SchemaNode& child, const Scope& scope, const Value& value,
   read_setting_into(*shorthand, scope, value, mistakes);
 }
 
+bool is_choice(const SchemaNode& node, const Scope& scope) {
+  return node.entry != nullptr && std::holds_alternative<Choice>(node.entry->slot(scope));
+}
+bool has_all_choices(const SchemaNode& node, const Scope& scope, const Value& table) {
+  return std::ranges::none_of(node.children, [&](const SchemaNode& child) {
+    return child.entry != nullptr && child.entry->required && table.find(child.name) == nullptr &&
+           is_choice(child, scope);
+  });
+}
+
 void read_table_into(const SchemaNode& node, const Scope& scope, const Value& value, Mistakes& mistakes) {
   const Table* table = value.get<Table>();
   if (table == nullptr) return mistakes.take(not_a_table(node, value));
@@ -493,7 +512,17 @@ void read_table_into(const SchemaNode& node, const Scope& scope, const Value& va
   }
   std::ranges::sort(given);
   PHYSIM_ASSERT(std::ranges::adjacent_find(given, {}, [](const auto& each) { return each.first; }) == given.end());
-  for (const auto& [child, found] : given) read_child(*child, scope, *found, mistakes);
+  const auto goes_by_another = [](const SchemaNode& child) {
+    return child.entry != nullptr && child.entry->quantity_by != nullptr;
+  };
+  const bool has_such = std::ranges::any_of(given, [&](const auto& each) { return goes_by_another(*each.first); });
+  bool is_sound = !has_such || !mistakes.needs_all() || has_all_choices(node, scope, value);
+  for (const auto& [child, found] : given) {
+    if (!is_sound && goes_by_another(*child)) continue;  // its unit is not known
+    const std::size_t before = mistakes.count();
+    read_child(*child, scope, *found, mistakes);
+    if (has_such && mistakes.count() > before && is_choice(*child, scope)) is_sound = false;
+  }
   for (const SchemaNode& child : node.children)
     if (child.entry != nullptr && child.entry->required && mistakes.needs_all() && value.find(child.name) == nullptr &&
         !is_misspelt(node, *table, child))

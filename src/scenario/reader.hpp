@@ -27,6 +27,10 @@ enum class Checks {
 /// The notes of a scenario that was read from a document without them.
 [[nodiscard]] Result<std::vector<std::string>> notes_of(Scenario scenario, Value document);
 
+/// What to write instead of a key that a table does not have, where that is no misspelling; empty where nothing is
+/// known of it. `table`: its path.
+[[nodiscard]] std::string hint_of_key(std::string_view table, std::string_view key);
+
 /// Error of a value that should be a table.
 [[nodiscard]] Error not_a_table(const SchemaNode& node, const Value& value);
 

@@ -84,6 +84,7 @@ struct ScenarioShape {
   TerrainCut cut{};                      ///< what of that, about the place of the environment [-]
   std::uint32_t impossible = 0;          ///< points of the terrain whose height no ground has [-]
   double impossible_height = 0;          ///< the first such height [m]
+  double reached = kInfinity;            ///< how far the terrain goes on all sides, if less than TerrainCut::reach [m]
   std::vector<ScenarioPart> parts{};     ///< of a compound [-]
   std::vector<std::string> materials{};  ///< names, of each triangle of a mesh or one of all; empty: of the thing [-]
   ShapeDef shape = CompoundShape{};      ///< `parts` names a compound's parts; without parts it is no shape yet [-]

@@ -85,7 +85,7 @@ constexpr Entry kRunSettings[] = {
     PHYSIM_SCENARIO(target.arc, "the solution of the shortest or of the longest time of flight, or both"),
     PHYSIM_SCENARIO(expect, "figures that should come out", at_most(100000)),
     PHYSIM_EXPECT(shot, "name of the shot; empty: every shot"),
-    PHYSIM_EXPECT(thing, "of hits: name of what is hit; empty: all that is hit"),
+    PHYSIM_EXPECT(thing, "of hits and passages: name of what is hit or passed; empty: all"),
     setting("expect.at.moment", moment_slot, "where to look: a moment", kShorthand),
     setting("expect.at.time", at_slot<ExpectAt::time>, "where to look: time since launch", Quantity::time, at_least(0)),
     setting("expect.at.range", at_slot<ExpectAt::range>,

@@ -75,7 +75,7 @@ constexpr Entry kShotSettings[] = {
 };
 
 constexpr Entry kMotorSettings[] = {
-    PHYSIM_PROJECTILE(motor.name, "of the motor; picks one out of a file of several"),
+    PHYSIM_PROJECTILE(motor.name, "of the motor; picks one out of a file of several, as \"C6\" or \"Estes C6\""),
     setting("shot.motor.file", file_slot,
             "a RASP file (.eng) with thrust and propellant, found from the scenario's folder; other keys change it"),
 };

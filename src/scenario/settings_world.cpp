@@ -103,7 +103,9 @@ constexpr Entry kWorldSettings[] = {
     PHYSIM_VOLLEY(interval, "time between launches, each at the next start of a step; 0: all at once", Quantity::time, at_least(0)),
     setting("volley.rate", rate_slot, "launches in a time, instead of interval", Quantity::frequency, above(0)),
     PHYSIM_VOLLEY(start, "time of the first launch", Quantity::time, at_least(0)),
-    PHYSIM_VOLLEY(spread.shape, "normal: the numbers are standard deviations; uniform: bounds"),
+    PHYSIM_VOLLEY(
+        spread.shape,
+        "normal: the numbers are standard deviations; uniform: half axes of an ellipse of directions, and bounds"),
     PHYSIM_VOLLEY(spread.horizontal, "of the direction, to both sides", Quantity::angle, kToBothSides),
     PHYSIM_VOLLEY(spread.vertical, "of the direction, up and down", Quantity::angle, kToBothSides),
     PHYSIM_VOLLEY(spread.speed, "of the speed; never below 0", Quantity::speed, at_least(0)),

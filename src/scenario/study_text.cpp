@@ -5,6 +5,7 @@
 
 #include "base/assert.hpp"
 #include "scenario/measured_column.hpp"
+#include "scenario/mistakes.hpp"
 #include "scenario/scenario.hpp"
 #include "scenario/schema.hpp"
 #include "scenario/study_text.hpp"
@@ -344,13 +345,17 @@ Status add_texts(const Scenario& scenario, const ScenarioShot& shot, Study& stud
     pairs.insert(pairs.end(), told->begin(), told->end());
   }
   add_groups(study, std::move(pairs));
+  Mistakes mistakes;
   for (std::size_t i = 0; i < texts.targets.size(); ++i) {
     auto target = parse_study_target(texts.targets[i]);
-    if (!target) return placed(target.error(), numbered("study.targets", i));
+    if (!target) {
+      mistakes.take(placed(target.error(), numbered("study.targets", i)));
+      continue;
+    }
     if (target->name.empty()) target->name = "target-" + std::to_string(i + 1);
     study.targets.push_back(*std::move(target));
   }
-  return {};
+  return mistakes.status();
 }
 
 bool is_target(const Study& study, const std::string& thing) {

@@ -22,6 +22,24 @@ std::string lower_case(std::string_view text) {
 /// Short words have many neighbours, so they must be nearer.
 std::size_t allowed_edits(std::size_t length) { return length < 3 ? 0 : std::min<std::size_t>(length / 3, 4); }
 
+/// The first letters of the words of a key: "bc" of "ballistic_coefficient".
+std::string initials(std::string_view key) {
+  std::string out;
+  for (std::size_t i = 0; i < key.size(); ++i)
+    if (i == 0 || key[i - 1] == '_') out += key[i];
+  return out;
+}
+
+/// Whether a word is the beginning or the abbreviation of a candidate; of paths the last keys count, in one table.
+bool is_short_for(std::string_view word, std::string_view candidate) {
+  constexpr std::size_t kShortest = 2;
+  const std::size_t dot = word.rfind('.'), head = dot == word.npos ? 0 : dot + 1;
+  if (candidate.substr(0, head) != word.substr(0, head)) return false;
+  PHYSIM_ASSERT(head <= candidate.size());
+  const std::string_view key = word.substr(head), whole = candidate.substr(head);
+  return key.size() >= kShortest && whole.find('.') == whole.npos && (whole.starts_with(key) || initials(whole) == key);
+}
+
 }  // namespace
 
 std::size_t edit_distance(std::string_view a, std::string_view b) {
@@ -45,14 +63,16 @@ std::size_t edit_distance(std::string_view a, std::string_view b) {
 std::string_view nearest(std::string_view word, std::span<const std::string_view> candidates) {
   if (word.size() > kLongestWord) return {};
   const std::string wanted = lower_case(word);
-  std::string_view best;
+  std::string_view best, whole;  // whole: the shortest that the word is short for
   std::size_t best_distance = allowed_edits(word.size()) + 1;
   for (const std::string_view candidate : candidates) {
     if (candidate.size() > kLongestWord) continue;
-    const std::size_t distance = edit_distance(wanted, lower_case(candidate));
+    const std::string lower = lower_case(candidate);
+    const std::size_t distance = edit_distance(wanted, lower);
     if (distance < best_distance) best = candidate, best_distance = distance;
+    if (is_short_for(wanted, lower) && (whole.empty() || candidate.size() < whole.size())) whole = candidate;
   }
-  return best;
+  return whole.empty() || best_distance <= 1 ? best : whole;
 }
 
 std::string suggestion(std::string_view word, std::span<const std::string_view> candidates,

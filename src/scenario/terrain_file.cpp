@@ -7,6 +7,7 @@
 #include <cmath>
 #include <limits>
 #include <memory>
+#include <optional>
 #include <utility>
 
 #include "base/checker.hpp"
@@ -39,8 +40,9 @@ namespace {
 #define PHYSIM_GDAL_FUNCTIONS(F) \
   F(CPLGetLastErrorMsg) F(CPLPopErrorHandler) F(CPLPushErrorHandler) F(CPLQuietErrorHandler) F(CSLDestroy) \
   F(GDALAllRegister) F(GDALAutoCreateWarpedVRT) F(GDALClose) F(GDALCreate) F(GDALFillRaster) \
-  F(GDALGetDriverByName) F(GDALGetFileList) F(GDALGetGeoTransform) F(GDALGetMaskBand) F(GDALGetRasterBand) \
-  F(GDALGetRasterColorInterpretation) F(GDALGetRasterCount) F(GDALGetRasterOffset) F(GDALGetRasterScale) \
+  F(GDALGetDatasetDriver) F(GDALGetDriverByName) F(GDALGetDriverShortName) F(GDALGetFileList) \
+  F(GDALGetGeoTransform) F(GDALGetMaskBand) F(GDALGetRasterBand) F(GDALGetRasterColorInterpretation) \
+  F(GDALGetRasterCount) F(GDALGetRasterNoDataValue) F(GDALGetRasterOffset) F(GDALGetRasterScale) \
   F(GDALGetRasterUnitType) F(GDALGetRasterXSize) F(GDALGetRasterYSize) F(GDALGetSpatialRef) F(GDALOpenEx) \
   F(GDALRasterIO) F(GDALReprojectImage) F(GDALSetGeoTransform) F(GDALSetRasterNoDataValue) \
   F(GDALSetSpatialRef) F(OCTDestroyCoordinateTransformation) F(OCTNewCoordinateTransformation) F(OCTTransform) \
@@ -151,13 +153,23 @@ class Raster {
     if (const Status status = check_file(file, kAnySize, "file of terrain"); !status) return status.error();
     gdal().GDALAllRegister();
     Raster raster(file);
-    raster.file_.reset(gdal().GDALOpenEx(file.c_str(), GDAL_OF_RASTER | GDAL_OF_READONLY, nullptr, nullptr, nullptr));
+    raster.file_ = opened(file, nullptr);
+    if (raster.file_ && raster.is_text_grid()) {
+      // Whole numbers would be read as integers, and "nan" among them as 0.
+      constexpr const char* kAsDoubles[] = {"DATATYPE=Float64", nullptr};
+      raster.file_ = opened(file, kAsDoubles);
+    }
     if (!raster.file_) return Error{"it is no terrain: " + Quiet::words(), file, "GeoTIFF and .hgt are read, and more"};
     if (Status begun = raster.begin_reading_companions(); !begun) return begun.error();
     if (gdal().GDALGetRasterCount(raster.file_.get()) < 1) return Error{"it holds no raster", file, ""};
     const OGRSpatialReferenceH projection = gdal().GDALGetSpatialRef(raster.file_.get());
     if (!projection) return Error{"it does not say where on the Earth it lies", file, "gdal_edit.py -a_srs adds that"};
     raster.use(raster.file_.get());
+    if (int says_so = 0; raster.is_text_grid()) {
+      constexpr double kNothingOfFormat = -9999;  // of a grid without NODATA_value
+      gdal().GDALGetRasterNoDataValue(raster.band_, &says_so);
+      if (says_so == 0) raster.nothing_ = kNothingOfFormat;
+    }
     if (const Status status = raster.take_unit(); !status) return status.error();
     if (!raster.is_upright_ || !raster.lies_in_wgs84(projection))
       if (const Status status = raster.warp(projection); !status) return status.error();
@@ -181,6 +193,15 @@ class Raster {
 
  private:
   explicit Raster(std::string file) : file_name_(std::move(file)) {}
+
+  static Dataset opened(const std::string& file, const char* const* options) {
+    return Dataset(gdal().GDALOpenEx(file.c_str(), GDAL_OF_RASTER | GDAL_OF_READONLY, nullptr, options, nullptr));
+  }
+  /// Whether it is an ASCII grid of Esri (.asc).
+  [[nodiscard]] bool is_text_grid() const {
+    const GDALDriverH driver = gdal().GDALGetDatasetDriver(file_.get());
+    return driver != nullptr && std::string_view(gdal().GDALGetDriverShortName(driver)) == "AAIGrid";
+  }
 
   /// Files that GDAL reads beside the file: projections, masks, parts of a mosaic.
   [[nodiscard]] Status begin_reading_companions() const {
@@ -283,6 +304,7 @@ class Raster {
                                   nullptr, nullptr) != CE_None)
       return refused();
     unit_ = {};
+    nothing_.reset();
     use(warped_.get());
     return {};
   }
@@ -352,7 +374,9 @@ class Raster {
     double* const heights = line.heights.data() + into;
     double* const there = line.there.data() + into;
     if (Status status = take(band_, heights); !status) return status;
-    for (int i = 0; i < count; ++i) heights[i] = heights[i] * unit_.scale + unit_.offset;
+    for (int i = 0; i < count; ++i)
+      heights[i] =
+          heights[i] == nothing_ ? std::numeric_limits<double>::quiet_NaN() : heights[i] * unit_.scale + unit_.offset;
     for (const GDALRasterBandH mask : {gdal().GDALGetMaskBand(band_), alpha_}) {
       if (mask == nullptr) continue;
       if (Status status = take(mask, there); !status) return status;
@@ -458,7 +482,8 @@ class Raster {
   GDALRasterBandH alpha_ = nullptr;  // null: there is none
   Axis columns_{}, rows_{};
   Unit unit_{};
-  bool is_upright_ = false;  // columns go east and rows south
+  std::optional<double> nothing_{};  // a number that means no height, which GDAL does not know of
+  bool is_upright_ = false;          // columns go east and rows south
 };
 
 }  // namespace

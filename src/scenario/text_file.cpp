@@ -147,6 +147,21 @@ std::vector<std::string_view> words_of(std::string_view line) {
   return words;
 }
 
+std::vector<CsvField> csv_fields(std::string_view line) {
+  std::vector<CsvField> fields;
+  for (std::size_t from = 0; from <= line.size();) {
+    std::size_t end = from;
+    for (bool quoted = false; end < line.size() && (quoted || line[end] != ','); ++end)
+      quoted = quoted != (line[end] == '"');
+    std::string_view text = trimmed(line.substr(from, end - from));
+    if (text.size() >= 2 && text.front() == '"' && text.back() == '"') text = trimmed(text.substr(1, text.size() - 2));
+    const std::size_t start = text.empty() ? from : static_cast<std::size_t>(text.data() - line.data());
+    fields.push_back({text, start + 1});
+    from = end + 1;
+  }
+  return fields;
+}
+
 std::optional<double> finite_number(std::string_view word) {
   double value = 0;
   const auto [end, failure] = number_at_start(word, value);

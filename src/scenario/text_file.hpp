@@ -30,6 +30,13 @@ namespace physim {
 [[nodiscard]] std::string_view take_line(std::string_view& text);
 /// The words of a line: views into it, parted by blanks.
 [[nodiscard]] std::vector<std::string_view> words_of(std::string_view line);
+/// A field of a line of CSV (RFC 4180), without blanks and quotes about it, and the column where it starts, from 1.
+struct CsvField {
+  std::string_view text;
+  std::size_t column;
+};
+/// The fields of a line: views into it. Commas within quotes part nothing.
+[[nodiscard]] std::vector<CsvField> csv_fields(std::string_view line);
 /// The finite number that a word is, with a sign or without; nothing if it is another word.
 [[nodiscard]] std::optional<double> finite_number(std::string_view word);
 

@@ -96,6 +96,23 @@ void drop_contacts(std::vector<ThingHit>& hits) {
   std::erase_if(hits, [](const ThingHit& hit) { return hit.outcome == EventKind::hit; });
 }
 
+std::uint64_t Passages::of(std::string_view thing) const {
+  if (thing.empty()) return count;
+  const auto known = std::ranges::find(by_thing, thing, &std::pair<std::string, std::uint64_t>::first);
+  return known == by_thing.end() ? 0 : known->second;
+}
+
+void count_passage(Passages& passages, const ThingHit& hit, const Scenario& scenario) {
+  if (hit.outcome != EventKind::sensed && hit.outcome != EventKind::entered) return;
+  ++passages.count;
+  if (hit.thing == ThingHit::kNone) return;
+  PHYSIM_ASSERT(hit.thing < scenario.things.size());
+  const std::string& name = scenario.things[hit.thing].name;
+  auto of_thing = std::ranges::find(passages.by_thing, name, &std::pair<std::string, std::uint64_t>::first);
+  if (of_thing == passages.by_thing.end()) of_thing = passages.by_thing.insert(of_thing, {name, 0});
+  ++of_thing->second;
+}
+
 void count_hit(ThingHits& on_things, std::vector<ThingHits>& by_thing, const ThingHit& hit, const Scenario& scenario) {
   add_hit(on_things, hit);
   if (hit.thing == ThingHit::kNone) return;

@@ -25,6 +25,9 @@ struct SceneOfRun {
 /// Drops what became nothing: contacts that go on.
 void drop_contacts(std::vector<ThingHit>& hits);
 
+/// Counts what is a passage: the way into a sensor, or into a thing that lets a projectile pass.
+void count_passage(Passages& passages, const ThingHit& hit, const Scenario& scenario);
+
 /// Counts a hit: on all things, and on its own.
 void count_hit(ThingHits& on_things, std::vector<ThingHits>& by_thing, const ThingHit& hit, const Scenario& scenario);
 

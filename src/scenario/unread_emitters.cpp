@@ -5,6 +5,7 @@
 #include "base/assert.hpp"
 #include "physim/names.hpp"
 #include "scenario/suggest.hpp"
+#include "scenario/units.hpp"
 #include "scenario/unread.hpp"
 
 namespace physim {
@@ -25,12 +26,14 @@ bool moves(R r) {
   return !motion.keys.empty() || motion.velocity != Vec3d{} || !emitter(r).follows.empty();
 }
 bool varies(const DrawnNumber& number) { return !number.curve.empty() || !number.to_curve.empty(); }
-/// Whether it fires by itself, not only as the sub of others.
-bool fires(R r) {
+/// Whether it has something to fire by itself, if it plays.
+bool has_own_fire(R r) {
   const EmitterDef& e = def(r);
   const bool has_rate = e.per_second.value != 0 || e.per_second.to || e.per_metre != 0;
-  return e.cycle.plays && (has_rate || !e.bursts.empty() || e.gun.rounds_per_minute > 0 || e.rain.density > 0);
+  return has_rate || !e.bursts.empty() || e.gun.rounds_per_minute > 0 || e.rain.density > 0;
 }
+/// Whether it fires by itself, not only as the sub of others.
+bool fires(R r) { return def(r).cycle.plays && has_own_fire(r); }
 /// An emitter that fires only as a sub of others fires at the places of their particles.
 std::string why_not_its_own_place(R r) {
   const auto names_it = [&](const ScenarioEmitter& other) {
@@ -75,19 +78,35 @@ constexpr UnreadRule kPlaceRules[] = {
      }},
     {"emitter.inherit_velocity", why_it_is_still},
     {"emitter.per_metre", why_it_is_still},
-    {"emitter.bursts",
+    {"emitter.bursts.time",
      [](R r) {
        const EmitterDef& e = def(r);
-       const auto late = std::ranges::find_if(e.bursts, [&](const Burst& b) { return b.time >= e.cycle.duration; });
-       return read_or(late == e.bursts.end(), ": one is due behind the cycle's end, see emitter.cycle.duration");
+       PHYSIM_ASSERT(r.scope.burst != nullptr && !e.bursts.empty());
+       const Burst& burst = *r.scope.burst;
+       return read_or(burst.time < e.cycle.duration, ": burst " + std::to_string(&burst - e.bursts.data() + 1) +
+                                                         " is due at " + quantity_text(burst.time, Quantity::time) +
+                                                         ", and the cycle ends before, see emitter.cycle.duration = " +
+                                                         quantity_text(e.cycle.duration, Quantity::time));
      }},
-    {"emitter.cycle",
-     [](R r) { return read_or(fires(r), ": the emitter fires only as the sub of others, or not at all"); }},
+    {"emitter.cycle.plays",
+     [](R r) { return read_or(has_own_fire(r), ": the emitter has no rate, burst, gun or rain to fire by itself"); }},
     {"emitter.cycle.duration",
      [](R r) {
        return read_or(reads_cycle(r), ": cycles that loop without bursts and curves are one like the other");
      }},
 };
+
+/// Rules of all settings of a cycle but `plays`, which says that an emitter fires only as a sub.
+std::vector<UnreadRule> rules_of_cycle() {
+  std::vector<UnreadRule> rules;
+  for (const SchemaNode& node : find_node("emitter.cycle")->children)
+    if (node.name != "plays")
+      rules.push_back({node.path, [](R r) {
+                         return read_or(fires(r), ": the emitter fires only as the sub of others, or not at all");
+                       }});
+  PHYSIM_ASSERT(!rules.empty());
+  return rules;
+}
 
 constexpr UnreadRule kGunRules[] = {
     {"emitter.gun", why_no_gun},
@@ -219,7 +238,7 @@ constexpr UnreadRule kParticleRules[] = {
 std::span<const UnreadRule> unread_in_emitters() {
   using namespace rules_of_emitters;
   static const std::vector<UnreadRule> all = [] {
-    std::vector<UnreadRule> list;
+    std::vector<UnreadRule> list = rules_of_cycle();
     for (const std::span<const UnreadRule> part :
          std::initializer_list<std::span<const UnreadRule>>{kPlaceRules, kGunRules, kShapeRules, kParticleRules})
       list.insert(list.end(), part.begin(), part.end());

@@ -7,6 +7,7 @@
 #include "model/spin_drift.hpp"
 #include "physim/names.hpp"
 #include "prepare/grant.hpp"
+#include "scenario/expectation.hpp"
 #include "scenario/suggest.hpp"
 #include "scenario/unread.hpp"
 #include "solve/explicit_runge_kutta.hpp"
@@ -83,6 +84,35 @@ std::string why_no_turning(R r) {
   return read_unless(!r.any([&](Rung f) { return feels_turning(f) && !leaves_plane_alone(f); }),
                      "shot.fidelity.planar: fired along a meridian, a shot is turned out of its plane alone");
 }
+bool is_over_round_earth(Rung f) { return row(f.granted.earth).shape != EarthShape::flat; }
+/// Whether something is laid out by latitude and longitude: terrain, and figures that are checked.
+bool has_places(R r) {
+  const auto is_terrain = [](const ScenarioShape& shape) { return !shape.terrain.empty(); };
+  const auto is_place = [](const Expectation& expect) {
+    const Figure* figure = find_figure(expect.quantity);
+    return figure != nullptr && figure->place != nullptr;
+  };
+  return std::ranges::any_of(r.scenario.shapes, is_terrain) || std::ranges::any_of(r.scenario.expect, is_place);
+}
+std::string why_no_place(R r) {
+  return read_by(has_places(r) || r.any(is_over_round_earth), "shots over a round Earth read");
+}
+std::string why_no_direction(R r) {
+  if (has_places(r) || r.any(is_over_round_earth)) return {};
+  return why_no_turning(r);
+}
+/// Air that differs with the altitude of the origin, and the weight of what falls with height.
+std::string why_no_altitude(R r) {
+  const Atmosphere& air = r.scenario.environment.atmosphere;
+  const auto reads_air = [&](Rung f) {
+    const bool is_overridden = !computes_air(f) && air.density && air.sound_speed;
+    return is_in_air(f) && !is_overridden;
+  };
+  const bool is_read = has_places(r) || has_some_stability(r) || r.any(reads_air) || r.any(falls_with_height) ||
+                       r.any(is_over_round_earth);
+  return read_or(is_read, ": no shot flies in air, falls by its height or flies over a round Earth");
+}
+
 /// Whether what pushes a shot in a world moves it.
 std::string why_unmoved(R r) {
   const BodyDef& body = r.shot().body;
@@ -103,6 +133,13 @@ std::string why_no_coefficient(R r) {
   if (!r.any(is_in_air)) return ": there is no air";
   if (!r.any(flies_equation)) return ": only drag \"equation\" reads it";
   return read_unless(!r.any(reads_coefficients), "shot.magnus.table");
+}
+
+/// Whether a force on it goes by the Mach number.
+bool reads_mach(Rung f) {
+  const ProjectileDef& p = f.shot->projectile;
+  const bool is_curve = p.drag.table != DragTable::constant || !p.motor.drag_curve.empty();
+  return !is_unmoved(f.shot->body) && ((flies_equation(f) && is_curve) || flies_body(f));
 }
 
 // -------------------------------------------------------------------------------------------------------- environment
@@ -165,6 +202,12 @@ constexpr UnreadRule kEnvironmentRules[] = {
        const auto reads = [&](Rung f) { return (is_in_air(f) || r.scenario.world.given) && !computes_air(f); };
        return read_by(r.any(reads), "air \"constant\" and \"exponential\" read");
      }},
+    {"environment.atmosphere.sound_speed",
+     [](R r) {
+       const auto reads = [](Rung f) { return is_in_air(f) && !computes_air(f) && reads_mach(f); };
+       return read_or(!r.scenario.world.given || r.any(reads), " in a run: no drag of the world reads the Mach number");
+     },
+     true},
     {"environment.atmosphere.scale_height",
      [](R r) {
        return read_by(r.any([](Rung f) { return f.granted.air == AirModel::exponential; }),
@@ -190,6 +233,15 @@ constexpr UnreadRule kEnvironmentRules[] = {
     {"environment.wind.interpolation",
      [](R r) { return read_with(r.any(flies_profile), "environment.wind.profile and wind \"profile\""); }},
     {"environment.earth.rotation_rate", why_no_turning},
+    {"environment.earth.latitude", why_no_direction},
+    {"environment.earth.longitude", why_no_place, true},
+    {"environment.earth.azimuth",
+     [](R r) {
+       if (r.is_drawn("environment.wind.from")) return std::string();  // it is a direction of the compass
+       return why_no_direction(r);
+     },
+     true},
+    {"environment.altitude", why_no_altitude, true},
 };
 
 /// Something that may move a shot out of the plane of fire.
@@ -309,7 +361,11 @@ constexpr UnreadRule kProjectileRules[] = {
        if (std::string why = why_no_forces(r); !why.empty()) return why;
        return read_with(projectile(r).force != Vec3d{}, "shot.force");
      }},
-    {"shot.sight.zero_in_calm_air", why_no_zero},
+    {"shot.sight.zero_in_calm_air",
+     [](R r) {
+       if (std::string why = why_no_zero(r); !why.empty()) return why;
+       return read_with(blows(r), "environment.wind");
+     }},
     {"shot.sight.dial", why_no_zero},
     {"shot.spin", why_no_spin},
     {"shot.magnus", why_no_spin},

@@ -38,7 +38,12 @@ bool scatters(const Spread& s) { return s.horizontal != 0 || s.vertical != 0 || 
 std::string why_no_spread(R r) { return read_with(scatters(volley(r).spread), "a spread of the volley"); }
 std::string why_no_interval(R r) { return read_unless(volley(r).count == 1, "volley.count = 1"); }
 
+/// Settings of real time are for programs that show a world as it goes on.
+std::string why_no_real_time(R) { return " in a run: only programs that step the world in real time read it"; }
+
 constexpr UnreadRule kWorldRules[] = {
+    {"world.time_scale", why_no_real_time, true},
+    {"world.max_steps", why_no_real_time, true},
     {"world.ground.height", why_no_ground},
     {"world.ground.restitution", why_no_bounce},
     {"world.ground.friction", why_no_bounce},

@@ -6,6 +6,8 @@
 #include <optional>
 #include <span>
 #include <string>
+#include <string_view>
+#include <utility>
 #include <vector>
 
 #include "physim/math.hpp"
@@ -56,6 +58,15 @@ struct ThingHits {
   Series speed{}, speed_after{};   ///< as seen from the surface [m/s]
   Series obliquity{};              ///< [rad]
   Series depth{};                  ///< of what went in [m]
+};
+
+/// How often something went into what is passed: into sensors, and into things with a projectile's on_hit "pass".
+struct Passages {
+  std::uint64_t count = 0;                                        ///< [-]
+  std::vector<std::pair<std::string, std::uint64_t>> by_thing{};  ///< ... by the name of the thing [-]
+
+  /// Those of a thing; of all where the name is empty.
+  [[nodiscard]] std::uint64_t of(std::string_view thing) const;
 };
 
 /// The fate of all that one [[volley]] or [[emitter]] fired, or of one [[shot]] that was fired alone.
@@ -199,6 +210,8 @@ class WorldRun {
 
 /// The value of an expectation on a group at the end of a run [SI unit of the quantity], or why it has no value.
 [[nodiscard]] Result<double> measure(const WorldGroup& group, const Expectation& expectation);
+/// ... of a group with the passages of its projectiles; null: they were not counted from the start of the world on.
+[[nodiscard]] Result<double> measure(const WorldGroup& group, const Passages* passages, const Expectation& expectation);
 
 // ---------------------------------------------------------------------------------------------------------------------
 // FlightHits: what the flight of a scenario's shot did with the scenario's things.
@@ -210,6 +223,7 @@ struct FlightHits {
   std::vector<ThingHit> all{};
   ThingHits on_things{};              ///< those that hit something [-]
   std::vector<ThingHits> by_thing{};  ///< ... of each thing, in the order of its first [-]
+  Passages passages{};                ///< of those that hit nothing [-]
 };
 
 /// Puts the events of a flight together to hits: of a shot of a scenario that flew through the scenario's scene, as

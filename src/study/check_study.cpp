@@ -145,7 +145,9 @@ void check_sizes(Checker& c, const Study& study) {
 void check_plane(Checker& c, const Study& study) {
   const bool has_plane = study.quantities.empty() || has_plane_axes(study.quantities);  // none: those of the rule
   c.is_number(study.aim.right, "aim.right").is_number(study.aim.up, "aim.up");
-  c.require(study.targets.empty() || has_plane, "targets", "lie on a plane: ask for two lengths first");
+  const auto is_thing = [](const StudyTarget& target) { return std::holds_alternative<ThingTarget>(target.shape); };
+  c.require(has_plane || std::ranges::all_of(study.targets, is_thing), "targets",
+            "lie on a plane: ask for two lengths first");
   for (std::size_t i = 0; i < study.targets.size(); ++i) c.also(check(study.targets[i], numbered("targets", i)));
   std::map<std::string_view, std::size_t> named;
   for (std::size_t i = 0; i < study.targets.size(); ++i) {

@@ -144,7 +144,8 @@ TEST(CliMaxRange, OfAParabola) {
   EXPECT_NEAR(flat["elevation [rad]"], 45 * kDegree, 1e-4);
   const auto down = json_of(physim({"max-range", file, "--slope", "-10 deg", "--json", "-"}));
   EXPECT_NEAR(down["range [m]"], 250 * 250 / kG / (1 + std::sin(-10 * kDegree)), 1e-3);
-  expect_complaint(physim({"max-range", file, "--slope", "100 deg"}), "slope");
+  expect_complaint(physim({"max-range", file, "--slope", "100 deg"}),
+                   "--slope: error: must lie between -90 and 90 degrees; as in \"5 deg\"; a bare number is in radians");
   expect_complaint(physim({"max-range", file, "--set", "environment.gravity.acceleration=0"}), "does not come down");
 }
 
@@ -230,7 +231,67 @@ TEST(CliTable, RefusesWhatMakesNoSense) {
                    "no range to show");
 }
 
+TEST(CliOptions, AreNamedInErrorsAboutThem) {
+  const Folder folder;
+  const std::string file = folder.write("bullet.toml", kBullet);
+  expect_complaint(physim({"danger-space", file, "--range", "300 m", "--height", "-1 m"}),
+                   "--height: error: must be a positive");
+  expect_complaint(physim({"aim", file, "--range", "300 m", "--tolerance", "-1 m"}),
+                   "--tolerance: error: must be a positive");
+  expect_complaint(physim({"aim", file, "--range", "300 m", "--time", "-1 s"}), "--time: error: must be a positive");
+}
+
+TEST(CliTable, HasNullWhereThereIsNoNumber) {
+  const Folder folder;
+  const std::string file = folder.write("bullet.toml", kBullet);
+  const auto json = json_of(physim({"table", file, "--format", "json", "--ranges", "[\"0 m\", \"200 m\", \"90 km\"]"}));
+  ASSERT_EQ(json["speed [m/s]"].size(), 3u);
+  EXPECT_TRUE(json["speed [m/s]"][1].is_number());
+  EXPECT_TRUE(json["speed [m/s]"][2].is_null()) << json;
+  EXPECT_TRUE(json["windage [mil]"][0].is_null()) << "an angle at the muzzle: " << json;
+}
+
+TEST(CliRun, HasItsCardInJsonWithoutRangesToo) {
+  const Folder folder;
+  const std::string file = folder.write("shell.toml", kShell);
+  const auto json = nlohmann::json::parse(physim({"run", file, "--json", "-"}).out);
+  const auto& card = json["shots"][0]["range_card"];
+  ASSERT_EQ(card.size(), 8u) << "4017 m are 8 times 500 m: " << card;
+  EXPECT_NEAR(card[0]["range [m]"].get<double>(), 500, 1e-6);
+  EXPECT_NEAR(card[7]["range [m]"].get<double>(), 4000, 1e-6);
+  EXPECT_TRUE(has(physim({"run", file}).out, " 4000 ")) << "as the text has it";
+}
+
+TEST(CliRun, SaysThatAMotorNeverBurns) {
+  const Folder folder;
+  const std::string file = folder.write("rocket.toml", R"(physim = 1
+[[shot]]
+name = "bomb"
+mass = 1
+speed = 10
+position = [0, 20, 0]
+motor = { propellant_mass = 0.1, ignition_delay = 9, thrust = [[0, 40], [1, 0]] }
+fidelity = { preset = "simulation", drag = "off" }
+)");
+  const Ran ran = physim({"run", file});
+  EXPECT_TRUE(has(ran.err, "warning: the motor of shot \"bomb\" never burns: the flight ends after 2.0")) << ran.err;
+  EXPECT_TRUE(has(ran.err, "shot.motor.ignition_delay is 9 s")) << ran.err;
+  EXPECT_EQ(physim({"run", file, "--set", "shot.motor.ignition_delay=1"}).err, "");
+}
+
 // ---------------------------------------------------------------------------------------------------------------- fit
+TEST(CliFit, ReadsFieldsInQuotes) {
+  const Folder folder;
+  const std::string file = folder.write("bullet.toml", kBullet);
+  const auto scale = [&](const std::string& data) {
+    return json_of(physim({"fit", file, "--data", folder.write("d.csv", data), "--json", "-"}))["scale"].get<double>();
+  };
+  EXPECT_EQ(scale("\"range [yd]\",\"speed [ft/s]\"\r\n200,\"2202\"\r\n\"500\", \"1673\"\r\n"),
+            scale("range [yd], speed [ft/s]\n200, 2202\n500, 1673\n"));
+  expect_complaint(physim({"fit", file, "--data", folder.write("d.csv", "range, speed\n100, \"7o0\"\n")}),
+                   "d.csv:2:7: error: ");
+}
+
 TEST(CliFit, FindsTheCoefficientThatMadeTheTable) {
   const Folder folder;
   const std::string file = folder.write("bullet.toml", kBullet);

@@ -57,6 +57,60 @@ shape = "s"
   }
 }
 
+/// A ball through a sensor, in a world and as a flight, with an expectation.
+std::string sensor_scene(const std::string& quantity, double equals) {
+  return "physim = 1\n[environment]\ngravity = \"off\"\natmosphere = \"vacuum\"\n[[shape]]\nname = \"s\"\nbox = [1, 1, "
+         "1]\n"
+         "[[thing]]\nname = \"zone\"\nshape = \"s\"\nsensor = true\nposition = [10, 0, 0]\n[[shot]]\nname = "
+         "\"b\"\nmass = 1\n"
+         "diameter = 0.2\nvelocity = [10, 0, 0]\nposition = [0.137, 0, 0]\nfidelity = { preset = \"game\", air = "
+         "\"vacuum\" }\n"
+         "[[expect]]\nthing = \"zone\"\nquantity = \"" +
+         quantity + "\"\nequals = " + std::to_string(equals) + "\nwithin = 0\n";
+}
+
+TEST(CliScene, RunCountsPassagesOfSensors) {
+  const Folder folder;
+  const std::string flight = "[until]\nground = \"off\"\ntime = 2\n",
+                    world = "[world]\nduration = 2\nground = \"none\"\n";
+  for (const std::string& end : {flight, world}) {
+    const Ran one = physim({"run", folder.write("s.toml", sensor_scene("passages", 1) + end)});
+    EXPECT_EQ(one.code, 0) << one.out << one.err;
+    EXPECT_EQ(one.err, "");
+    EXPECT_EQ(physim({"run", folder.write("s.toml", sensor_scene("passages", 0) + end)}).code, 1) << "it can fail";
+    const Ran hits = physim({"run", folder.write("s.toml", sensor_scene("hits", 0) + end)});
+    EXPECT_TRUE(has(hits.err, "\"passages\" counts ways into it")) << hits.err;
+  }
+  const std::string file = folder.write("s.toml", sensor_scene("passages", 1) + world), save = folder / "s.sav";
+  ASSERT_EQ(physim({"run", file, "--steps", "90", "--save", save}).code, 0);
+  const Ran loaded = physim({"run", file, "--load", save});
+  EXPECT_EQ(loaded.code, 1) << loaded.out;
+  EXPECT_TRUE(has(loaded.out, "passages before the save are not known")) << loaded.out;
+}
+
+/// Things are hit wherever they stand: they lie on no plane, which quantities could lack.
+TEST(CliScene, StudyOfImpactsAloneCountsHitsOnThings) {
+  const Folder folder;
+  const std::string file =
+      folder.write("s.toml",
+                   "physim = 1\n[environment]\natmosphere = \"vacuum\"\n[[shape]]\nname = \"b\"\nbox = [1, 1, "
+                   "1]\n[[thing]]\nname = \"wall\"\n"
+                   "shape = \"b\"\nposition = [100, 0, 0]\n[[shot]]\nname = \"s\"\nmass = 1\nspeed = "
+                   "800\ngravity_scale = 0\nfidelity = { preset = "
+                   "\"simulation\", drag = \"off\", air = \"vacuum\", earth = \"flat\" }\n[until]\nground = "
+                   "\"off\"\ntime = 1\n[study]\nshots = 4096\n"
+                   "inputs = [\"shot.elevation = 0 mrad +- 5 mrad\", \"shot.azimuth = 0 mrad +- 5 mrad\"]\n"
+                   "quantities = [\"impact_speed\", \"obliquity\", \"impact_energy\"]\n");
+  const Ran ran = physim({"study", file, "--json", "-"});
+  EXPECT_EQ(ran.code, 0) << ran.err;
+  const auto json = nlohmann::json::parse(ran.out, nullptr, false);
+  ASSERT_FALSE(json.is_discarded()) << ran.out;
+  ASSERT_EQ(json["targets"].size(), 1u) << json;
+  EXPECT_NEAR(json["targets"][0]["probability"].get<double>(), 0.966, 0.02) << "(2 Phi(1 m / 0.5 m) - 1)^2 = 0.911";
+  const Ran plane = physim({"study", file, "--set", "study.targets=[\"circle 10 cm\"]"});
+  EXPECT_TRUE(has(plane.err, "targets: error: lie on a plane: ask for two lengths first")) << plane.err;
+}
+
 TEST(CliScene, RunSaysWhichTrianglesAreLeftOut) {
   const Folder folder;
   const std::string path = folder.write("sliver.toml", R"(physim = 1

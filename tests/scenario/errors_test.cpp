@@ -252,6 +252,51 @@ std::string list_of(std::size_t count, const std::string& element) {
   return "[" + out + "]";
 }
 
+/// The words of an error behind its place.
+std::string hint_of(const std::string& text, const std::vector<std::string>& overrides = {}) {
+  const std::string error = error_of("physim = 1\n" + text, overrides);
+  const std::size_t hint = error.find("; ");
+  return hint == error.npos ? error : error.substr(hint + 2);
+}
+
+TEST(UnknownKeys, OfWindSayThatItIsAVelocity) {
+  const std::string words =
+      "wind is a velocity of x downrange, y up, z right: velocity = [0, 0, \"-5 m/s\"] comes from the right";
+  for (const std::string key : {"speed = \"5 m/s\"", "from = \"90 deg\"", "direction = 3"})
+    EXPECT_TRUE(hint_of("[[shot]]\n[environment]\nwind = { " + key + " }\n").starts_with(words)) << key;
+  for (const std::string path : {"environment.wind.from", "environment.wind.speed"})
+    EXPECT_TRUE(hint_of("[[shot]]\n", {path + "=3"}).starts_with(words)) << path;
+}
+
+TEST(UnknownKeys, ThatAreShortForALongerOneAreThatOne) {
+  const std::pair<const char*, const char*> paths[] = {{"shot.drag.BC", "shot.drag.ballistic_coefficient"},
+                                                       {"drag.bc", "shot.drag.ballistic_coefficient"},
+                                                       {"shot.sight.zero", "shot.sight.zero_range"},
+                                                       {"shot.drag.ballistic", "shot.drag.ballistic_coefficient"},
+                                                       {"shot.mas", "shot.mass"},
+                                                       {"shot.drag.k3", "shot.drag.k1"}};
+  for (const auto& [typed, meant] : paths)
+    EXPECT_EQ(hint_of("[[shot]]\n", {std::string(typed) + "=1"}), "did you mean \"" + std::string(meant) + "\"?");
+  EXPECT_EQ(hint_of("[[shot]]\ndrag = { bc = 0.3 }\n"), "did you mean \"ballistic_coefficient\"?");
+  EXPECT_EQ(hint_of("[[shot]]\nsight = { zero = 100 }\n"), "did you mean \"zero_range\"?");
+}
+
+TEST(Expectations, OfAQuantityThatThereIsNotBringNoErrorsOfUnits) {
+  const std::string numbers = "equals = \"5 m/s\"\nwithin = \"1 m/s\"\n", head = "physim = 1\n[[shot]]\n[[expect]]\n";
+  const std::string wrong = error_of(head + "quantity = \"velocity\"\n" + numbers);
+  EXPECT_NE(wrong.find("f.toml:4:12: error: expect.quantity: unknown value \"velocity\""), std::string::npos) << wrong;
+  EXPECT_EQ(wrong.find("is a speed"), std::string::npos) << wrong;
+  EXPECT_EQ(wrong.find('\n'), std::string::npos) << wrong;
+  const std::string none = error_of(head + numbers);
+  EXPECT_NE(none.find("missing key \"quantity\""), std::string::npos) << none;
+  EXPECT_EQ(none.find("is a speed"), std::string::npos) << none;
+  const std::string event =
+      error_of("physim = 1\n[[shot]]\n[until]\nevents = [{ kind = \"fast\", value = \"5 m/s\" }]\n");
+  EXPECT_EQ(event.find('\n'), std::string::npos) << event;
+  const std::string both = error_of(head + "quantity = \"speed\"\nequals = \"5 kg\"\nwithin = 1\nsource = 5\n");
+  EXPECT_NE(both.find("expect.equals"), std::string::npos) << both;
+}
+
 TEST(BadLists, HaveLimits) {
   const std::string head = "physim = 1\n[[shot]]\n";
   EXPECT_EQ(error_of(head + "[shot.drag]\nbands = " + list_of(9, "{ ballistic_coefficient = 1 }")),

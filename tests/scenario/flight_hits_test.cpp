@@ -136,6 +136,34 @@ TEST(FlightHits, AreJudged) {
   EXPECT_FALSE(value("spawned", "")) << "a figure of worlds";
 }
 
+TEST(FlightHits, OfWhatIsPassedArePassages) {
+  const std::string ball =
+      "[[shot]]\nname = \"b\"\nmass = 1\ndiameter = 0.2\nvelocity = [10, 0, 0]\nposition = [-7.3, 0, 0]\ngravity_scale "
+      "= 0\n"
+      "fidelity = { preset = \"simulation\", drag = \"off\", air = \"vacuum\" }\n";
+  const std::string shape = "[[shape]]\nname = \"s\"\nbox = [1, 1, 1]\n";
+  const auto zone = [](const std::string& name, const std::string& x, bool is_sensor) {
+    return "[[thing]]\nname = \"" + name + "\"\nshape = \"s\"\nposition = [" + x + ", 0, 0]\n" +
+           (is_sensor ? "sensor = true\n" : "");
+  };
+  const auto value = [](const Flown& of, const std::string& quantity, const std::string& thing) {
+    return measure(of.flight, of.hits, {.thing = thing, .quantity = quantity}).value();
+  };
+  const Flown sensed =
+      flown(read_scenario(ball + shape + zone("near", "0", true) + zone("far", "5", true) + kNoGround));
+  EXPECT_EQ(value(sensed, "passages", "near"), 1);
+  EXPECT_EQ(value(sensed, "passages", "far"), 1);
+  EXPECT_EQ(value(sensed, "passages", ""), 2);
+  EXPECT_EQ(value(sensed, "passages", "none"), 0);
+  EXPECT_EQ(value(sensed, "hits", "near"), 0);
+  const std::string pass = "body = { collision = { on_hit = \"pass\" } }\n";
+  const Flown passed = flown(read_scenario(ball + pass + shape + zone("wall", "0", false) + kNoGround));
+  EXPECT_EQ(value(passed, "passages", "wall"), 1);
+  const Flown stopped = flown(read_scenario(ball + shape + zone("wall", "0", false) + kNoGround));
+  EXPECT_EQ(value(stopped, "passages", "wall"), 0);
+  EXPECT_EQ(value(stopped, "hits", "wall"), 1);
+}
+
 /// The cheapest fidelity is found up to the first contact, whatever comes after it.
 TEST(FlightHits, OfAFidelityThatIsChosen) {
   const std::string text =

@@ -121,6 +121,29 @@ TEST(MotorFile, one_of_several_is_asked_for_by_name) {
   EXPECT_NE(pick_motor(*motors, "C5", "two.eng").error().text().find("A8, C6"), std::string::npos);
 }
 
+TEST(MotorFile, two_of_one_name_are_told_apart_by_their_makers) {
+  const std::string estes = "C6 18 70 5 0.0108 0.0231 Estes\n0.2 14\n1.9 0\n",
+                    quest = "; other\nC6 18 70 5 0.0120 0.0226 Quest\n0.2 30\n1.9 0\n";
+  const auto motors = parse_motor_file(estes + quest, "makers.eng");
+  ASSERT_TRUE(motors) << motors.error().text();
+  const auto either = pick_motor(*motors, "C6", "makers.eng");
+  ASSERT_FALSE(either);
+  EXPECT_EQ(either.error().text(),
+            "makers.eng: error: two motors are named \"C6\", in lines 1 and 5; name its maker, too: "
+            "\"Estes C6\" or \"Quest C6\"");
+  const auto picked = pick_motor(*motors, "Quest C6", "makers.eng");
+  ASSERT_TRUE(picked) << picked.error().text();
+  EXPECT_EQ(picked->manufacturer, "Quest");
+  EXPECT_EQ(picked->motor.name, "C6");
+  EXPECT_EQ(pick_motor(*motors, "Estes C6", "makers.eng")->manufacturer, "Estes");
+  EXPECT_TRUE(pick_motor(*parse_motor_file(estes + estes, "f.eng"), "C6", "f.eng")) << "a copy is no other motor";
+  std::string other = estes;
+  other.replace(other.find("0.2 14"), 6, "0.2 15");
+  const auto same_maker = pick_motor(*parse_motor_file(estes + other, "f.eng"), "Estes C6", "f.eng");
+  ASSERT_FALSE(same_maker);
+  EXPECT_NE(same_maker.error().text().find("in lines 1 and 4; take one of them out of the file"), std::string::npos);
+}
+
 std::string rocket(const std::string& motor) {
   return "physim = 1\n[[shot]]\nname = \"r\"\nmass = \"0.1 kg\"\nrail_length = \"1 m\"\nelevation = \"80 deg\"\n" +
          motor;

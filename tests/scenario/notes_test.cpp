@@ -72,6 +72,76 @@ TEST(Notes, shots_that_begin_below_the_ground) {
   EXPECT_TRUE(notes_of(world + "0.1, 0]\n", {"world.ground.height=0"}).empty());
 }
 
+TEST(Notes, shots_that_rise_from_below_the_ground) {
+  const std::string shot = "[[shot]]\nposition = [0, -5, 0]\nspeed = 100\n", up = "elevation = \"30 deg\"\n";
+  const std::string world = "[world]\n[world.ground]\nheight = 0\n";
+  const std::string begins = "shot: it begins at a height of -5 m, below ";
+  const std::string rises = ", and rises through it; it lands where it sinks to the ground or below it";
+  expect_note(world + shot + up, "f.toml:5:1", begins + "world.ground.height = 0 m" + rises);
+  expect_note(shot + up, "f.toml:2:1", begins + "until.ground = 0 m" + rises);
+  expect_note(world + shot, "f.toml:5:1", begins + "world.ground.height = 0 m, and has landed there");
+  expect_note(shot, "f.toml:2:1", begins + "until.ground = 0 m, and has landed there");
+  expect_note("[[shot]]\nposition = [0, -5, 0]\nvelocity = [9, 9, 0]\n", "f.toml:2:1", rises);
+  expect_note(shot + "sight = { zero_range = 100 }\n", "f.toml:2:1", "and lands at once unless it rises");
+  EXPECT_TRUE(notes_of("[until]\nground = \"off\"\n" + shot).empty());
+  EXPECT_TRUE(notes_of("[world]\n[world.ground]\nmode = \"bounce\"\n" + shot).empty());
+}
+
+TEST(Notes, motors_that_never_burn) {
+  const auto rocket = [](const std::string& more) {
+    return "[[shot]]\nmass = 1\nrail_length = 1\nelevation = \"90 deg\"\nmotor = { propellant_mass = 0.1, "
+           "ignition_delay = 9, thrust = [[0, "
+           "40], [1, 0]] }\n" +
+           more;
+  };
+  expect_note(rocket("[until]\ntime = 8\n"), "f.toml:6:51",
+              "shot.motor.ignition_delay: 9 s, and until.time = 8 s: the motor never burns");
+  expect_note(rocket("[world]\nduration = 9\n"), "f.toml:6:51", "world.duration = 9 s: the motor never burns");
+  expect_note(rocket("[world]\nduration = 12\n[[volley]]\nshot = \"shot-1\"\nstart = 4\n"), "f.toml:6:51",
+              "the motor never burns");
+  EXPECT_TRUE(notes_of(rocket("[until]\ntime = 9.5\n")).empty());
+  EXPECT_TRUE(notes_of(rocket("[world]\nduration = 14\n[[volley]]\nshot = \"shot-1\"\nstart = 4\n")).empty());
+}
+
+TEST(Notes, rifles_in_units_of_another_kind) {
+  const auto rifle = [](const std::string& speed, const std::string& coefficient, const std::string& height) {
+    return "[[shot]]\nmass = \"168 gr\"\ndiameter = \"0.308 in\"\nspeed = " + speed +
+           "\ndrag = { table = \"g7\", ballistic_coefficient = " + coefficient + " }\nsight = { height = " + height +
+           " }\n";
+  };
+  const std::string speed = "\"2600 ft/s\"", coefficient = "\"0.218 lb/in^2\"", height = "\"1.5 in\"";
+  EXPECT_TRUE(notes_of(rifle(speed, coefficient, height)).empty());
+  expect_note(rifle("2600", coefficient, height), "f.toml:5:9", "shot.speed: 2600 m/s is unusual; bullets of rifles");
+  expect_note(rifle(speed, coefficient, "1.5"), "f.toml:7:20", "shot.sight.height: 1.5 m is unusual");
+  expect_note(rifle(speed, "\"218 lb/in^2\"", height), "f.toml:6:48", "the form factor is 0.0012");
+  expect_note(rifle(speed, "0.218", height), "f.toml:6:48", "shot.drag.ballistic_coefficient: 0.218 kg/m^2 is unusual");
+  EXPECT_TRUE(
+      notes_of("[[shot]]\nmass = 1000\ndiameter = 0.4\nspeed = 700\ndrag = { ballistic_coefficient = 6000 }\n").empty())
+      << "a shell of this sectional density";
+  EXPECT_TRUE(notes_of("[[shot]]\nmass = 0.001\ndiameter = 0.005\nspeed = 7000\n").empty()) << "no bullet";
+  EXPECT_EQ(notes_of(rifle(speed, coefficient, height), {"shot.speed=2600"}).size(), 1U);
+}
+
+TEST(Notes, hits_of_what_is_only_passed) {
+  const auto scene = [](const std::string& thing, const std::string& body, const std::string& quantity) {
+    return "[[shape]]\nname = \"b\"\nbox = [1, 1, 1]\n[[thing]]\nname = \"zone\"\nshape = \"b\"\n" + thing +
+           "[[shot]]\nvelocity = [10, 0, 0]\nposition = [-9, 0, 0]\n" + body +
+           "[[expect]]\nthing = \"zone\"\nquantity = \"" + quantity + "\"\nequals = 1\nwithin = 0\n";
+  };
+  const std::string sensor = "sensor = true\n", passes = "body = { collision = { on_hit = \"pass\" } }\n";
+  for (const std::string world : {"", "[world]\nground = \"none\"\n"}) {
+    const auto notes = notes_of(world + scene(sensor, "", "hits"));
+    ASSERT_EQ(notes.size(), 1U) << testing::PrintToString(notes);
+    EXPECT_NE(notes[0].find("expect.quantity: \"hits\" is of hits, and the sensor \"zone\" is passed without one: "
+                            "\"passages\" counts ways into it"),
+              std::string::npos)
+        << notes[0];
+    EXPECT_EQ(notes_of(world + scene("", passes, "hit_speed")).size(), 1U);
+    EXPECT_TRUE(notes_of(world + scene("", "", "hits")).empty());
+    EXPECT_TRUE(notes_of(world + scene(sensor, "", "passages")).empty());
+  }
+}
+
 TEST(Notes, shots_whose_rules_of_despawning_end_them_at_once) {
   const std::string shot = "[world]\n[[shot]]\nspeed = 3\nposition = [0, 1, 0]\nbody = { despawn = { ";
   expect_note(shot + "below = 1.5 } }\n", "f.toml:3:1", "below shot.body.despawn.below = 1.5 m, and leaves at once");

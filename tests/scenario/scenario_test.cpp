@@ -134,7 +134,12 @@ name = "b"
 speed = "800 m/s"
 drag = { table = "g1", bands = [ { above = "800 m/s", ballistic_coefficient = "0.5 lb/in^2" },
                                  { above = 0, ballistic_coefficient = "0.4 lb/in^2" } ] }
-sight = { height = "1.5 in", look_angle = "10 deg", cant = "5 deg", zero_range = "100 m", zero_in_calm_air = true, dial = "2 mil" }
+sight.height = "1.5 in"
+sight.look_angle = "10 deg"
+sight.cant = "5 deg"
+sight.zero_range = "100 m"
+sight.zero_in_calm_air = true
+sight.dial = "2 mil"
 [tolerance]
 relative = 1e-10
 step = "5 ms"

@@ -166,6 +166,19 @@ Result<Study> study_of_text(const std::string& text, std::size_t shot = 0,
   return study_of(*scenario, scenario->shots[shot]);
 }
 
+TEST(StudyText, all_wrong_targets_are_told) {
+  const auto scenario = parse_scenario(
+      "physim = 1\n[[shot]]\nname = \"a\"\n[study]\ntargets = [\"circle 10 cm\", \"rect 1 cm\", \"circle 5 cm\", "
+      "\"rectangle 10 cm\"]\n",
+      "f.toml");
+  ASSERT_TRUE(scenario) << scenario.error().text();
+  const auto study = study_of(*scenario, scenario->shots[0]);
+  ASSERT_FALSE(study);
+  const std::string text = study.error().text();
+  EXPECT_TRUE(text.starts_with("study.targets[1]: error: \"rect 1 cm\" is no target")) << text;
+  EXPECT_NE(text.find("\nstudy.targets[3]: error: \"rectangle 10 cm\" is no target"), std::string::npos) << text;
+}
+
 TEST(StudyInPlace, a_number_is_a_distribution_and_its_mean_is_flown) {
   const std::string text = std::string(kHead) +
                            "speed = \"800 m/s +- 3 m/s\"\nposition = [0, \"1 m .. 3 m\", 0]\n"

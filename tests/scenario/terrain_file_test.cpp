@@ -238,6 +238,33 @@ TEST_F(TerrainFile, HasNoHeightWhereThereIsNone) {
   }
 }
 
+/// An ASCII grid of Esri in latitude and longitude, with its projection beside it.
+std::string text_grid(const std::string& name, const std::string& head, const std::string& rows) {
+  written(name + ".prj",
+          "GEOGCS[\"WGS 84\",DATUM[\"WGS_1984\",SPHEROID[\"WGS 84\",6378137,298.257223563]],PRIMEM[\"Greenwich\",0],"
+          "UNIT[\"degree\",0.0174532925199433]]");
+  return written(name + ".asc", "ncols 2\nnrows 2\nxllcenter 10\nyllcenter 46\ncellsize 0.5\n" + head + rows);
+}
+
+TEST_F(TerrainFile, OfTextWithWholeNumbersHasItsHoles) {
+  const std::string nothing = "NODATA_value -9999\n";
+  for (const std::string& file :
+       {text_grid("nan", nothing, "100 nan\n300 400\n"), text_grid("nan1", nothing, "100.5 nan\n300 400\n"),
+        text_grid("hole", nothing, "100 -9999\n300 400\n"), text_grid("bare", "", "100 -9999\n300 400\n")}) {
+    const auto grid = read_terrain_file(file);
+    ASSERT_FALSE(grid) << file;
+    EXPECT_NE(grid.error().message.find("has points without a height: row 1, column 2"), std::string::npos)
+        << grid.error().text();
+    const auto filled = read_terrain_file(file, {.missing = 7});
+    ASSERT_TRUE(filled) << filled.error().text();
+    EXPECT_EQ(filled->heights[3], 7) << file;
+    EXPECT_EQ(filled->impossible, 0U) << file;
+  }
+  const auto other = read_terrain_file(text_grid("other", "NODATA_value 0\n", "100 -9999\n300 400\n"));
+  ASSERT_TRUE(other) << "it says what its number for nothing is";
+  EXPECT_EQ(other->heights[3], -9999);
+}
+
 /// A height that no ground has is replaced, and a note says so; a void that the file declares needs no word.
 TEST_F(TerrainFile, WithImpossibleHeightsIsAskedAbout) {
   Tiff tiff(3, 2, {100, 200, -9, 32767, 500, -32768});
@@ -436,6 +463,23 @@ TEST_F(TerrainFile, StandsInScenariosAboutTheirPlace) {
   ASSERT_TRUE(reread) << reread.error().text();
   EXPECT_EQ(std::get<MeshShape>(reread->shapes[0].shape).vertices,
             std::get<MeshShape>(scenario->shapes[0].shape).vertices);
+}
+
+TEST_F(TerrainFile, ThatEndsBeforeItsReachHasANote) {
+  tile([](int, int) { return 700; });  // 55.6 km north and south of the place, 38.3 km east and west
+  const auto notes = [&](const std::string& reach) {
+    const auto scenario =
+        parse_scenario(scenario_with("mesh = { terrain = \"N46E007.hgt\", every = 50, reach = \"" + reach + "\" }"),
+                       in_folder("f.toml"));
+    EXPECT_TRUE(scenario) << scenario.error().text();
+    return scenario ? scenario->notes : std::vector<std::string>();
+  };
+  EXPECT_TRUE(notes("30 km").empty());
+  EXPECT_TRUE(notes("38 km").empty());
+  ASSERT_EQ(notes("50 km").size(), 1U);
+  EXPECT_NE(notes("50 km")[0].find("f.toml:10:55: shape.mesh.reach: 50000 m, and on one side the file ends 382"),
+            std::string::npos)
+      << notes("50 km")[0];
 }
 
 TEST_F(TerrainFile, OfScenariosIsRefusedAtItsLine) {

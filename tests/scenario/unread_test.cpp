@@ -64,6 +64,103 @@ TEST(Unread, settings_of_the_air_and_the_earth) {
                 earth("flat_coriolis"));
 }
 
+/// What an override is said to be without effect for; empty: it has one.
+std::string unread_override(const std::string& text, const std::string& setting) {
+  const std::vector<std::string> overrides = {setting};
+  const auto scenario = parse_scenario("physim = 1\n" + text, "f.toml", overrides);
+  EXPECT_TRUE(scenario) << (scenario ? "" : scenario.error().text());
+  for (const std::string& note : scenario ? scenario->notes : std::vector<std::string>{})
+    if (note.starts_with("--set " + setting) && note.find("has no effect") != note.npos) return note;
+  return "";
+}
+
+TEST(Unread, places_on_an_earth_that_is_flat_and_still) {
+  const auto earth = [](const std::string& keys, const std::string& model, const std::string& more = "") {
+    return "[environment.earth]\n" + keys + "\n" + kShot + "fidelity = { earth = \"" + model + "\" }\n" + more;
+  };
+  expect_unread("environment.earth.latitude", ": only shots over an Earth that turns read it",
+                earth("latitude = 0.5", "flat"), earth("latitude = 0.5", "flat_coriolis"));
+  EXPECT_FALSE(says(earth("latitude = 0.5", "sphere"), "has no effect")) << "heights are over a round Earth";
+  const std::string flat = earth("", "flat"), turning = earth("", "flat_coriolis"), round = earth("", "sphere");
+  const std::string longitude = "environment.earth.longitude=0.5", azimuth = "environment.earth.azimuth=0.5";
+  EXPECT_NE(unread_override(flat, azimuth).find(": only shots over an Earth that turns read it"), std::string::npos);
+  EXPECT_EQ(unread_override(turning, azimuth), "");
+  EXPECT_NE(unread_override(turning, longitude).find(": only shots over a round Earth read it"), std::string::npos);
+  EXPECT_EQ(unread_override(round, longitude), "");
+  EXPECT_FALSE(says(earth("longitude = 0.5\nazimuth = 0.5", "flat"), "has no effect")) << "in a file they describe";
+  const std::string checked = "[[expect]]\nquantity = \"longitude\"\nequals = 0.5\nwithin = 1\n";
+  EXPECT_EQ(unread_override(flat + checked, longitude), "") << "a figure is checked by it";
+  const std::string compass =
+      "[study]\ninputs = [\"environment.wind.speed = +- 1 m/s\", \"environment.wind.from = 0 deg .. 9 deg\"]\n";
+  EXPECT_EQ(unread_override(flat + compass, azimuth), "") << "north is where it says";
+}
+
+TEST(Unread, wind_that_a_zero_leaves_out_where_there_is_none) {
+  const std::string zeroed = kShot + "speed = 800\nsight = { zero_range = 100, zero_in_calm_air = true }\n";
+  expect_unread("shot.sight.zero_in_calm_air", " without environment.wind", zeroed,
+                zeroed + "[environment.wind]\nvelocity = [0, 0, 3]\n");
+}
+
+TEST(Unread, altitude_of_shots_that_fly_in_no_air) {
+  const auto shot = [](const std::string& air) { return kShot + "fidelity = { air = \"" + air + "\" }\n"; };
+  EXPECT_NE(unread_override(shot("vacuum"), "environment.altitude=3000").find(": no shot flies in air"),
+            std::string::npos);
+  EXPECT_EQ(unread_override(shot("constant"), "environment.altitude=3000"), "")
+      << "its density is that of the altitude";
+  EXPECT_EQ(unread_override(shot("isa"), "environment.altitude=3000"), "");
+  EXPECT_FALSE(says("[environment]\naltitude = 3000\n" + shot("vacuum"), "has no effect")) << "in a file it describes";
+}
+
+TEST(Unread, speed_of_sound_in_worlds_whose_drag_knows_no_mach_number) {
+  const std::string world = "[world]\n";
+  const std::string ball = "[[shot]]\nmass = 1\ndiameter = 0.1\nspeed = 50\ndrag = { coefficient = 0.4 }\n";
+  const std::string curve = "[[shot]]\nmass = 1\ndiameter = 0.1\nspeed = 50\ndrag = { table = \"g7\" }\n";
+  const std::string rung = "fidelity = { preset = \"game\", air = \"constant\", drag = \"equation\" }\n";
+  const std::string sound = "environment.atmosphere.sound_speed=300";
+  EXPECT_NE(unread_override(world + ball + rung, sound).find(" in a run: no drag of the world"), std::string::npos);
+  EXPECT_EQ(unread_override(world + curve + rung, sound), "");
+  EXPECT_EQ(unread_override(ball + rung, sound), "") << "a flight tells its Mach numbers";
+  EXPECT_FALSE(says("[environment.atmosphere]\nsound_speed = 300\n" + world + ball + rung, "has no effect"));
+}
+
+TEST(Unread, real_time_in_runs) {
+  const std::string world = "[world]\n" + kShot;
+  for (const char* setting : {"world.time_scale=2", "world.max_steps=5"})
+    EXPECT_NE(unread_override(world, setting).find(" in a run: only programs that step the world in real time"),
+              std::string::npos);
+  EXPECT_FALSE(says("[world]\ntime_scale = 2\nmax_steps = 5\n" + kShot, "has no effect")) << "a client reads them";
+}
+
+TEST(Unread, cycles_of_emitters_that_fire_only_as_subs) {
+  const auto emitter = [](const std::string& keys) {
+    return "[world]\n" + kShot +
+           "[[emitter]]\nname = \"e\"\nshot = \"shot-1\"\nsub = [{ on = \"death\", emitter = \"k\" }]\n"
+           "[[emitter]]\nname = \"k\"\nshot = \"shot-1\"\n" +
+           keys + "\n";
+  };
+  EXPECT_FALSE(says(emitter("cycle = { plays = false }"), "has no effect")) << "it fires otherwise by itself";
+  EXPECT_TRUE(says(emitter("per_second = 0\ncycle = { plays = false }"),
+                   "emitter.cycle.plays: has no effect: the emitter has no rate, burst, gun or rain"));
+  expect_unread("emitter.cycle.duration", ": the emitter fires only as the sub of others",
+                emitter("cycle = { plays = false, duration = 3, looping = false }"),
+                emitter("cycle = { duration = 3, looping = false }"));
+  expect_unread("emitter.cycle.looping", ": the emitter fires only as the sub of others",
+                emitter("cycle = { plays = false, looping = false }"), emitter("cycle = { looping = false }"));
+}
+
+TEST(Unread, bursts_that_are_due_behind_the_cycle_and_no_others) {
+  const std::string text =
+      "[world]\n" + kShot +
+      "[[emitter]]\nshot = \"shot-1\"\ncycle = { duration = 1 }\nbursts = [{ time = 1, count = 3 }, "
+      "{ time = 0, count = 2 }, { time = 2, count = 1 }]\n";
+  const std::vector<std::string> notes = notes_of(text);
+  ASSERT_EQ(notes.size(), 2U) << testing::PrintToString(notes);
+  EXPECT_EQ(notes[0],
+            "f.toml:9:21: emitter.bursts.time: has no effect: burst 1 is due at 1 s, and the cycle ends before, see "
+            "emitter.cycle.duration = 1 s");
+  EXPECT_NE(notes[1].find("burst 3 is due at 2 s"), std::string::npos) << notes[1];
+}
+
 TEST(Unread, turning_of_the_earth_beside_planar_flights_along_a_meridian) {
   const auto planar = [](const std::string& azimuth) {
     return "[environment.earth]\nrotation_rate = 1e-4\n" + kShot + "azimuth = " + azimuth +
@@ -267,7 +364,8 @@ TEST(Unread, settings_of_emitters) {
   expect_unread("emitter.inherit_velocity", ": the emitter does not move",
                 emitter("inherit_velocity = 1\nmotion = { angular_velocity = [0, 1, 0] }"),
                 emitter("inherit_velocity = 1\nmotion = { velocity = [1, 0, 0] }"));
-  expect_unread("emitter.bursts", ": one is due behind the cycle's end, see emitter.cycle.duration",
+  expect_unread("emitter.bursts.time",
+                ": burst 1 is due at 0.1 s, and the cycle ends before, see emitter.cycle.duration = 0.05 s",
                 emitter("bursts = [{ time = 0.1, count = 3 }]\ncycle = { duration = 0.05 }"),
                 emitter("bursts = [{ time = 0.1, count = 3 }]\ncycle = { duration = 0.2 }"));
   const std::string rungs =

@@ -13,7 +13,7 @@ namespace physim::python {
   std::vector<nb::list> columns(records.columns.size());
   records.rows([&](report::Row row) {
     for (std::size_t i = 0; i < columns.size(); ++i) {
-      if (i >= row.size())
+      if (i >= row.size() || std::holds_alternative<std::monostate>(row[i]))
         columns[i].append(std::numeric_limits<double>::quiet_NaN());
       else if (const auto* text = std::get_if<std::string_view>(&row[i]))
         columns[i].append(nb::str(text->data(), text->size()));
