@@ -59,7 +59,6 @@ class Logger {
   /// Steps a run from its present step to the last one.
   Status run(const Progress& progress) {
     const std::uint64_t before = run_->world().counters().steps;
-    is_whole_ = before == 0;
     if (before > 0)
       meet_all();
     else
@@ -137,11 +136,11 @@ class Logger {
     }
   }
 
-  /// Null where the run began before this.
-  [[nodiscard]] const Passages* passages_of(const WorldGroup& group) const {
+  /// Of the whole run: what passes things is flown again from the start if the run was loaded.
+  [[nodiscard]] const Passages& passages_of(const WorldGroup& group) const {
     const auto number = static_cast<std::size_t>(&group - log_.groups.data());
     PHYSIM_ASSERT(number < passages_.size());
-    return is_whole_ ? &passages_[number] : nullptr;
+    return passages_[number];
   }
 
   /// Those that a save brought along.
@@ -287,8 +286,7 @@ class Logger {
   std::uint64_t sample_every_ = 1, draw_every_ = 1;
   bool is_saved_ = false;
   bool is_again_ = false;           // it flies what was saved
-  std::vector<Passages> passages_;  // by group, of what was stepped here
-  bool is_whole_ = true;            // that is all from the start on
+  std::vector<Passages> passages_;  // by group
 };
 
 using Json = nlohmann::ordered_json;

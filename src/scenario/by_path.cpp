@@ -71,7 +71,7 @@ Error unknown_setting(std::string_view path, const Place& place) {
   const std::string hint = dot == path.npos ? "" : hint_of_key(path.substr(0, dot), path.substr(dot + 1));
   if (!hint.empty()) return {"unknown setting " + in_quotes(path), place.text(), hint};
   std::string_view near = nearest(path, setting_paths());
-  if (near.empty()) near = nearest(std::string(kShot) + std::string(path), setting_paths());
+  if (near.empty() && !path.empty()) near = nearest(std::string(kShot) + std::string(path), setting_paths());
   return {"unknown setting " + in_quotes(path), place.text(),
           near.empty() ? "physim list settings shows all" : "did you mean " + in_quotes(near) + "?"};
 }

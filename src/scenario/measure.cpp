@@ -81,11 +81,10 @@ Result<double> measure(const Flight& flight, const FlightHits& hits, const Expec
   return Error{"there is no hit to measure", expectation.place, "its count is zero"};
 }
 
-Result<double> measure(const WorldGroup& group, const Passages* passages, const Expectation& expectation) {
+Result<double> measure(const WorldGroup& group, const Passages& passages, const Expectation& expectation) {
   const Figure* figure = find_figure(expectation.quantity);
   if (figure == nullptr || !figure->is_of_passages) return measure(group, expectation);
-  if (passages != nullptr) return static_cast<double>(passages->of(expectation.thing));
-  return Error{"passages before the save are not known", expectation.place, "run the world from its start"};
+  return static_cast<double>(passages.of(expectation.thing));
 }
 
 Result<double> measure(const WorldGroup& group, const Expectation& expectation) {

@@ -72,7 +72,8 @@ std::string_view nearest(std::string_view word, std::span<const std::string_view
     if (distance < best_distance) best = candidate, best_distance = distance;
     if (is_short_for(wanted, lower) && (whole.empty() || candidate.size() < whole.size())) whole = candidate;
   }
-  return whole.empty() || best_distance <= 1 ? best : whole;
+  const bool is_slip = !best.empty() && best_distance <= 1;
+  return whole.empty() || is_slip ? best : whole;
 }
 
 std::string suggestion(std::string_view word, std::span<const std::string_view> candidates,

@@ -210,8 +210,8 @@ class WorldRun {
 
 /// The value of an expectation on a group at the end of a run [SI unit of the quantity], or why it has no value.
 [[nodiscard]] Result<double> measure(const WorldGroup& group, const Expectation& expectation);
-/// ... of a group with the passages of its projectiles; null: they were not counted from the start of the world on.
-[[nodiscard]] Result<double> measure(const WorldGroup& group, const Passages* passages, const Expectation& expectation);
+/// ... of a group with the passages of its projectiles.
+[[nodiscard]] Result<double> measure(const WorldGroup& group, const Passages& passages, const Expectation& expectation);
 
 // ---------------------------------------------------------------------------------------------------------------------
 // FlightHits: what the flight of a scenario's shot did with the scenario's things.

@@ -114,7 +114,6 @@ void put_plane(const StudyPlanRecord& plan, const ShardSums& sums, StudyResult& 
         {study.group_sizes[i], m.count, mean, std::sqrt(m.covariance(0, 0)), sums.spreads[i].cells});
   }
   if (plan.is_plain()) result.zone = zone_of(sums.reach, sums.moments.count);
-  for (std::size_t i = 0; i < study.targets.size(); ++i) result.hits.push_back(hits_on(plan, sums, i));
 }
 
 }  // namespace
@@ -205,6 +204,7 @@ StudyResult figures_of(const StudyPlanRecord& plan, const ShardSums& sums) {
   for (std::size_t i = 0; i < n * n; ++i)
     result.covariance.push_back(some ? sums.moments.covariance(i / n, i % n) : kNotKnown);
   if (plan.has_plane()) put_plane(plan, sums, result);
+  for (std::size_t i = 0; i < study.targets.size(); ++i) result.hits.push_back(hits_on(plan, sums, i));
   if (!plan.in_space.empty()) result.in_space = radius_result(plan, sums, sums.in_space, &ReplicateDistances::in_space);
   for (const StageSums& stage : sums.stages) result.stages.push_back(stage_result(plan, stage));
   for (const SumOfShot& shot : sums.worst)

@@ -131,8 +131,9 @@ INSTANTIATE_TEST_SUITE_P(
             "inverse_square, j2, wgs84"},
         Bad{"[[shot]]\n[[expect]]\nquantity = \"hight\"\nequals = 1\nwithin = 1",
             "f.toml:4:12: error: expect.quantity: unknown value \"hight\"; known values: drop, windage, range, speed, "
-            "time, x, y, z, vx, vy, vz, ax, ay, az, mach, energy, mass, thrust, latitude, longitude, altitude, "
-            "elevation, yaw, pitch, roll, spin_rate, angle_of_attack, gyroscopic_stability, spawned, refused, ..."},
+            "time, x, y, z, vx, vy, vz, ax, ay, az, jx, jy, jz, mach, energy, mass, thrust, latitude, longitude, "
+            "altitude, "
+            "elevation, yaw, pitch, roll, spin_rate, angle_of_attack, ..."},
         Bad{"[[shot]]\n[[expect]]\nquantity = \"drop\"\nequals = \"1 m/s\"\nwithin = 1",
             "f.toml:5:10: error: expect.equals: \"1 m/s\" is a speed; expected a length such as \"7.82 mm\""},
         Bad{"[[shot]]\n[until]\nevents = [{ kind = \"speed\", value = \"3 m\" }]",

@@ -156,7 +156,7 @@ TEST(Unread, bursts_that_are_due_behind_the_cycle_and_no_others) {
   const std::vector<std::string> notes = notes_of(text);
   ASSERT_EQ(notes.size(), 2U) << testing::PrintToString(notes);
   EXPECT_EQ(notes[0],
-            "f.toml:9:21: emitter.bursts.time: has no effect: burst 1 is due at 1 s, and the cycle ends before, see "
+            "f.toml:9:20: emitter.bursts.time: has no effect: burst 1 is due at 1 s, and the cycle ends before, see "
             "emitter.cycle.duration = 1 s");
   EXPECT_NE(notes[1].find("burst 3 is due at 2 s"), std::string::npos) << notes[1];
 }
@@ -272,7 +272,8 @@ TEST(Unread, numbers_of_models_that_do_not_fly) {
                 shot("sight = { dial = \"3 mil\", zero_range = 5 }\nspeed = 60"));
   expect_unread("shot.sight.zero_in_calm_air", " without shot.sight.zero_range",
                 shot("sight = { zero_in_calm_air = true }"),
-                shot("sight = { zero_in_calm_air = true, zero_range = 5 }\nspeed = 60"));
+                "[environment.wind]\nvelocity = [0, 0, 3]\n" +
+                    shot("sight = { zero_in_calm_air = true, zero_range = 5 }\nspeed = 60"));
 }
 
 TEST(Unread, errors_of_steps) {
