@@ -136,7 +136,7 @@ class Logger {
     }
   }
 
-  /// Of the whole run: what passes things is flown again from the start if the run was loaded.
+  /// The passages of a group in the whole run: a loaded run with things is flown again from the start.
   [[nodiscard]] const Passages& passages_of(const WorldGroup& group) const {
     const auto number = static_cast<std::size_t>(&group - log_.groups.data());
     PHYSIM_ASSERT(number < passages_.size());

@@ -134,6 +134,9 @@ void ShardFlyer::add_arrived(std::uint64_t shard, ShardSums& sums) {
   }
   m_.distances.resize(m_.shots.size());
   if (plan_.has_plane()) add_plane(shard, sums);
+  const auto all = static_cast<std::ptrdiff_t>(sums.shots);
+  for (auto hit = m_.hits.begin(); hit != m_.hits.end(); hit += all)
+    sums.hits.push_back(static_cast<std::uint64_t>(std::count(hit, hit + all, std::uint8_t{1})));
   if (plan_.in_space.empty()) return;
   for (std::size_t i = 0; i < m_.shots.size(); ++i) {
     double squares = 0;
@@ -164,9 +167,6 @@ void ShardFlyer::add_plane(std::uint64_t shard, ShardSums& sums) {
   add_distances(sums.from_aim);
   add_worst(shard, sums);
   sums.reach = reach_of(right, up);
-  const auto all = static_cast<std::ptrdiff_t>(sums.shots);
-  for (auto hit = m_.hits.begin(); hit != m_.hits.end(); hit += all)
-    sums.hits.push_back(static_cast<std::uint64_t>(std::count(hit, hit + all, std::uint8_t{1})));
 }
 
 /// Blocks of which no shot is as bad as those that are kept are passed by.
