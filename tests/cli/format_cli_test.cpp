@@ -16,7 +16,7 @@ constexpr const char* kRoundShot =
     "elevation = \"20 deg\"\nfidelity = { preset = \"simulation\", earth = \"ellipsoid\" }\n";
 constexpr const char* kWorld =
     "physim = 1\n[world]\nduration = \"1 s\"\n[[shot]]\nname = \"ball\"\nmass = \"1 kg\"\ndiameter = \"5 cm\"\n"
-    "speed = \"10 m/s\"\nfidelity = \"game\"\n";
+    "speed = \"10 m/s\"\nfidelity = { preset = \"game\", earth = \"ellipsoid\" }\n";
 
 std::string option_of(const Format& format) { return "--" + std::string(format.name); }
 std::string file_of(const Format& format) { return "out" + std::string(format.ending); }

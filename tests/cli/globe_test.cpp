@@ -420,7 +420,7 @@ TEST(FilesForOthers, WorldsAreOnGlobesToo) {
   std::string text = kWall;
   text.replace(text.find("[until]"), text.npos, "[world]\nduration = \"2 s\"\n");
   const Flown flown(kWall);
-  const auto [hit, place] = *flown.corners().begin();
+  const Vec3d place = flown.corners().begin()->second;
   const json packets = json::parse(written(text, "--czml", {"--interval", "0.05 s"}));
   ASSERT_EQ(packets.size(), 2U);
   EXPECT_EQ(packets[1].at("name"), flown.scenario.shots[0].projectile.name);
@@ -439,7 +439,14 @@ TEST(FilesForOthers, WorldsAreOnGlobesToo) {
   EXPECT_EQ(marks[1], "launch");
   EXPECT_EQ(std::ranges::count(marks, "hit"), 1);
   EXPECT_EQ(map["features"][0]["geometry"]["type"], "MultiLineString") << "it crosses the antimeridian";
-  EXPECT_NE(written(text, "--kml").find(flown.degrees_at(place)), std::string::npos) << "a sample at the hit";
+  const auto mark = std::ranges::find(marks, "hit") - marks.begin();
+  const json& hit_at = map["features"][static_cast<std::size_t>(mark)]["geometry"]["coordinates"];
+  const Geodetic there = flown.flight.earth_frames().geodetic(place);
+  EXPECT_NEAR(hit_at[0], there.longitude / kDegree, 1e-10);
+  EXPECT_NEAR(hit_at[2], there.height, 1e-5);
+  const std::string numbers = report::shortest(hit_at[0]) + "," + report::shortest(hit_at[1]) + ",";
+  EXPECT_NE(written(text, "--kml", {"--interval", "0.05 s"}).find("     " + numbers), std::string::npos)
+      << "a sample at the hit";
   // Of many, each has its number.
   const json volley = json::parse(
       written(text + "[[volley]]\nname = \"balls\"\nshot = \"ball, fast & <loud>\"\ncount = 3\n", "--czml"));

@@ -140,9 +140,10 @@ mass = "10 g"
 diameter = "7.62 mm"
 drag = { coefficient = 0.3 }
 speed = "800 m/s"
-fidelity = "constant_air"
+fidelity = { preset = "constant_air", earth = "ellipsoid" }
 [[shot]]
 name = "rocket"
+fidelity = { preset = "simulation", earth = "ellipsoid" }
 )" + test::kRocketLines +
            shapes_ + R"([study]
 inputs = ["shot.ball.speed = column speed of speeds.csv"]

@@ -113,7 +113,7 @@ TEST(Texts, every_json_is_what_its_tree_would_be) {
     ++of_json;
     EXPECT_TRUE(all == json_text(tree)) << all.substr(0, 400);
   }
-  EXPECT_EQ(of_json, 4);  // flights and a world as JSON, CZML and GeoJSON
+  EXPECT_EQ(of_json, 6);  // flights and a world, each as JSON, CZML and GeoJSON
 }
 
 TEST(Texts, are_handed_over_in_small_pieces) {

@@ -74,6 +74,9 @@ TEST(Measure, LooksAtTheJerk) {
   Fidelity fidelity = Fidelity::reference();
   fidelity.gravity = GravityModel::constant;
   fidelity.drag = DragModel::linear_quadratic;
+  fidelity.wind = WindModel::off;
+  fidelity.earth = EarthModel::flat;
+  fidelity.rotation = RotationModel::none;
   const ProjectileDef projectile{.mass = 2, .drag = {.k1 = 2 * k}};
   const Flight flight = fly(projectile, {.velocity = Vec3d{30, 20, 5}}, {}, fidelity);
   for (const std::string axis : {"x", "y", "z"}) {

@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <cstring>
 #include <filesystem>
 #include <fstream>
 
@@ -390,15 +391,23 @@ TEST(MeshFile, NodesOfGltfLieWhereTheFileSays) {
       "0.7071067811865476], \"scale\": [1, 3, 1]}],\n\"meshes\"";
   text.replace(text.find("],\n\"meshes\""), 11, ", " + third);
   std::ofstream(folder / "far.gltf") << text;
+  // The same as a binary file, whose second chunk is the buffer.
   std::string json = text;
+  const std::size_t uri = json.find(", \"uri\"");
+  json.erase(uri, json.find('}', uri) - uri);
   json.resize((json.size() + 3) / 4 * 4, ' ');
-  const auto word = [](std::size_t number) {
-    std::string bytes;
-    for (int shift = 0; shift < 32; shift += 8) bytes += static_cast<char>(number >> shift & 0xFF);
+  const auto bytes_of = [](const auto& number) {
+    std::string bytes(sizeof number, '\0');
+    std::memcpy(bytes.data(), &number, sizeof number);
     return bytes;
   };
+  std::string buffer;
+  for (const float number : {0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 1}) buffer += bytes_of(number);
+  for (const std::uint16_t corner : {0, 2, 1, 0, 1, 3, 0, 3, 2, 1, 2, 3}) buffer += bytes_of(corner);
+  const auto word = [&](std::size_t number) { return bytes_of(static_cast<std::uint32_t>(number)); };
   std::ofstream(folder / "far.glb", std::ios::binary)
-      << "glTF" << word(2) << word(20 + json.size()) << word(json.size()) << "JSON" << json;
+      << "glTF" << word(2) << word(28 + json.size() + buffer.size()) << word(json.size()) << "JSON" << json
+      << word(buffer.size()) << std::string("BIN\0", 4) << buffer;
   for (const char* name : {"far.gltf", "far.glb"}) {
     const Result<MeshShape> mesh = read_mesh_file(folder / name);
     ASSERT_TRUE(mesh) << mesh.error().text();

@@ -54,7 +54,7 @@ INSTANTIATE_TEST_SUITE_P(
         Bad{"[[shot]]\nbody = { layers = -1 }\n[world]",
             "f.toml:3:19: error: shot.body.layers: -1 is out of range; must be 0 .. 4294967295"},
         Bad{"[[shot]]\n[world]\n[[volley]]\nshot = \"shot-1\"\nrate = \"10 rp\"",
-            "f.toml:6:8: error: volley.rate: unknown unit \"rp\" in \"10 rp\"; known units: 1/s, 1/min, rpm"},
+            "f.toml:6:8: error: volley.rate: unknown unit \"rp\" in \"10 rp\"; did you mean \"rpm\"?"},
         Bad{"[[shot]]\n[world]\n[[volley]]\nshot = \"shot-1\"\nspread = { horizontal = \"-1 deg\" }",
             "f.toml:6:25: error: volley.spread.horizontal: \"-1 deg\" is out of range; must be 0 .. 180 deg"},
         Bad{"[[shot]]\n[world]\n[[force]]\nshots = [1]",
