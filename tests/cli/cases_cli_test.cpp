@@ -308,7 +308,9 @@ TEST(CasesOfAir, levels_of_a_sounding_are_flown) {
   mistaken.replace(mistaken.find("\"3000 m\""), 8, "\"300 m\"");
   const Ran wrong = physim({"run", folder.write("m.toml", mistaken)});
   EXPECT_EQ(wrong.code, 2);
-  EXPECT_TRUE(has(wrong.err, "m.toml:18:3: error: environment.atmosphere.profile[2]: must lie higher than the one below")) << wrong.err;
+  EXPECT_TRUE(
+      has(wrong.err, "m.toml:18:3: error: environment.atmosphere.profile[2]: must lie higher than the one below"))
+      << wrong.err;
   const Ran slip =
       physim({"run", file, "--set", "environment.atmosphere.profile=[{ temperature = 288, pressure = 1013 }]"});
   EXPECT_TRUE(has(slip.err, "a pressure of 1013 Pa at 0 m is unusual")) << slip.err;
