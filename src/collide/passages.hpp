@@ -12,7 +12,7 @@
 namespace physim::collide {
 
 /// The surfaces that a point goes through along a chord, in order; `SceneHit::part` is of the chord. Parts of a
-/// compound that touch or overlap and have one material are one body, whose inner surfaces are none.
+/// compound that touch or overlap and have one material are one body, whose inner surfaces do not count.
 [[nodiscard]] std::vector<SceneHit> passages(const Scene& scene, const SceneFilter& filter, const SceneSegment& chord);
 
 }  // namespace physim::collide

@@ -135,13 +135,6 @@ std::string why_no_coefficient(R r) {
   return read_unless(!r.any(reads_coefficients), "shot.magnus.table");
 }
 
-/// Whether a force on it goes by the Mach number.
-bool reads_mach(Rung f) {
-  const ProjectileDef& p = f.shot->projectile;
-  const bool is_curve = p.drag.table != DragTable::constant || !p.motor.drag_curve.empty();
-  return !is_unmoved(f.shot->body) && ((flies_equation(f) && is_curve) || flies_body(f));
-}
-
 // -------------------------------------------------------------------------------------------------------- environment
 std::string why_no_air(R r) { return read_or(r.any(is_in_air) || has_some_stability(r), ": no shot flies in air"); }
 std::string why_no_sound(R r) {
@@ -202,12 +195,6 @@ constexpr UnreadRule kEnvironmentRules[] = {
        const auto reads = [&](Rung f) { return (is_in_air(f) || r.scenario.world.given) && !computes_air(f); };
        return read_by(r.any(reads), "air \"constant\" and \"exponential\" read");
      }},
-    {"environment.atmosphere.sound_speed",
-     [](R r) {
-       const auto reads = [](Rung f) { return is_in_air(f) && !computes_air(f) && reads_mach(f); };
-       return read_or(!r.scenario.world.given || r.any(reads), " in a run: no drag of the world reads the Mach number");
-     },
-     true},
     {"environment.atmosphere.scale_height",
      [](R r) {
        return read_by(r.any([](Rung f) { return f.granted.air == AirModel::exponential; }),

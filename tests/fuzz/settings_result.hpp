@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "base/hash.hpp"
+#include "model/ladder.hpp"
 #include "model/sight.hpp"
 #include "physim/solve.hpp"
 #include "physim/study.hpp"
@@ -99,10 +100,14 @@ class ResultHash {
     for (const Event& event : flight.events()) add(event);
     for (const double range : scenario_.ranges)
       if (const auto sample = flight.at_range(range)) add(*sample);
-    const EarthFrames frames = flight.earth_frames();
-    const Geodetic place = frames.geodetic(flight.end().position);
-    add(place.latitude), add(place.longitude), add(place.height);
-    add(frames.local(flight.end().position, flight.end().velocity));
+    add_place(flight.fidelity_in_use().fidelity.earth, flight.end().position, flight.end().velocity);
+  }
+  /// Coordinates and directions of the compass: over a flat Earth nothing that the program writes has them.
+  void add_place(EarthModel earth, const Vec3d& position, const Vec3d& velocity) {
+    if (row(earth).shape == EarthShape::flat) return;
+    const EarthFrames frames(scenario_.environment, earth);
+    const Geodetic place = frames.geodetic(position);
+    add(place.latitude), add(place.longitude), add(place.height), add(frames.local(position, velocity));
   }
 
   void of_flights() {
@@ -226,9 +231,7 @@ class ResultHash {
   }
   void of_row(const ProjectileView& row) {
     result_.moved += length(row.position() - row.previous_position());
-    const EarthFrames frames(scenario_.environment, row.fidelity_in_use().fidelity.earth);
-    const Geodetic place = frames.geodetic(row.position());
-    add(place.latitude), add(place.longitude), add(place.height), add(frames.local(row.position(), row.velocity()));
+    add_place(row.fidelity_in_use().fidelity.earth, row.position(), row.velocity());
     add(row.position()), add(row.velocity()), add(row.mass()), add(row.angular_velocity());
     if (row.fidelity_in_use().fidelity.air != AirModel::vacuum) add(row.mach());
     const Quatd q = row.orientation();

@@ -111,18 +111,6 @@ TEST(Unread, altitude_of_shots_that_fly_in_no_air) {
   EXPECT_FALSE(says("[environment]\naltitude = 3000\n" + shot("vacuum"), "has no effect")) << "in a file it describes";
 }
 
-TEST(Unread, speed_of_sound_in_worlds_whose_drag_knows_no_mach_number) {
-  const std::string world = "[world]\n";
-  const std::string ball = "[[shot]]\nmass = 1\ndiameter = 0.1\nspeed = 50\ndrag = { coefficient = 0.4 }\n";
-  const std::string curve = "[[shot]]\nmass = 1\ndiameter = 0.1\nspeed = 50\ndrag = { table = \"g7\" }\n";
-  const std::string rung = "fidelity = { preset = \"game\", air = \"constant\", drag = \"equation\" }\n";
-  const std::string sound = "environment.atmosphere.sound_speed=300";
-  EXPECT_NE(unread_override(world + ball + rung, sound).find(" in a run: no drag of the world"), std::string::npos);
-  EXPECT_EQ(unread_override(world + curve + rung, sound), "");
-  EXPECT_EQ(unread_override(ball + rung, sound), "") << "a flight tells its Mach numbers";
-  EXPECT_FALSE(says("[environment.atmosphere]\nsound_speed = 300\n" + world + ball + rung, "has no effect"));
-}
-
 TEST(Unread, real_time_in_runs) {
   const std::string world = "[world]\n" + kShot;
   for (const char* setting : {"world.time_scale=2", "world.max_steps=5"})

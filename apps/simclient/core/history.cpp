@@ -26,6 +26,7 @@ std::string difference(const Launcher& before, const Launcher& now) {
   ScenarioShot was = before.shot();
   const ScenarioShot& is = now.shot();
   was.launch.azimuth = is.launch.azimuth, was.launch.elevation = is.launch.elevation;
+  was.launch.sight.dial = is.launch.sight.dial;
   static const auto* const rows = new std::vector<SettingRow>(setting_rows("shot"));
   std::string names;
   const Scenario none;
