@@ -17,7 +17,6 @@
 #include <optional>
 
 #include "base/assert.hpp"
-#include "collide/passages.hpp"
 #include "collide/tube_casts.hpp"
 #include "math/vec3.hpp"
 #include "physim/scene.hpp"
@@ -127,26 +126,6 @@ template <class Path>
     width = std::max(width, std::sqrt(8 * 0.5 * fine / bend));
   }
   return std::nullopt;
-}
-
-/// Calls tell(theta, hit) for every surface that a path goes through behind its start and up to `end`, in and out: its
-/// points, without a radius, along chords that stay within a micrometre of it.
-template <class Path, class Tell>
-void each_passage(const Scene& scene, const SceneFilter& filter, const Path& path, const PathTime& time, double end,
-                  const Tell& tell) {
-  PHYSIM_ASSERT(end >= 0 && end <= 1);
-  constexpr double kAside = 1e-6;  // [m]
-  constexpr double kMostChords = 64;
-  const double chords = std::clamp(std::ceil(end * std::sqrt(bend_of(path) / (8 * kAside))), 1.0, kMostChords);
-  Vec3d from = path(0.0);
-  for (double i = 0; i < chords; ++i) {
-    const double begin = end * (i / chords);
-    const double to = i + 1 == chords ? end : end * ((i + 1) / chords);
-    const Vec3d there = path(to);
-    for (const SceneHit& hit : passages(scene, filter, time.chord(from, there, 0, begin, to)))
-      tell(begin + hit.part * (to - begin), hit);
-    from = there;
-  }
 }
 
 }  // namespace physim::collide

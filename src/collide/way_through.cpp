@@ -2,10 +2,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <vector>
 
 #include "base/assert.hpp"
+#include "collide/contact_rules.hpp"
 #include "collide/path_cast.hpp"
+#include "math/vec3.hpp"
 
 namespace physim::collide {
 namespace {
@@ -85,6 +88,100 @@ std::optional<WayThrough> way_through(const Scene& scene, const SceneFilter& sol
   if (!begin) return std::nullopt;
   PHYSIM_ASSERT(body.is_inside() || through.thickness >= kOne);
   return body.is_inside() ? endless : through;
+}
+
+// ------------------------------------------------------------------------------------------- what is passed
+namespace {
+
+/// How far beyond its ends a chord is looked at, as a part of it: places are rounded, and its things may move.
+double overhang(const SceneSegment& chord) {
+  constexpr double kLeast = 1e-9, kMost = 1e-3;
+  const double places = 16 * std::numeric_limits<double>::epsilon() * (length(chord.from) + length(chord.to)) + 1e-12;
+  const double way = length(chord.to - chord.from);
+  return way > 0 ? std::clamp(places / way, kLeast, kMost) : kMost;
+}
+
+/// No surface, but where the point is when its way begins. By which surface it leaves, has the mark too.
+bool begins_inside(const SceneHit& hit) { return hit.starts_inside && hit.entering; }
+
+/// Whether a place is inside of the body that a surface is of, by a cast that is always the same.
+bool is_inside(const Scene& scene, const SceneFilter& filter, const SceneHit& surface, const Vec3d& place,
+               double time) {
+  constexpr Vec3d kAside{1e-6, 6e-7, 3e-7};  // [m]
+  const auto begins_there = [&](const SceneHit& hit) { return begins_inside(hit) && is_one_body(scene, hit, surface); };
+  return std::ranges::any_of(scene.all_hits({place, place + kAside, 0, time, 0}, filter), begins_there);
+}
+
+/// Leaves out what lies inside of bodies that have several parts. `one`: surfaces no farther from each other than this
+/// part of the way are one.
+void join_parts(const Scene& scene, std::vector<SceneHit>& hits, double one) {
+  struct Body {
+    int depth = 0;                 // parts that the point is in
+    SceneHit* last_out = nullptr;  // the surface by which it left the body last
+  };
+  constexpr double kInner = -1;           // a part of the way for what is left out
+  std::vector<Body> bodies(hits.size());  // by the first of their surfaces
+  for (SceneHit& hit : hits) {
+    if (scene.parts(hit.instance) == 0) continue;
+    std::size_t first = 0;
+    while (!is_one_body(scene, hits[first], hit)) ++first;
+    Body& body = bodies[first];
+    if (begins_inside(hit)) {
+      ++body.depth;
+    } else if (hit.entering) {
+      const bool goes_on = body.depth == 0 && body.last_out != nullptr && hit.part - body.last_out->part <= one;
+      if (goes_on) body.last_out->part = kInner, body.last_out = nullptr;
+      if (body.depth++ > 0 || goes_on) hit.part = kInner;
+    } else if (--body.depth > 0) {
+      hit.part = kInner;
+    } else {
+      body.depth = 0;
+      body.last_out = &hit;
+    }
+  }
+  std::erase_if(hits, [](const SceneHit& hit) { return hit.part == kInner; });
+}
+
+}  // namespace
+
+std::vector<SceneHit> passages(const Scene& scene, const SceneFilter& filter, const SceneSegment& chord) {
+  const double beyond = overhang(chord), whole = 1 + 2 * beyond;
+  PHYSIM_ASSERT(beyond > 0 && beyond < 0.01);
+  const Vec3d more = (chord.to - chord.from) * beyond;
+  std::vector<SceneHit> hits = scene.all_hits(
+      {chord.from - more, chord.to + more, 0, chord.time - chord.duration * beyond, chord.duration * whole}, filter);
+  if (hits.empty()) return hits;
+  join_parts(scene, hits, beyond);
+  std::erase_if(hits, [&](SceneHit& hit) {
+    if (begins_inside(hit)) return true;
+    const double part = hit.part * whole - beyond;
+    hit.part = std::clamp(part, 0.0, 1.0);
+    // What lies on an end belongs to the chord before it if the place is behind the surface, and else to the next one.
+    const bool at_start = part<0.5 * beyond, at_end = part> 1 - 0.5 * beyond;
+    if (!at_start && !at_end) return false;
+    const Vec3d& place = at_start ? chord.from : chord.to;
+    const double time = at_start ? chord.time : chord.time + chord.duration;
+    const bool is_behind = is_inside(scene, filter, hit, place, time) == hit.entering;
+    return at_start ? is_behind : !is_behind;
+  });
+  return hits;
+}
+
+void each_passage(const Scene& scene, const SceneFilter& filter, const PassagesOfPath& of, const PathTime& time,
+                  double end) {
+  PHYSIM_ASSERT(end >= 0 && end <= 1);
+  constexpr double kAside = 1e-6;  // [m]
+  constexpr double kMostChords = 64;
+  const double chords = std::clamp(std::ceil(end * std::sqrt(bend_of(of) / (8 * kAside))), 1.0, kMostChords);
+  Vec3d from = of(0.0);
+  for (double i = 0; i < chords; ++i) {
+    const double begin = end * (i / chords);
+    const double to = i + 1 == chords ? end : end * ((i + 1) / chords);
+    const Vec3d there = of(to);
+    for (const SceneHit& hit : passages(scene, filter, time.chord(from, there, 0, begin, to)))
+      of.tell(of.both, begin + hit.part * (to - begin), hit);
+    from = there;
+  }
 }
 
 }  // namespace physim::collide

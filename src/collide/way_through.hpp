@@ -1,8 +1,15 @@
-// The straight way of a projectile through a thing of a scene: how thick that is there, and where it comes out.
+// The straight way of a projectile through a thing of a scene: how thick that is there, and where it comes out. What a
+// point goes through on its way: sensors, and whatever it passes.
+//
+// A way is looked at chord by chord, step by step. A surface that lies where two chords meet belongs to one of them,
+// and to no other: each chord is cast a little longer than it is, and which of the two a surface there belongs to is a
+// question to the place where they meet, which both ask alike.
 #pragma once
 
 #include <optional>
+#include <vector>
 
+#include "collide/path_cast.hpp"
 #include "physim/scene.hpp"
 
 namespace physim::collide {
@@ -24,5 +31,38 @@ struct WayIn {
 /// material; else the way ends where the next one begins. `hit`: what it met.
 [[nodiscard]] std::optional<WayThrough> way_through(const Scene& scene, const SceneFilter& solids, const SceneHit& hit,
                                                     const WayIn& in);
+
+/// The surfaces that a point goes through along a chord, in order; `SceneHit::part` is of the chord. Parts of a
+/// compound that touch or overlap and have one material are one body, whose inner surfaces do not count.
+[[nodiscard]] std::vector<SceneHit> passages(const Scene& scene, const SceneFilter& filter, const SceneSegment& chord);
+
+/// A path, and what is called with each surface that it goes through. Pointers, since the code behind them is in every
+/// program that flies.
+struct PassagesOfPath {
+  const void* both;  // handed to the functions
+  Vec3d (*place)(const void* both, double theta);
+  void (*tell)(const void* both, double theta, const SceneHit& hit);
+
+  [[nodiscard]] Vec3d operator()(double theta) const { return place(both, theta); }
+};
+void each_passage(const Scene& scene, const SceneFilter& filter, const PassagesOfPath& of, const PathTime& time,
+                  double end);
+
+/// Calls tell(theta, hit) for every surface that a path goes through behind its start and up to `end`, in and out: its
+/// points, without a radius, along chords that stay within a micrometre of it. `path(theta)` gives places in W.
+template <class Path, class Tell>
+void each_passage(const Scene& scene, const SceneFilter& filter, const Path& path, const PathTime& time, double end,
+                  const Tell& tell) {
+  struct Both {
+    const Path& path;
+    const Tell& tell;
+  };
+  const Both both{path, tell};
+  const auto place = [](const void* of, double theta) { return static_cast<const Both*>(of)->path(theta); };
+  const auto told = [](const void* of, double theta, const SceneHit& hit) {
+    static_cast<const Both*>(of)->tell(theta, hit);
+  };
+  each_passage(scene, filter, {&both, place, told}, time, end);
+}
 
 }  // namespace physim::collide

@@ -1,5 +1,5 @@
 // What a point goes through on its way, step by step: each surface once, wherever steps end.
-#include "collide/passages.hpp"
+#include "collide/way_through.hpp"
 
 #include <gtest/gtest.h>
 
@@ -9,7 +9,7 @@
 #include "math/vec3.hpp"
 
 namespace physim {
-namespace collide_passages_test {
+namespace collide_way_through_test {
 
 struct Solid {
   const char* name;
@@ -52,7 +52,7 @@ void expect_in_and_out(const Scene& scene, const std::vector<Vec3d>& places, dou
   EXPECT_NEAR(all[1].position.x, out, near) << what;
 }
 
-TEST(Passages, are_each_told_once_wherever_steps_end) {
+TEST(Passages, are_each_reported_once_wherever_steps_end) {
   std::mt19937 random(11);  // NOLINT: the same every time
   std::uniform_real_distribution<double> any(-1, 1);
   Scene shapes;
@@ -85,7 +85,7 @@ TEST(Passages, are_each_told_once_wherever_steps_end) {
 }
 
 /// The point rests, the thing moves past it: each is passed once, too.
-TEST(Passages, of_things_that_move_past_are_told_once) {
+TEST(Passages, of_things_that_move_past_are_reported_once) {
   Scene shapes;
   const std::size_t count = solids(shapes).size();
   for (std::size_t i = 0; i < count; ++i)
@@ -105,7 +105,7 @@ TEST(Passages, of_things_that_move_past_are_told_once) {
 }
 
 /// Parts of two materials are two bodies.
-TEST(Passages, of_parts_of_two_materials_are_told_of_each) {
+TEST(Passages, of_parts_of_two_materials_are_reported_of_each) {
   Scene scene;
   const MaterialId wood = scene.add_material({.name = "wood"}).value();
   const ShapeId box = scene.add_shape(BoxShape{{0.5, 2, 2}}).value();
@@ -118,5 +118,5 @@ TEST(Passages, of_parts_of_two_materials_are_told_of_each) {
   EXPECT_EQ(collide::passages(scene, {}, {{-3, 0, 0}, {3, 0, 0}, 0, 0, 0}).size(), 4U);
 }
 
-}  // namespace collide_passages_test
+}  // namespace collide_way_through_test
 }  // namespace physim
