@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "base/assert.hpp"
+#include "base/isa.hpp"
 #include "collide/contact_rules.hpp"
 #include "collide/path_cast.hpp"
 #include "math/vec3.hpp"
@@ -94,7 +95,7 @@ std::optional<WayThrough> way_through(const Scene& scene, const SceneFilter& sol
 namespace {
 
 /// How far beyond its ends a chord is looked at, as a part of it: places are rounded, and its things may move.
-double overhang(const SceneSegment& chord) {
+PHYSIM_COLD double overhang(const SceneSegment& chord) {
   constexpr double kLeast = 1e-9, kMost = 1e-3;
   const double places = 16 * std::numeric_limits<double>::epsilon() * (length(chord.from) + length(chord.to)) + 1e-12;
   const double way = length(chord.to - chord.from);
@@ -105,8 +106,8 @@ double overhang(const SceneSegment& chord) {
 bool begins_inside(const SceneHit& hit) { return hit.starts_inside && hit.entering; }
 
 /// Whether a place is inside of the body that a surface is of, by a cast that is always the same.
-bool is_inside(const Scene& scene, const SceneFilter& filter, const SceneHit& surface, const Vec3d& place,
-               double time) {
+PHYSIM_COLD bool is_inside(const Scene& scene, const SceneFilter& filter, const SceneHit& surface, const Vec3d& place,
+                           double time) {
   constexpr Vec3d kAside{1e-6, 6e-7, 3e-7};  // [m]
   const auto begins_there = [&](const SceneHit& hit) { return begins_inside(hit) && is_one_body(scene, hit, surface); };
   return std::ranges::any_of(scene.all_hits({place, place + kAside, 0, time, 0}, filter), begins_there);
@@ -114,7 +115,7 @@ bool is_inside(const Scene& scene, const SceneFilter& filter, const SceneHit& su
 
 /// Leaves out what lies inside of bodies that have several parts. `one`: surfaces no farther from each other than this
 /// part of the way are one.
-void join_parts(const Scene& scene, std::vector<SceneHit>& hits, double one) {
+PHYSIM_COLD void join_parts(const Scene& scene, std::vector<SceneHit>& hits, double one) {
   struct Body {
     int depth = 0;                 // parts that the point is in
     SceneHit* last_out = nullptr;  // the surface by which it left the body last
@@ -144,7 +145,7 @@ void join_parts(const Scene& scene, std::vector<SceneHit>& hits, double one) {
 
 }  // namespace
 
-std::vector<SceneHit> passages(const Scene& scene, const SceneFilter& filter, const SceneSegment& chord) {
+PHYSIM_COLD std::vector<SceneHit> passages(const Scene& scene, const SceneFilter& filter, const SceneSegment& chord) {
   const double beyond = overhang(chord), whole = 1 + 2 * beyond;
   PHYSIM_ASSERT(beyond > 0 && beyond < 0.01);
   const Vec3d more = (chord.to - chord.from) * beyond;
@@ -167,8 +168,8 @@ std::vector<SceneHit> passages(const Scene& scene, const SceneFilter& filter, co
   return hits;
 }
 
-void each_passage(const Scene& scene, const SceneFilter& filter, const PassagesOfPath& of, const PathTime& time,
-                  double end) {
+PHYSIM_COLD void each_passage(const Scene& scene, const SceneFilter& filter, const PassagesOfPath& of,
+                              const PathTime& time, double end) {
   PHYSIM_ASSERT(end >= 0 && end <= 1);
   constexpr double kAside = 1e-6;  // [m]
   constexpr double kMostChords = 64;

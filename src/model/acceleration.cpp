@@ -3,8 +3,9 @@
 
 namespace physim {
 
-Accelerations accelerations_of(const Conditions<double>& c, const Body<double>& b, const Rotor<double>& rotor, double t,
-                               const State<double>& s, const Turn<double>& turn) {
+PHYSIM_COLD Accelerations accelerations_of(const Conditions<double>& c, const Body<double>& b,
+                                           const Rotor<double>& rotor, double t, const State<double>& s,
+                                           const Turn<double>& turn) {
   const Fidelity& f = c.fidelity;
   Ledger ledger;
   Turn<double> slope;

@@ -109,8 +109,8 @@ SpinDrift prepare_spin_drift(const ProjectileDef& p, double launch_speed, const 
   return stability ? litz_spin_drift(*stability, p.twist) : SpinDrift{};
 }
 
-void jump_in_crosswind(const ProjectileDef& p, const Environment& environment, const Conditions<double>& c,
-                       Body<double>& b) {
+PHYSIM_COLD void jump_in_crosswind(const ProjectileDef& p, const Environment& environment, const Conditions<double>& c,
+                                   Body<double>& b) {
   if (!c.fidelity.aerodynamic_jump) return;
   PHYSIM_ASSERT(c.fidelity.rotation == RotationModel::spin_drift);
   const double speed = length(b.launch.v);
