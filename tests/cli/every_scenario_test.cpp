@@ -3,24 +3,16 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <filesystem>
 #include <nlohmann/json.hpp>
 #include <regex>
 
 #include "cli/program.hpp"
+#include "shipped.hpp"
 
 #ifdef PHYSIM_CLI
 
 namespace physim::testing_cli {
 namespace cli_every_scenario_test {
-
-std::vector<std::string> shipped() {
-  std::vector<std::string> names;
-  for (const auto& entry : std::filesystem::directory_iterator(PHYSIM_SOURCE_DIR "/scenarios"))
-    if (entry.path().extension() == ".toml") names.push_back(entry.path().stem().string());
-  std::ranges::sort(names);
-  return names;
-}
 
 /// Why a command refuses a shipped scenario, or is left out here; empty where it goes through.
 struct Exception {
@@ -135,14 +127,14 @@ TEST_P(EveryFlight, FliesInAWorldThatIsRecordedAndReplayed) {
 }
 
 std::vector<std::string> flights() {
-  std::vector<std::string> names = shipped();
+  std::vector<std::string> names = test::shipped_scenarios();
   std::erase_if(names, [](const std::string& name) { return is_world(read(file_of(name))); });
   return names;
 }
 
 std::string name_of(const testing::TestParamInfo<std::string>& given) { return given.param; }
 
-INSTANTIATE_TEST_SUITE_P(Shipped, EveryScenario, testing::ValuesIn(shipped()), name_of);
+INSTANTIATE_TEST_SUITE_P(Shipped, EveryScenario, testing::ValuesIn(test::shipped_scenarios()), name_of);
 INSTANTIATE_TEST_SUITE_P(Shipped, EveryFlight, testing::ValuesIn(flights()), name_of);
 
 }  // namespace cli_every_scenario_test

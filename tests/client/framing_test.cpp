@@ -2,11 +2,11 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <filesystem>
 #include <nlohmann/json.hpp>
 
 #include "client/support.hpp"
 #include "model/ladder.hpp"
+#include "shipped.hpp"
 #include "simclient/core/scene.hpp"
 #include "simclient/core/state_log.hpp"
 
@@ -49,15 +49,7 @@ TEST_P(Framed, ItsSubjectIsLarge) {
   EXPECT_TRUE(is_above_ground(client));
 }
 
-std::vector<std::string> shipped_scenarios() {
-  std::vector<std::string> names;
-  for (const auto& entry : std::filesystem::directory_iterator(PHYSIM_SOURCE_DIR "/scenarios"))
-    if (entry.path().extension() == ".toml") names.push_back(entry.path().stem().string());
-  std::ranges::sort(names);
-  return names;
-}
-
-INSTANTIATE_TEST_SUITE_P(Shipped, Framed, testing::ValuesIn(shipped_scenarios()),
+INSTANTIATE_TEST_SUITE_P(Shipped, Framed, testing::ValuesIn(test::shipped_scenarios()),
                          [](const auto& test) { return test.param; });
 
 TEST(Framing, TheWholeOfALongFlightIsInView) {

@@ -4,11 +4,10 @@
 
 #include <gtest/gtest.h>
 
-#include <algorithm>
-#include <filesystem>
 #include <map>
 
 #include "client/support.hpp"
+#include "shipped.hpp"
 #include "simclient/core/actions.hpp"
 
 namespace physim::client::client_gallery {
@@ -16,8 +15,7 @@ namespace {
 
 TEST(Gallery, HasEachShippedScenarioOnce) {
   std::map<std::string, int> times;
-  for (const auto& entry : std::filesystem::directory_iterator(PHYSIM_SOURCE_DIR "/scenarios"))
-    if (entry.path().extension() == ".toml") times[entry.path().stem().string()] = 0;
+  for (const std::string& name : test::shipped_scenarios()) times[name] = 0;
   for (const GalleryGroup& group : gallery())
     for (const GalleryItem& item : group.items) {
       ASSERT_TRUE(times.contains(std::string(item.scenario))) << item.scenario << " does not ship";

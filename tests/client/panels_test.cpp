@@ -12,6 +12,7 @@
 #include "cli/program.hpp"
 #include "client/support.hpp"
 #include "scenario/revise.hpp"
+#include "shipped.hpp"
 #include "simclient/core/emitter_edit.hpp"
 #include "simclient/core/quick_settings.hpp"
 
@@ -227,15 +228,7 @@ TEST(PanelsOfAFile, AddSettingsToANewTable) {
       << saved;
 }
 
-std::vector<std::string> shipped_scenarios() {
-  std::vector<std::string> names;
-  for (const auto& entry : std::filesystem::directory_iterator(PHYSIM_SOURCE_DIR "/scenarios"))
-    if (entry.path().extension() == ".toml") names.push_back(entry.path().stem().string());
-  std::ranges::sort(names);
-  return names;
-}
-
-INSTANTIATE_TEST_SUITE_P(Shipped, Panels, testing::ValuesIn(shipped_scenarios()),
+INSTANTIATE_TEST_SUITE_P(Shipped, Panels, testing::ValuesIn(test::shipped_scenarios()),
                          [](const auto& test) { return test.param; });
 
 }  // namespace

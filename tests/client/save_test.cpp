@@ -9,6 +9,7 @@
 #include "cli/program.hpp"
 #include "scenario/revise.hpp"
 #include "scenario/world_run.hpp"
+#include "shipped.hpp"
 #include "simclient/core/actions.hpp"
 #include "simclient/core/script.hpp"
 
@@ -100,15 +101,7 @@ TEST_P(ShippedScenario, KeepsItsCommentsWhenASettingIsChanged) {
   EXPECT_EQ(load_scenario(file).value().environment.wind.velocity, wind);
 }
 
-std::vector<std::string> names_of_shipped() {
-  std::vector<std::string> names;
-  for (const auto& entry : std::filesystem::directory_iterator(PHYSIM_SOURCE_DIR "/scenarios"))
-    if (entry.path().extension() == ".toml") names.push_back(entry.path().stem().string());
-  std::sort(names.begin(), names.end());
-  return names;
-}
-
-INSTANTIATE_TEST_SUITE_P(All, ShippedScenario, testing::ValuesIn(names_of_shipped()),
+INSTANTIATE_TEST_SUITE_P(All, ShippedScenario, testing::ValuesIn(test::shipped_scenarios()),
                          [](const auto& test) { return test.param; });
 
 // -------------------------------------------------------------------------------------------------------- what is kept

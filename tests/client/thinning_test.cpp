@@ -5,23 +5,15 @@
 
 #include <algorithm>
 #include <cmath>
-#include <filesystem>
 #include <random>
 
 #include "client/support.hpp"
+#include "shipped.hpp"
 #include "simclient/core/scene.hpp"
 #include "simclient/core/stroke.hpp"
 
 namespace physim::client::client_thinning {
 namespace {
-
-std::vector<std::string> shipped() {
-  std::vector<std::string> names;
-  for (const auto& entry : std::filesystem::directory_iterator(PHYSIM_SOURCE_DIR "/scenarios"))
-    if (entry.path().extension() == ".toml") names.push_back(entry.path().stem().string());
-  std::ranges::sort(names);
-  return names;
-}
 
 /// A track and all of its steps.
 struct Flown {
@@ -116,7 +108,7 @@ TEST_P(OfEach, TrailsAreWhereThingsFlew) {
   EXPECT_LT(worst_of_drawn(flight, 10), 0.5);
 }
 
-INSTANTIATE_TEST_SUITE_P(Shipped, OfEach, testing::ValuesIn(shipped()), [](const auto& test) {
+INSTANTIATE_TEST_SUITE_P(Shipped, OfEach, testing::ValuesIn(test::shipped_scenarios()), [](const auto& test) {
   std::string name = test.param;
   std::ranges::replace(name, '-', '_');
   return name;

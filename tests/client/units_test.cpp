@@ -15,6 +15,7 @@
 #include "scenario/revise.hpp"
 #include "scenario/units.hpp"
 #include "settings/units.hpp"
+#include "shipped.hpp"
 #include "simclient/core/quick_settings.hpp"
 #include "simclient/core/study_desk.hpp"
 
@@ -106,15 +107,7 @@ TEST_P(ScenarioWithUnits, KeepsThemWhenSettingsAreChanged) {
   }
 }
 
-std::vector<std::string> names_of_shipped() {
-  std::vector<std::string> names;
-  for (const auto& entry : std::filesystem::directory_iterator(kShipped))
-    if (entry.path().extension() == ".toml") names.push_back(entry.path().stem().string());
-  std::sort(names.begin(), names.end());
-  return names;
-}
-
-INSTANTIATE_TEST_SUITE_P(All, ScenarioWithUnits, testing::ValuesIn(names_of_shipped()),
+INSTANTIATE_TEST_SUITE_P(All, ScenarioWithUnits, testing::ValuesIn(test::shipped_scenarios()),
                          [](const auto& test) { return test.param; });
 
 // ----------------------------------------------------------------------------------------------------------- one by

@@ -4,9 +4,9 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <filesystem>
 
 #include "prepare/fidelity_cost.hpp"
+#include "shipped.hpp"
 #include "support.hpp"
 
 namespace physim::report {
@@ -37,14 +37,6 @@ bool may_be_beaten(const std::string& shot, const RungResult& result) {
   const std::string rung = result.rung.name();
   if (rung == "classic" || rung == "motion velocity") return true;  // the original's, no rungs of the ladder
   return std::ranges::any_of(kBeaten, [&](const Beaten& known) { return known.shot == shot && known.rung == rung; });
-}
-
-std::vector<std::string> shipped() {
-  std::vector<std::string> names;
-  for (const auto& entry : std::filesystem::directory_iterator(PHYSIM_SOURCE_DIR "/scenarios"))
-    if (entry.path().extension() == ".toml") names.push_back(entry.path().stem().string());
-  std::ranges::sort(names);
-  return names;
 }
 
 class PresetsOfScenario : public ::testing::TestWithParam<std::string> {};
@@ -96,7 +88,7 @@ TEST_P(PresetsOfScenario, the_preset_reference_is_the_dearest) {
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(Ladder, PresetsOfScenario, ::testing::ValuesIn(shipped()),
+INSTANTIATE_TEST_SUITE_P(Ladder, PresetsOfScenario, ::testing::ValuesIn(test::shipped_scenarios()),
                          [](const auto& scenario) { return scenario.param; });
 
 TEST(LadderOfSteps, a_rung_is_beaten_by_one_that_costs_no_more_and_errs_less) {

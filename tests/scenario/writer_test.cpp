@@ -5,6 +5,7 @@
 
 #include "scenario/revise.hpp"
 #include "scenario/scenario.hpp"
+#include "shipped.hpp"
 
 namespace physim {
 namespace scenario_writer_test {
@@ -32,20 +33,13 @@ TEST_P(WrittenScenario, IsNoLongerThanPeopleWroteIt) {
   EXPECT_LT(text.size(), room + (holds_a_motor ? 4000 : 0)) << text;
 }
 
-std::vector<std::string> shipped() {
-  std::vector<std::string> names;
-  for (const auto& entry : std::filesystem::directory_iterator(PHYSIM_SOURCE_DIR "/scenarios"))
-    if (entry.path().extension() == ".toml") names.push_back(entry.path().stem().string());
-  std::sort(names.begin(), names.end());
-  return names;
-}
-
-INSTANTIATE_TEST_SUITE_P(Shipped, WrittenScenario, testing::ValuesIn(shipped()), [](const auto& scenario) {
-  std::string name = scenario.param;
-  std::replace_if(
-      name.begin(), name.end(), [](char c) { return c == '-' || c == '.'; }, '_');
-  return name;
-});
+INSTANTIATE_TEST_SUITE_P(Shipped, WrittenScenario, testing::ValuesIn(test::shipped_scenarios()),
+                         [](const auto& scenario) {
+                           std::string name = scenario.param;
+                           std::replace_if(
+                               name.begin(), name.end(), [](char c) { return c == '-' || c == '.'; }, '_');
+                           return name;
+                         });
 
 TEST(ScenarioText, KeepsTextThatNeedsQuotes) {
   Scenario scenario;
