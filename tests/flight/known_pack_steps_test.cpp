@@ -38,7 +38,7 @@ class Cohorts {
   template <class R>
   [[nodiscard]] Flyer<R> start(Random& r, double top) const {
     using S = ScalarOf<R>;
-    Flyer<R> flyer;
+    Flyer<R> flyer{};
     for (int lane = 0; lane < kLanes<R>; ++lane) {
       Body<double> body = prepared_.body;
       body.air = prepared_.conditions().air.common;
