@@ -6,13 +6,15 @@
 #include <cstdint>
 #include <cstring>
 #include <nlohmann/json.hpp>
+#include <numeric>
+#include <string_view>
 
 namespace physim {
 namespace {
 
 using Json = nlohmann::json;
 
-constexpr std::size_t kFileHeader = 12, kChunkFileHeader = 8;  // of a binary file [bytes]
+constexpr std::size_t kFileHeader = 12, kChunkHeader = 8;  // of a binary file [bytes]
 static_assert(std::endian::native == std::endian::little, "binary glTF has its words so");
 
 std::uint32_t word_at(const std::string& text, std::size_t at) {
@@ -54,27 +56,51 @@ std::optional<Affine> own_transform(const Json& node) {
                 rotate(turn, Vec3d{0, 0, (*scale)[2]}), column(*translation, 0)};
 }
 
-/// Takes transforms from the frames of parents into that of the file. False if the nodes are no trees.
-bool take_to_file(const Json& nodes, std::vector<Affine>& transforms) {
-  std::vector<std::size_t> parent(nodes.size(), nodes.size());
+/// The parent of each node; its number for a root. Nothing if a node has two parents or a child that is no node.
+std::optional<std::vector<std::size_t>> parents_of(const Json& nodes) {
+  std::vector<std::size_t> parents(nodes.size());
+  std::iota(parents.begin(), parents.end(), std::size_t{0});
   for (std::size_t i = 0; i < nodes.size(); ++i) {
     if (!nodes[i].contains("children")) continue;
     for (const Json& child : nodes[i]["children"]) {
-      if (!child.is_number_unsigned()) return false;
+      if (!child.is_number_unsigned()) return std::nullopt;
       const auto at = child.get<std::size_t>();
-      if (at >= nodes.size() || parent[at] != nodes.size()) return false;
-      parent[at] = i;
+      if (at >= nodes.size() || at == i || parents[at] != at) return std::nullopt;
+      parents[at] = i;
     }
   }
-  const std::vector<Affine> own = transforms;
+  return parents;
+}
+
+/// Takes transforms from the frames of parents into that of the file. False if the nodes are no trees.
+bool take_to_file(const Json& nodes, std::vector<Affine>& transforms) {
+  const auto parents = parents_of(nodes);
+  if (!parents) return false;
+  std::vector<bool> is_done(nodes.size());
+  std::vector<std::size_t> up;  // from a node to the first one that is done, or to a root
   for (std::size_t i = 0; i < nodes.size(); ++i) {
-    std::size_t depth = 0;
-    for (std::size_t at = parent[i]; at != nodes.size(); at = parent[at]) {
-      if (++depth > nodes.size()) return false;
-      transforms[i] = own[at].after(transforms[i]);
+    up.clear();
+    for (std::size_t at = i; !is_done[at]; at = (*parents)[at]) {
+      if (up.size() > nodes.size()) return false;  // they go round in a circle
+      up.push_back(at);
+      if ((*parents)[at] == at) break;
+    }
+    for (; !up.empty(); up.pop_back()) {
+      const std::size_t at = up.back(), parent = (*parents)[at];
+      if (parent != at) transforms[at] = transforms[parent].after(transforms[at]);
+      is_done[at] = true;
     }
   }
   return true;
+}
+
+/// The JSON of a text; nothing if it is none, or so deep that what walks through it would need too much memory.
+Json parsed(std::string_view text) {
+  constexpr int kDeepest = 500;
+  bool is_deep = false;
+  const auto look = [&](int depth, Json::parse_event_t, const Json&) { return !(is_deep |= depth > kDeepest); };
+  Json json = Json::parse(text, look, false);
+  return is_deep ? Json(Json::value_t::discarded) : json;
 }
 
 }  // namespace
@@ -87,12 +113,11 @@ const Affine* GltfNodes::find(const std::string& name) const {
 }
 
 std::optional<GltfNodes> gltf_nodes(const std::string& text) {
-  const bool is_binary = text.starts_with("glTF") && text.size() >= kFileHeader + kChunkFileHeader;
-  const std::size_t begin = is_binary ? kFileHeader + kChunkFileHeader : 0;
+  const bool is_binary = text.starts_with("glTF") && text.size() >= kFileHeader + kChunkHeader;
+  const std::size_t begin = is_binary ? kFileHeader + kChunkHeader : 0;
   const std::size_t size = is_binary ? word_at(text, kFileHeader) : text.size();
   if ((!is_binary && !text.starts_with('{')) || size > text.size() - begin) return std::nullopt;
-  Json file = Json::parse(text.begin() + static_cast<std::ptrdiff_t>(begin),
-                          text.begin() + static_cast<std::ptrdiff_t>(begin + size), nullptr, false);
+  Json file = parsed(std::string_view(text).substr(begin, size));
   if (!file.is_object() || !file.contains("asset") || !file.contains("nodes") || !file["nodes"].is_array())
     return std::nullopt;
   GltfNodes out;

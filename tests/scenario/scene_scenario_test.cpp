@@ -8,6 +8,7 @@
 
 #include "cli/program.hpp"
 #include "physim/files.hpp"
+#include "scenario/gltf_nodes.hpp"
 #include "scenario/revise.hpp"
 #include "scenario/world_run.hpp"
 #include "support.hpp"
@@ -423,6 +424,27 @@ TEST(MeshFile, NodesOfGltfLieWhereTheFileSays) {
           Vec3d{500002, 0.07, 3}, Vec3d{500000.011, 0.03, -1000001.01}, Vec3d{500000.011, 3.03, -1000000.01}})
       EXPECT_LT(nearest(place), 1e-9) << name << ": " << place.x << ' ' << place.y << ' ' << place.z;
   }
+}
+
+TEST(GltfNodes, AreTreesOfAnyDepth) {
+  const auto file = [](const std::string& nodes) { return R"({"asset": {}, "nodes": [)" + nodes + "]}"; };
+  constexpr int kNodes = 50'000;
+  std::string chain;
+  for (int i = 0; i < kNodes; ++i)
+    chain += (i > 0 ? ", " : "") + std::string(R"({"translation": [1, 0, 0])") +
+             (i + 1 < kNodes ? R"(, "children": [)" + std::to_string(i + 1) + "]}" : "}");
+  const auto deep = gltf_nodes(file(chain));
+  ASSERT_TRUE(deep);
+  EXPECT_EQ(deep->nodes.back().origin, (Vec3d{kNodes, 0, 0}));
+  EXPECT_EQ(deep->find("7"), &deep->nodes[7]);
+  for (const char* name : {"", "x", "7x", "50000", "-1"}) EXPECT_EQ(deep->find(name), nullptr) << name;
+  for (const char* wrong : {R"({"children": [1]}, {"children": [0]})", R"({"children": [0]})",
+                            R"({"children": [2]}, {"children": [2]}, {})", R"({"children": [9]})",
+                            R"({"children": [-1]})", R"({"scale": [1, 2]})", R"({"rotation": "none"})", "7"})
+    EXPECT_FALSE(gltf_nodes(file(wrong))) << wrong;
+  EXPECT_FALSE(gltf_nodes(file(R"({"extras": )" + std::string(2000, '[') + std::string(2000, ']') + "}")));
+  EXPECT_FALSE(gltf_nodes("{\"nodes\": []"));
+  EXPECT_FALSE(gltf_nodes("glTF"));
 }
 
 TEST(HeightMap, IsReadOrTheBuildSaysThatItCannot) {
