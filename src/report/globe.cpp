@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
-#include <memory>
 #include <nlohmann/json.hpp>
 
 #include "base/assert.hpp"
@@ -82,7 +81,7 @@ Track track_of(const FlownShot& shot, const Times& times) {
   return track;
 }
 
-/// The samples of a projectile of a world. Between two of them its path is the parabola of their places and of a
+/// What a log has of one projectile of a world. Between two samples its path is the parabola of their places and of a
 /// velocity that is that of the launch or no corner's: a corner's may be the one before or the one behind a bounce.
 struct WorldPath {
   struct Point {
@@ -90,7 +89,9 @@ struct WorldPath {
     BodyState state;
     bool is_corner;
   };
+  Launched launched{};
   std::vector<Point> points;
+  std::vector<const LoggedEvent*> events;
 
   [[nodiscard]] Vec3d position(double time) const {
     PHYSIM_ASSERT(!points.empty());
@@ -109,46 +110,46 @@ struct WorldPath {
   }
 };
 
-std::vector<Track> tracks_of(const WorldLog& log) {
-  std::vector<std::shared_ptr<WorldPath>> paths;  // by number of the launch
-  std::vector<Track> tracks;
-  std::vector<std::size_t> track_of_number;
-  const auto track_of = [&](const Launched& launched) -> Track& {
-    const auto number = static_cast<std::size_t>(launched.number);
-    if (paths.size() <= number) paths.resize(number + 1), track_of_number.resize(number + 1);
-    if (!paths[number]) {
-      paths[number] = std::make_shared<WorldPath>();
-      track_of_number[number] = tracks.size();
-      const WorldGroup& group = log.groups[launched.group];
-      const ScenarioShot& shot = log.scenario.shots[group.shot];
-      const Environment& environment = log.scenario.environment;
-      const EarthModel earth = grant(shot.projectile.fidelity, shot.projectile, environment).fidelity.earth;
-      const bool is_alone = group.spawned == 1 && group.name == shot.projectile.name;
-      tracks.push_back({.name = group.name + (is_alone ? "" : " " + std::to_string(launched.number)),
-                        .outcome = std::string(name(LifeStatus::in_flight)),
-                        .frames = EarthFrames(environment, earth),
-                        .points = {},
-                        .breaks = {},
-                        .position = [path = paths[number]](double time) { return path->position(time); },
-                        .marks = {}});
-    }
-    return tracks[track_of_number[number]];
+/// By number of the launch; those without points were never logged.
+std::vector<WorldPath> paths_of(const WorldLog& log) {
+  std::vector<WorldPath> paths;
+  const auto path_of = [&](const Launched& launched) -> WorldPath& {
+    if (paths.size() <= launched.number) paths.resize(launched.number + 1);
+    WorldPath& path = paths[launched.number];
+    path.launched = launched;
+    return path;
   };
   log.each_sample([&](const WorldSample& sample, bool is_corner) {
-    Track& track = track_of(sample.launched);
-    track.points.push_back({sample.time, sample.state.position});
-    if (is_corner) track.breaks.push_back(sample.time);
-    paths[sample.launched.number]->points.push_back({sample.time, sample.state, is_corner});
+    path_of(sample.launched).points.push_back({sample.time, sample.state, is_corner});
   });
-  for (const LoggedEvent& event : log.events) {
-    Track& track = track_of(event.launched);
-    const bool is_launch = event.kind == EventKind::spawned;
-    track.marks.push_back(track.mark(is_launch ? "launch" : name(event.kind), event.time, event.state));
-    if (event.kind == EventKind::landed || event.kind == EventKind::expired || event.kind == EventKind::retired)
-      track.outcome = std::string(name(event.kind));
+  for (const LoggedEvent& event : log.events) path_of(event.launched).events.push_back(&event);
+  return paths;
+}
+
+Track track_of(const WorldLog& log, const WorldPath& path) {
+  const WorldGroup& group = log.groups[path.launched.group];
+  const ScenarioShot& shot = log.scenario.shots[group.shot];
+  const Environment& environment = log.scenario.environment;
+  const EarthModel earth = grant(shot.projectile.fidelity, shot.projectile, environment).fidelity.earth;
+  const bool is_alone = group.spawned == 1 && group.name == shot.projectile.name;
+  Track track{.name = group.name + (is_alone ? "" : " " + std::to_string(path.launched.number)),
+              .outcome = std::string(name(LifeStatus::in_flight)),
+              .frames = EarthFrames(environment, earth),
+              .points = {},
+              .breaks = {},
+              .position = [&path](double time) { return path.position(time); },
+              .marks = {}};
+  for (const WorldPath::Point& point : path.points) {
+    track.points.push_back({point.time, point.state.position});
+    if (point.is_corner) track.breaks.push_back(point.time);
   }
-  std::erase_if(tracks, [](const Track& track) { return track.points.empty(); });
-  return tracks;
+  for (const LoggedEvent* event : path.events) {
+    const bool is_launch = event->kind == EventKind::spawned;
+    track.marks.push_back(track.mark(is_launch ? "launch" : name(event->kind), event->time, event->state));
+    if (event->kind == EventKind::landed || event->kind == EventKind::expired || event->kind == EventKind::retired)
+      track.outcome = std::string(name(event->kind));
+  }
+  return track;
 }
 
 /// Parts of a path that do not cross the antimeridian, of two points at least. A path over a pole jumps too: it runs
@@ -407,7 +408,7 @@ Json mark_feature(const Track& track, const Mark& mark) {
 }
 
 // -------------------------------------------------------------------------------------------------------------- files
-/// Tracks one after the other, so that only one is in memory where that is possible.
+/// Tracks one after the other, so that only one is in memory.
 using EachTrack = std::function<void(const std::function<void(const Track&)>& take)>;
 
 EachTrack each_track(const Flights& flights) {
@@ -418,7 +419,8 @@ EachTrack each_track(const Flights& flights) {
 }
 EachTrack each_track(const WorldLog& log) {
   return [&log](const auto& take) {
-    for (const Track& track : tracks_of(log)) take(track);
+    for (const WorldPath& path : paths_of(log))
+      if (!path.points.empty()) take(track_of(log, path));
   };
 }
 
