@@ -163,10 +163,22 @@ double greatest(const Flight& flight, const Measure& measure) {
   return out;
 }
 
-/// Marks rows that another row of their family beats: one that costs no more and has an error smaller by 1 % at
-/// least. Errors below what no measurement resolves, and below a rung's rounding, count as that.
+constexpr double kMicrometre = 1e-6;  // errors below are none [m]
+
+/// The row that beats one: of those that may, the one of the least error, if that is smaller by 1 % at least; null if
+/// none does.
+template <class Row>
+const Row* beater_of(const Row& row, const std::vector<Row>& rows, double (*error)(const Row&), const auto& may_beat) {
+  const Row* best = nullptr;
+  double least = 0.99 * error(row);
+  for (const Row& other : rows)
+    if (may_beat(other) && error(other) < least) best = &other, least = error(other);
+  return best;
+}
+
+/// Marks rows that another row of their family beats: one that costs no more and has a smaller error. Errors below what
+/// no measurement resolves, and below a rung's rounding, count as that.
 void mark_beaten(Ladder& ladder) {
-  constexpr double kMicrometre = 1e-6;                  // [m]
   constexpr double kResolved = 1e-8, kRoundings = 128;  // of the flight's greatest distance
   PHYSIM_ASSERT(!ladder.rungs.empty());
   const Flight& reference = ladder.rungs.back().flight;
@@ -178,22 +190,21 @@ void mark_beaten(Ladder& ladder) {
   }
   for (RungResult& result : ladder.rungs) {
     if (result.rung.family == Family::effect) continue;  // what leaves an effect out shows what that is worth
-    double least = 0.99 * result.resolved;
-    for (const RungResult& other : ladder.rungs) {
-      if (other.rung.family != result.rung.family || !other.holds() || other.work > result.work) continue;
-      if (other.resolved < least) least = other.resolved, result.beaten_by = other.rung.name();
-    }
+    const auto may_beat = [&](const RungResult& other) {
+      return other.rung.family == result.rung.family && other.holds() && other.work <= result.work;
+    };
+    const auto error = +[](const RungResult& each) { return each.resolved; };
+    if (const RungResult* other = beater_of(result, ladder.rungs, error, may_beat))
+      result.beaten_by = other->rung.name();
   }
 }
 
 /// As mark_beaten(), of the steps of a world, whose costs are measured.
 void mark_beaten_steps(std::vector<StepsOfRung>& steps) {
-  constexpr double kMicrometre = 1e-6;  // [m]
   for (StepsOfRung& rung : steps) {
-    double least = 0.99 * std::max(rung.largest, kMicrometre);
-    for (const StepsOfRung& other : steps)
-      if (other.cost <= rung.cost && std::max(other.largest, kMicrometre) < least)
-        least = other.largest, rung.beaten_by = other.name;
+    const auto may_beat = [&](const StepsOfRung& other) { return other.cost <= rung.cost; };
+    const auto error = +[](const StepsOfRung& each) { return std::max(each.largest, kMicrometre); };
+    if (const StepsOfRung* other = beater_of(rung, steps, error, may_beat)) rung.beaten_by = other->name;
   }
 }
 
