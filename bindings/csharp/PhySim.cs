@@ -1136,7 +1136,7 @@ public static unsafe class C {
   /// <summary>The state at a moment. PHYSIM_NOT_FOUND: the flight never came there.</summary>
   [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
   public static extern physim_result physim_flight_at(IntPtr flight, physim_moment moment, double value, physim_sample* sample);
-  /// <summary>How fast the acceleration changes along the path at a time since launch [s], in the world frame [m/s^3].</summary>
+  /// <summary>The jerk at a time since launch [s]: the change of acceleration along the path, in the world frame [m/s^3].</summary>
   [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
   public static extern physim_result physim_flight_jerk(IntPtr flight, double time, double* jerk);
   /// <summary>States at `count` times [s]; null: evenly from the start to the end, both included.</summary>
@@ -1259,7 +1259,7 @@ public static unsafe class C {
   public static extern physim_result physim_world_rest(IntPtr world, physim_id* ids, UIntPtr count, int sleep, UIntPtr* changed);
   [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
   public static extern physim_result physim_world_projectile(IntPtr world, physim_id id, physim_projectile* into);
-  /// <summary>How fast the acceleration of a projectile changes along its path now, in the world frame [m/s^3].</summary>
+  /// <summary>The jerk of a projectile now: the change of its acceleration along its path, in the world frame [m/s^3].</summary>
   [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
   public static extern physim_result physim_world_jerk(IntPtr world, physim_id id, double* jerk);
   /// <summary>A setting of one projectile in flight: those that are live ("mass", "drag.k1", "body.gravity_scale"), and all of "fidelity". Reads any setting of its shot and body.</summary>

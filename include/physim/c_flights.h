@@ -259,7 +259,7 @@ PHYSIM_API physim_result physim_flight_read(const physim_flight* flight, physim_
 /// The state at a moment. PHYSIM_NOT_FOUND: the flight never came there.
 PHYSIM_API physim_result physim_flight_at(const physim_flight* flight, physim_moment moment, double value,
                                           physim_sample* sample);
-/// How fast the acceleration changes along the path at a time since launch [s], in the world frame [m/s^3].
+/// The jerk at a time since launch [s]: the change of acceleration along the path, in the world frame [m/s^3].
 PHYSIM_API physim_result physim_flight_jerk(const physim_flight* flight, double time, double jerk[3]);
 /// States at `count` times [s]; null: evenly from the start to the end, both included.
 PHYSIM_API physim_result physim_flight_samples(const physim_flight* flight, const double* times, size_t count,

@@ -134,7 +134,7 @@ PHYSIM_API physim_result physim_world_push(physim_world* world, const physim_id*
 PHYSIM_API physim_result physim_world_rest(physim_world* world, const physim_id* ids, size_t count, int32_t sleep,
                                            size_t* changed);
 PHYSIM_API physim_result physim_world_projectile(const physim_world* world, physim_id id, physim_projectile* into);
-/// How fast the acceleration of a projectile changes along its path now, in the world frame [m/s^3].
+/// The jerk of a projectile now: the change of its acceleration along its path, in the world frame [m/s^3].
 PHYSIM_API physim_result physim_world_jerk(const physim_world* world, physim_id id, double jerk[3]);
 /// A setting of one projectile in flight: those that are live ("mass", "drag.k1", "body.gravity_scale"), and all of
 /// "fidelity". Reads any setting of its shot and body.

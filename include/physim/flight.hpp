@@ -35,7 +35,7 @@ struct Accelerations {
   Vec3d coriolis{};     ///< [m/s^2]
   Vec3d centrifugal{};  ///< of a rotating round Earth, where it is no part of gravity [m/s^2]
   Vec3d applied{};      ///< by ProjectileDef::force, Environment::force and the generators of a world [m/s^2]
-  Vec3d constraint{};   ///< reaction of planar flight, frozen axes and the launch rail to all others [m/s^2]
+  Vec3d constraint{};   ///< reaction of planar flight, frozen axes, the launch rail and surfaces [m/s^2]
   Vec3d total{};        ///< as flown [m/s^2]
 };
 

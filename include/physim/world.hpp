@@ -266,8 +266,8 @@ class ProjectileView {
   [[nodiscard]] double inverse_mass() const;     ///< [1/kg]
   /// Mass times acceleration now: of all models and generators, as accelerations() [N].
   [[nodiscard]] Vec3d resultant_force() const;
-  /// Acceleration by effect now; `applied` holds the generators too (inside a step of its world, without custom
-  /// forces).
+  /// Acceleration by effect now; `applied` holds the generators too, `constraint` what surfaces do to a projectile that
+  /// rests, rolls or slides (inside a step of its world, without custom forces and surfaces).
   [[nodiscard]] Accelerations accelerations() const;
   /// Rate of change of the acceleration along the path now, as Flight::jerk(); generators count by place and velocity
   /// [m/s^3].

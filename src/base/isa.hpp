@@ -15,8 +15,8 @@
 #define PHYSIM_NOINLINE [[gnu::noinline]]
 #endif
 
-/// A function of preparation, of questions, or of what few flights pass: no step calls it. The compiler keeps it small,
-/// since programs link it whatever they fly.
+/// A function of preparation or of questions, or one that steps seldom call. The compiler keeps it small: programs link
+/// it whatever they fly.
 #define PHYSIM_COLD [[gnu::cold]]
 
 #define PHYSIM_ISA_BEGIN \

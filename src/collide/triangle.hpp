@@ -140,9 +140,10 @@ class Shear {
 
 [[nodiscard]] inline double size_of(const Vec3d& p) { return std::abs(p.x) + std::abs(p.y) + std::abs(p.z); }
 
-/// How far p is from a triangle. Over its face, or over its edge but for rounding, the way there is along the normal:
-/// the difference of two places has the rounding of both in it, which turns it by a part of a hundred where p is a
-/// tenth of a nanometre off and a kilometre from the origin, and what slides along the face would seem to leave it.
+/// The distance of p from a triangle. Over its face, or over its edge but for rounding, the way there is along the
+/// normal: the difference of two places has the rounding of both in it, which turns it by a part of a hundred where p
+/// is a tenth of a nanometre off and a kilometre from the origin, and what slides along the face would seem to leave
+/// it.
 [[nodiscard]] inline Nearest nearest_to(const Triangle& t, const Vec3d& p) {
   constexpr double kNarrow = 1e-5;  // what is narrower has a normal that rounding turns, too
   bool over_face = false;

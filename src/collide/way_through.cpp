@@ -94,7 +94,7 @@ std::optional<WayThrough> way_through(const Scene& scene, const SceneFilter& sol
 // ------------------------------------------------------------------------------------------- what is passed
 namespace {
 
-/// How far beyond its ends a chord is looked at, as a part of it: places are rounded, and its things may move.
+/// The part of a chord by which its cast goes beyond both ends: places are rounded, and things may move.
 PHYSIM_COLD double overhang(const SceneSegment& chord) {
   constexpr double kLeast = 1e-9, kMost = 1e-3;
   const double places = 16 * std::numeric_limits<double>::epsilon() * (length(chord.from) + length(chord.to)) + 1e-12;

@@ -59,10 +59,10 @@ void each_passage(const Scene& scene, const SceneFilter& filter, const Path& pat
   };
   const Both both{path, tell};
   const auto place = [](const void* of, double theta) { return static_cast<const Both*>(of)->path(theta); };
-  const auto told = [](const void* of, double theta, const SceneHit& hit) {
+  const auto report = [](const void* of, double theta, const SceneHit& hit) {
     static_cast<const Both*>(of)->tell(theta, hit);
   };
-  each_passage(scene, filter, {&both, place, told}, time, end);
+  each_passage(scene, filter, {&both, place, report}, time, end);
 }
 
 }  // namespace physim::collide

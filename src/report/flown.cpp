@@ -46,7 +46,7 @@ Check judged(const Expectation& expectation, const std::string& shot, Result<dou
 }
 
 namespace {
-/// Says that a flight ended before its motor burned, by another end than its time, which the scenario's notes tell.
+/// Adds a note if a flight ended before its motor burned. If its time ended it, the notes of the scenario say so.
 void note_unlit(const Scenario& scenario, const FlownShot& shot, std::vector<std::string>& notes) {
   PHYSIM_ASSERT(shot.shot != nullptr);
   const MotorDef& motor = shot.shot->projectile.motor;

@@ -13,7 +13,7 @@
 
 namespace physim::report {
 
-/// Text or a number; the first: there is none.
+/// Text, a number, or nothing.
 using Cell = std::variant<std::monostate, std::string_view, double, std::uint64_t>;
 using Row = std::span<const Cell>;
 

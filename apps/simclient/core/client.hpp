@@ -226,7 +226,7 @@ class Client {
   [[nodiscard]] Status place_target(const Vec3d& middle);
   /// Where a target would stand for a click: on a path, or with its lower edge on what is there.
   [[nodiscard]] std::optional<Vec3d> target_under(const Pixel& pixel);
-  /// What to change to hit a target with a shot that missed it; found once for each.
+  /// The change of aim by which a shot that missed a target hits it; computed once for each shot and target.
   [[nodiscard]] std::optional<AimChange> aim_change_of(const Track& track, const TargetDisc& target);
   /// The things of the scene as they are drawn.
   [[nodiscard]] const Scenery& scenery();

@@ -1,6 +1,6 @@
-// Prediction: the flight that a shot would have. It is fired into the session's own world, as that was saved, with
-// nobody else in it: what the world would do to it, bounces, things and forces included, is done. A shot that flies
-// whole is computed as it will be played.
+// Prediction: the flight that a shot would have. It is fired into the session's own world, as that was saved, without
+// other projectiles: bounces, things and forces act on it as they would. A shot that flies whole is computed as it will
+// be played.
 #pragma once
 
 #include <optional>

@@ -33,7 +33,7 @@ void add_later(Track& track, const TrackSample& sample) {
   if (sample.time > track.samples.back().time + kInstant) add_sample(track, sample);
 }
 
-/// Whether a projectile rests: its velocity is zero, as it was in the sample before, and its place is that of then.
+/// True if a projectile has zero velocity in this sample and in the one before, at the same place.
 bool rests(const Track& track, const TrackSample& now) {
   PHYSIM_ASSERT(!track.samples.empty());
   const auto before = std::find_if(track.samples.rbegin(), track.samples.rend(),
@@ -401,7 +401,7 @@ void Session::look() {
       continue;
     }
     TrackSample now = sample(track);
-    if (rests(track, now)) now.acceleration = {};  // a world's is that of all forces but those of contacts
+    if (rests(track, now)) now.acceleration = {};  // a world does not know it of what lies on other projectiles
     add_later(track, now);
   }
   if (tracks_.size() >= most_tracks_of_run_ || world().size() > 4096) return;

@@ -19,7 +19,7 @@ struct TargetDisc {
 /// The targets among the things of a scenario that stand still: flat cylinders.
 [[nodiscard]] std::vector<TargetDisc> targets_of(const Scenario& scenario);
 
-/// What to change in the aim of a shot to hit the middle of a target.
+/// The change of aim by which a shot hits the middle of a target.
 struct AimChange {
   bool is_in_reach = true;   // else nothing does, at its speed
   double up = 0, right = 0;  // of the barrel [rad]

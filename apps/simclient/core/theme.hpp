@@ -41,7 +41,7 @@ struct Theme {
 [[nodiscard]] Colour ink(const Theme& theme, Colour colour);
 /// A colour of letters as a theme writes it on any of its grounds.
 [[nodiscard]] Colour letters(const Theme& theme, Colour colour);
-/// What letters of any colour stand on: panels, bars, fields, rows under the mouse, plots, and labels over the scene.
+/// The grounds of letters of any colour: panels, bars, fields, rows under the mouse, plots, and labels over the scene.
 /// On buttons, tabs and grabs stand letters of plain text alone.
 [[nodiscard]] std::array<Colour, 9> grounds_of_letters(const Theme& theme);
 /// The grab of a slider, under its value.

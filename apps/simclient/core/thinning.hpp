@@ -24,7 +24,7 @@ void thin_out(std::vector<TrackSample>& samples, std::size_t from, double coarse
 void add_sample(Track& track, const TrackSample& sample);
 
 /// A flight from its start to its end: at least 800 intervals, finer where lines would leave the path, and with all of
-/// its corners. `rounds`: intervals are halved so many times at most.
+/// its corners. `rounds`: how often an interval is halved at most.
 [[nodiscard]] std::vector<TrackSample> samples_of(const Flight& flight, int rounds = 10);
 
 }  // namespace physim::client

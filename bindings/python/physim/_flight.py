@@ -213,7 +213,7 @@ class Flight:
         return self._flight.accelerations(_number(time, "time"))
 
     def jerk(self, time: float) -> NDArray[np.float64]:
-        """How fast the acceleration changes along the path at a time [m/s^3]."""
+        """Jerk: the change of acceleration along the path at a time [m/s^3]."""
         return np.asarray(self._flight.jerk(_number(time, "time")))
 
     def stability(self, time: float = 0.0) -> tuple[float, float] | None:

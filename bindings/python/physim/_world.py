@@ -120,7 +120,7 @@ class Projectile:
 
     @property
     def jerk(self) -> NDArray[np.float64]:
-        """How fast the acceleration changes along its path now [m/s^3]."""
+        """The change of acceleration along its path now [m/s^3]."""
         return np.asarray(self._value("jerk"))
 
     @property

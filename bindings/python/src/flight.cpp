@@ -391,7 +391,7 @@ void add_flight(nb::module_& m) {
           "time"_a, "Acceleration by effect.")
       .def(
           "jerk", [](const Flight& f, double time) { return array_of(f.jerk(time)); }, "time"_a,
-          "How fast the acceleration changes along the path.")
+          "Jerk: the change of acceleration along the path.")
       .def(
           "step_times", [](const Flight& f) { return owned(f.step_times()); }, "Times of the steps taken.")
       .def(
