@@ -6,13 +6,15 @@
 
 #include "physim/math.hpp"
 
-/// A function template behind a call. Each kernel file has its own copy: if files may share one, clang assumes that
-/// another compiler's may replace it, and that it changes whatever it gets the address of.
-#ifdef PHYSIM_ISA
+/// A function template behind a call. Of clang each kernel file has its own copy: if files may share one, clang assumes
+/// that another compiler's may replace it, and that it changes whatever it gets the address of.
+#if defined(PHYSIM_ISA) && defined(__clang__)
 #define PHYSIM_NOINLINE [[gnu::noinline]] static
 #else
-#define PHYSIM_ISA base
 #define PHYSIM_NOINLINE [[gnu::noinline]]
+#endif
+#ifndef PHYSIM_ISA
+#define PHYSIM_ISA base
 #endif
 
 /// A function of preparation or of questions, or one that steps seldom call. The compiler keeps it small: programs link
