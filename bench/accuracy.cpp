@@ -55,7 +55,7 @@ struct Variant {
 
 /// Every effect of a point mass over a flat Earth, by Runge and Kutta's method.
 Fidelity all_effects() {
-  Fidelity f = Fidelity::reference();
+  Fidelity f = Fidelity::simulation();
   f.integrator = Integrator::rk4;
   f.rotation = RotationModel::none;  // worlds show what flew; drift by a formula is added to whole flights alone
   return f;
@@ -144,13 +144,14 @@ Section switches_section(const Options& options) {
 Section effects_section(const Options& options) {
   const std::size_t count = options.quick ? 1000 : 10000;
   Fidelity exact = all_effects();
-  exact.integrator = Integrator::dop853;
+  exact.integrator = Fidelity::reference().integrator;
+  exact.tolerance = Fidelity::reference().tolerance;
   const Vec3d truth = end_of(exact);
   Section s;
   s.title = "Worlds: what an effect costs";
   s.intro = "A .308 bullet with a wind of 4 m/s across, 60 steps a second, 1.5 s (" + fixed(truth.x, 0).text +
-            " m): all effects, and one of them replaced by what is cheaper or dearer. Off: from DOP853 with all "
-            "effects. Cost: of one of " +
+            " m): all effects, and one of them replaced by what is cheaper or dearer. Off: from the preset reference. "
+            "Cost: of one of " +
             std::to_string(count) + " on one thread, over these steps.";
   s.columns = {"what is replaced", "off after 1.5 s", "ns a projectile-step", "quartiles"};
   for (const Variant& v : variants()) {

@@ -25,8 +25,9 @@ enum class Integrator {
   rk43,                 ///< order 4, adaptive (Sofroniou and Spaletta 2004)
   tsit5,                ///< order 5, adaptive (Tsitouras 2011), dense output of order 4
   dop853,               ///< order 8, adaptive (Dormand and Prince 8(5,3)), dense output of order 7
-  automatic,  ///< rk43 in single flights, which choose their steps; semi_implicit_euler in worlds: their frames
-              ///< are given, and in flights with Tolerance::step
+  automatic,  ///< as adaptive in single flights, which choose their steps; semi_implicit_euler in worlds: their
+              ///< frames are given, and in flights with Tolerance::step
+  adaptive,   ///< rk43 for points; tsit5 for bodies that turn, whose evaluations are dear
 };
 
 enum class GravityModel {
@@ -106,7 +107,7 @@ PHYSIM_UNORDERED(Precision)
 /// The rung of the ladder that each effect stands on; as it begins, small_arms().
 struct Fidelity {
   Motion motion = Motion::force;                            ///< equations of motion [-]
-  Integrator integrator = Integrator::rk43;                 ///< time stepping [-]
+  Integrator integrator = Integrator::adaptive;             ///< time stepping [-]
   GravityModel gravity = GravityModel::constant;            ///< gravity [-]
   DragModel drag = DragModel::equation;                     ///< drag [-]
   AirModel air = AirModel::isa;                             ///< air density and sound speed [-]

@@ -182,8 +182,8 @@ Result<double> pilot_step(const ProjectileDef& projectile, const Launch& launch,
                           const Fidelity& fidelity, const Tolerance& tolerance, const Until& until) {
   const IeeeMode mode;
   if (const Status status = check(tolerance, fidelity); !status) return status.error();
-  const Fidelity asked = by_steps(fidelity, false);
-  const auto found = step_within(projectile, launch, environment, asked, tolerance, until, tolerance.position_error);
+  const Fidelity granted = grant(fidelity, projectile, environment).fidelity;
+  const auto found = step_within(projectile, launch, environment, granted, tolerance, until, tolerance.position_error);
   if (!found) return found.error();
   if (found->reached <= tolerance.position_error) return found->step;
   const FidelityNote note = note_of_step(*found, tolerance.position_error);

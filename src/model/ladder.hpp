@@ -54,7 +54,9 @@ PHYSIM_INLINE constexpr IntegratorRow row(Integrator rung) {
     case Integrator::tsit5: return {{"tsit5", "order 5, adaptive (Tsitouras 2011)", 6}, true};
     case Integrator::dop853: return {{"dop853", "order 8, adaptive (Dormand and Prince)", 7}, true};
     case Integrator::automatic:
-      return {{"automatic", "rk43 in flights that choose their steps, semi_implicit_euler in given frames", -1}, false};
+      return {{"automatic", "adaptive in flights that choose their steps, semi_implicit_euler in given frames", -1},
+              false};
+    case Integrator::adaptive: return {{"adaptive", "rk43 for points, tsit5 for bodies that turn", -2}, false};
   }
   return {};
 }

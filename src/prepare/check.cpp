@@ -414,7 +414,7 @@ Status check(const Tolerance& t, const Fidelity& f) {
   c.not_negative(t.relative.value_or(0), "tolerance.relative", "")
       .not_negative(t.absolute.value_or(0), "tolerance.absolute", "");
   const bool adaptive =
-      f.motion != Motion::closed_form && (f.integrator == Integrator::automatic || is_adaptive(f.integrator));
+      f.motion != Motion::closed_form && (is_chosen_by_rotation(f.integrator) || is_adaptive(f.integrator));
   const double least = 4 * row(f.precision).rounding;
   const char* at_best =
       f.precision == Precision::float32 ? "float32 allows 5e-7 at best" : "float64 allows 1e-15 at best";

@@ -22,7 +22,6 @@ class Granting {
       : f_(asked), projectile_(projectile), environment_(environment) {}
 
   FidelityInUse run() {
-    f_ = by_steps(f_, false);
     by_environment();
     by_motion();
     by_integrator();
@@ -32,6 +31,8 @@ class Granting {
     by_projectile();
     by_rotation();
     by_jump();
+    if (is_chosen_by_rotation(f_.integrator))
+      f_.integrator = f_.rotation == RotationModel::rigid_body ? kBodyIntegrator : kPointIntegrator;
     PHYSIM_ASSERT(!turns(f_) || flies_motors(f_));
     return {f_, notes_};
   }

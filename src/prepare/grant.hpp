@@ -5,11 +5,20 @@
 
 namespace physim {
 
-/// What Integrator::automatic is: a flight chooses its steps, a world's steps are its frames, and so is a given step.
-inline constexpr Integrator kFlightIntegrator = Integrator::rk43;
+/// What Integrator::automatic is in a world, whose steps are its frames, and where a step is given.
 inline constexpr Integrator kFrameIntegrator = Integrator::semi_implicit_euler;
+/// What Integrator::adaptive is for points: corners of their curves end steps before a higher order pays.
+inline constexpr Integrator kPointIntegrator = Integrator::rk43;
+/// What it is for bodies: they turn within a step, where the higher order takes fewer of their dear evaluations.
+inline constexpr Integrator kBodyIntegrator = Integrator::tsit5;
+
+/// Whether grant() chooses the integrator by the rotation.
+[[nodiscard]] inline bool is_chosen_by_rotation(Integrator asked) {
+  return asked == Integrator::automatic || asked == Integrator::adaptive;
+}
+/// An automatic integrator is that of frames where steps are given.
 [[nodiscard]] inline Fidelity by_steps(Fidelity asked, bool are_given) {
-  if (asked.integrator == Integrator::automatic) asked.integrator = are_given ? kFrameIntegrator : kFlightIntegrator;
+  if (asked.integrator == Integrator::automatic && are_given) asked.integrator = kFrameIntegrator;
   return asked;
 }
 

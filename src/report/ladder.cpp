@@ -64,7 +64,7 @@ void add_integrators(const Scenario& scenario, const ScenarioShot& shot, std::ve
   Fidelity fidelity = at_least_as_asked(Fidelity::simulation(), scenario, shot);
   for (const bool adaptive : {false, true})
     for (const Integrator integrator : all_rungs<Integrator>()) {
-      if (integrator == Integrator::automatic || integrator == Integrator::classic) continue;
+      if (is_chosen_by_rotation(integrator) || integrator == Integrator::classic) continue;
       if (is_adaptive(integrator) != adaptive) continue;
       fidelity.integrator = integrator;
       for (const auto& [text, value] : adaptive ? errors : steps) {

@@ -34,7 +34,7 @@ bool flies_body(Rung f) { return turns(f.granted); }
 bool flies_attitude(Rung f) { return turns(f.granted) && !is_in_repose(f.granted); }
 bool is_pushed(Rung f) { return f.granted.motion == Motion::force; }
 bool adapts(Rung f) {
-  PHYSIM_ASSERT(f.granted.integrator != Integrator::automatic);
+  PHYSIM_ASSERT(!is_chosen_by_rotation(f.granted.integrator));
   return f.granted.motion != Motion::closed_form && is_adaptive(f.granted.integrator);
 }
 bool takes_fixed_steps(Rung f) { return f.granted.motion != Motion::closed_form && !is_adaptive(f.granted.integrator); }

@@ -194,7 +194,8 @@ PHYSIM_INLINE_ALWAYS auto with_method(Integrator integrator, const auto& f) {
     case Integrator::rk43: return f(Rk43{});
     case Integrator::tsit5: return f(Tsit5{});
     case Integrator::dop853: return f(Dop853{});
-    case Integrator::automatic: break;  // granted as one of the others
+    case Integrator::automatic:
+    case Integrator::adaptive: break;  // granted as one of the others
   }
   PHYSIM_UNREACHABLE();
 }

@@ -91,8 +91,8 @@ std::string complaint(const Flight& flight, const Fidelity& asked) {
   if (!ended_as_planned(flight.outcome())) return "the flight ended: " + std::string(name(flight.outcome()));
   const Fidelity& granted = flight.fidelity_in_use().fidelity;
   if (granted.motion != asked.motion) return "granted other motion: " + std::string(name(granted.motion));
-  const bool steps = asked.motion != Motion::closed_form;
-  if (steps && granted.integrator != asked.integrator)
+  const bool is_named = asked.motion != Motion::closed_form && asked.integrator != Integrator::adaptive;
+  if (is_named && granted.integrator != asked.integrator)
     return "granted other integrator: " + std::string(name(granted.integrator));
   if (granted.drag != asked.drag) return "granted other drag: " + std::string(name(granted.drag));
   if (granted.rotation != asked.rotation) return "granted other rotation: " + std::string(name(granted.rotation));

@@ -284,7 +284,8 @@ TEST(CliRun, JsonHoldsResultAndProvenance) {
   const auto& shot = json.at("shots").at(0);
   EXPECT_EQ(shot.at("name"), "ball");
   EXPECT_EQ(shot.at("outcome"), "landed");
-  EXPECT_EQ(shot.at("fidelity_asked").at("integrator"), "rk43");
+  EXPECT_EQ(shot.at("fidelity_asked").at("integrator"), "adaptive");
+  EXPECT_EQ(shot.at("fidelity_granted").at("integrator"), "rk43") << "a point";
   EXPECT_EQ(shot.at("fidelity_granted").at("precision"), "float64");
   EXPECT_GT(shot.at("cost").at("evaluations"), 0);
   EXPECT_EQ(shot.at("range_card").size(), 2U);

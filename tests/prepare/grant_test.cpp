@@ -38,7 +38,8 @@ FidelityNote note_of(const FidelityInUse& in_use, const std::string& effect) {
 }
 
 TEST(Grant, what_can_be_honoured_is_granted_without_a_word) {
-  const Asked asked;
+  Asked asked;
+  asked.fidelity.integrator = Integrator::rk43;
   const FidelityInUse in_use = granted(asked);
   EXPECT_EQ(in_use.fidelity, asked.fidelity);
   EXPECT_TRUE(in_use.notes.empty());
@@ -89,6 +90,7 @@ TEST(Grant, the_drag_equation_needs_air) {
 
 TEST(Grant, the_flattened_field_goes_with_the_ellipsoid) {
   Asked asked;
+  asked.fidelity.integrator = Integrator::rk43;
   asked.fidelity.earth = EarthModel::ellipsoid;
   for (const GravityModel gravity : {GravityModel::j2, GravityModel::wgs84}) {
     asked.fidelity.gravity = gravity;
@@ -211,8 +213,11 @@ TEST(Grant, never_raises_a_rung) {
     EXPECT_LE(level(f.wind), level(asked.fidelity.wind)) << preset;
     EXPECT_LE(level(f.earth), level(asked.fidelity.earth)) << preset;
     EXPECT_LE(level(f.rotation), level(asked.fidelity.rotation)) << preset;
-    const bool is_chosen = asked.fidelity.integrator == Integrator::automatic;
-    EXPECT_EQ(f.integrator, is_chosen ? Integrator::semi_implicit_euler : asked.fidelity.integrator) << preset;
+    const Integrator i = asked.fidelity.integrator;
+    EXPECT_EQ(f.integrator, i == Integrator::automatic  ? Integrator::semi_implicit_euler
+                            : i == Integrator::adaptive ? Integrator::rk43
+                                                        : i)
+        << preset;
     EXPECT_EQ(f.precision, asked.fidelity.precision) << preset;
   }
 }
@@ -314,6 +319,44 @@ TEST(Grant, an_automatic_integrator_chooses_its_steps_in_flights_and_takes_frame
   for (int i = 0; i < 20; ++i) world.step(1.0 / 60);
   EXPECT_EQ(world[*first].fidelity_in_use().fidelity.integrator, Integrator::semi_implicit_euler);
   EXPECT_EQ(world[*first].position(), world[*second].position());
+}
+
+TEST(Grant, an_adaptive_integrator_is_chosen_by_what_turns) {
+  Asked asked;
+  asked.projectile = shell();
+  for (const Integrator integrator : {Integrator::automatic, Integrator::adaptive}) {
+    asked.fidelity = Fidelity::simulation();
+    asked.fidelity.integrator = integrator;
+    EXPECT_EQ(grant(asked.fidelity, asked.projectile, {}).fidelity.integrator, Integrator::tsit5) << "a body";
+    asked.fidelity.rotation = RotationModel::modified_point_mass;
+    EXPECT_EQ(grant(asked.fidelity, asked.projectile, {}).fidelity.integrator, Integrator::rk43) << "its mean attitude";
+    asked.fidelity.rotation = RotationModel::none;
+    EXPECT_EQ(grant(asked.fidelity, asked.projectile, {}).fidelity.integrator, Integrator::rk43) << "a point";
+  }
+}
+
+// At the same tolerance the order that a body gets takes fewer evaluations than that of points.
+TEST(Grant, the_integrator_of_bodies_pays) {
+  ProjectileDef body = shell();
+  body.inertia.moments = {7e-8, 6e-7, 6e-7};
+  const Launch launch{.speed = 800, .elevation = 0.05, .attitude = {.rates = {0, 0, 0.5}}};
+  struct End {
+    Vec3d position;
+    std::int64_t evaluations;
+  };
+  const auto fly_by = [&](Integrator integrator, std::optional<double> tolerance) {
+    Fidelity fidelity = Fidelity::simulation();
+    fidelity.integrator = integrator;
+    const Flight flight =
+        fly(body, launch, {}, fidelity, {.relative = tolerance, .absolute = tolerance}, {.time = 0.5});
+    EXPECT_FALSE(flight.error());
+    EXPECT_EQ(flight.fidelity_in_use().fidelity.rotation, RotationModel::rigid_body);
+    return End{flight.end().position, flight.cost().evaluations};
+  };
+  const End best = fly_by(Integrator::dop853, 1e-14), chosen = fly_by(Integrator::adaptive, {}),
+            of_points = fly_by(Integrator::rk43, {});
+  EXPECT_LT(static_cast<double>(chosen.evaluations), 0.8 * static_cast<double>(of_points.evaluations));
+  EXPECT_LT(length(chosen.position - best.position), 1e-6);
 }
 
 TEST(Grant, a_tolerance_of_a_fidelity_stands_in_where_none_is_given) {

@@ -149,7 +149,7 @@ TEST(Settings, HaveTheDefaultsOfTheLibrary) {
   EXPECT_EQ(by_path.at("until.ground").default_value, "0 m");
   EXPECT_EQ(by_path.at("until.events.value").unit, "of the kind");
   EXPECT_EQ(by_path.at("shot.fidelity.preset").default_value, "");
-  EXPECT_EQ(by_path.at("shot.fidelity.integrator").default_value, "rk43");
+  EXPECT_EQ(by_path.at("shot.fidelity.integrator").default_value, "adaptive");
   EXPECT_EQ(Fidelity{}, Fidelity::small_arms());
   EXPECT_EQ(by_path.at("shot.sight.zero_in_calm_air").type, "boolean");
   EXPECT_EQ(by_path.at("tolerance.max_steps").default_value, "1000000");

@@ -27,7 +27,8 @@ constexpr Promise promise_of(Integrator integrator) {
     case Integrator::classic:
     case Integrator::explicit_euler:
     case Integrator::semi_implicit_euler:
-    case Integrator::automatic: break;
+    case Integrator::automatic:
+    case Integrator::adaptive: break;
   }
   return {1, 0, 256, 512, 256};
 }
