@@ -74,15 +74,11 @@ double last_digit_unit(std::string_view text) {
   return std::pow(10.0, power);
 }
 
-std::string text_of(const std::filesystem::path& path) {
-  constexpr std::uintmax_t kLargestFile = 256 << 20;  // [bytes]
-  Result<std::string> text = read_text_file(path.string(), kLargestFile, "file of figures");
-  if (!text) throw DataError{text.error()};
-  return *std::move(text);
-}
-
 CsvFile CsvFile::read(const std::filesystem::path& path) {
-  std::istringstream in(text_of(path));
+  constexpr std::uintmax_t kLargestFile = 256 << 20;  // [bytes]
+  const Result<std::string> text = read_text_file(path.string(), kLargestFile, "file of figures");
+  if (!text) throw DataError{text.error()};
+  std::istringstream in(*text);
   CsvFile file;
   file.path_ = path;
   std::string line;

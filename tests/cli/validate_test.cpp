@@ -160,22 +160,22 @@ TEST(Validate, MalformedTablesNameFileAndLine) {
   }
 }
 
-TEST(Validate, MalformedCasesNameFileLineAndCase) {
-  const struct {
-    const char* content;
-    const char* message;
-  } bad[] = {
-      {"[\n {\"id\": \"a\",}\n]", "air.json:2: error: not JSON"},
-      {"{}", "air.json:1: error: a list of cases was expected"},
-      {"[\n {\n  \"id\": \"a\"}\n]", "air.json:3: error: case \"a\": \"expected_density_kg_m3\" is missing"},
-      {"[{\"id\": \"a\", \"expected_density_kg_m3\": \"x\"}]", "\"expected_density_kg_m3\" is not a number"},
+TEST(Validate, ScenariosAreJudgedByWhatTheyExpect) {
+  const std::string shot = "physim = 1\nsource = \"Galilei\"\n[[shot]]\nspeed = \"10 m/s\"\nfidelity = \"arcade\"\n";
+  const auto fall = [](const char* time) {
+    return "[[expect]]\nquantity = \"time\"\nequals = \"" + std::string(time) + "\"\nwithin = \"1 us\"\n";
   };
-  for (const auto& [content, message] : bad) {
-    const Folder folder("air.json", content);
-    const Outcome outcome = validate("ballistics " + folder.option());
-    EXPECT_EQ(outcome.code, 2);
-    EXPECT_TRUE(contains(outcome, message)) << outcome.text;
-  }
+  const Folder folder("lob.toml", shot + "elevation = \"90 deg\"\n" + fall("2.03943243 s"));  // 2 v / g
+  const Outcome met = validate("ballistics --all " + folder.option());
+  EXPECT_EQ(met.code, 0) << met.text;
+  EXPECT_TRUE(contains(met, "lob")) << met.text;
+  EXPECT_TRUE(contains(met, "time_s")) << met.text;
+  folder.add("lob.toml", shot + "elevation = \"90 deg\"\n" + fall("2.1 s"));
+  EXPECT_EQ(validate("ballistics " + folder.option()).code, 1);
+  folder.add("lob.toml", shot + fall("2.1 parsec"));
+  const Outcome bad = validate("ballistics " + folder.option());
+  EXPECT_EQ(bad.code, 2);
+  EXPECT_TRUE(contains(bad, "lob.toml:8:")) << bad.text;
 }
 
 TEST(Validate, BadArgumentsAreExitCode2) {
@@ -235,25 +235,6 @@ TEST(Validate, ListsOfMisprintsAreChecked) {
   }
   const Folder folder("tables.csv", "test,frame,x,y,z,vx,vy,vz\n4,0,0,1.5,0,0,1,35\n");
   EXPECT_TRUE(contains(validate("classic " + folder.option()), "no column \"ax\""));
-}
-
-TEST(Validate, BallisticCasesAreReadLiberally) {
-  const std::string air = R"("atmosphere": {"temperature_K": 288.15, "pressure_Pa": 101325, "relative_humidity": 0})";
-  const std::string gate = R"("gate": {"drop": {"abs_m": 1e-3}, "velocity": {"rel": 1e-6}})";
-  const auto one = [&](const std::string& drag) {
-    return "{" + drag + R"(, "muzzle_velocity_m_s": 800, "elevation_rad": 0.002, "sight_height_m": null, )" + air +
-           ", " + gate + R"(, "rows": [{"range_m": 300, "drop_m": null, "velocity_m_s": 630}]})";
-  };
-  const Folder folder("trajectories.json",
-                      "[" + one(R"("id": "one", "drag_table": "g7", "bc_lb_in2": 0.25)") + "," +
-                          one(R"("id": "pairs", "drag_table": "G7", "bc_bands": [[700, 0.25], [0, 0.25]])") + "," +
-                          one(R"("id": "objects", "drag_table": "G7",
-                                 "bc_bands": [{"min_speed_m_s": 700, "bc_lb_in2": 0.25},
-                                              {"max_speed_m_s": 700, "bc_lb_in2": 0.25}])") +
-                          "]");
-  const auto results = nlohmann::json::parse(validate("ballistics --json " + folder.option()).text).at("results");
-  ASSERT_EQ(results.size(), 3u);  // the drop is null
-  for (const auto& row : results) EXPECT_NEAR(row.at("actual"), results[0].at("actual"), 1e-4) << row;
 }
 
 TEST(Validate, ReportIsWrittenAndSaysHowItWasMade) {
