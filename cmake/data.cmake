@@ -1,4 +1,6 @@
-# Tables of data/ that the core needs, as C++: it opens no file. A row "0.5,0.1194" becomes "{0.5,0.1194},".
+# Data that the library has within itself, as C++.
+
+# The core opens no file. A row "0.5,0.1194" of a table becomes "{0.5,0.1194},".
 set(text [[// Made by cmake/data.cmake of data/drag/*.csv.
 #pragma once
 
@@ -17,3 +19,14 @@ foreach(table IN LISTS drag_tables)
   string(APPEND text "constexpr DragPoint kDrag${name}[] = {\n${rows}};\n")
 endforeach()
 file(CONFIGURE OUTPUT ${physim_generated}/model/drag_tables.hpp CONTENT "${text}}  // namespace physim\n")
+
+# Suites fly the check-cases as their scenarios have them, wherever the figures lie that they are compared with.
+set(text "// Made by cmake/data.cmake of scenarios/nesc_case*.toml.\n#pragma once\n\n")
+string(APPEND text "namespace physim::validation {\nconstexpr const char* kNescCases[] = {\n")
+file(GLOB cases CONFIGURE_DEPENDS scenarios/nesc_case*.toml)
+foreach(case IN LISTS cases)
+  set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${case})
+  file(READ ${case} scenario)
+  string(APPEND text "R\"toml(${scenario})toml\",\n")
+endforeach()
+file(CONFIGURE OUTPUT ${physim_generated}/validation/nesc_cases.hpp CONTENT "${text}};\n}  // namespace physim::validation\n" @ONLY)
