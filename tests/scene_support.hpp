@@ -1,6 +1,7 @@
 // Scenes, rungs and questions that tests of flights and of worlds in scenes share.
 #pragma once
 
+#include <cmath>
 #include <vector>
 
 #include "physim/body.hpp"
@@ -17,6 +18,33 @@ inline Environment vacuum_of(double g) {
   environment.atmosphere.model = AirModel::vacuum;
   environment.gravity = {.model = g == 0 ? GravityModel::off : GravityModel::constant, .acceleration = g};
   return environment;
+}
+
+/// Neither air nor ground.
+inline WorldDef space(double g = kG) {
+  WorldDef def;
+  def.environment = vacuum_of(g);
+  def.ground.mode = GroundMode::none;
+  return def;
+}
+/// No air, and things alone; by several threads.
+inline WorldDef in_the_open(unsigned threads = 1) {
+  WorldDef def;
+  def.ground.mode = GroundMode::none;
+  def.environment.atmosphere.model = AirModel::vacuum;
+  def.threading = {.threads = threads, .rows_per_thread = 64};
+  return def;
+}
+
+/// A path between two walls at -half and half, unfolded: where it is, and which way it goes.
+struct Unfolded {
+  double x, sign;
+};
+inline Unfolded unfolded(double x, double half) {
+  const double period = 4 * half;
+  double at = std::fmod(x + half, period);
+  if (at < 0) at += period;
+  return at < 2 * half ? Unfolded{at - half, 1} : Unfolded{3 * half - at, -1};
 }
 
 inline Until meeting(const Scene& scene, OnHit on_hit = OnHit::stop, double radius = 0) {

@@ -26,7 +26,6 @@ LAYERS = ("base", "math", "model", "solve", "prepare", "flight", "study", "colli
 LEFT_ASIDE = {"docs", "client", "window", "additions"}  # folders of tests
 LAST = {"cli"}  # programs that run take longer than calls
 TOO_LONG = "StudyRanks.*"  # kill and go on with studies of many shots; others run the same code
-TABLES = {"standard_drag_functions.cpp"}  # thousands of numbers of one kind, which are published figures
 KERNEL_WEIGHT = 0.1
 PATIENCE = 1200  # for all tests [s]; longer is a hang, which is noticed, too
 
@@ -98,8 +97,6 @@ class Faults:
         self.by_kind = {}
         for layer in LAYERS:
             for path in sorted((src / layer).glob("*.?pp")):
-                if path.name in TABLES:
-                    continue
                 for begin, end, instead, what in places(path.read_text(encoding="utf-8")):
                     found, weights = self.by_kind.setdefault(what, ([], []))
                     found.append((path, begin, end, instead, what))

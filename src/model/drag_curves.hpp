@@ -1,7 +1,7 @@
 // Drag curves: Cd by Mach number, of standard functions and of points that a user gives.
 //
 // What it models: curves through tabulated points; see math/interpolation.hpp for what goes between them.
-// Source: math/interpolation.hpp for the interpolation; model/standard_drag_functions.cpp for the figures.
+// Source: math/interpolation.hpp for the interpolation; data/drag for the figures.
 #pragma once
 
 #include <vector>

@@ -16,26 +16,6 @@ namespace {
 
 const std::string kNothing;
 
-/// Fields of one line; a field in double quotes may hold commas, "" in it stands for a quote.
-std::vector<std::string> split(std::string_view line) {
-  std::vector<std::string> fields(1);
-  bool quoted = false;
-  for (std::size_t i = 0; i < line.size(); ++i) {
-    const char c = line[i];
-    if (c == '"' && quoted && i + 1 < line.size() && line[i + 1] == '"') {
-      fields.back() += line[++i];
-    } else if (c == '"') {
-      quoted = !quoted;
-    } else if (c == ',' && !quoted) {
-      fields.emplace_back();
-    } else {
-      fields.back() += c;
-    }
-  }
-  for (std::string& field : fields) field = std::string(trimmed(field));
-  return fields;
-}
-
 }  // namespace
 
 std::string lower(std::string text) {
@@ -53,9 +33,8 @@ std::optional<double> number_after(const std::string& text, const std::string& w
 
 std::optional<double> parse_number(std::string_view text) {
   text = trimmed(text);
-  if (!text.empty() && text.front() == '+') text.remove_prefix(1);
   double value = 0;
-  const auto [end, code] = std::from_chars(text.data(), text.data() + text.size(), value);
+  const auto [end, code] = number_at_start(text, value);
   if (code == std::errc::result_out_of_range) {  // below the smallest double
     const auto exponent = text.find_first_of("eE");
     if (exponent != std::string_view::npos && text.substr(exponent + 1, 1) == "-") return 0.0;
@@ -74,15 +53,11 @@ double last_digit_unit(std::string_view text) {
   return std::pow(10.0, power);
 }
 
-std::string text_of(const std::filesystem::path& path) {
-  constexpr std::uintmax_t kLargestFile = 256 << 20;  // [bytes]
-  Result<std::string> text = read_text_file(path.string(), kLargestFile, "file of figures");
-  if (!text) throw DataError{text.error()};
-  return *std::move(text);
-}
-
 CsvFile CsvFile::read(const std::filesystem::path& path) {
-  std::istringstream in(text_of(path));
+  constexpr std::uintmax_t kLargestFile = 256 << 20;  // [bytes]
+  const Result<std::string> text = read_text_file(path.string(), kLargestFile, "file of figures");
+  if (!text) throw DataError{text.error()};
+  std::istringstream in(*text);
   CsvFile file;
   file.path_ = path;
   std::string line;
@@ -102,7 +77,8 @@ void CsvFile::add_line(std::string line, int number) {
     comments_ += trimmed(content.substr(1));
     return;
   }
-  std::vector<std::string> fields = split(content);
+  std::vector<std::string> fields;
+  for (const CsvField& field : csv_fields(content)) fields.emplace_back(field.text);
   if (columns_.empty()) {
     columns_ = std::move(fields);
     header_line_ = number;

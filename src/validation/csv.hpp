@@ -17,9 +17,6 @@ struct DataError {
   Error error;
 };
 
-/// The text of a file; throws DataError.
-[[nodiscard]] std::string text_of(const std::filesystem::path& path);
-
 /// A row of a table.
 struct CsvRow {
   int line = 0;  ///< in the file, from 1

@@ -1,93 +1,37 @@
 // Suite nesc: the atmospheric check-cases 1 to 10 of NASA's Engineering and Safety Center, against converged solutions.
 //
-// The definitions are those of E. B. Jackson et al., Check-Cases for Verification of 6-Degree-of-Freedom Flight Vehicle
-// Simulations, NASA/TM-2015-218675. All cases start over latitude 0, longitude 0; W points north there.
+// scenarios/nesc_case*.toml define them, by E. B. Jackson et al., Check-Cases for Verification of 6-Degree-of-Freedom
+// Flight Vehicle Simulations, NASA/TM-2015-218675. All start over latitude 0, longitude 0; W points north there.
 #include <algorithm>
 #include <cmath>
 #include <optional>
 
 #include "base/assert.hpp"
+#include "scenario/scenario.hpp"
+#include "validation/nesc_cases.hpp"
 #include "validation/suite.hpp"
 
 namespace physim::validation {
 namespace {
 
-constexpr double kSlug = 14.5939029372;
-constexpr double kSphereRadius = 6371007.1809, kGm = 3.986004418e14;
-
 struct CheckCase {
   std::string name;  // "03_dampinertial"
-  ProjectileDef body;
-  Environment place;
-  Launch launch;
-  Fidelity fidelity;
+  Scenario scenario;
+
+  [[nodiscard]] const ScenarioShot& shot() const { return scenario.shots.front(); }
+  [[nodiscard]] const Fidelity& fidelity() const { return shot().projectile.fidelity; }
 };
-
-ProjectileDef sphere() {
-  ProjectileDef p;
-  p.mass = kSlug;
-  p.diameter = kFoot * std::sqrt(4 * 0.1963495 / kPi);
-  p.drag.coefficient = 0.1;
-  p.inertia.moments = Vec3d{3.6, 3.6, 3.6} * (kSlug * kFoot * kFoot);
-  return p;
-}
-
-ProjectileDef brick() {
-  ProjectileDef p;
-  p.mass = 0.155404754 * kSlug;
-  p.drag.coefficient = 0;
-  p.inertia.moments = Vec3d{0.001894220, 0.007194665, 0.006211019} * (kSlug * kFoot * kFoot);
-  p.aero.area = 0.22222 * kFoot * kFoot;
-  p.aero.length = 0.66667 * kFoot;
-  p.aero.span = 0.33333 * kFoot;
-  p.aero.rate_norm = RateNorm::twice_speed;
-  return p;
-}
-
-void damp(AeroDef& aero, DampingFrame frame) {
-  aero.damping_frame = frame;
-  aero.roll_damping = aero.pitch_damping = aero.yaw_damping = {{0, 0, -1}};
-}
-
-/// Rates about forward, right and down.
-Vec3d body_rates(double p, double q, double r) { return Vec3d{p, -r, q} * kDegree; }
-
-Wind wind_of(int number) {
-  Wind wind;  // z is east
-  if (number == 7) wind.velocity = {0, 0, 20 * kFoot};
-  if (number == 8) wind.profile = {{-30000 * kFoot, {0, 0, -20 * kFoot}}, {0, {0, 0, 70 * kFoot}}};
-  return wind;
-}
 
 /// The case of a number, in one of its variants; nothing if it does not exist.
 std::optional<CheckCase> case_of(int number, const std::string& variant) {
-  if (number < 1 || number > 10) return std::nullopt;
+  if (number < 1 || number > static_cast<int>(std::size(kNescCases))) return std::nullopt;
   if (!variant.empty() && !(number == 3 && variant == "dampinertial")) return std::nullopt;
-  CheckCase c{.name = formatted("%02d", number) + (variant.empty() ? "" : "_" + variant)};
-  c.body = number == 2 || number == 3 ? brick() : sphere();
-  if (number == 1) c.body.drag.coefficient = 0;
-  if (number == 3) damp(c.body.aero, variant.empty() ? DampingFrame::air : DampingFrame::inertial);
-  c.place.altitude = number < 9 ? 30000 * kFoot : 0;
-  c.place.wind = wind_of(number);
-  c.fidelity = {.integrator = Integrator::dop853,
-                .gravity = GravityModel::j2,
-                .earth = EarthModel::ellipsoid,
-                .rotation = RotationModel::rigid_body};
-  if (number == 4 || number == 5) {
-    c.place.gravity.radius = kSphereRadius;
-    c.place.gravity.acceleration = kGm / (kSphereRadius * kSphereRadius);
-    c.fidelity.gravity = GravityModel::inverse_square;
-    c.fidelity.earth = number == 4 ? EarthModel::sphere : EarthModel::sphere_rotating;
-  }
-  c.launch.velocity = Vec3d{};
-  if (number == 9) c.launch.velocity = Vec3d{0, 1000 * kFoot, 1000 * kFoot};
-  if (number == 10) c.launch.velocity = Vec3d{1000 * kFoot, 1000 * kFoot, 0};
-  LaunchAttitude& attitude = c.launch.attitude;
-  attitude.frame = AttitudeFrame::world;
-  attitude.yaw = number == 9 ? 90 * kDegree : 0;
-  attitude.rate_frame = number < 9 ? RateFrame::inertial : RateFrame::world;
-  if (number >= 2 && number <= 5) attitude.rates = body_rates(10, 20, 30);
-  return c;
+  std::vector<std::string> overrides;
+  if (!variant.empty()) overrides.emplace_back("shot.aero.damping_frame=inertial");
+  Result<Scenario> scenario =
+      parse_scenario(kNescCases[number - 1], formatted("nesc_case%02d.toml", number), overrides);
+  PHYSIM_ASSERT(scenario && scenario->shots.size() == 1);
+  return CheckCase{formatted("%02d", number) + (variant.empty() ? "" : "_" + variant), *std::move(scenario)};
 }
 
 // ------------------------------------------------------------------------------------------------ columns and gates
@@ -123,15 +67,15 @@ double difference(const ColumnGate& column, double actual, double expected) {
   return column.is_angle ? std::remainder(actual - expected, 360.0) : actual - expected;
 }
 
-Flight flown(const CheckCase& c, double time) {
-  return fly(c.body, c.launch, c.place, c.fidelity, {.relative = 1e-13, .absolute = 1e-13},
-             {.ground = {}, .time = time});
+Flight flown(CheckCase c, double time) {
+  c.scenario.until.time = time;
+  return fly_shot(c.scenario, c.shot());
 }
 
 std::string complaint_of(const CheckCase& c, const Flight& flight) {
-  const std::string other = complaint(flight, c.fidelity);
+  const std::string other = complaint(flight, c.fidelity());
   if (!other.empty()) return other;
-  return flight.fidelity_in_use().fidelity.gravity == c.fidelity.gravity ? "" : "granted other gravity";
+  return flight.fidelity_in_use().fidelity.gravity == c.fidelity().gravity ? "" : "granted other gravity";
 }
 
 void add_state(const CheckCase& c, const Flight& flight, SuiteResult& result) {

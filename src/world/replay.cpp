@@ -63,15 +63,15 @@ class Frames {
   /// True if a frame that extends beyond the recording is whole with one byte of its length changed: then the recording
   /// is damaged, not cut.
   [[nodiscard]] bool is_damaged_length() const {
-    constexpr std::size_t kLongest = 1u << 20;  // of frames that are tried [bytes]
-    const auto rest = bytes_.subspan(at_, std::min(bytes_.size() - at_, kFrameHead + kLongest + kCheckSum));
+    constexpr std::size_t kLongestTried = 1u << 20;  // of frames that are tried [bytes]
+    const auto rest = bytes_.subspan(at_, std::min(bytes_.size() - at_, kFrameHead + kLongestTried + kCheckSum));
     std::vector<std::byte> frame(rest.begin(), rest.end());
     for (std::size_t i = 1; i < kFrameHead; ++i) {
       for (unsigned value = 0; value < 256; ++value) {
         frame[i] = static_cast<std::byte>(value);
         std::uint64_t length = 0, sum = 0;
         Reader(std::span(frame).subspan(1)).number(length, kFrameHead - 1);
-        if (length > kLongest || rest.size() < kFrameHead + length + kCheckSum) continue;
+        if (length > kLongestTried || rest.size() < kFrameHead + length + kCheckSum) continue;
         const std::size_t size = kFrameHead + static_cast<std::size_t>(length);
         Reader(rest.subspan(size)).number(sum, kCheckSum);
         if (check_sum(chain(chain_, std::span(frame).first(size))) == sum) return true;

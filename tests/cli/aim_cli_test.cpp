@@ -52,19 +52,6 @@ double cell(const std::vector<std::string>& table, std::size_t row, const std::s
   return found == heads.end() ? NAN : std::stod(cells.at(static_cast<std::size_t>(found - heads.begin())));
 }
 
-void expect_complaint(const Ran& ran, const std::string& part) {
-  EXPECT_EQ(ran.code, 2) << ran.err;
-  EXPECT_EQ(ran.out, "");
-  EXPECT_TRUE(has(ran.err, "error: ")) << ran.err;
-  EXPECT_TRUE(has(ran.err, part)) << ran.err;
-  EXPECT_EQ(std::ranges::count(ran.err, '\n'), 1) << ran.err;
-}
-
-nlohmann::json json_of(const Ran& ran) {
-  EXPECT_EQ(ran.err, "");
-  return nlohmann::json::parse(ran.out, nullptr, false);
-}
-
 // ---------------------------------------------------------------------------------------------------------------- aim
 TEST(CliAim, LeadsTheTargetOfTheScenario) {
   const Folder folder;

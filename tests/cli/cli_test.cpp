@@ -36,15 +36,6 @@ std::vector<double> numbers_of(const std::string& csv_line) {
   return numbers;
 }
 
-// A complaint: exit code 2, one line on stderr that says this, nothing on stdout.
-void expect_complaint(const Ran& ran, const std::string& part) {
-  EXPECT_EQ(ran.code, 2) << ran.err;
-  EXPECT_EQ(ran.out, "");
-  EXPECT_TRUE(has(ran.err, "error: ")) << ran.err;
-  EXPECT_TRUE(has(ran.err, part)) << ran.err;
-  EXPECT_EQ(std::ranges::count(ran.err, '\n'), 1) << ran.err;
-}
-
 // ------------------------------------------------------------------------------------------------------ the program
 TEST(Cli, TellsItsVersionAndHelp) {
   EXPECT_EQ(physim({"--version"}).code, 0);

@@ -7,9 +7,11 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
+#include <nlohmann/json.hpp>
 #include <sstream>
 #include <string>
 #include <vector>
@@ -96,6 +98,19 @@ inline Ran run_program(const std::string& program, const std::vector<std::string
   if (stdout_to.empty()) ran.out = read(out);
   ran.err = read(err);
   return ran;
+}
+
+/// A complaint: exit code 2, one line on stderr that says this, nothing on stdout.
+inline void expect_complaint(const Ran& ran, const std::string& part) {
+  EXPECT_EQ(ran.code, 2) << ran.err;
+  EXPECT_EQ(ran.out, "");
+  EXPECT_TRUE(has(ran.err, "error: ")) << ran.err;
+  EXPECT_TRUE(has(ran.err, part)) << ran.err;
+  EXPECT_EQ(std::ranges::count(ran.err, '\n'), 1) << ran.err;
+}
+inline nlohmann::json json_of(const Ran& ran) {
+  EXPECT_EQ(ran.err, "");
+  return nlohmann::json::parse(ran.out, nullptr, false);
 }
 
 #ifdef PHYSIM_CLI

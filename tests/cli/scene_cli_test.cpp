@@ -16,11 +16,6 @@ namespace cli_scene_cli_test {
 constexpr double kDegree = 3.14159265358979323846 / 180;
 const std::string kMortar = PHYSIM_SOURCE_DIR "/scenarios/mortar_over_hill.toml";
 
-nlohmann::json json_of(const Ran& ran) {
-  EXPECT_EQ(ran.err, "");
-  return nlohmann::json::parse(ran.out, nullptr, false);
-}
-
 TEST(CliScene, RunTellsWhatFlightsHit) {
   const Ran ran = physim({"run", kMortar});
   EXPECT_EQ(ran.code, 0) << ran.err;

@@ -39,13 +39,6 @@ equals = 300
 within = 0
 )";
 
-void expect_complaint(const Ran& ran, const std::string& part) {
-  EXPECT_EQ(ran.code, 2) << ran.err;
-  EXPECT_EQ(ran.out, "");
-  EXPECT_TRUE(has(ran.err, part)) << ran.err;
-  EXPECT_EQ(std::ranges::count(ran.err, '\n'), 1) << ran.err;
-}
-
 TEST(CliWorld, ASavedRunGoesOn) {
   const std::string folder = testing::TempDir();
   const std::string scenario = folder + "save.toml", save = folder + "world.save";

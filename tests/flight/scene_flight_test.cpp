@@ -55,16 +55,6 @@ TEST(SceneFlight, a_parabola_meets_a_slope_and_a_sphere_where_the_closed_form_do
   }
 }
 
-struct Unfolded {
-  double x, sign;
-};
-Unfolded unfolded(double x, double half) {
-  const double period = 4 * half;
-  double at = std::fmod(x + half, period);
-  if (at < 0) at += period;
-  return at < 2 * half ? Unfolded{at - half, 1} : Unfolded{3 * half - at, -1};
-}
-
 TEST(SceneFlight, elastic_bounces_in_a_room_follow_the_closed_form_at_every_time) {
   const Vec3d half{5, 3, 4};
   const Scene scene = room(half, {.restitution = 1, .friction = 0});

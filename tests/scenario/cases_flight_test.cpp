@@ -5,6 +5,7 @@
 #include <numbers>
 
 #include "rifles.hpp"
+#include "scenario/run_support.hpp"
 #include "scenario/scenario.hpp"
 #include "support.hpp"
 
@@ -14,18 +15,13 @@ namespace scenario_cases_flight_test {
 constexpr double kG = 9.80665, kPi = std::numbers::pi;
 using test::kDegree;
 
-Scenario read(const std::string& text, const std::vector<std::string>& overrides = {}) {
-  const auto scenario = parse_scenario("physim = 1\n" + text, "f.toml", overrides);
-  EXPECT_TRUE(scenario) << (scenario ? "" : scenario.error().text());
-  return scenario ? *scenario : Scenario{};
-}
 Flight flown(const Scenario& scenario) {
   Flight flight = fly_shot(scenario, scenario.shots.at(0));
   EXPECT_FALSE(flight.error()) << (flight.error() ? flight.error()->text() : "");
   return flight;
 }
 Flight flown(const std::string& text, const std::vector<std::string>& overrides = {}) {
-  return flown(read(text, overrides));
+  return flown(parsed(text, overrides));
 }
 
 const std::string kSimple = "fidelity = { preset = \"simulation\", gravity = \"constant\", earth = \"flat\", ";
@@ -198,7 +194,7 @@ TEST(CasesOfGuns, a_mortar_is_aimed_at_the_elevations_of_its_table) {
   struct Row {
     double range, mil, time;
   };
-  const Scenario scenario = read(mortar(200, 1242));
+  const Scenario scenario = parsed(mortar(200, 1242));
   const ScenarioShot& shot = scenario.shots[0];
   for (const auto& [range, mil, time] :
        {Row{2000, 1242.05, 35.134}, {1000, 1434.29, 36.896}, {2500, 1118.49, 33.366}, {3000, 928.49, 29.759}}) {
@@ -318,7 +314,7 @@ TEST(CasesOfGuns, rifling_to_the_left_gives_the_mirror_image) {
 /// In a scenario whose flight ends at 1000 yd the row of 1000 yd is there. Right: an RK4 of 1.900113 s, 12.1342 m below
 /// the line of sight and 312.546 m/s.
 TEST(CasesOfGuns, the_last_yard_of_a_card_is_on_it) {
-  const Scenario scenario = read(test::rifle308() + "[output]\nranges = \"100 yd .. 1000 yd step 100 yd\"\n");
+  const Scenario scenario = parsed(test::rifle308() + "[output]\nranges = \"100 yd .. 1000 yd step 100 yd\"\n");
   ASSERT_EQ(scenario.ranges.size(), 10u);
   const auto last = flown(scenario).at_range(scenario.ranges.back());
   ASSERT_TRUE(last) << last.error().text();
@@ -334,7 +330,7 @@ TEST(CasesOfSteps, a_second_of_fall_in_so_many_steps) {
   for (const int count : {10, 60})
     for (const auto& [integrator, part] :
          {std::pair{"semi_implicit_euler", 1.0}, {"explicit_euler", -1.0}, {"heun", 0.0}, {"rk4", 0.0}}) {
-      Scenario scenario = read(
+      Scenario scenario = parsed(
           "[environment]\ngravity = \"constant\"\natmosphere = \"vacuum\"\n[[shot]]\n"
           "fidelity = { preset = \"game\", drag = \"off\", air = \"vacuum\", "
           "precision = \"float64\", integrator = \"" +
@@ -407,7 +403,7 @@ TEST(CasesOfBalls, a_fly_ball_by_nathans_model) {
 /// cuspaceflight/tawhiri #107: longitudes beyond 180 degrees. Right: 30 km are 0.2814 degrees at 16.8 S, so that a shot
 /// from 179.99 E comes down at 179.729 W.
 TEST(CasesOfGlobes, a_shot_to_the_east_over_the_antimeridian_lands_in_the_west) {
-  const Scenario scenario = read(R"([environment]
+  const Scenario scenario = parsed(R"([environment]
 atmosphere = "vacuum"
 earth = { latitude = "-16.8 deg", longitude = "179.99 deg", azimuth = "90 deg" }
 [[shot]]

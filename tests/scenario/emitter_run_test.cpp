@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "scenario/run_support.hpp"
 #include "scenario/slope_scene.hpp"
 #include "scenario/world_run.hpp"
 
@@ -31,15 +32,9 @@ duration = "4 s"
 step = "10 ms"
 )";
 
-Scenario parsed(const std::string& text, const std::vector<std::string>& overrides = {}) {
-  const Result<Scenario> scenario = parse_scenario(text, "f.toml", overrides);
-  EXPECT_TRUE(scenario) << (scenario ? "" : scenario.error().text());
-  return scenario ? *scenario : Scenario();
-}
-
 WorldRun run_to_end(const Scenario& scenario) {
-  WorldRun run = WorldRun::create(scenario).value();
-  for (std::uint64_t i = 0; i < run.steps(); ++i) run.step();
+  WorldRun run = run_of(scenario);
+  finish(run);
   return run;
 }
 

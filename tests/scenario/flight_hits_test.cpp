@@ -5,7 +5,7 @@
 
 #include <cmath>
 
-#include "scenario/run_hits.hpp"
+#include "scenario/run_support.hpp"
 #include "scenario/scenario.hpp"
 #include "scenario/slope_scene.hpp"
 #include "support.hpp"
@@ -18,12 +18,6 @@ constexpr double kG = 9.80665, kPi = 3.14159265358979323846;
 /// A ball that bounces down a slope, with a step of its own, so that a world flies the same.
 const std::string kSlope = "[tolerance]\nstep = \"10 ms\"\n" + ball_over_slope("-30 deg");
 const std::string kNoGround = "[until]\nground = \"off\"\ntime = \"3 s\"\n";
-
-Scenario read_scenario(const std::string& text) {
-  const Result<Scenario> scenario = parse_scenario(kVacuum + text, "f.toml");
-  EXPECT_TRUE(scenario) << (scenario ? "" : scenario.error().text());
-  return scenario ? *scenario : Scenario{};
-}
 
 struct Flown {
   SceneParts parts;
@@ -38,7 +32,7 @@ Flown flown(const Scenario& scenario, std::size_t shot = 0) {
 }
 
 std::vector<std::string> beginnings_of(const std::string& text) {
-  const Scenario scenario = read_scenario(text);
+  const Scenario scenario = parsed(kVacuum + text);
   const SceneParts parts = scene_parts(scenario).value();
   return notes_of_beginnings(scenario, parts.scene, parts.things);
 }
@@ -63,7 +57,7 @@ TEST(FlightHits, SayWhichShotsBeginInsideOfThings) {
 }
 
 TEST(FlightHits, TellABounceByItsClosedForm) {
-  const Flown ball = flown(read_scenario(kSlope + kNoGround));
+  const Flown ball = flown(parsed(kVacuum + kSlope + kNoGround));
   ASSERT_GE(ball.hits.all.size(), 2u);
   const ThingHit& hit = ball.hits.all[0];
   const double time = std::sqrt(2 * 5 / kG), speed = kG * time, tilt = kPi / 6;
@@ -86,9 +80,9 @@ TEST(FlightHits, TellABounceByItsClosedForm) {
 }
 
 TEST(FlightHits, AreThoseOfAWorld) {
-  const Flown ball = flown(read_scenario(kSlope + kNoGround));
+  const Flown ball = flown(parsed(kVacuum + kSlope + kNoGround));
   WorldRun run =
-      WorldRun::create(read_scenario(kSlope + "[world]\nstep = \"10 ms\"\nduration = \"3 s\"\nground = \"none\"\n"))
+      WorldRun::create(parsed(kVacuum + kSlope + "[world]\nstep = \"10 ms\"\nduration = \"3 s\"\nground = \"none\"\n"))
           .value();
   const std::vector<ThingHit> hits = hits_of(run);
   ASSERT_EQ(hits.size(), ball.hits.all.size());
@@ -101,7 +95,7 @@ TEST(FlightHits, AreThoseOfAWorld) {
 }
 
 TEST(FlightHits, EndAFlightThatStops) {
-  Scenario scenario = read_scenario(kSlope + kNoGround);
+  Scenario scenario = parsed(kVacuum + kSlope + kNoGround);
   scenario.shots[0].body.collision.on_hit = OnHit::stop;
   const Flown ball = flown(scenario);
   EXPECT_EQ(ball.flight.outcome(), Outcome::hit);
@@ -113,7 +107,7 @@ TEST(FlightHits, EndAFlightThatStops) {
 }
 
 TEST(FlightHits, OfAShotThatIsSaidToStopAreStopsWhateverComesAfter) {
-  Scenario scenario = read_scenario(kSlope + kNoGround);
+  Scenario scenario = parsed(kVacuum + kSlope + kNoGround);
   const Flown ball = flown(scenario);
   scenario.shots[0].body.collision.on_hit = OnHit::stop;  // it has flown as one that bounces
   const FlightHits hits = flight_hits(scenario, scenario.shots[0], ball.flight, ball.parts);
@@ -122,7 +116,7 @@ TEST(FlightHits, OfAShotThatIsSaidToStopAreStopsWhateverComesAfter) {
 }
 
 TEST(FlightHits, AreJudged) {
-  const Flown ball = flown(read_scenario(kSlope + kNoGround));
+  const Flown ball = flown(parsed(kVacuum + kSlope + kNoGround));
   const auto value = [&](const std::string& quantity, const std::string& thing) {
     return measure(ball.flight, ball.hits, {.thing = thing, .quantity = quantity});
   };
@@ -150,16 +144,16 @@ TEST(FlightHits, OfWhatIsPassedArePassages) {
     return measure(of.flight, of.hits, {.thing = thing, .quantity = quantity}).value();
   };
   const Flown sensed =
-      flown(read_scenario(ball + shape + zone("near", "0", true) + zone("far", "5", true) + kNoGround));
+      flown(parsed(kVacuum + ball + shape + zone("near", "0", true) + zone("far", "5", true) + kNoGround));
   EXPECT_EQ(value(sensed, "passages", "near"), 1);
   EXPECT_EQ(value(sensed, "passages", "far"), 1);
   EXPECT_EQ(value(sensed, "passages", ""), 2);
   EXPECT_EQ(value(sensed, "passages", "none"), 0);
   EXPECT_EQ(value(sensed, "hits", "near"), 0);
   const std::string pass = "body = { collision = { on_hit = \"pass\" } }\n";
-  const Flown passed = flown(read_scenario(ball + pass + shape + zone("wall", "0", false) + kNoGround));
+  const Flown passed = flown(parsed(kVacuum + ball + pass + shape + zone("wall", "0", false) + kNoGround));
   EXPECT_EQ(value(passed, "passages", "wall"), 1);
-  const Flown stopped = flown(read_scenario(ball + shape + zone("wall", "0", false) + kNoGround));
+  const Flown stopped = flown(parsed(kVacuum + ball + shape + zone("wall", "0", false) + kNoGround));
   EXPECT_EQ(value(stopped, "passages", "wall"), 0);
   EXPECT_EQ(value(stopped, "hits", "wall"), 1);
 }
@@ -187,12 +181,12 @@ TEST(FlightHits, OfAFidelityThatIsChosen) {
 }
 
 TEST(FlightHits, KnowNothingOfTheThingsOfAWorld) {
-  const Scenario scenario = read_scenario(kSlope + "[world]\n");
+  const Scenario scenario = parsed(kVacuum + kSlope + "[world]\n");
   EXPECT_EQ(fly_shot(scenario, scenario.shots[0]).outcome(), Outcome::landed);
 }
 
 TEST(FlightHits, OfASceneThatCannotBeMadeAreRefused) {
-  Scenario scenario = read_scenario(kSlope + kNoGround);
+  Scenario scenario = parsed(kVacuum + kSlope + kNoGround);
   scenario.things[0].shape = "another";
   const Flight flight = fly_shot(scenario, scenario.shots[0]);
   EXPECT_EQ(flight.outcome(), Outcome::refused);
@@ -203,7 +197,7 @@ TEST(FlightHits, OfASceneThatCannotBeMadeAreRefused) {
 /// Studies fly through the things of a scenario as fly_shot() does, and named things are targets; in a world they do
 /// not.
 TEST(FlightHits, AreToldOfStudies) {
-  Scenario scenario = read_scenario(kSlope + kNoGround);
+  Scenario scenario = parsed(kVacuum + kSlope + kNoGround);
   scenario.study.inputs = {"shot.position.y = 4.9 m .. 5.1 m"};
   const auto study = study_of(scenario, scenario.shots[0]);
   ASSERT_TRUE(study) << study.error().text();
@@ -217,14 +211,14 @@ TEST(FlightHits, AreToldOfStudies) {
   const auto unmade = study_of(scenario, scenario.shots[0]);
   ASSERT_FALSE(unmade);
   EXPECT_EQ(unmade.error().message, "no shape is named \"another\"");
-  const Scenario world = read_scenario(kSlope + "[world]\n");
+  const Scenario world = parsed(kVacuum + kSlope + "[world]\n");
   EXPECT_TRUE(study_of(world, world.shots[0])->scene == nullptr);
 }
 
 // ----------------------------------------------------------------------------------------------------- read and
 // written
 TEST(SceneOfFlights, IsWrittenAndReadBack) {
-  const Scenario before = read_scenario(kSlope + kNoGround);
+  const Scenario before = parsed(kVacuum + kSlope + kNoGround);
   const std::string text = scenario_text(before);
   const Result<Scenario> after = parse_scenario(text, "g.toml");
   ASSERT_TRUE(after) << after.error().text() << "\n" << text;
@@ -240,12 +234,12 @@ TEST(SceneOfFlights, IsWrittenAndReadBack) {
 }
 
 TEST(SceneOfFlights, IsNotSaidWhereThereIsNone) {
-  for (const auto& [path, value] : effective_settings(read_scenario("[[shot]]\nspeed = 10\n")))
+  for (const auto& [path, value] : effective_settings(parsed(kVacuum + "[[shot]]\nspeed = 10\n")))
     EXPECT_TRUE(!path.starts_with("thing") && path.find(".body.") == path.npos) << path;
 }
 
 TEST(SceneOfFlights, KnowsColoursOfBodiesThatHaveSome) {
-  const Scenario scenario = read_scenario("[[shot]]\nspeed = 10\nbody = { colour = 0xE69F00FF }\n");
+  const Scenario scenario = parsed(kVacuum + "[[shot]]\nspeed = 10\nbody = { colour = 0xE69F00FF }\n");
   EXPECT_EQ(scenario.shots[0].body.colour, 0xE69F00FFU);
   int said = 0;
   for (const auto& [path, value] : effective_settings(scenario)) {

@@ -6,7 +6,7 @@
 
 #include "scenario/compound_support.hpp"
 #include "scenario/revise.hpp"
-#include "scenario/run_hits.hpp"
+#include "scenario/run_support.hpp"
 #include "scenario/slope_scene.hpp"
 #include "scenario/world_run.hpp"
 #include "support.hpp"

@@ -9,17 +9,12 @@
 #include <fstream>
 
 #include "physim/units.hpp"
+#include "scenario/run_support.hpp"
 
 namespace physim {
 namespace scenario_scenario_test {
 
 using namespace physim::units;
-
-Scenario parsed(const std::string& text, const std::vector<std::string>& overrides = {}) {
-  const Result<Scenario> scenario = parse_scenario(text, "test.toml", overrides);
-  EXPECT_TRUE(scenario.ok()) << scenario.error().text();
-  return scenario.ok() ? *scenario : Scenario{};
-}
 
 // The sketch of the house plan, section 7.
 const std::string kDesignExample = R"(physim = 1                          # format version
@@ -48,7 +43,7 @@ source = "..."
 
 TEST(Scenario, ReadsTheExampleOfTheDesign) {
   const Scenario s = parsed(kDesignExample);
-  EXPECT_EQ(s.file, "test.toml");
+  EXPECT_EQ(s.file, "f.toml");
   EXPECT_EQ(s.environment.gravity.model, GravityModel::constant);
   EXPECT_EQ(s.environment.atmosphere.model, AirModel::isa);
   EXPECT_EQ(s.environment.atmosphere.temperature, 298.15);
@@ -75,7 +70,7 @@ TEST(Scenario, ReadsTheExampleOfTheDesign) {
   EXPECT_EQ(s.expect[0].equals, -3.1);
   EXPECT_EQ(s.expect[0].within, 0.02);
   EXPECT_EQ(s.expect[0].source, "...");
-  EXPECT_EQ(s.expect[0].place, "test.toml:17:1");
+  EXPECT_EQ(s.expect[0].place, "f.toml:17:1");
 }
 
 TEST(Scenario, LeavesTheDefaultsOfTheLibrary) {
@@ -93,8 +88,7 @@ TEST(Scenario, LeavesTheDefaultsOfTheLibrary) {
 }
 
 TEST(Scenario, ReadsEveryKindOfSetting) {
-  const Scenario s = parsed(R"(
-physim = 1
+  const Scenario s = parsed(R"(physim = 1
 title = "All of it"
 source = "made up"
 [environment]

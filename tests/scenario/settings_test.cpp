@@ -7,6 +7,7 @@
 #include <set>
 #include <sstream>
 
+#include "scenario/run_support.hpp"
 #include "scenario/scenario.hpp"
 #include "scenario/schema.hpp"
 #include "scenario/suggest.hpp"
@@ -300,12 +301,6 @@ quantity = "energy"
 equals = "2000 ft lbf"
 within = 10
 )";
-
-Scenario parsed(const std::string& text, const std::vector<std::string>& overrides = {}) {
-  const Result<Scenario> scenario = parse_scenario(text, "f.toml", overrides);
-  EXPECT_TRUE(scenario.ok()) << scenario.error().text();
-  return scenario.ok() ? *scenario : Scenario{};
-}
 
 std::vector<std::string> as_overrides(const Scenario& scenario) {
   std::vector<std::string> overrides;

@@ -3,6 +3,7 @@
 
 #include <cmath>
 
+#include "scenario/run_support.hpp"
 #include "scenario/scenario.hpp"
 #include "scenario/slope_scene.hpp"
 #include "scenario/world_run.hpp"
@@ -48,18 +49,12 @@ fidelity = { preset = "game", integrator = "rk4", precision = "float64", drag = 
 body = { restitution = 0, friction = 0.7, rolling_resistance = 0 }
 )";
 
-Scenario read(const std::string& text) {
-  const Result<Scenario> scenario = parse_scenario(kVacuum + text, "f.toml");
-  EXPECT_TRUE(scenario) << (scenario ? "" : scenario.error().text());
-  return scenario ? *scenario : Scenario{};
-}
-
 TEST(SurfaceScenario, is_read_as_it_is_written) {
-  const Scenario belt = read(kBelt + kWorld);
+  const Scenario belt = parsed(kVacuum + kBelt + kWorld);
   EXPECT_EQ(belt.materials[0].combine, (CombineDef{Combine::maximum, Combine::minimum}));
   EXPECT_EQ(belt.shots[0].body.combine, (CombineDef{Combine::product, Combine::mean}));
   EXPECT_EQ(belt.things[0].conveyor.velocity, (Vec3d{2, 0, 0}));
-  const Ground ground = read(kParcel + kRunningGround).world.def.ground;
+  const Ground ground = parsed(kVacuum + kParcel + kRunningGround).world.def.ground;
   EXPECT_EQ(ground.conveyor.velocity, (Vec3d{2, 0, 0}));
   EXPECT_EQ(ground.combine.friction, Combine::minimum);
 }
@@ -67,7 +62,7 @@ TEST(SurfaceScenario, is_read_as_it_is_written) {
 /// The smaller friction takes the parcel along: u t - u^2 / (2 mu g).
 TEST(SurfaceScenario, carries_what_lies_on_it) {
   for (const std::string& text : {kBelt + kWorld, kParcel + kRunningGround}) {
-    Result<WorldRun> run = WorldRun::create(read(text));
+    Result<WorldRun> run = WorldRun::create(parsed(kVacuum + text));
     ASSERT_TRUE(run) << run.error().text();
     const World& world = run->world();
     while (world.time() < 1.99) run->step();
@@ -95,7 +90,7 @@ TEST(SurfaceScenario, names_what_has_no_effect) {
     EXPECT_NE(at, text.npos);
     text.replace(at, from.size(), to);
     std::string all;
-    for (const std::string& note : read(text).notes) all += note + "\n";
+    for (const std::string& note : parsed(kVacuum + text).notes) all += note + "\n";
     return all;
   };
   const std::string none = notes(kBelt + kWorld, "", "");

@@ -3,7 +3,7 @@
 
 #include <cmath>
 
-#include "scenario/run_hits.hpp"
+#include "scenario/run_support.hpp"
 #include "scenario/slope_scene.hpp"
 #include "scenario/world_run.hpp"
 #include "support.hpp"
@@ -13,12 +13,6 @@ namespace scenario_thing_hits_test {
 
 constexpr double kG = 9.80665;
 
-WorldRun run_of_scene(const std::string& text) {
-  const Result<Scenario> scenario = parse_scenario(kVacuum + text, "f.toml");
-  EXPECT_TRUE(scenario) << (scenario ? "" : scenario.error().text());
-  return WorldRun::create(*scenario).value();
-}
-
 Expectation expected(const std::string& quantity, const std::string& thing = "") {
   return {.thing = thing, .quantity = quantity};
 }
@@ -26,7 +20,7 @@ Expectation expected(const std::string& quantity, const std::string& thing = "")
 /// A ball that falls on a plane, turned by 30 degrees: it moves with the speed of the fall, and comes off the slope
 /// under the angle that restitution and no friction leave.
 TEST(ThingHits, TellAFallByItsClosedForm) {
-  WorldRun run = run_of_scene(ball_over_slope("30 deg") + R"(
+  WorldRun run = run_of(kVacuum + ball_over_slope("30 deg") + R"(
 [world]
 duration = "1.1 s"
 ground = "none"
@@ -51,7 +45,7 @@ ground = "none"
 
 /// A wall that comes at 10 m/s: obliquity is as seen from it.
 TEST(ThingHits, SeeFromTheSurfaceThatMoves) {
-  WorldRun run = run_of_scene(R"(
+  WorldRun run = run_of(kVacuum + R"(
 [[shape]]
 name = "wall"
 box = [0.1, 50, 50]
@@ -84,7 +78,7 @@ ground = "none"
 /// A ball of 0.5 m that comes straight at a drum of 1 m that turns at 6 rad/s: its surface goes by at 6 m/s where the
 /// ball touches it, and would at 9 m/s where the middle of the ball is. What neither grips nor gives leaves it at that.
 TEST(ThingHits, OfABallGoByTheSurfaceWhereItIsTouched) {
-  WorldRun run = run_of_scene(R"(
+  WorldRun run = run_of(kVacuum + R"(
 [[material]]
 name = "ice"
 restitution = 1
@@ -117,7 +111,7 @@ ground = "none"
 
 /// What slides, rolls and rests touches its floor in every step, and hits it only where it falls on it.
 TEST(ThingHits, AreNoContactsThatGoOn) {
-  WorldRun run = run_of_scene(R"(
+  WorldRun run = run_of(kVacuum + R"(
 [[material]]
 name = "stone"
 restitution = 1
@@ -204,7 +198,7 @@ ground = "none"
   for (std::size_t i = 0; i < kBoards; ++i)
     text += "[[thing]]\nshape = \"board\"\nmaterial = \"fir\"\nposition = [" +
             std::to_string(20 + 0.002 * static_cast<double>(i)) + ", 0, 0]\n";
-  WorldRun run = run_of_scene(text);
+  WorldRun run = run_of(kVacuum + text);
   const auto hits = hits_of(run);
   ASSERT_EQ(hits.size(), kBoards);
   for (std::size_t i = 0; i < kBoards; ++i) {
@@ -217,7 +211,7 @@ ground = "none"
 }
 
 TEST(ThingHits, CountPassagesByThing) {
-  WorldRun run = run_of_scene(kThrough);
+  WorldRun run = run_of(kVacuum + kThrough);
   const auto hits = hits_of(run);
   const double area = 3.14159265358979323846 / 4 * 0.008 * 0.008, loss = 10e6 * area * 0.01;
   const auto left = [&](int sheets) { return std::sqrt(100 * 100 - 2 * sheets * loss / 0.005); };
@@ -264,7 +258,7 @@ TEST(ThingHits, AreJudgedByExpectations) {
 }
 
 TEST(ThingHits, GoOnInASaveAndARestoredRun) {
-  WorldRun run = run_of_scene(kThrough);
+  WorldRun run = run_of(kVacuum + kThrough);
   for (int i = 0; i < 8; ++i) run.step();
   const RunSnapshot snapshot = run.snapshot();
   const auto bytes = run.save();
@@ -287,7 +281,7 @@ TEST(ThingHits, GoOnInASaveAndARestoredRun) {
 
 /// A save knows the scene that its world met.
 TEST(ThingHits, AreOfTheSceneThatASaveIsOf) {
-  WorldRun run = run_of_scene(kThrough);
+  WorldRun run = run_of(kVacuum + kThrough);
   run.step();
   const auto bytes = run.save();
   ASSERT_TRUE(bytes);

@@ -6,22 +6,11 @@
 #include <cmath>
 #include <set>
 
+#include "scenario/run_support.hpp"
 #include "scenario/volley.hpp"
 
 namespace physim {
 namespace scenario_world_run_test {
-
-Scenario parsed(const std::string& text, const std::vector<std::string>& overrides = {}) {
-  const Result<Scenario> scenario = parse_scenario("physim = 1\n" + text, "f.toml", overrides);
-  EXPECT_TRUE(scenario.ok()) << scenario.error().text();
-  return scenario.ok() ? *scenario : Scenario{};
-}
-
-WorldRun run_of(const std::string& text) { return WorldRun::create(parsed(text)).value(); }
-
-void finish(WorldRun& run) {
-  for (std::uint64_t step = 0; step < run.steps(); ++step) run.step();
-}
 
 const std::string kGun = R"(
 [[shot]]

@@ -7,15 +7,12 @@
 #include "base/hash.hpp"
 #include "physim/result.hpp"
 #include "physim/world.hpp"
+#include "scenario/run_support.hpp"
 #include "scenario/world_run.hpp"
 #include "shipped.hpp"
 
 namespace physim {
 namespace scenario_world_save_test {
-
-Scenario parsed(const std::string& text, const std::vector<std::string>& overrides = {}) {
-  return parse_scenario("physim = 1\n" + text, "f.toml", overrides).value();
-}
 
 const std::string kGun = R"(
 [[shot]]

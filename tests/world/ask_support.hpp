@@ -10,16 +10,9 @@ namespace physim::test_ask {
 
 using test::kNan;
 using test::same_bits;
+using test_scene::in_the_open;
 using test_scene::put;
 using test_scene::room;
-
-inline WorldDef in_the_open(unsigned threads = 1) {
-  WorldDef def;
-  def.ground.mode = GroundMode::none;
-  def.environment.atmosphere.model = AirModel::vacuum;
-  def.threading = {.threads = threads, .rows_per_thread = 64};
-  return def;
-}
 
 inline HitFunction always(const HitAnswer& answer) {
   return [answer](const HitBatch& batch) { std::ranges::fill(batch.answers, answer); };

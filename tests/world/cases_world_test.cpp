@@ -14,12 +14,6 @@ namespace world_cases_world_test {
 
 using namespace test_scene;
 
-WorldDef space(double gravity = kG) {
-  WorldDef def;
-  def.environment = vacuum_of(gravity);
-  def.ground.mode = GroundMode::none;
-  return def;
-}
 ProjectileDef by_rk4(double diameter = 0.2, Precision precision = Precision::float64) {
   ProjectileDef p{.mass = 1, .diameter = diameter};
   p.fidelity = rung(Integrator::rk4, precision);

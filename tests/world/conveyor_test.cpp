@@ -29,12 +29,6 @@ BodyDef laid(double radius = 0, double friction = kFriction) {
   body.collision = {.on_hit = OnHit::bounce, .radius = radius};
   return body;
 }
-WorldDef space() {
-  WorldDef def;
-  def.environment = vacuum_of(kG);
-  def.ground.mode = GroundMode::none;
-  return def;
-}
 InstanceDef belt_in(Scene& scene, const Vec3d& velocity, const Quatd& turn = {}, double length = 60) {
   return {.shape = *scene.add_shape(BoxShape{{length, 0.5, 5}}),
           .transform = {.position = rotate(turn, Vec3d{0, -0.5, 0}), .rotation = turn},

@@ -19,17 +19,10 @@ namespace world_engine_scene_test {
 using test::answered_by;
 using test::answers_of;
 using test::Random;
+using test_scene::in_the_open;
 using test_scene::kG;
 using test_scene::put;
 using test_scene::room;
-
-WorldDef in_the_open(unsigned threads = 1) {
-  WorldDef def;
-  def.ground.mode = GroundMode::none;
-  def.environment.atmosphere.model = AirModel::vacuum;
-  def.threading = {.threads = threads, .rows_per_thread = 64};
-  return def;
-}
 
 /// A hundred of them from a place, every way.
 std::vector<ProjectileId> spray(World& world, const BodyDef& body, double speed, Precision precision) {

@@ -30,12 +30,6 @@ BodyDef sliding(double friction, double radius = 0) {
   if (radius > 0) body.frozen_rotation = Axes::x | Axes::y | Axes::z;
   return body;
 }
-WorldDef space() {
-  WorldDef def;
-  def.environment = vacuum_of(kG);
-  def.ground.mode = GroundMode::none;
-  return def;
-}
 /// A slab whose upper side is a slope through the origin.
 Scene slope_of(double angle, double friction = 1, const Vec3d& velocity = {}) {
   Scene scene;

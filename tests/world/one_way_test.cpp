@@ -27,12 +27,6 @@ BodyDef landing(double radius = 0, OnHit on_hit = OnHit::bounce) {
   body.collision = {.on_hit = on_hit, .radius = radius};
   return body;
 }
-WorldDef space(double g = kG) {
-  WorldDef def;
-  def.environment = vacuum_of(g);
-  def.ground.mode = GroundMode::none;
-  return def;
-}
 HeightFieldShape field() {
   HeightFieldShape shape{.columns = 9, .rows = 9, .spacing_x = 1, .spacing_z = 1};
   shape.heights.assign(81, 0);

@@ -33,13 +33,6 @@ World world_with(const Scene& scene, double g = 0) {
   return world;
 }
 
-Launch launched(const Vec3d& position, const Vec3d& velocity) {
-  Launch launch;
-  launch.position = position;
-  launch.velocity = velocity;
-  return launch;
-}
-
 /// A box from one corner to the opposite one, and what it is made of; none: the thing's.
 struct Block {
   Vec3d low, high;

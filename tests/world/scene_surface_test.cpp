@@ -36,13 +36,6 @@ World world_with(const Scene& scene, const WorldDef& def = nothing_but_things())
   return world;
 }
 
-Launch launched(const Vec3d& position, const Vec3d& velocity) {
-  Launch launch;
-  launch.position = position;
-  launch.velocity = velocity;
-  return launch;
-}
-
 std::size_t count(const std::vector<Event>& events, EventKind kind) {
   return static_cast<std::size_t>(
       std::count_if(events.begin(), events.end(), [kind](const Event& e) { return e.kind == kind; }));

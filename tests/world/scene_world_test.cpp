@@ -16,24 +16,14 @@ namespace world_scene_world_test {
 using test::Random;
 using test_scene::kG;
 using test_scene::room;
+using test_scene::unfolded;
+using test_scene::Unfolded;
 
 WorldDef no_ground() {
   WorldDef def;
   def.ground.mode = GroundMode::none;
   def.environment.atmosphere.model = AirModel::vacuum;
   return def;
-}
-
-/// A path between two walls at -half and half, unfolded: where it is, and which way it goes.
-struct Unfolded {
-  double x;
-  double sign;
-};
-Unfolded unfolded(double x, double half) {
-  const double period = 4 * half;
-  double at = std::fmod(x + half, period);
-  if (at < 0) at += period;
-  return at < 2 * half ? Unfolded{at - half, 1} : Unfolded{3 * half - at, -1};
 }
 
 struct Precise {

@@ -12,12 +12,6 @@ namespace world_staying_test {
 
 using namespace test_scene;
 
-WorldDef space() {
-  WorldDef def;
-  def.environment = vacuum_of(kG);
-  def.ground.mode = GroundMode::none;
-  return def;
-}
 BodyDef rolling(double resistance, double radius) {
   BodyDef body;
   body.restitution = 0;

@@ -5,6 +5,13 @@
 
 namespace physim::test_things {
 
+inline Launch launched(const Vec3d& position, const Vec3d& velocity) {
+  Launch launch;
+  launch.position = position;
+  launch.velocity = velocity;
+  return launch;
+}
+
 /// Without a ground, in a vacuum.
 inline WorldDef nothing_but_things() {
   WorldDef def;

@@ -1,0 +1,39 @@
+// Scenarios out of texts, and their runs, as tests of scenarios share them.
+#pragma once
+
+#include <gtest/gtest.h>
+
+#include <string>
+#include <vector>
+
+#include "scenario/scenario.hpp"
+#include "scenario/world_run.hpp"
+
+namespace physim {
+
+/// The scenario of a text, which may leave its first line out; an empty one, and a failure, if it cannot be read.
+inline Scenario parsed(const std::string& text, const std::vector<std::string>& overrides = {}) {
+  const std::string head = text.starts_with("physim = 1") ? "" : "physim = 1\n";
+  const Result<Scenario> scenario = parse_scenario(head + text, "f.toml", overrides);
+  EXPECT_TRUE(scenario.ok()) << scenario.error().text();
+  return scenario.ok() ? *scenario : Scenario{};
+}
+
+inline WorldRun run_of(const Scenario& scenario) { return WorldRun::create(scenario).value(); }
+inline WorldRun run_of(const std::string& text) { return run_of(parsed(text)); }
+
+inline void finish(WorldRun& run) {
+  for (std::uint64_t step = 0; step < run.steps(); ++step) run.step();
+}
+
+/// Takes all steps of a run and keeps all of its hits.
+inline std::vector<ThingHit> hits_of(WorldRun& run) {
+  std::vector<ThingHit> all;
+  for (std::uint64_t i = 0; i < run.steps(); ++i) {
+    run.step();
+    all.insert(all.end(), run.thing_hits().begin(), run.thing_hits().end());
+  }
+  return all;
+}
+
+}  // namespace physim
