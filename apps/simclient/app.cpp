@@ -63,7 +63,8 @@ void App::wait_for_frame() {
   if (draws_every_frame()) return glfwPollEvents();
   do {
     const double rest = last_drawn_ + kShortestFrame - glfwGetTime();
-    const double calm = client_.session.is_paused() ? kPausedTick : kTick;
+    const bool is_calm = client_.session.is_paused() && !client_.awaits_answer();
+    const double calm = is_calm ? kPausedTick : kTick;
     const double wait = has_to_draw() ? rest : std::max(rest, calm);
     const double before = glfwGetTime();
     if (wait > 0)
@@ -79,6 +80,7 @@ void App::wait_for_frame() {
 /// Advances the clock. A frame follows if something moved in this time, or came to rest.
 void App::pass_time() {
   if (filming_) return;
+  client_.computes_beside = !draws_every_frame();
   const bool was_changing = client_.is_changing();
   client_.advance(frame_time(), options_.hidden ? std::numeric_limits<double>::infinity() : kPatience);
   if (was_changing || client_.is_changing()) frames_due_ = std::max(frames_due_, 1);

@@ -155,9 +155,11 @@ void build_depth(const Client& client, double scale, Scene& scene) {
 
 void build_comparison(Client& client, double scale, Scene& scene) {
   int line = 0;
-  for (const ComparedRung& rung : client.comparison()) {
+  const std::vector<ComparedRung>& rungs = client.comparison();
+  const double part = client.is_comparison_old() ? 0.4 : 1;
+  for (const ComparedRung& rung : rungs) {
     if (rung.path.empty()) continue;
-    scene.polyline(rung.path, client.camera, rung.colour, (rung.is_truth ? 3 : 2) * scale);
+    scene.polyline(rung.path, client.camera, faded(rung.colour, part), (rung.is_truth ? 3 : 2) * scale);
     scene.label(rung.path.back().position, rung.name, rung.colour, line++);
   }
 }
@@ -170,7 +172,7 @@ void build_aim(Client& client, double scale, Scene& scene) {
     std::vector<TrackSample> ahead = prediction.path;
     if (const Track* last = client.last_of_this_shot())  // its trail shows the rest
       std::erase_if(ahead, [last](const TrackSample& s) { return s.time <= last->samples.back().time; });
-    scene.dots(ahead, client.camera, faded(colours::kText, 0.75), scale);
+    scene.dots(ahead, client.camera, faded(colours::kText, prediction.is_old ? 0.3 : 0.75), scale);
   }
   scene.ball(prediction.muzzle, colours::kArrow, 3 * scale);
   const auto arrow = client.arrow();
