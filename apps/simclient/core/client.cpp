@@ -618,8 +618,14 @@ void Client::fit_view() {
     // Flat flights are seen more from the side, and things stand one behind the other.
     constexpr double kFromBehind = 0.35, kFromAside = 1.1, kOfThings = 0.8;  // [rad]
     const double flatness = std::clamp(1 - 4 * height_over_length(places), 0.0, 1.0);
+    const std::optional<double> along = run_places_.empty() ? std::nullopt : long_side_of(places);
     camera.stretch = 1;
-    camera.yaw = launcher.azimuth() - (has_things ? kOfThings : std::lerp(kFromBehind, kFromAside, flatness));
+    if (has_things)
+      camera.yaw = launcher.azimuth() - kOfThings;
+    else if (along)
+      camera.yaw = *along - kFromAside;
+    else
+      camera.yaw = launcher.azimuth() - std::lerp(kFromBehind, kFromAside, flatness);
     camera.pitch = has_things ? 0.3 : 0.22;
   }
   camera.fit(places);

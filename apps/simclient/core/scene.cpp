@@ -16,6 +16,8 @@ void Scene::clear() {
   discs.clear();
   crowd.clear();
   sprites.clear();
+  lights.clear();
+  glow.clear();
   drawn.clear();
   labels.clear();
 }
@@ -132,6 +134,8 @@ void Scene::label(const Vec3d& at, const std::string& text, Colour colour, doubl
   labels.push_back({at, text, colour, true, line});
 }
 
+double haze_of(const Camera& camera) { return 9 * camera.distance; }
+
 double scale_step(double length, double wanted) {
   const double rough = std::max(length, 1e-9) / wanted;
   const double power = std::pow(10.0, std::floor(std::log10(rough)));
@@ -186,6 +190,7 @@ void build_scene(Client& client, double scale, Scene& scene) {
   build_cursor(client, scale, scene);
   build_tools(client, scale, scene);
   if (scene.quality != Quality::high) thin_crowd(client.camera, scene);
+  build_glow(client.camera, scale, scene);
 }
 
 }  // namespace physim::client

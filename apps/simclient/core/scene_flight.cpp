@@ -64,6 +64,14 @@ void mark(Scene& scene, const Session& session, const Camera& camera, double sca
   }
 }
 
+/// One of many that are drawn as their emitter says, such as smoke: its own path and number would only hide them.
+bool is_soft(const Client& client, const Track& track) {
+  if (track.by_hand || track.id == client.selected) return false;
+  return std::ranges::any_of(client.session.scenario().emitters, [&](const ScenarioEmitter& each) {
+    return each.shot == track.name && has_sizes(each.def);
+  });
+}
+
 /// Those that are not among the tracks: too many to remember, not too many to draw.
 void add_crowd(const Session& session, double scale, Scene& scene) {
   const World& world = session.world();
@@ -109,7 +117,7 @@ void build_projectiles(const Client& client, double scale, Scene& scene) {
       scene.polyline(track.samples, client.camera, faded(track.colour, 0.3), 1.2 * scale, 0);
   for (const Track& track : client.session.tracks()) {
     const double width = (&track == selected ? 2.5 : 1.8) * scale, presence = client.session.presence_of(track);
-    if (presence <= 0) continue;
+    if (presence <= 0 || is_soft(client, track)) continue;
     const double part = (track.is_flying() ? 0.9 : 0.6) * presence;
     if (client.show.trails && by) {
       if (!client.theme->is_light) scene.ribbon(track.samples, client.camera, *by, 0.18 * part, 4 * width, 0);
@@ -136,7 +144,7 @@ void build_depth(const Client& client, double scale, Scene& scene) {
   constexpr Colour kShade = 0x0A0E12A0;
   std::vector<TrackSample> below;
   for (const Track& track : client.session.tracks()) {
-    if (client.session.presence_of(track) < 1) continue;
+    if (client.session.presence_of(track) < 1 || is_soft(client, track)) continue;
     const auto foot = [&](const Vec3d& at) { return Vec3d{at.x, scene.ground, at.z}; };
     below = track.samples;
     for (TrackSample& s : below) s.position.y = scene.ground, s.velocity.y = 0;
