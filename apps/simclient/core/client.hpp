@@ -232,7 +232,8 @@ class Client {
   [[nodiscard]] std::optional<Vec3d> surface_under(const Pixel& pixel) const;
   [[nodiscard]] Status place_wall(const Vec3d& from, const Vec3d& to);
   [[nodiscard]] Status place_target(const Vec3d& middle);
-  /// Where a target would stand for a click: on a path, or with its lower edge on what is there.
+  /// Where a target would stand for a click: on a path, where that is high enough above the ground for all of the
+  /// target, or with its lower edge on what is there.
   [[nodiscard]] std::optional<Vec3d> target_under(const Pixel& pixel);
   /// The change of aim by which a shot that missed a target hits it; computed once for each shot and target.
   [[nodiscard]] std::optional<AimChange> aim_change_of(const Track& track, const TargetDisc& target);

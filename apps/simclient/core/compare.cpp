@@ -10,6 +10,7 @@
 #include "report/ladder.hpp"
 #include "report/number.hpp"
 #include "report/world_steps.hpp"
+#include "simclient/core/length_text.hpp"
 
 namespace physim::client {
 namespace {
@@ -79,8 +80,9 @@ std::string ComparedRung::why(const ComparedRung& truth) const {
   std::string reasons = report::why_apart(truth.granted.fidelity, granted.fidelity);
   if (reasons.empty())
     reasons = granted.fidelity.precision == Precision::float32 ? "float32" : "the same physics, other steps";
+  std::ranges::replace(reasons, '_', ' ');  // names of rungs, as a sentence has them
   if (std::abs(side.by) < kSame) return "at the same place: " + reasons;
-  return report::significant(std::abs(side.by), 3) + " m " + (side.by > 0 ? side.more : side.less) + ": " + reasons;
+  return length_text(std::abs(side.by)) + " " + (side.by > 0 ? side.more : side.less) + ": " + reasons;
 }
 
 std::vector<ComparedRung> compare_rungs(const Scenario& scenario, const WorldDef& world, const ScenarioShot& fired,

@@ -130,8 +130,8 @@ void Scene::arrow(const Vec3d& from, const Vec3d& to, Colour colour, double widt
     line(to, to + camera.drawn_as(across * (head * side) - along * head), colour, width, kCased);
 }
 
-void Scene::label(const Vec3d& at, const std::string& text, Colour colour, double line) {
-  labels.push_back({at, text, colour, true, line});
+void Scene::label(const Vec3d& at, const std::string& text, Colour colour, double line, bool gives_way) {
+  labels.push_back({.at = at, .text = text, .colour = colour, .line = line, .gives_way = gives_way});
 }
 
 double haze_of(const Camera& camera) { return 9 * camera.distance; }

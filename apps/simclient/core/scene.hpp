@@ -61,8 +61,9 @@ struct SceneLabel {
   std::string text;
   Colour colour = 0xFFFFFFFF;
   bool centred = true;
-  double line = 0;  // below the first, where several labels share a place
-  double side = 0;  // moved by so much of half its width, to the right
+  double line = 0;         // below the first, where several labels share a place
+  bool gives_way = false;  // it is left out where another stands in its place
+  double side = 0;         // moved by so much of half its width, to the right
 };
 
 /// The legend of the colours of trails.
@@ -119,7 +120,7 @@ struct Scene {
               double opacity, double width, double fog = kCased);
   void dots(const std::vector<TrackSample>& samples, const Camera& camera, Colour colour, double scale);
   void arrow(const Vec3d& from, const Vec3d& to, Colour colour, double width, const Camera& camera);
-  void label(const Vec3d& at, const std::string& text, Colour colour, double line = 0);
+  void label(const Vec3d& at, const std::string& text, Colour colour, double line = 0, bool gives_way = false);
 };
 
 /// The distance at which haze leaves half of a colour [m].

@@ -35,7 +35,8 @@ Reach reach_of(const Session& session, const Track& track, const Vec3d& from, co
   return {frames.geodetic(at).height, angle * (length(a) - frames.geodetic(from).height)};
 }
 
-void mark(Scene& scene, const Session& session, const Camera& camera, double scale, const Track& track) {
+/// `is_told`: by labels that stay; those of other tracks give way.
+void mark(Scene& scene, const Session& session, const Camera& camera, double scale, const Track& track, bool is_told) {
   const Vec3d right = camera.right(), up = camera.up();
   if (track.apex) {
     const Vec3d at = track.apex->position;
@@ -44,15 +45,16 @@ void mark(Scene& scene, const Session& session, const Camera& camera, double sca
     if (std::abs(height) >= kShown) {
       cross(scene, camera, scale, at, right, up, track.colour);
       scene.label(at, "apex " + distance_text(std::round(100 * height) / 100) + formatted(", %.2f s", track.apex->time),
-                  track.colour, -2);
+                  track.colour, -2, !is_told);
     }
   }
   if (track.whole && track.status == LifeStatus::expired) {  // at the end that its scenario sets
     const Sample end = track.whole->end();
     cross(scene, camera, scale, end.position, right + up, right - up, track.colour);
     scene.label(end.position, distance_text(std::round(1000 * end.range) / 1000) + formatted(" in %.3f s", end.time),
-                track.colour, 1);
-    scene.label(end.position, formatted("drop %.3f m, windage %.3f m", end.drop, end.windage), track.colour, 2);
+                track.colour, 1, !is_told);
+    scene.label(end.position, formatted("drop %.3f m, windage %.3f m", end.drop, end.windage), track.colour, 2,
+                !is_told);
   }
   if (track.impact) {
     const Vec3d at = track.impact->position;
@@ -60,7 +62,7 @@ void mark(Scene& scene, const Session& session, const Camera& camera, double sca
     const Reach reach = reach_of(session, track, track.samples.front().position, at);
     const double range = std::round(100 * reach.distance) / 100;
     if (range > 0)  // what fell where it was says nothing
-      scene.label(at, distance_text(range) + formatted(" in %.2f s", track.impact->time), track.colour, 1);
+      scene.label(at, distance_text(range) + formatted(" in %.2f s", track.impact->time), track.colour, 1, !is_told);
   }
 }
 
@@ -125,7 +127,8 @@ void build_projectiles(const Client& client, double scale, Scene& scene) {
     } else if (client.show.trails) {
       scene.polyline(track.samples, client.camera, faded(track.colour, part), width);
     }
-    if (client.show.marks && presence > 0.5) mark(scene, client.session, client.camera, scale, track);
+    if (client.show.marks && presence > 0.5)
+      mark(scene, client.session, client.camera, scale, track, &track == selected);
     if (!track.is_flying()) continue;
     const Vec3d at = client.session.shown(track).position;
     const Colour colour = by ? (*by)(track.samples.back()) : track.colour;
