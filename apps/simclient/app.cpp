@@ -19,6 +19,7 @@ constexpr double kShortestFrame = 1.0 / 62;  // of a window: screens show no mor
 constexpr double kTick = 1.0 / 30;           // between looks at the clock while nothing is drawn [s]
 constexpr double kPausedTick = 0.25;         // [s]
 constexpr double kClockDrawn = 2;            // the time of the simulation is drawn so often while nothing moves [s]
+constexpr double kRest = 0.3;                // after which a still picture has everything [s]
 constexpr double kLongestFrame = 0.25;       // of simulation, after a hitch [s]
 constexpr double kClickReach = 4;            // a mouse that moves further drags [pixels]
 constexpr double kTurnPerPixel = 0.006;      // [rad]
@@ -56,14 +57,21 @@ bool App::has_to_draw() const {
   const bool is_clock_due = has_clock && glfwGetTime() - last_drawn_ > kClockDrawn;
   return frames_due_ > 0 || !inputs_.is_empty() || drag_.button >= 0 || ImGui::IsAnyMouseDown() ||
          client_.is_changing() || filming_ || ui_->is_busy() || client_.messages().size() != messages_drawn_ ||
-         is_clock_due;
+         is_clock_due || (is_at_rest() && glfwGetTime() - last_drawn_ > kRest && client_.quality.now != Quality::high);
+}
+
+/// Nothing moves and nothing was done. Such a picture is looked at, and has everything.
+bool App::is_at_rest() const {
+  return frames_due_ == 0 && inputs_.is_empty() && drag_.button < 0 && !client_.is_changing() &&
+         !client_.quality.by_hand;
 }
 
 void App::wait_for_frame() {
   if (draws_every_frame()) return glfwPollEvents();
   do {
     const double rest = last_drawn_ + kShortestFrame - glfwGetTime();
-    const double calm = client_.session.is_paused() ? kPausedTick : kTick;
+    const bool is_calm = client_.session.is_paused() && !client_.awaits_answer();
+    const double calm = is_calm ? kPausedTick : kTick;
     const double wait = has_to_draw() ? rest : std::max(rest, calm);
     const double before = glfwGetTime();
     if (wait > 0)
@@ -79,6 +87,7 @@ void App::wait_for_frame() {
 /// Advances the clock. A frame follows if something moved in this time, or came to rest.
 void App::pass_time() {
   if (filming_) return;
+  client_.computes_beside = !draws_every_frame();
   const bool was_changing = client_.is_changing();
   client_.advance(frame_time(), options_.hidden ? std::numeric_limits<double>::infinity() : kPatience);
   if (was_changing || client_.is_changing()) frames_due_ = std::max(frames_due_, 1);
@@ -185,6 +194,7 @@ Status App::frame() {
 
 Quality App::quality_of_frame() const {
   if (draws_every_frame() || !client_.pictures.empty() || filming_) return Quality::high;
+  if (is_at_rest()) return Quality::high;
   return client_.quality.by_hand.value_or(picker_.now());
 }
 

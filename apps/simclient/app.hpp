@@ -56,6 +56,7 @@ class App {
   void wait_for_frame();
   [[nodiscard]] bool has_to_draw() const;
   [[nodiscard]] bool draws_every_frame() const;
+  [[nodiscard]] bool is_at_rest() const;
   /// Pictures, films and what scripts show have everything.
   [[nodiscard]] Quality quality_of_frame() const;
   void watch_frame(double drawn_at);

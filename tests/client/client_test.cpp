@@ -159,9 +159,9 @@ TEST(Actions, EveryOneRunsWithoutAWindow) {
 }
 
 TEST(Actions, StandInTheDocumentation) {
-  const std::string page = testing_cli::read(PHYSIM_SOURCE_DIR "/docs/client.md");
+  const std::string page = testing_cli::read(PHYSIM_SOURCE_DIR "/docs/client_actions.md");
   EXPECT_NE(page.find(actions_table()), std::string::npos)
-      << "docs/client.md is out of date: put in what simclient --list-actions prints";
+      << "docs/client_actions.md is out of date: put in what simclient --list-actions prints";
 }
 
 // ------------------------------------------------------------------------------------------------------------- scripts

@@ -5,10 +5,12 @@
 #include <nlohmann/json.hpp>
 
 #include "client/support.hpp"
+#include "math/angles.hpp"
 #include "model/ladder.hpp"
 #include "shipped.hpp"
 #include "simclient/core/scene.hpp"
 #include "simclient/core/state_log.hpp"
+#include "simclient/core/subject.hpp"
 
 namespace physim::client::client_framing {
 namespace {
@@ -136,6 +138,26 @@ TEST(Framing, ARoundEarthIsAGlobe) {
   const Vec3d pole = frames.from_earth_fixed({{0, 0, 7e6}, {}}).position - scene.globe->centre;
   const double north = turn[2] * pole.x + turn[5] * pole.y + turn[8] * pole.z;
   EXPECT_NEAR(north / length(pole), 1, 1e-6);
+}
+
+TEST(Framing, WhatIsLongIsSeenFromItsSide) {
+  std::vector<Vec3d> row, ring;
+  for (int i = 0; i < 36; ++i) {
+    const double turn = i * 10 * kDegree, along = i - 18;
+    ring.push_back({5 * std::cos(turn), 40, 5 * std::sin(turn)});
+    row.push_back({along * std::cos(30 * kDegree) + 7, std::cos(turn), along * std::sin(30 * kDegree)});
+  }
+  ASSERT_TRUE(long_side_of(row));
+  EXPECT_NEAR(std::remainder(*long_side_of(row) - 30 * kDegree, kPi), 0, 1e-12);
+  EXPECT_FALSE(long_side_of(ring));
+  EXPECT_FALSE(long_side_of({}));
+  // The five bursts stand beside each other: their row takes more of the picture's width than of its height.
+  Client client = client_of("emit_fireworks");
+  client.camera.set_viewport(960, 712);
+  client.fit_view();
+  const auto left = client.camera.project({-160, 128, 0}), right = client.camera.project({160, 128, 0});
+  ASSERT_TRUE(left && right);
+  EXPECT_GT(std::abs(right->x - left->x), 0.3 * 960);
 }
 
 }  // namespace

@@ -14,6 +14,7 @@
 #include "scenario/revise.hpp"
 #include "shipped.hpp"
 #include "simclient/core/emitter_edit.hpp"
+#include "simclient/core/layout.hpp"
 #include "simclient/core/quick_settings.hpp"
 
 namespace physim::client::client_panels {
@@ -230,6 +231,17 @@ TEST(PanelsOfAFile, AddSettingsToANewTable) {
 
 INSTANTIATE_TEST_SUITE_P(Shipped, Panels, testing::ValuesIn(test::shipped_scenarios()),
                          [](const auto& test) { return test.param; });
+
+TEST(Layout, ColumnsOfATableGiveWayByTheirRank) {
+  const float widths[] = {100, 80, 60, 40};
+  const int ranks[] = {0, 2, 1, 2};
+  using Shown = std::vector<std::size_t>;
+  EXPECT_EQ(columns_that_fit(widths, ranks, 280), (Shown{0, 1, 2, 3}));
+  EXPECT_EQ(columns_that_fit(widths, ranks, 279), (Shown{0, 1, 2})) << "of equal ones the last";
+  EXPECT_EQ(columns_that_fit(widths, ranks, 239), (Shown{0, 2}));
+  EXPECT_EQ(columns_that_fit(widths, ranks, 159), (Shown{0}));
+  EXPECT_EQ(columns_that_fit(widths, ranks, 10), (Shown{0})) << "it stays";
+}
 
 }  // namespace
 }  // namespace physim::client::client_panels

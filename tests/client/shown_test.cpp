@@ -3,12 +3,14 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <set>
 #include <sstream>
 
 #include "client/support.hpp"
 #include "report/ladder.hpp"
 #include "simclient/core/labels.hpp"
+#include "simclient/core/length_text.hpp"
 #include "simclient/core/scene.hpp"
 
 namespace physim::client {
@@ -107,6 +109,39 @@ TEST(Comparison, SaysWhyInASentence) {
       ++found;
     }
   EXPECT_EQ(found, 3);
+}
+
+TEST(Comparison, LengthsHaveNoPowersOfTen) {
+  for (double metres = 1e-4; metres < 1e8; metres *= 1.001)
+    EXPECT_EQ(length_text(metres).find('e'), std::string::npos) << length_text(metres);
+  EXPECT_EQ(length_text(0.9999), "1 m");
+  EXPECT_EQ(length_text(2390), "2.39 km");
+  EXPECT_EQ(length_text(0.011), "1.1 cm");
+}
+
+/// Of each shot the lengths of the sentences are those of the figures, in units that people use.
+TEST(Comparison, SaysHowFarInUnitsThatFit) {
+  for (const char* name : {"golf_drive", "105mm_m1_six_dof", "308_168gr_g7", "model_rocket", "curve_ball"}) {
+    Client client = client_of(name);
+    const auto& rungs = client.comparison();
+    const ComparedRung& truth = rungs.back();
+    for (const ComparedRung& rung : rungs) {
+      if (rung.is_truth) continue;
+      const std::string why = rung.why(truth);
+      double number = 0;
+      char unit[8] = "";
+      ASSERT_EQ(std::sscanf(why.c_str(), "%lf %7s", &number, unit), 2) << why;
+      const std::map<std::string, double> units = {{"km", 1000}, {"m", 1}, {"cm", 0.01}, {"mm", 0.001}};
+      ASSERT_EQ(units.count(unit), 1u) << why;
+      EXPECT_LT(number, 1000) << why;
+      const double metres = number * units.at(unit);
+      EXPECT_LE(metres, 1.06 * rung.at_end) << why;
+      EXPECT_GE(metres, 0.94 * rung.at_end / std::sqrt(3.0)) << why << ": the largest of three sides";
+      EXPECT_EQ(why.find('_'), why.npos) << why;
+      EXPECT_EQ(why.find("e+"), why.npos) << why;
+      EXPECT_NE(why.find(": "), why.npos) << why;
+    }
+  }
 }
 
 TEST(Comparison, SaysToWhichSide) {
@@ -215,6 +250,22 @@ TEST(Labels, AtTheMuzzleCanAllBeRead) {
       const bool beside = a.x + width_of(a.label->text) <= b.x || b.x + width_of(b.label->text) <= a.x;
       EXPECT_TRUE(&a == &b || beside || std::abs(a.y - b.y) >= kLine - 2) << a.label->text << " " << b.label->text;
     }
+}
+
+/// Of shots that do the same the last one is told, and the others do not stand about it.
+TEST(Labels, OfShotsBeforeGiveWay) {
+  Client client = client_of("golf_drive");
+  client.camera.set_viewport(1000, 600);
+  ASSERT_TRUE(run(client, "fire-whole; wait 450; fire-whole; wait 450; fire-whole; wait 450"));
+  Scene scene;
+  build_scene(client, 1, scene);
+  const Box box{0, 0, 1000, 600};
+  const auto width_of = [](const std::string& text) { return 7.0F * static_cast<float>(text.size()); };
+  std::map<std::string, int> told;
+  for (const PlacedLabel& each : place_labels(scene.labels, client.camera, box, 16, 1, width_of))
+    ++told[each.label->text.substr(0, each.label->text.find(' '))];
+  EXPECT_EQ(told["apex"], 1);
+  EXPECT_EQ(told["253.03"], 1);
 }
 
 TEST(Labels, OverARoundEarthTellAltitudeAndTheWayAround) {

@@ -342,6 +342,23 @@ TEST(Placing, ATargetOnThePathIsHit) {
   EXPECT_LT(hit.obliquity, 20 * kDegree) << "it faces the shot";
 }
 
+/// A click on the place where a shot came down: all of the target is above the ground, and the same shot hits its
+/// middle.
+TEST(Placing, ATargetWhereAShotCameDownStandsOnTheGround) {
+  Client client = client_of("golf_drive");
+  ASSERT_TRUE(run(client, "fire-whole; wait 480; target"));
+  const Track& drive = client.session.tracks().back();
+  ASSERT_TRUE(drive.impact);
+  client.click(*client.camera.project(drive.impact->position));
+  ASSERT_EQ(client.session.scenario().things.size(), 1U);
+  const Vec3d middle = client.session.scenario().things[0].position;
+  EXPECT_GE(middle.y, client.placing.radius - 1e-9);
+  EXPECT_LT(middle.x, drive.impact->position.x);
+  ASSERT_TRUE(run(client, "fire; wait 480"));
+  ASSERT_EQ(client.session.hits().hits().size(), 1U);
+  EXPECT_LT(length(client.session.hits().hits()[0].position - middle), 0.1 * client.placing.radius);
+}
+
 TEST(Placing, TellsWhatCannotBe) {
   Client client = client_of();
   for (const char* bad : {"wall 1 2 3", "wall a b c d", "wall 1 1 1 1", "wall 0 0 0 0 0", "target 1 2",

@@ -21,13 +21,16 @@
 #include "scenario/text_file.hpp"
 #include "simclient/core/original_tests.hpp"
 #include "simclient/core/scene.hpp"
+#include "simclient/core/stopwatch.hpp"
 #include "simclient/core/subject.hpp"
 
 namespace physim::client {
 namespace {
 
-constexpr double kReach = 12;       // of the mouse [pixels]
-constexpr double kMessageTime = 6;  // [s]
+constexpr double kReach = 12;        // of the mouse [pixels]
+constexpr double kMessageTime = 6;   // [s]
+constexpr double kForeseen = 200;    // [s]
+constexpr double kOfAFrame = 0.008;  // that predictions may take [s]
 
 bool is_recording(const std::string& file) { return file.ends_with(".rec") || file.ends_with(".rec.part"); }
 
@@ -133,13 +136,15 @@ void Client::advance(double real_dt, double patience) {
   session.advance(real_dt, patience);
   study.run.advance(patience == std::numeric_limits<double>::infinity());
   if (foresees_more()) foresee_more(patience);
+  take_answers();
   for (Message& message : messages_) message.shown += real_dt;
   while (!messages_.empty() && messages_.front().shown > kMessageTime) messages_.pop_front();
   follow();
 }
 
 bool Client::is_changing() const {
-  return session.is_moving() || study.run.state() == StudyRun::State::running || !pictures.empty() || foresees_more();
+  return session.is_moving() || study.run.state() == StudyRun::State::running || !pictures.empty() || foresees_more() ||
+         has_answer_;
 }
 
 Status Client::open(const std::string& file) {
@@ -159,6 +164,10 @@ Status Client::use_session(Result<Session> opened) {
   tool = Tool::fire;
   wall_from.reset();
   ++session_version_;
+  foretold_.forget();
+  comparison_.forget();
+  predicted_at_.reset();
+  compared_at_.reset();
   history_.start(launcher, session.scenario(), content_);
   fit_view();
   return {};
@@ -216,7 +225,10 @@ Status Client::fire_scenario() {
 Status Client::fire_compared() {
   ScenarioShot shot = launcher.shot();
   shot.cheapest_within.reset();
-  for (const ComparedRung& rung : comparison()) {
+  const bool waits_not = std::exchange(computes_beside, false);
+  const std::vector<ComparedRung> rungs = comparison();
+  computes_beside = waits_not;
+  for (const ComparedRung& rung : rungs) {
     shot.projectile.fidelity = rung.asked;
     shot.projectile.name = rung.name;
     shot.body.colour = rung.colour;
@@ -228,11 +240,52 @@ Status Client::fire_compared() {
 }
 
 const std::vector<ComparedRung>& Client::comparison() {
-  const bool is_new = compared_at_ != versions() || compared_presets_ != compared;
-  if (is_new && !session.is_replay()) comparison_ = compare_rungs(session, launcher.shot(), compared, costs_);
-  compared_at_ = versions();
-  compared_presets_ = compared;
-  return comparison_;
+  const Compared now{versions(), compared};
+  if (compared_at_ == now || session.is_replay()) return rungs_;
+  const auto work = [now, scenario = session.scenario(), world = bare_world(session), shot = launcher.shot(),
+                     costs = costs_] {
+    const Stopwatch watch;
+    ComparedAnswer answer{.of = now, .costs = costs};
+    answer.rungs = compare_rungs(scenario, world, shot, now.presets, answer.costs);
+    answer.seconds = watch.seconds();
+    return answer;
+  };
+  if (comes_beside(comparison_.seconds, !compared_at_)) {
+    if (comparison_.asked_for != now) comparison_.beside->ask(work);
+    comparison_.asked_for = now;
+    return rungs_;
+  }
+  comparison_.forget();
+  ComparedAnswer answer = work();
+  rungs_ = std::move(answer.rungs), costs_ = std::move(answer.costs), comparison_.seconds = answer.seconds;
+  compared_at_ = now;
+  return rungs_;
+}
+
+/// What took `seconds` the last time is computed beside the frames. The first of a scenario is waited for.
+bool Client::comes_beside(double seconds, bool is_first) const {
+  return computes_beside && !is_first && seconds > kOfAFrame;
+}
+
+/// An answer to an older question than the newest gives its paths, which are shown until the newest is answered.
+void Client::take_answers() {
+  has_answer_ = false;
+  if (std::optional<Foretold> told = foretold_.beside->take()) {
+    has_answer_ = true;
+    foretold_.seconds = told->seconds;
+    if (told->at == versions()) {
+      use(std::move(told->prediction));
+    } else if (!told->prediction.error) {
+      prediction_.path = std::move(told->prediction.path);
+      prediction_.apsides = told->prediction.apsides;
+    }
+  }
+  if (std::optional<ComparedAnswer> answer = comparison_.beside->take()) {
+    has_answer_ = true;
+    rungs_ = std::move(answer->rungs), costs_ = std::move(answer->costs), comparison_.seconds = answer->seconds;
+    compared_at_ = answer->of;
+    if (comparison_.asked_for == compared_at_) comparison_.asked_for.reset();
+  }
 }
 
 // --------------------------------------------------------------------------------------------------------------- files
@@ -425,23 +478,54 @@ Status Client::use(const Scenario& scenario, const ScenarioShot& shot) {
 const Prediction& Client::prediction() {
   if (predicted_at_ == versions()) return prediction_;
   if (!predicted_at_ || predicted_at_->second != session_version_) predictor_.forget_world();
+  const bool is_slow = comes_beside(foretold_.seconds, !predicted_at_);
+  if (flies_whole() && is_slow) return predict_beside(), prediction_;
+  const Stopwatch watch;
+  Prediction next = session.is_replay() ? prediction_ : Prediction();
   if (flies_whole())
-    prediction_ = prediction_of(fly_shot(session.scenario(), launcher.shot()), session.scenario());
+    next = prediction_of(fly_shot(session.scenario(), launcher.shot()), session.scenario());
   else if (!session.is_replay())
-    prediction_ = predictor_.predict(session, launcher.shot());
-  predicted_at_ = versions();
+    next = predictor_.predict(session, launcher.shot(), kForeseen,
+                              is_slow ? kOfAFrame : std::numeric_limits<double>::infinity());
+  if (!is_slow) foretold_.seconds = watch.seconds();
+  use(std::move(next));
   return prediction_;
+}
+
+void Client::use(Prediction prediction) {
+  foretold_.forget();
+  prediction_ = std::move(prediction);
+  predicted_at_ = versions();
+}
+
+/// The aim is at once that of the shot, and its path comes later.
+void Client::predict_beside() {
+  if (foretold_.asked_for == versions()) return;
+  foretold_.asked_for = versions();
+  Prediction next = beginning_of(session.scenario(), launcher.shot());
+  if (next.error) return use(std::move(next));
+  next.path = std::move(prediction_.path);
+  next.apsides = prediction_.apsides;
+  next.is_cut = prediction_.is_cut;
+  next.is_old = true;
+  prediction_ = std::move(next);
+  foretold_.beside->ask([at = versions(), scenario = session.scenario(), shot = launcher.shot()] {
+    const Stopwatch watch;
+    Foretold told{.at = at, .prediction = prediction_of(fly_shot(scenario, shot), scenario)};
+    told.seconds = watch.seconds();
+    return told;
+  });
 }
 
 /// The prediction at hand is of a long flight in the world, and goes on.
 bool Client::foresees_more() const { return prediction_.grows && predicted_at_ == versions() && !session.is_replay(); }
 
 void Client::foresee_more(double patience) {
-  constexpr double kOfAFrame = 0.008;  // [s]
   const bool has_time = patience == std::numeric_limits<double>::infinity();
   predictor_.go_on(prediction_, has_time ? patience : std::min(patience, kOfAFrame));
-  if (!prediction_.grows)
-    prediction_.apsides = apsides_of(prediction_.path, session.scenario().environment, prediction_.granted.fidelity);
+  if (prediction_.grows) return;
+  flight_at_.reset();
+  prediction_.apsides = apsides_of(prediction_.path, session.scenario().environment, prediction_.granted.fidelity);
 }
 
 const Track* Client::selected_track() const {
@@ -494,7 +578,7 @@ std::optional<Client::Probe> Client::probe(const Pixel& pixel) {
     }
   };
   for (const Track& track : session.tracks()) look(&track, track.samples);
-  if (show.prediction) look(nullptr, prediction().path);
+  if (show.prediction && !prediction().is_old) look(nullptr, prediction().path);
   return best;
 }
 
@@ -504,7 +588,7 @@ std::vector<Vec3d> Client::subject() {
     run_places_ = session.is_replay() ? std::vector<Vec3d>() : places_of_run(scenario);
     run_at_ = session_version_;
   }
-  if (flight_at_ != versions() && run_places_.empty() && !session.is_replay()) {
+  if (flight_at_ != versions() && run_places_.empty() && !session.is_replay() && !prediction().is_old) {
     flight_places_ = places_of_flight(scenario, launcher.shot(), {prediction().path, prediction().is_cut});
     flight_at_ = versions();
   }
@@ -534,8 +618,14 @@ void Client::fit_view() {
     // Flat flights are seen more from the side, and things stand one behind the other.
     constexpr double kFromBehind = 0.35, kFromAside = 1.1, kOfThings = 0.8;  // [rad]
     const double flatness = std::clamp(1 - 4 * height_over_length(places), 0.0, 1.0);
+    const std::optional<double> along = run_places_.empty() ? std::nullopt : long_side_of(places);
     camera.stretch = 1;
-    camera.yaw = launcher.azimuth() - (has_things ? kOfThings : std::lerp(kFromBehind, kFromAside, flatness));
+    if (has_things)
+      camera.yaw = launcher.azimuth() - kOfThings;
+    else if (along)
+      camera.yaw = *along - kFromAside;
+    else
+      camera.yaw = launcher.azimuth() - std::lerp(kFromBehind, kFromAside, flatness);
     camera.pitch = has_things ? 0.3 : 0.22;
   }
   camera.fit(places);

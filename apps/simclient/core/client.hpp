@@ -3,10 +3,12 @@
 
 #include <deque>
 #include <limits>
+#include <memory>
 #include <optional>
 #include <string>
 
 #include "report/picture.hpp"
+#include "simclient/core/beside.hpp"
 #include "simclient/core/camera.hpp"
 #include "simclient/core/compare.hpp"
 #include "simclient/core/history.hpp"
@@ -135,7 +137,8 @@ class Client {
   StudyDesk study;
   std::deque<float> frame_times;  // that the last frames took [s]
   bool leaves = false;
-  std::uint64_t slide = 0;  // the number of the slide of a slider that is held, which is one change; 0: none is
+  bool computes_beside = false;  // slow predictions and comparisons are computed while frames are drawn
+  std::uint64_t slide = 0;       // the number of the slide of a slider that is held, which is one change; 0: none is
   std::optional<double>
       cursor;  // the time of the world that the mouse points at, on a path, a plot or the timeline [s]
   Pixel timeline_from, timeline_to;  // of the bar of play, in the window [pixels]
@@ -169,6 +172,10 @@ class Client {
   [[nodiscard]] Status fire_compared();
   /// The next shot on the rungs that are compared; flown again only when something changed.
   [[nodiscard]] const std::vector<ComparedRung>& comparison();
+  /// It is that of a shot before, until that of this one is computed.
+  [[nodiscard]] bool is_comparison_old() const { return comparison_.asked_for.has_value(); }
+  /// A prediction or a comparison is computed beside the frames.
+  [[nodiscard]] bool awaits_answer() const { return foretold_.asked_for || comparison_.asked_for; }
   /// Saves the scenario with the next shot, into the file that it came from where none is named. Nothing is written
   /// that could not be read again.
   [[nodiscard]] Status save(const std::string& file);
@@ -204,7 +211,8 @@ class Client {
   /// Emitters instead of those of the scenario; it starts again, and goes on to the moment at hand.
   [[nodiscard]] Status set_emitters(const std::vector<ScenarioEmitter>& emitters);
 
-  /// What the next shot would do; flown again only when something changed.
+  /// What the next shot would do; flown again only when something changed. Where that takes longer than a frame and
+  /// frames are not to wait, the path stays that of the shot before until the new one is there.
   [[nodiscard]] const Prediction& prediction();
   [[nodiscard]] const Track* selected_track() const;
   void select_next();
@@ -224,7 +232,8 @@ class Client {
   [[nodiscard]] std::optional<Vec3d> surface_under(const Pixel& pixel) const;
   [[nodiscard]] Status place_wall(const Vec3d& from, const Vec3d& to);
   [[nodiscard]] Status place_target(const Vec3d& middle);
-  /// Where a target would stand for a click: on a path, or with its lower edge on what is there.
+  /// Where a target would stand for a click: on a path, where that is high enough above the ground for all of the
+  /// target, or with its lower edge on what is there.
   [[nodiscard]] std::optional<Vec3d> target_under(const Pixel& pixel);
   /// The change of aim by which a shot that missed a target hits it; computed once for each shot and target.
   [[nodiscard]] std::optional<AimChange> aim_change_of(const Track& track, const TargetDisc& target);
@@ -257,6 +266,10 @@ class Client {
   void follow();
   void select_under(const Pixel& pixel);
   [[nodiscard]] bool flies_whole() const;
+  void take_answers();
+  [[nodiscard]] bool comes_beside(double seconds, bool is_first) const;
+  void use(Prediction prediction);
+  void predict_beside();
   [[nodiscard]] bool foresees_more() const;
   void foresee_more(double patience);
   [[nodiscard]] bool is_out_of_view() const;
@@ -289,12 +302,43 @@ class Client {
   ProjectileId fired_;  // by hand, the last one
   Predictor predictor_;
   Prediction prediction_;
-  std::vector<ComparedRung> comparison_;
+  struct Compared {
+    Versions at;
+    std::vector<std::string> presets;
+    bool operator==(const Compared&) const = default;
+  };
+  /// What the last one took [s], what is asked for beside the frames, and by whom. Threads of a client that is moved
+  /// stay where they are.
+  template <class At, class Answer>
+  struct Slow {
+    double seconds = 0;
+    std::optional<At> asked_for;
+    std::unique_ptr<Beside<Answer>> beside = std::make_unique<Beside<Answer>>();
+    void forget() {
+      beside->forget();
+      asked_for.reset();
+    }
+  };
+  struct Foretold {
+    Versions at;
+    Prediction prediction;
+    double seconds = 0;
+  };
+  struct ComparedAnswer {
+    Compared of;
+    std::vector<ComparedRung> rungs;
+    CostTable costs;
+    double seconds = 0;
+  };
+  Slow<Versions, Foretold> foretold_;
+  Slow<Compared, ComparedAnswer> comparison_;
+  std::vector<ComparedRung> rungs_;
   CostTable costs_;
-  std::vector<std::string> compared_presets_;
-  std::optional<Versions> compared_at_, predicted_at_;  // none: never
-  std::vector<std::string> inputs_;                     // files that the scenario and its settings come from
-  std::string scenario_file_, text_;                    // of the scenario: its file, and what that says
+  std::optional<Compared> compared_at_;   // none: never
+  std::optional<Versions> predicted_at_;  // none: never
+  bool has_answer_ = false;               // one came with the last advance()
+  std::vector<std::string> inputs_;       // files that the scenario and its settings come from
+  std::string scenario_file_, text_;      // of the scenario: its file, and what that says
   FileUnits units_;
   bool unsaved_ = false, became_world_ = false;  // became: when it was saved, as its shots ask for one
   bool meets_things_ = false;                    // its file is of flights, and has things

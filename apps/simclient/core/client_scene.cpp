@@ -69,8 +69,30 @@ std::optional<Vec3d> Client::surface_under(const Pixel& pixel) const {
   return is_nearer || !session.ground() ? hit.position : *ground;
 }
 
+namespace {
+
+/// Where a path passes a height, as near in time to a moment as it does; nothing if it stays below.
+std::optional<Vec3d> nearest_as_high(const std::vector<TrackSample>& path, double time, double height) {
+  std::optional<TrackSample> best;
+  for (std::size_t i = 1; i < path.size(); ++i) {
+    const TrackSample &a = path[i - 1], &b = path[i];
+    if ((a.position.y < height) == (b.position.y < height)) continue;
+    const TrackSample there = between(a, b, (height - a.position.y) / (b.position.y - a.position.y));
+    if (!best || std::abs(there.time - time) < std::abs(best->time - time)) best = there;
+  }
+  return best ? std::optional(best->position) : std::nullopt;
+}
+
+}  // namespace
+
 std::optional<Vec3d> Client::target_under(const Pixel& pixel) {
-  if (const auto found = probe(pixel)) return found->sample.position;
+  if (const auto found = probe(pixel)) {
+    const Vec3d at = found->sample.position;
+    const double least = session.ground().value_or(at.y - placing.radius) + placing.radius;
+    if (at.y >= least) return at;
+    const auto& path = found->track ? found->track->samples : prediction().path;
+    return nearest_as_high(path, found->sample.time, least).value_or(at);
+  }
   std::optional<Vec3d> place = surface_under(pixel);
   if (place) place->y += placing.radius;
   return place;

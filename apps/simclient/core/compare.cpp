@@ -10,6 +10,7 @@
 #include "report/ladder.hpp"
 #include "report/number.hpp"
 #include "report/world_steps.hpp"
+#include "simclient/core/length_text.hpp"
 
 namespace physim::client {
 namespace {
@@ -44,19 +45,13 @@ void fill(ComparedRung& rung, const ComparedFlight& flown) {
   rung.flight = flown.flight;
 }
 
+}  // namespace
+
 WorldDef bare_world(const Session& session) {
   WorldDef def = session.world().def();
   def.environment = session.scenario().environment;
   return def;
 }
-
-/// Time of a step of the shot in the session's world, without what else flies there [s]; 0 if the world refuses it.
-double measure_cost(const Session& session, const ScenarioShot& shot) {
-  const WorldDef def = bare_world(session);
-  return report::time_of_step(def, shot, def.step).value_or(0);
-}
-
-}  // namespace
 
 Colour colour_of_rung(std::string_view name) {
   const auto found = std::ranges::find(kColours, name, &std::pair<std::string_view, Colour>::first);
@@ -85,13 +80,13 @@ std::string ComparedRung::why(const ComparedRung& truth) const {
   std::string reasons = report::why_apart(truth.granted.fidelity, granted.fidelity);
   if (reasons.empty())
     reasons = granted.fidelity.precision == Precision::float32 ? "float32" : "the same physics, other steps";
+  std::ranges::replace(reasons, '_', ' ');  // names of rungs, as a sentence has them
   if (std::abs(side.by) < kSame) return "at the same place: " + reasons;
-  return report::significant(std::abs(side.by), 3) + " m " + (side.by > 0 ? side.more : side.less) + ": " + reasons;
+  return length_text(std::abs(side.by)) + " " + (side.by > 0 ? side.more : side.less) + ": " + reasons;
 }
 
-std::vector<ComparedRung> compare_rungs(const Session& session, const ScenarioShot& fired,
+std::vector<ComparedRung> compare_rungs(const Scenario& scenario, const WorldDef& world, const ScenarioShot& fired,
                                         const std::vector<std::string>& presets, CostTable& costs) {
-  const Scenario& scenario = session.scenario();
   const ScenarioShot shot = as_flown(fired);
   std::vector<ComparedRung> rungs;
   std::vector<FlightSetting> settings;
@@ -119,18 +114,18 @@ std::vector<ComparedRung> compare_rungs(const Session& session, const ScenarioSh
     if (!rung.problem.empty()) continue;
     ScenarioShot changed = shot;
     changed.projectile.fidelity = rung.asked;
-    rung.per_step = costs.of(session, changed);
+    rung.per_step = costs.of(world, changed);
     changed.launch = compared->launch;
-    rung.in_frames = report::error_of_steps(bare_world(session), changed, report::kGameFrame, compared->reference);
+    rung.in_frames = report::error_of_steps(world, changed, report::kGameFrame, compared->reference);
   }
   return rungs;
 }
 
-double CostTable::of(const Session& session, const ScenarioShot& shot) {
+double CostTable::of(const WorldDef& world, const ScenarioShot& shot) {
   for (const auto& [projectile, seconds] : known_)
     if (projectile == shot.projectile) return seconds;
   if (known_.size() >= 64) known_.clear();
-  known_.emplace_back(shot.projectile, measure_cost(session, shot));
+  known_.emplace_back(shot.projectile, report::time_of_step(world, shot, world.step).value_or(0));  // 0: refused
   return known_.back().second;
 }
 

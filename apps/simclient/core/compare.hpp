@@ -40,15 +40,19 @@ struct ComparedRung {
 /// Time of one step of one projectile, measured on a thousand of them and remembered: aiming changes it little.
 class CostTable {
  public:
-  [[nodiscard]] double of(const Session& session, const ScenarioShot& shot);  // [s]
+  [[nodiscard]] double of(const WorldDef& world, const ScenarioShot& shot);  // [s]
 
  private:
   std::vector<std::pair<ProjectileDef, double>> known_;
 };
 
 /// Flies a shot as it is set and on presets of fidelity, with the figures of `physim compare`: single flights until the
-/// scenario ends them, without the forces of its world. The last is the truth, the reference of the ladder.
-[[nodiscard]] std::vector<ComparedRung> compare_rungs(const Session& session, const ScenarioShot& shot,
-                                                      const std::vector<std::string>& presets, CostTable& costs);
+/// scenario ends them, without the forces of its world. The last is the truth, the reference of the ladder. `world`: in
+/// which steps are measured; bare_world() of a session.
+[[nodiscard]] std::vector<ComparedRung> compare_rungs(const Scenario& scenario, const WorldDef& world,
+                                                      const ScenarioShot& shot, const std::vector<std::string>& presets,
+                                                      CostTable& costs);
+/// The world of a session without what is in it.
+[[nodiscard]] WorldDef bare_world(const Session& session);
 
 }  // namespace physim::client

@@ -33,7 +33,7 @@ std::vector<PlacedLabel> place_labels(const std::vector<SceneLabel>& labels, con
     const float y = scene.y + static_cast<float>(at->y) + (label->line >= 0 ? 6 * scale : -6 * scale) +
                     static_cast<float>(label->line) * line - (label->centred ? 0 : line);
     for (const Move& move : kMoves) {
-      if (move.lines != 0 && !label->centred) break;
+      if (move.lines != 0 && (!label->centred || label->gives_way)) break;
       const Box box{x - 3 + move.aside * width, y + move.lines * line + 1, width + 6, line - 2};
       if (!holds(scene, box)) continue;  // half a number says the wrong thing
       if (std::ranges::any_of(taken, [&](const Box& other) { return overlap(box, other); })) continue;

@@ -18,8 +18,8 @@ struct PlacedLabel {
 using TextWidth = std::function<float(const std::string&)>;
 
 /// Places labels in the part of the window that shows the scene, as whole ones. Those of projectiles move by some
-/// lines, or by half their width, if others stand in their way; those of scale lines give way. The last are placed
-/// first. `line`: height of a line of text [pixels]; `taken`: places for something else.
+/// lines, or by half their width, if others stand in their way; those of scale lines, and those that say so, give way.
+/// The last are placed first. `line`: height of a line of text [pixels]; `taken`: places for something else.
 [[nodiscard]] std::vector<PlacedLabel> place_labels(const std::vector<SceneLabel>& labels, const Camera& camera,
                                                     const Box& scene, float line, float scale,
                                                     const TextWidth& width_of, std::vector<Box> taken = {});

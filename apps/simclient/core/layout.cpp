@@ -2,6 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
+
+#include "base/assert.hpp"
 
 namespace physim::client {
 
@@ -38,6 +41,22 @@ Layout make_layout(const Client& client, float width, float height, float scale)
   out.scene = {dock, menu, beside, std::max(room - bottom, 1.0F)};
   out.bottom = {dock, menu + out.scene.height, beside, bottom};
   return out;
+}
+
+std::vector<std::size_t> columns_that_fit(std::span<const float> widths, std::span<const int> ranks, float room) {
+  PHYSIM_ASSERT(widths.size() == ranks.size());
+  std::vector<std::size_t> shown(widths.size());
+  std::iota(shown.begin(), shown.end(), std::size_t{0});
+  float sum = std::accumulate(widths.begin(), widths.end(), 0.0F);
+  while (sum > room) {
+    auto least = shown.end();
+    for (auto each = shown.begin(); each != shown.end(); ++each)
+      if (ranks[*each] > 0 && (least == shown.end() || ranks[*each] >= ranks[*least])) least = each;
+    if (least == shown.end()) break;
+    sum -= widths[*least];
+    shown.erase(least);
+  }
+  return shown;
 }
 
 }  // namespace physim::client

@@ -1,6 +1,9 @@
 // Layout: who has which part of the window. Nothing overlaps, at any size.
 #pragma once
 
+#include <span>
+#include <vector>
+
 #include "simclient/core/client.hpp"
 
 namespace physim::client {
@@ -21,5 +24,10 @@ struct Layout {
 /// the left, and leave three fifths of the window to the scene and the panel under it. They are left out where they
 /// would be too narrow to read.
 [[nodiscard]] Layout make_layout(const Client& client, float width, float height, float scale);
+
+/// The columns of a table that fit into a width [pixels]: those of the highest rank give way first, of equal ones the
+/// last; those of rank 0 stay.
+[[nodiscard]] std::vector<std::size_t> columns_that_fit(std::span<const float> widths, std::span<const int> ranks,
+                                                        float room);
 
 }  // namespace physim::client

@@ -1,10 +1,10 @@
 #include "simclient/core/prediction.hpp"
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 
 #include "base/assert.hpp"
+#include "simclient/core/stopwatch.hpp"
 #include "simclient/core/subject.hpp"
 #include "simclient/core/thinning.hpp"
 
@@ -35,6 +35,12 @@ Prediction prediction_of(const Flight& flight, const Scenario& scenario) {
   prediction.is_cut = !has_end(flight, scenario.until);
   prediction.apsides = apsides_of(prediction.path, scenario.environment, prediction.granted.fidelity);
   return prediction;
+}
+
+Prediction beginning_of(Scenario scenario, const ScenarioShot& shot) {
+  constexpr double kMoment = 1e-3;  // [s]
+  scenario.until.time = std::min(scenario.until.time, kMoment);
+  return prediction_of(fly_shot(scenario, shot), scenario);
 }
 
 /// Steps the world until the shot is gone or rests, or the limit is reached.
@@ -84,7 +90,7 @@ Status Predictor::take_world(const Session& session) {
   return {};
 }
 
-Prediction Predictor::predict(const Session& session, const ScenarioShot& shot, double max_time) {
+Prediction Predictor::predict(const Session& session, const ScenarioShot& shot, double max_time, double patience) {
   Prediction prediction;
   if (Status status = take_world(session); !status) return prediction.error = status.error(), prediction;
   World& world = *world_;
@@ -101,23 +107,26 @@ Prediction Predictor::predict(const Session& session, const ScenarioShot& shot, 
   const double steps = std::ceil(std::max(max_time, revolution.value_or(0)) / world.def().step);
   left_ = std::min(kMostSteps, static_cast<std::uint64_t>(std::min(steps, 1e9)));
   prediction.grows = projectile.is_alive();
-  fly(prediction, kAtOnce);
+  fly_at_once(prediction, patience);
   return prediction;
+}
+
+void Predictor::fly_at_once(Prediction& prediction, double patience) {
+  const Stopwatch watch;
+  for (std::uint64_t steps = 0; steps < kAtOnce && prediction.grows && watch.seconds() <= patience; steps += kPart)
+    fly(prediction, kPart);
 }
 
 void Predictor::go_on(Prediction& prediction, double patience) {
   PHYSIM_ASSERT(world_ && prediction.grows);
-  const auto start = std::chrono::steady_clock::now();
-  const auto is_late = [&] {
-    return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count() > patience;
-  };
+  const Stopwatch watch;
   do {
     fly(prediction, kPart);
     if (prediction.path.size() - thinned_ > kFreshSamples || !prediction.grows) {
       thin_out(prediction.path, thinned_);
       thinned_ = prediction.path.size() - 1;
     }
-  } while (prediction.grows && !is_late());
+  } while (prediction.grows && watch.seconds() <= patience);
 }
 
 }  // namespace physim::client

@@ -3,6 +3,7 @@
 // be played.
 #pragma once
 
+#include <limits>
 #include <optional>
 #include <vector>
 
@@ -18,11 +19,14 @@ struct Prediction {
   std::vector<TrackSample> path;  // up to the end or the limit; see thinning.hpp
   bool is_cut = false;            // by the limit: it flies on
   bool grows = false;             // Predictor::go_on() has more of it
+  bool is_old = false;            // the path is that of a shot before, until that of this one is computed
   Apsides apsides;                // of the path over a round Earth
 };
 
 /// The prediction by a flight that was computed whole. It is cut if nothing that the scenario asks for ends it.
 [[nodiscard]] Prediction prediction_of(const Flight& flight, const Scenario& scenario);
+/// How it begins, with a path of a moment.
+[[nodiscard]] Prediction beginning_of(Scenario scenario, const ScenarioShot& shot);
 
 /// Predicts the shots of one session.
 class Predictor {
@@ -30,14 +34,16 @@ class Predictor {
   /// The world is saved anew at the next prediction: the session was changed by more than steps and shots.
   void forget_world() { world_.reset(); }
   /// Flies a shot from now on until it leaves, for `max_time` [s] or a revolution about the Earth, or until it has met
-  /// things a few times. Long flights are begun: go_on() flies on.
-  [[nodiscard]] Prediction predict(const Session& session, const ScenarioShot& shot, double max_time = 200);
+  /// things a few times. Long flights are begun, with `patience` at most [s of the machine's clock]: go_on() flies on.
+  [[nodiscard]] Prediction predict(const Session& session, const ScenarioShot& shot, double max_time = 200,
+                                   double patience = std::numeric_limits<double>::infinity());
   /// More of the last prediction that was begun, as long as `patience` lasts [s of the machine's clock].
   void go_on(Prediction& prediction, double patience);
 
  private:
   [[nodiscard]] Status take_world(const Session& session);
   void fly(Prediction& prediction, std::uint64_t steps);
+  void fly_at_once(Prediction& prediction, double patience);
 
   std::optional<World> world_;
   Snapshot empty_;  // of it, before anything is fired

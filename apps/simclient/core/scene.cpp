@@ -16,6 +16,8 @@ void Scene::clear() {
   discs.clear();
   crowd.clear();
   sprites.clear();
+  lights.clear();
+  glow.clear();
   drawn.clear();
   labels.clear();
 }
@@ -128,9 +130,11 @@ void Scene::arrow(const Vec3d& from, const Vec3d& to, Colour colour, double widt
     line(to, to + camera.drawn_as(across * (head * side) - along * head), colour, width, kCased);
 }
 
-void Scene::label(const Vec3d& at, const std::string& text, Colour colour, double line) {
-  labels.push_back({at, text, colour, true, line});
+void Scene::label(const Vec3d& at, const std::string& text, Colour colour, double line, bool gives_way) {
+  labels.push_back({.at = at, .text = text, .colour = colour, .line = line, .gives_way = gives_way});
 }
+
+double haze_of(const Camera& camera) { return 9 * camera.distance; }
 
 double scale_step(double length, double wanted) {
   const double rough = std::max(length, 1e-9) / wanted;
@@ -186,6 +190,7 @@ void build_scene(Client& client, double scale, Scene& scene) {
   build_cursor(client, scale, scene);
   build_tools(client, scale, scene);
   if (scene.quality != Quality::high) thin_crowd(client.camera, scene);
+  build_glow(client.camera, scale, scene);
 }
 
 }  // namespace physim::client

@@ -9,6 +9,7 @@
 
 #include "base/text.hpp"
 #include "simclient/core/client.hpp"
+#include "simclient/core/glow.hpp"
 #include "simclient/core/quality.hpp"
 #include "simclient/core/theme.hpp"
 
@@ -60,8 +61,9 @@ struct SceneLabel {
   std::string text;
   Colour colour = 0xFFFFFFFF;
   bool centred = true;
-  double line = 0;  // below the first, where several labels share a place
-  double side = 0;  // moved by so much of half its width, to the right
+  double line = 0;         // below the first, where several labels share a place
+  bool gives_way = false;  // it is left out where another stands in its place
+  double side = 0;         // moved by so much of half its width, to the right
 };
 
 /// The legend of the colours of trails.
@@ -89,6 +91,8 @@ struct Scene {
   std::vector<SceneBall> discs;  // that lie on the ground
   std::vector<SceneDot> crowd;
   std::vector<SceneSprite> sprites;  // from far to near
+  std::vector<Light> lights;         // of sprites and streaks; dots of the crowd shine by their colour
+  GlowMap glow;                      // of all of them
   std::vector<ProjectileId> drawn;   // those that emitters fired, in order
   std::vector<SceneLabel> labels;
   const Scenery* scenery = nullptr;  // the client's; null: there is none to be seen
@@ -116,8 +120,11 @@ struct Scene {
               double opacity, double width, double fog = kCased);
   void dots(const std::vector<TrackSample>& samples, const Camera& camera, Colour colour, double scale);
   void arrow(const Vec3d& from, const Vec3d& to, Colour colour, double width, const Camera& camera);
-  void label(const Vec3d& at, const std::string& text, Colour colour, double line = 0);
+  void label(const Vec3d& at, const std::string& text, Colour colour, double line = 0, bool gives_way = false);
 };
+
+/// The distance at which haze leaves half of a colour [m].
+[[nodiscard]] double haze_of(const Camera& camera);
 
 /// All of it. `scale` is that of the screen: 2 draws everything twice as thick.
 void build_scene(Client& client, double scale, Scene& scene);
@@ -132,6 +139,10 @@ void build_comparison(Client& client, double scale, Scene& scene);
 void build_aim(Client& client, double scale, Scene& scene);
 /// Leaves out dots of the crowd beyond the view, and those behind another on the same few pixels.
 void thin_crowd(const Camera& camera, Scene& scene);
+/// The glow of what is hot; on white it could not be seen, and there is none.
+void build_glow(const Camera& camera, double scale, Scene& scene);
+/// An emitter that says nothing about sizes lets out dots.
+[[nodiscard]] bool has_sizes(const EmitterDef& def);
 void build_particles(const Client& client, double scale, Scene& scene);
 void build_projectiles(const Client& client, double scale, Scene& scene);
 void build_bodies(Client& client, double scale, Scene& scene);

@@ -35,7 +35,8 @@ Reach reach_of(const Session& session, const Track& track, const Vec3d& from, co
   return {frames.geodetic(at).height, angle * (length(a) - frames.geodetic(from).height)};
 }
 
-void mark(Scene& scene, const Session& session, const Camera& camera, double scale, const Track& track) {
+/// `is_told`: by labels that stay; those of other tracks give way.
+void mark(Scene& scene, const Session& session, const Camera& camera, double scale, const Track& track, bool is_told) {
   const Vec3d right = camera.right(), up = camera.up();
   if (track.apex) {
     const Vec3d at = track.apex->position;
@@ -44,15 +45,16 @@ void mark(Scene& scene, const Session& session, const Camera& camera, double sca
     if (std::abs(height) >= kShown) {
       cross(scene, camera, scale, at, right, up, track.colour);
       scene.label(at, "apex " + distance_text(std::round(100 * height) / 100) + formatted(", %.2f s", track.apex->time),
-                  track.colour, -2);
+                  track.colour, -2, !is_told);
     }
   }
   if (track.whole && track.status == LifeStatus::expired) {  // at the end that its scenario sets
     const Sample end = track.whole->end();
     cross(scene, camera, scale, end.position, right + up, right - up, track.colour);
     scene.label(end.position, distance_text(std::round(1000 * end.range) / 1000) + formatted(" in %.3f s", end.time),
-                track.colour, 1);
-    scene.label(end.position, formatted("drop %.3f m, windage %.3f m", end.drop, end.windage), track.colour, 2);
+                track.colour, 1, !is_told);
+    scene.label(end.position, formatted("drop %.3f m, windage %.3f m", end.drop, end.windage), track.colour, 2,
+                !is_told);
   }
   if (track.impact) {
     const Vec3d at = track.impact->position;
@@ -60,8 +62,16 @@ void mark(Scene& scene, const Session& session, const Camera& camera, double sca
     const Reach reach = reach_of(session, track, track.samples.front().position, at);
     const double range = std::round(100 * reach.distance) / 100;
     if (range > 0)  // what fell where it was says nothing
-      scene.label(at, distance_text(range) + formatted(" in %.2f s", track.impact->time), track.colour, 1);
+      scene.label(at, distance_text(range) + formatted(" in %.2f s", track.impact->time), track.colour, 1, !is_told);
   }
+}
+
+/// One of many that are drawn as their emitter says, such as smoke: its own path and number would only hide them.
+bool is_soft(const Client& client, const Track& track) {
+  if (track.by_hand || track.id == client.selected) return false;
+  return std::ranges::any_of(client.session.scenario().emitters, [&](const ScenarioEmitter& each) {
+    return each.shot == track.name && has_sizes(each.def);
+  });
 }
 
 /// Those that are not among the tracks: too many to remember, not too many to draw.
@@ -109,7 +119,7 @@ void build_projectiles(const Client& client, double scale, Scene& scene) {
       scene.polyline(track.samples, client.camera, faded(track.colour, 0.3), 1.2 * scale, 0);
   for (const Track& track : client.session.tracks()) {
     const double width = (&track == selected ? 2.5 : 1.8) * scale, presence = client.session.presence_of(track);
-    if (presence <= 0) continue;
+    if (presence <= 0 || is_soft(client, track)) continue;
     const double part = (track.is_flying() ? 0.9 : 0.6) * presence;
     if (client.show.trails && by) {
       if (!client.theme->is_light) scene.ribbon(track.samples, client.camera, *by, 0.18 * part, 4 * width, 0);
@@ -117,7 +127,8 @@ void build_projectiles(const Client& client, double scale, Scene& scene) {
     } else if (client.show.trails) {
       scene.polyline(track.samples, client.camera, faded(track.colour, part), width);
     }
-    if (client.show.marks && presence > 0.5) mark(scene, client.session, client.camera, scale, track);
+    if (client.show.marks && presence > 0.5)
+      mark(scene, client.session, client.camera, scale, track, &track == selected);
     if (!track.is_flying()) continue;
     const Vec3d at = client.session.shown(track).position;
     const Colour colour = by ? (*by)(track.samples.back()) : track.colour;
@@ -136,7 +147,7 @@ void build_depth(const Client& client, double scale, Scene& scene) {
   constexpr Colour kShade = 0x0A0E12A0;
   std::vector<TrackSample> below;
   for (const Track& track : client.session.tracks()) {
-    if (client.session.presence_of(track) < 1) continue;
+    if (client.session.presence_of(track) < 1 || is_soft(client, track)) continue;
     const auto foot = [&](const Vec3d& at) { return Vec3d{at.x, scene.ground, at.z}; };
     below = track.samples;
     for (TrackSample& s : below) s.position.y = scene.ground, s.velocity.y = 0;
@@ -155,9 +166,11 @@ void build_depth(const Client& client, double scale, Scene& scene) {
 
 void build_comparison(Client& client, double scale, Scene& scene) {
   int line = 0;
-  for (const ComparedRung& rung : client.comparison()) {
+  const std::vector<ComparedRung>& rungs = client.comparison();
+  const double part = client.is_comparison_old() ? 0.4 : 1;
+  for (const ComparedRung& rung : rungs) {
     if (rung.path.empty()) continue;
-    scene.polyline(rung.path, client.camera, rung.colour, (rung.is_truth ? 3 : 2) * scale);
+    scene.polyline(rung.path, client.camera, faded(rung.colour, part), (rung.is_truth ? 3 : 2) * scale);
     scene.label(rung.path.back().position, rung.name, rung.colour, line++);
   }
 }
@@ -170,7 +183,7 @@ void build_aim(Client& client, double scale, Scene& scene) {
     std::vector<TrackSample> ahead = prediction.path;
     if (const Track* last = client.last_of_this_shot())  // its trail shows the rest
       std::erase_if(ahead, [last](const TrackSample& s) { return s.time <= last->samples.back().time; });
-    scene.dots(ahead, client.camera, faded(colours::kText, 0.75), scale);
+    scene.dots(ahead, client.camera, faded(colours::kText, prediction.is_old ? 0.3 : 0.75), scale);
   }
   scene.ball(prediction.muzzle, colours::kArrow, 3 * scale);
   const auto arrow = client.arrow();

@@ -72,7 +72,7 @@ void build_globe(Client& client, double scale, Scene& scene) {
   if (client.session.is_replay() || ahead.error || !client.show.aim || !client.show.prediction) return;
   if (client.show.depth)
     scene.polyline(over_ground(*scene.globe, ahead.path), client.camera, faded(colours::kText, 0.4), 1.2 * scale, 0);
-  if (!client.show.marks) return;
+  if (!client.show.marks || ahead.is_old) return;
   const Track* last = client.last_of_this_shot();
   const bool is_marked = last != nullptr && last->apex;  // with its height and time
   if (ahead.apsides.highest && !is_marked) pin(scene, client.camera, *ahead.apsides.highest, "Ap", scale);

@@ -11,7 +11,8 @@ namespace {
 
 constexpr double kExposure = 1.0 / 60;  // of the eye: what comes farther than its own size is a streak [s]
 constexpr double kTracer = 1.0 / 25;    // of rounds of a gun, which are hot [s]
-constexpr double kLeastStreak = 2.2;    // width [pixels]
+constexpr double kSpark = 1.0 / 12;     // of other hot dots: their light stays in the eye [s]
+constexpr double kLeastStreak = 2.2, kHotStreak = 3;  // widths [pixels]
 
 /// The particles of one emitter, as a renderer reads them.
 struct Columns {
@@ -30,9 +31,6 @@ struct Columns {
   }
 };
 
-/// An emitter that says nothing about sizes lets out dots.
-bool has_sizes(const EmitterDef& def) { return def.start.size != DrawnNumber{1} || def.life.size != DrawnNumber{1}; }
-
 /// Its own colour, or that of its kind where its emitter says none.
 Colour colour_of_particle(const World& world, ProjectileId id, Colour own) {
   if (own != 0xFFFFFFFF) return own;
@@ -48,20 +46,30 @@ void add_particle(const Session& session, const Camera& camera, const EmitterDef
   const bool is_sized = has_sizes(def), is_round = def.gun.rounds_per_minute > 0;
   const double pixel = camera.pixel_size(at);
   const double size = is_sized ? all.size[i].x : 4.5 * scale * pixel;
-  const double way = length(all.velocity[i]) * (is_round ? kTracer : kExposure);
-  if (way > 2 * size && way > 2 * scale * pixel) {
-    const Vec3d back = all.velocity[i] * (-way / length(all.velocity[i]));
-    const double width = std::max((is_sized ? size / pixel : 0), kLeastStreak * scale);
+  const double hot = heat(colour), speed = length(all.velocity[i]);
+  const double exposure = is_round ? kTracer : is_sized ? kExposure : std::lerp(kExposure, kSpark, hot);
+  const double way = speed * std::min(exposure, session.world()[all.id[i]].age());
+  const bool is_streak = way > 2 * size && way > 2 * scale * pixel;
+  const double least = std::lerp(kLeastStreak, kHotStreak, hot) * scale;
+  if (hot > 0) {
+    const Vec3d tail = is_streak ? all.velocity[i] * (-way / speed) : Vec3d{};
+    const double pixels = std::max(is_streak ? least : 3.5 * scale, is_sized ? size / pixel : 0);
+    scene.lights.push_back({at + tail, at, colour, static_cast<float>(pixels)});
+  }
+  const Colour core = scene.theme->is_light || is_sized ? colour : core_of(colour);
+  if (is_streak) {
+    const Vec3d back = all.velocity[i] * (-way / speed);
+    const double width = std::max(is_sized ? size / pixel : 0, least);
     constexpr int kParts = 4;  // fainter and thinner towards its end
     for (int k = 0; k < kParts; ++k) {
       const double from = 1 - static_cast<double>(k) / kParts, part = (k + 1.0) / kParts;
-      scene.line(at + back * from, at + back * (from - 1.0 / kParts), faded(colour, part * part),
+      scene.line(at + back * from, at + back * (from - 1.0 / kParts), faded(core, part * part),
                  std::max(width * (0.4 + 0.6 * part), scale));
     }
     return;
   }
   const Vec3d part = is_sized ? all.size[i] : Vec3d{size, size, size};
-  scene.sprites.push_back({at, colour, static_cast<float>(part.x), static_cast<float>(part.y),
+  scene.sprites.push_back({at, core, static_cast<float>(part.x), static_cast<float>(part.y),
                            static_cast<float>(all.rotation[i].x), static_cast<float>(3.5 * scale)});
 }
 
@@ -104,6 +112,8 @@ void sort_sprites(const Camera& camera, Scene& scene) {
 }
 
 }  // namespace
+
+bool has_sizes(const EmitterDef& def) { return def.start.size != DrawnNumber{1} || def.life.size != DrawnNumber{1}; }
 
 void build_particles(const Client& client, double scale, Scene& scene) {
   const Session& session = client.session;
@@ -148,6 +158,18 @@ void thin_crowd(const Camera& camera, Scene& scene) {
     scene.crowd[kept++] = scene.crowd[i];
   }
   scene.crowd.resize(kept);
+}
+
+void build_glow(const Camera& camera, double scale, Scene& scene) {
+  if (scene.theme->is_light) return;
+  GlowMaker glow(camera, scale, haze_of(camera));
+  for (const Light& light : scene.lights) glow.add(light);
+  for (SceneDot& dot : scene.crowd) {
+    if (heat(dot.colour) <= 0) continue;
+    glow.add({dot.at, dot.at, dot.colour, scene.crowd_size});
+    dot.colour = core_of(dot.colour);
+  }
+  glow.make(scene.glow);
 }
 
 }  // namespace physim::client

@@ -6,6 +6,7 @@
 #include "physim/names.hpp"
 #include "simclient/core/plane_axes.hpp"
 #include "simclient/core/scene.hpp"
+#include "simclient/core/target_report.hpp"
 #include "simclient/core/timeline.hpp"
 
 namespace physim::client {
@@ -62,6 +63,7 @@ void build_marks(const Client& client, double scale, Scene& scene) {
   const Track* selected = client.selected_track();
   const auto& hits = client.session.hits().hits();
   constexpr std::size_t kMostMarks = 60, kFading = 30;  // marks: the oldest of them fade
+  const std::vector<TargetDisc> targets = targets_of(client.session.scenario());
   std::size_t labels = 0, marks = 0;
   for (auto hit = hits.rbegin(); hit != hits.rend() && marks < kMostMarks; ++hit, ++marks) {
     const auto thing = things->state(hit->instance, client.session.shown_time());
@@ -69,6 +71,8 @@ void build_marks(const Client& client, double scale, Scene& scene) {
     mark(scene, client, scale, *hit, *thing,
          std::min(1.0, static_cast<double>(kMostMarks - marks) / static_cast<double>(kFading)));
     if (selected == nullptr || selected->id != hit->id || is_passed(*hit) || labels++ >= kMostLabels) continue;
+    const auto is_it = [&](const TargetDisc& each) { return each.name == hit->thing; };
+    if (selected->by_hand && std::ranges::any_of(targets, is_it)) continue;  // a target says more itself
     scene.label(place_in_world(*thing, hit->at), hit_text(*hit), client.session.colour_of(*hit), -1);
   }
 }

@@ -118,6 +118,20 @@ double height_over_length(const std::vector<Vec3d>& places) {
   return size.y / std::max(std::hypot(size.x, size.z), 1e-9);
 }
 
+std::optional<double> long_side_of(const std::vector<Vec3d>& places) {
+  constexpr double kMuchLonger = 4;  // of the variance
+  if (places.empty()) return std::nullopt;
+  const auto count = static_cast<double>(places.size());
+  double x = 0, z = 0, xx = 0, xz = 0, zz = 0;
+  for (const Vec3d& p : places) x += p.x / count, z += p.z / count;
+  for (const Vec3d& p : places)
+    xx += (p.x - x) * (p.x - x) / count, xz += (p.x - x) * (p.z - z) / count, zz += (p.z - z) * (p.z - z) / count;
+  const double mean = (xx + zz) / 2, apart = std::hypot((xx - zz) / 2, xz);
+  if (!(apart > 0) || mean + apart < kMuchLonger * (mean - apart)) return std::nullopt;
+  const double angle = 0.5 * std::atan2(2 * xz, xx - zz);
+  return angle;
+}
+
 std::vector<Vec3d> subject_of(std::vector<Vec3d> places, const Scenery& things, std::optional<double> ground) {
   constexpr double kMuchLarger = 3, kFar = 8;
   if (!places.empty()) thin_out(places);

@@ -17,6 +17,10 @@ namespace physim::client {
 /// A scenario sets the end of its flight, or the ground is reached.
 [[nodiscard]] bool has_end(const Flight& whole, const Until& until);
 
+/// The direction along the ground in which places reach twice as far as across, from x towards z [rad]; nothing where
+/// there is none.
+[[nodiscard]] std::optional<double> long_side_of(const std::vector<Vec3d>& places);
+
 /// A predicted flight.
 struct Foreseen {
   std::vector<TrackSample> path;

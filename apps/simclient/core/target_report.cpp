@@ -7,16 +7,11 @@
 #include "base/text.hpp"
 #include "math/angles.hpp"
 #include "physim/solve.hpp"
+#include "simclient/core/length_text.hpp"
 #include "simclient/core/scenery.hpp"
 
 namespace physim::client {
 namespace {
-
-std::string length_text(double metres) {
-  if (metres < 0.01) return formatted("%.2g mm", 1000 * metres);
-  if (metres < 1) return formatted("%.2g cm", 100 * metres);
-  return formatted("%.3g m", metres);
-}
 
 /// "4 cm left, 2 cm high"; parts that are much smaller than the other are left out.
 std::string offset_text(double right, double up) {

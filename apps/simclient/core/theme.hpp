@@ -19,6 +19,9 @@ struct Theme {
   Colour sunlight = 0, skylight = 0, earthlight = 0;  // on things, from the sun, from above and from below
   double grain = 0;                                   // unevenness of the ground, in parts of its colour
   double shadow = 0;                                  // part of the ground's light that is left in a shadow
+  Colour cloud = 0;                                   // its opacity is that of the densest
+  double stars = 0;                                   // part of their light that the sky leaves
+  double glow_cover = 0;                              // part of what is behind a glow that it covers
   Colour casing = 0;                                  // about lines and arrows
   bool is_light = false;                              // dark ink on light panels
   Colour panel = 0, popup = 0, bar = 0, field = 0, hovered = 0, active = 0;  // bar: menus and titles

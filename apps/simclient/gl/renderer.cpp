@@ -134,16 +134,17 @@ void draw_discs(const Pass& pass, const Scene& scene, const Camera& camera, cons
   glDrawArraysInstanced(GL_TRIANGLE_STRIP, 0, 4, upload<BallInstance>(pass, scene.discs, fill));
 }
 
-/// Opaque squares of a few pixels: software rendering draws them many times as fast as anything rounder.
-void draw_crowd(const Pass& pass, const Scene& scene, const Camera& camera, const Mat4& matrix) {
+/// Opaque squares of a few pixels: software rendering draws them many times as fast as anything rounder, which is for
+/// pictures.
+void draw_crowd(const Pass& pass, bool is_round, const Scene& scene, const Camera& camera, const Mat4& matrix) {
   if (scene.crowd.empty()) return;
   begin(pass, camera, matrix);
-  glUniform1f(pass.shader.uniform("pixels"), scene.crowd_size);
+  glUniform1f(pass.shader.uniform("pixels"), (is_round ? 1.25F : 1.0F) * scene.crowd_size);
   glUniform1f(pass.shader.uniform("middle"), static_cast<float>(camera.distance));
   glUniform1f(pass.shader.uniform("haze"), static_cast<float>(haze_of(camera)));
   hand_colour(pass.shader, "horizon", scene.theme->horizon);
   glEnable(GL_PROGRAM_POINT_SIZE);
-  glDisable(GL_BLEND);
+  if (!is_round) glDisable(GL_BLEND);
   const auto fill = [&camera, &scene, eye = camera.eye()](const SceneDot& dot, DotInstance& out) {
     relative(dot.at, camera, eye, out.at);
     bytes(scene.theme->is_light ? ink(*scene.theme, dot.colour) : dot.colour, out.colour);
@@ -197,6 +198,7 @@ Status Renderer::make() {
   } passes[] = {{"line", kLineVertex, kLineFragment, line_},
                 {"ball", kBallVertex, kBallFragment, ball_},
                 {"crowd", kCrowdVertex, kCrowdFragment, crowd_},
+                {"round crowd", kCrowdVertex, kRoundCrowdFragment, round_crowd_},
                 {"disc", kDiscVertex, kDiscFragment, disc_},
                 {"sprite", kSpriteVertex, kSpriteFragment, sprite_},
                 {"ball shadow", kBallShadowVertex, kBallShadowFragment, ball_shadow_}};
@@ -206,11 +208,13 @@ Status Renderer::make() {
   make_arrays(line_, &kStrip, {3, 3, 4, 2});
   make_arrays(ball_, &kSquare, {3, 4, 2});
   make_arrays(crowd_, nullptr, {3, 4});
+  make_arrays(round_crowd_, nullptr, {3, 4});
   make_arrays(sprite_, &kSquare, {3, 4, 2, 2});
   make_arrays(ball_shadow_, &kSquare, {3, 4, 2});
   if (Status status = world_.make(); !status) return status;
   if (Status status = backdrop_.make(); !status) return status;
   if (Status status = bodies_.make(); !status) return status;
+  if (Status status = glow_.make(); !status) return status;
   return scenery_.make();
 }
 
@@ -269,7 +273,11 @@ void Renderer::draw_in(const Scene& scene, const Camera& camera, const Viewport&
   if (has_things) scenery_.draw(scene, camera, haze_of(camera));
   glDepthMask(GL_FALSE);
   draw_discs(disc_, scene, camera, matrix);
-  draw_crowd(crowd_, scene, camera, matrix);
+  if (has_depth) glDisable(GL_DEPTH_TEST);
+  glow_.draw(scene, camera);
+  if (has_depth) glEnable(GL_DEPTH_TEST);
+  const bool is_round = scene.quality == Quality::high;
+  draw_crowd(is_round ? round_crowd_ : crowd_, is_round, scene, camera, matrix);
   draw_sprites(sprite_, scene, camera, matrix);
   if (has_depth) {
     constexpr float kShowsThrough = 0.25F;

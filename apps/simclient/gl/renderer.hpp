@@ -6,6 +6,7 @@
 #include "simclient/gl/backdrop.hpp"
 #include "simclient/gl/body_pass.hpp"
 #include "simclient/gl/canvas.hpp"
+#include "simclient/gl/glow_pass.hpp"
 #include "simclient/gl/scenery_pass.hpp"
 #include "simclient/gl/shader.hpp"
 #include "simclient/gl/world_pass.hpp"
@@ -36,11 +37,12 @@ class Renderer {
   void draw_world(const Scene& scene, const Camera& camera, const Viewport& viewport);
   void draw_in(const Scene& scene, const Camera& camera, const Viewport& viewport);
 
-  Pass line_, ball_, crowd_, sprite_, disc_, ball_shadow_;
+  Pass line_, ball_, crowd_, round_crowd_, sprite_, disc_, ball_shadow_;
   WorldPass world_;
   Backdrop backdrop_;
   SceneryPass scenery_;
   BodyPass bodies_;
+  GlowPass glow_;
   Canvas canvas_;
 };
 

@@ -47,7 +47,7 @@ uniform vec3 zenith, horizon, below, glow, to_sun;
 uniform float air;          // what is left of it about the eye
 uniform float height;       // of the ground above the eye
 uniform vec3 ground, sea;
-uniform vec4 grid;
+uniform vec4 grid, cloud;
 uniform vec2 grid_at;       // of the eye, in steps of the grid
 uniform float grid_step;
 uniform float haze;         // where half of the ground's colour is left
@@ -69,9 +69,19 @@ vec3 with_glow(vec3 c, vec3 d) {
   return mix(c, glow, 0.22 * near + 0.30 * nearer);
 }
 
+// Clouds of a layer above the eye, and mist below the eye where there is no ground.
+float clouds(vec3 d) {
+  vec2 p = d.xz / (abs(d.y) + 0.14);
+  float n = 0.62 * texture(unevenness, p * 0.07).r + 0.38 * texture(unevenness, p.yx * 0.19 + 0.37).r;
+  return smoothstep(0.46, 0.72, n) * smoothstep(0.0, 0.10, abs(d.y));
+}
+
 vec3 sky(vec3 d) {
   vec3 c = mix(horizon, zenith, 1.0 - exp2(-max(d.y, 0.0) * 4.5));
   c = mix(c, below, 1.0 - exp2(-max(-d.y, 0.0) * 8.0));
+#if !defined(GLOBE) && !defined(GROUND)
+  c = mix(c, cloud.rgb, cloud.a * air * clouds(d));
+#endif
   float disc = smoothstep(0.99980, 0.99992, dot(d, to_sun)) * step(0.2, glow.r + glow.g);
   return mix(with_glow(c, d), vec3(1.0, 0.98, 0.94), disc);
 }
@@ -395,10 +405,12 @@ uniform float middle;   // that distance
 uniform float haze;     // where half of the colour is left
 uniform vec3 horizon;
 out vec4 shade;
+flat out float dot_pixels;
 void main() {
   gl_Position = matrix * vec4(at, 1.0);
   float away = max(gl_Position.w, 1e-4);
   gl_PointSize = clamp(pixels * middle / away, 1.0, 2.0 * pixels);
+  dot_pixels = gl_PointSize;
   shade = vec4(mix(horizon, dot_colour.rgb, exp2(-away / haze)), dot_colour.a);
 }
 )";
@@ -407,6 +419,17 @@ inline constexpr const char* kCrowdFragment = R"(#version 330 core
 in vec4 shade;
 out vec4 colour;
 void main() { colour = shade; }
+)";
+
+inline constexpr const char* kRoundCrowdFragment = R"(#version 330 core
+in vec4 shade;
+flat in float dot_pixels;
+out vec4 colour;
+void main() {
+  float cover = clamp((0.5 - length(gl_PointCoord - 0.5)) * dot_pixels + 0.5, 0.0, 1.0);
+  if (cover <= 0.0) discard;
+  colour = vec4(shade.rgb, shade.a * cover);
+}
 )";
 
 // A soft disc that faces the eye, turned about the way to it. One that would be smaller than a pixel or two is fainter
@@ -449,6 +472,51 @@ void main() {
   float soft = 1.0 - away;
   colour = vec4(shade.rgb * (0.85 + 0.3 * soft * soft), shade.a * min(1.0, soft * crisp));
 }
+)";
+
+// The light about hot particles, which covers a part of what is behind it.
+inline constexpr const char* kGlowVertex = R"(#version 330 core
+layout(location = 0) in vec2 corner;  // 0..1
+uniform vec4 box;  // left, top, width and height, in parts of the view
+out vec2 at;
+void main() {
+  at = corner;
+  gl_Position = vec4(vec2(2.0, -2.0) * (box.xy + corner * box.zw) + vec2(-1.0, 1.0), 0.0, 1.0);
+}
+)";
+
+inline constexpr const char* kGlowFragment = R"(#version 330 core
+in vec2 at;
+uniform sampler2D light;
+uniform float cover;
+out vec4 colour;
+void main() {
+  vec3 c = texture(light, at).rgb;
+  colour = vec4(c, cover * max(c.r, max(c.g, c.b)));
+}
+)";
+
+// Stars: points at directions.
+inline constexpr const char* kStarVertex = R"(#version 330 core
+layout(location = 0) in vec3 way;
+layout(location = 1) in float brightness;
+uniform mat4 matrix;
+uniform float pixels;  // of the brightest
+uniform float part;    // of their light that is left
+uniform float lowest;  // height of those that are seen
+out float light;
+void main() {
+  vec4 at = matrix * vec4(way, 1.0);
+  gl_Position = vec4(at.xy, at.w * 0.999999, at.w);
+  gl_PointSize = max(pixels * sqrt(brightness), 1.0);
+  light = part * brightness * clamp((way.y - lowest) * 6.0, 0.0, 1.0);
+}
+)";
+
+inline constexpr const char* kStarFragment = R"(#version 330 core
+in float light;
+out vec4 colour;
+void main() { colour = vec4(0.93, 0.95, 1.0, light); }
 )";
 
 }  // namespace physim::client

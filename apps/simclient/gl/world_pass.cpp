@@ -2,13 +2,16 @@
 
 #include <algorithm>
 #include <cmath>
+#include <random>
 #include <vector>
 
+#include "math/angles.hpp"
 #include "simclient/gl/shaders.hpp"
 
 namespace physim::client {
 namespace {
 
+constexpr int kStars = 2600;
 constexpr int kGrains = 128;  // of the texture of unevenness, along each side
 constexpr float kWholeView[8] = {-1, -1, 1, -1, -1, 1, 1, 1};
 
@@ -48,8 +51,6 @@ std::vector<std::uint8_t> grains() {
 
 }  // namespace
 
-double haze_of(const Camera& camera) { return 9 * camera.distance; }
-
 double air_about(const Scene& scene, const Camera& camera) {
   constexpr double kThinner = 12e3;  // the sky's light halves so often on the way up [m]
   const double up =
@@ -62,6 +63,8 @@ WorldPass::~WorldPass() {
   glDeleteVertexArrays(1, &array_);
   glDeleteBuffers(1, &corners_);
   glDeleteTextures(1, &unevenness_);
+  glDeleteVertexArrays(1, &star_array_);
+  glDeleteBuffers(1, &star_places_);
 }
 
 Status WorldPass::make() {
@@ -92,7 +95,51 @@ Status WorldPass::make() {
   glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_LINEAR_MIPMAP_NEAREST);
   glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_LINEAR);
   glBindTexture(GL_TEXTURE_2D, 0);
-  return {};
+  make_stars();
+  return star_.make("stars", kStarVertex, kStarFragment);
+}
+
+/// Spread evenly over all directions; few are bright.
+void WorldPass::make_stars() {
+  std::mt19937 draw(1);
+  const auto unit = [&draw] { return static_cast<double>(draw()) / 4294967296.0; };
+  std::vector<float> stars;
+  for (int i = 0; i < kStars; ++i) {
+    const double up = 2 * unit() - 1, turn = 2 * kPi * unit(), wide = std::sqrt(1 - up * up), faint = unit();
+    for (const double each : {wide * std::cos(turn), up, wide * std::sin(turn), 0.2 + 0.8 * std::pow(faint, 12)})
+      stars.push_back(f(each));
+  }
+  glGenVertexArrays(1, &star_array_);
+  glBindVertexArray(star_array_);
+  glGenBuffers(1, &star_places_);
+  glBindBuffer(GL_ARRAY_BUFFER, star_places_);
+  glBufferData(GL_ARRAY_BUFFER, static_cast<GLsizeiptr>(stars.size() * sizeof(float)), stars.data(), GL_STATIC_DRAW);
+  const char* const start = nullptr;
+  glEnableVertexAttribArray(0);
+  glVertexAttribPointer(0, 3, GL_FLOAT, GL_FALSE, 4 * sizeof(float), start);
+  glEnableVertexAttribArray(1);
+  glVertexAttribPointer(1, 1, GL_FLOAT, GL_FALSE, 4 * sizeof(float), start + 3 * sizeof(float));
+  glBindVertexArray(0);
+}
+
+/// Above the horizon; above the air all about, but for where the globe is.
+void WorldPass::draw_stars(const Scene& scene, const Camera& camera, bool has_depth) const {
+  const double space = scene.theme->is_light ? 0 : 1 - air_about(scene, camera);
+  const double part = std::max(scene.theme->stars, 0.9 * space);
+  if (!(part > 0)) return;
+  star_.use();
+  glUniformMatrix4fv(star_.uniform("matrix"), 1, GL_FALSE, camera.matrix().data());
+  glUniform1f(star_.uniform("pixels"), f(std::max(2.4 * camera.height() / 720, 1.5)));
+  glUniform1f(star_.uniform("part"), f(part));
+  glUniform1f(star_.uniform("lowest"), scene.globe ? -2.0F : 0.0F);
+  glEnable(GL_PROGRAM_POINT_SIZE);
+  glEnable(GL_BLEND);
+  glBindVertexArray(star_array_);
+  if (has_depth) glDepthFunc(GL_LEQUAL);
+  glDepthMask(GL_FALSE);
+  glDrawArrays(GL_POINTS, 0, kStars);
+  glDepthMask(GL_TRUE);
+  glDisable(GL_BLEND);
 }
 
 void WorldPass::place_ground(const Shader& shader, const Scene& scene, const Camera& camera) const {
@@ -136,8 +183,10 @@ void WorldPass::draw_part(const Shader& shader, const Scene& scene, const Camera
                                      {"ground", theme.ground},
                                      {"sea", theme.sea}})
     hand_colour(shader, name, colour);
-  const auto of_grid = [&](int shift) { return f(static_cast<double>(theme.grid >> shift & 0xFFU) / 255); };
-  glUniform4f(shader.uniform("grid"), of_grid(24), of_grid(16), of_grid(8), of_grid(0));
+  for (const auto& [name, colour] : {std::pair{"grid", theme.grid}, {"cloud", theme.cloud}}) {
+    const auto of = [colour = colour](int shift) { return f(static_cast<double>(colour >> shift & 0xFFU) / 255); };
+    glUniform4f(shader.uniform(name), of(24), of(16), of(8), of(0));
+  }
   glUniform1f(shader.uniform("air"), f(air));
   glUniform1f(shader.uniform("haze"), f(haze_of(camera)));
   glUniform1f(shader.uniform("grain"), f(theme.grain));
@@ -173,6 +222,7 @@ void WorldPass::draw(const Scene& scene, const Camera& camera, const SceneryPass
     glDepthMask(GL_TRUE);
   }
   if (has_depth) glDepthFunc(GL_LEQUAL);
+  draw_stars(scene, camera, has_depth);
 }
 
 }  // namespace physim::client

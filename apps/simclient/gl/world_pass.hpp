@@ -24,12 +24,14 @@ class WorldPass {
                  double from, double part) const;
 
   Shader sky_, ground_, deep_ground_, shadowed_ground_, globe_;
-  GLuint array_ = 0, corners_ = 0, unevenness_ = 0;
+  void make_stars();
+  void draw_stars(const Scene& scene, const Camera& camera, bool has_depth) const;
+
+  Shader star_;
+  GLuint array_ = 0, corners_ = 0, unevenness_ = 0, star_array_ = 0, star_places_ = 0;
 };
 
 /// The part of the air that is left about the eye: high above the ground the sky is dark.
 [[nodiscard]] double air_about(const Scene& scene, const Camera& camera);
-/// Where half of a colour is lost to the haze [m].
-[[nodiscard]] double haze_of(const Camera& camera);
 
 }  // namespace physim::client

@@ -6,6 +6,7 @@
 #include "physim/names.hpp"
 #include "report/number.hpp"
 #include "simclient/core/actions.hpp"
+#include "simclient/ui/fitting_table.hpp"
 #include "simclient/ui/panel.hpp"
 
 namespace physim::client {
@@ -19,24 +20,50 @@ std::string short_fidelity(const Fidelity& f) {
   return text;
 }
 
-void draw_rung(const ComparedRung& rung, const ComparedRung& truth) {
-  ImGui::TableNextRow();
-  ImGui::TableNextColumn();
-  ImGui::TextColored(tint(rung.colour), "%s%s", rung.name.c_str(), rung.is_truth ? " (truth)" : "");
-  tooltip(short_fidelity(rung.granted.fidelity));
-  if (!rung.problem.empty()) {
-    ImGui::TableNextColumn();
-    return coloured_text(colours::kWarning, rung.problem);
+constexpr TableColumn kRungColumns[] = {{"rung", 0},           {"why", 0, true},        {"error [m]", 1},
+                                        {"time error [s]", 5}, {"farthest off [m]", 4}, {"time [s]", 6},
+                                        {"range [m]", 2},      {"height [m]", 8},       {"windage [m]", 7},
+                                        {"at 60 Hz [m]", 9},   {"ns per step", 3},      {"granted instead", 10}};
+constexpr std::size_t kWhy = 1, kGranted = std::size(kRungColumns) - 1;
+
+TableRow row_of(const ComparedRung& rung, const ComparedRung& truth) {
+  TableRow row{rung.name + (rung.is_truth ? " (truth)" : ""), rung.problem};
+  if (rung.problem.empty()) {
+    if (truth.problem.empty()) row[kWhy] = rung.why(truth);
+    for (const std::string& figure : rung.figures()) row.push_back(figure);
+    row.push_back(rung.in_frames ? report::significant(*rung.in_frames, 3) : "-");
+    row.push_back(formatted("%.1f", rung.per_step * 1e9));
+    std::string granted;
+    for (const FidelityNote& note : rung.granted.notes)
+      granted += (granted.empty() ? "" : ", ") + note.effect + " " + note.granted;
+    row.push_back(granted);
   }
-  cell("%s", truth.problem.empty() ? rung.why(truth).c_str() : "");
-  for (const std::string& figure : rung.figures()) cell("%s", figure.c_str());
-  cell("%s", rung.in_frames ? report::significant(*rung.in_frames, 3).c_str() : "-");
-  cell("%.1f", rung.per_step * 1e9);
-  ImGui::TableNextColumn();
-  for (const FidelityNote& note : rung.granted.notes) {
-    ImGui::TextColored(tint(colours::kWarning), "%s %s", note.effect.c_str(), note.granted.c_str());
-    tooltip(note.reason);
-    ImGui::SameLine();
+  row.resize(std::size(kRungColumns));
+  return row;
+}
+
+void draw_rung(const ComparedRung& rung, const FittingTable& table, const TableRow& row) {
+  ImGui::TableNextRow();
+  for (const std::size_t c : table.shown()) {
+    ImGui::TableNextColumn();
+    if (c == 0) {
+      ImGui::TextColored(tint(rung.colour), "%s", row[0].c_str());
+      const std::string more = table.hidden(row);
+      tooltip(short_fidelity(rung.granted.fidelity) + (more.empty() ? "" : "\n" + more));
+    } else if (c == kWhy) {
+      if (rung.problem.empty())
+        ImGui::TextWrapped("%s", row[c].c_str());
+      else
+        coloured_text(colours::kWarning, row[c]);
+    } else if (c == kGranted) {
+      ImGui::TextColored(tint(colours::kWarning), "%s", row[c].c_str());
+      std::string reasons;
+      for (const FidelityNote& note : rung.granted.notes)
+        reasons += (reasons.empty() ? "" : "\n") + note.effect + " " + note.granted + ": " + note.reason;
+      tooltip(reasons);
+    } else {
+      ImGui::TextUnformatted(row[c].c_str());
+    }
   }
 }
 
@@ -65,14 +92,13 @@ void draw_comparison(Client& client) {
     ImGui::TextDisabled("without the %s of the scenario", scenario.things.empty()   ? "forces"
                                                           : scenario.forces.empty() ? "things"
                                                                                     : "forces and things");
-  const ImGuiTableFlags flags = ImGuiTableFlags_RowBg | ImGuiTableFlags_BordersInnerV | ImGuiTableFlags_ScrollX |
-                                ImGuiTableFlags_ScrollY | ImGuiTableFlags_SizingFixedFit;
-  if (!ImGui::BeginTable("rungs", 12, flags)) return;
-  ImGui::TableSetupScrollFreeze(1, 1);  // the name of a rung stays beside its figures
-  headings({"rung", "why", "error [m]", "time error [s]", "farthest off [m]", "time [s]", "range [m]", "height [m]",
-            "windage [m]", "at 60 Hz [m]", "ns per step", "granted instead"});
   const std::vector<ComparedRung>& rungs = client.comparison();
-  for (const ComparedRung& rung : rungs) draw_rung(rung, rungs.back());
+  if (client.is_comparison_old()) ImGui::TextDisabled("of the shot before; this one is computed");
+  std::vector<TableRow> rows;
+  for (const ComparedRung& rung : rungs) rows.push_back(row_of(rung, rungs.back()));
+  const FittingTable table(kRungColumns, rows);
+  if (!table.begin("rungs")) return;
+  for (std::size_t i = 0; i < rungs.size(); ++i) draw_rung(rungs[i], table, rows[i]);
   ImGui::EndTable();
 }
 
@@ -119,26 +145,42 @@ void draw_performance(Client& client) {
   ImGui::EndChild();
 }
 
-void draw_hit(Client& client, const Hit& hit) {
+constexpr TableColumn kHitColumns[] = {{"time [s]", 0},    {"shot", 0},
+                                       {"thing", 0},       {"material", 5},
+                                       {"what", 0},        {"speed [m/s]", 1},
+                                       {"after [m/s]", 2}, {"off normal [\u00b0]", 4},
+                                       {"depth [mm]", 6},  {"energy lost [J]", 7},
+                                       {"place [m]", 3}};
+
+TableRow row_of(const Session& session, const Hit& hit) {
+  return {formatted("%.4f", hit.time),
+          session.title_of(hit),
+          hit.thing,
+          hit.material,
+          std::string(name(hit.outcome)),
+          formatted("%.5g", hit.speed()),
+          formatted("%.5g", hit.speed_after()),
+          formatted("%.2f", hit.obliquity / kDegree),
+          hit.depth > 0 ? formatted("%.4g", 1000 * hit.depth) : "",
+          hit.energy > 0 ? formatted("%.4g", hit.energy) : "",
+          formatted("%.4g, %.4g, %.4g", hit.position.x, hit.position.y, hit.position.z)};
+}
+
+void draw_hit(Client& client, const Hit& hit, const FittingTable& table, const TableRow& row) {
+  constexpr std::size_t kInItsColour = 2;  // of the first columns
   ImGui::TableNextRow();
-  ImGui::TableNextColumn();
-  ImGui::PushStyleColor(ImGuiCol_Text, tint(client.session.colour_of(hit)));
   ImGui::PushID(&hit);
-  const bool is_selected = client.selected == hit.id;
-  if (ImGui::Selectable(formatted("%.4f", hit.time).c_str(), is_selected, ImGuiSelectableFlags_SpanAllColumns))
-    client.selected = hit.id;
+  for (const std::size_t c : table.shown()) {
+    ImGui::TableNextColumn();
+    if (c < kInItsColour) ImGui::PushStyleColor(ImGuiCol_Text, tint(client.session.colour_of(hit)));
+    if (c > 0)
+      ImGui::TextUnformatted(row[c].c_str());
+    else if (ImGui::Selectable(row[c].c_str(), client.selected == hit.id, ImGuiSelectableFlags_SpanAllColumns))
+      client.selected = hit.id;
+    if (c < kInItsColour) ImGui::PopStyleColor();
+    if (c == 0) tooltip(table.hidden(row));
+  }
   ImGui::PopID();
-  cell("%s", client.session.title_of(hit).c_str());
-  ImGui::PopStyleColor();
-  cell("%s", hit.thing.c_str());
-  cell("%s", hit.material.c_str());
-  cell("%s", std::string(name(hit.outcome)).c_str());
-  cell("%.5g", hit.speed());
-  cell("%.5g", hit.speed_after());
-  cell("%.2f", hit.obliquity / kDegree);
-  cell("%s", hit.depth > 0 ? formatted("%.4g", 1000 * hit.depth).c_str() : "");
-  cell("%s", hit.energy > 0 ? formatted("%.4g", hit.energy).c_str() : "");
-  cell("%.4g, %.4g, %.4g", hit.position.x, hit.position.y, hit.position.z);
 }
 
 /// The last one on top.
@@ -150,14 +192,13 @@ void draw_hits(Client& client) {
                                    : "Nothing has been hit yet.");
   if (log.count() > log.hits().size())
     ImGui::TextDisabled("the last %zu of %llu", log.hits().size(), static_cast<unsigned long long>(log.count()));
-  const ImGuiTableFlags flags = ImGuiTableFlags_RowBg | ImGuiTableFlags_BordersInnerV | ImGuiTableFlags_ScrollX |
-                                ImGuiTableFlags_ScrollY | ImGuiTableFlags_SizingFixedFit;
-  if (!ImGui::BeginTable("hits", 11, flags)) return;
-  ImGui::TableSetupScrollFreeze(0, 1);
-  headings({"time [s]", "shot", "thing", "material", "what", "speed [m/s]", "after [m/s]", "off normal [\u00b0]",
-            "depth [mm]", "energy lost [J]", "place [m]"});
-  const auto& hits = log.hits();
-  for (auto hit = hits.rbegin(); hit != hits.rend(); ++hit) draw_hit(client, *hit);
+  std::vector<const Hit*> hits;
+  std::vector<TableRow> rows;
+  for (auto hit = log.hits().rbegin(); hit != log.hits().rend(); ++hit)
+    hits.push_back(&*hit), rows.push_back(row_of(client.session, *hit));
+  const FittingTable table(kHitColumns, rows);
+  if (!table.begin("hits")) return;
+  for (std::size_t i = 0; i < hits.size(); ++i) draw_hit(client, *hits[i], table, rows[i]);
   ImGui::EndTable();
 }
 

@@ -311,11 +311,14 @@ void draw_inputs(const StudyTold& told) {
         ImGui::TextDisabled("-");
         continue;
       }
-      const std::string text = row.effect[q] + "  " + report::readable(100 * row.share[q], 2) + " %";
+      const std::string share = report::readable(100 * row.share[q], 2) + " %", whole = row.effect[q] + "  " + share;
+      const bool has_room = ImGui::CalcTextSize(whole.c_str()).x + letter() * 0.6F <= ImGui::GetContentRegionAvail().x;
+      const std::string& text = has_room ? whole : share;
       ImGui::PushStyleColor(ImGuiCol_PlotHistogram, exact_tint(study_bar()));
       ImGui::ProgressBar(static_cast<float>(std::clamp(row.share[q], 0.0, 1.0)), {-1, letter() * 1.1F}, "");
       ImGui::PopStyleColor();
       const ImVec2 low = ImGui::GetItemRectMin();
+      if (!has_room) tooltip(whole);
       text_at(*ImGui::GetWindowDrawList(), {low.x + letter() * 0.3F, low.y}, colours::kText, text);
     }
   }

@@ -1,0 +1,18 @@
+// The machine's clock.
+#pragma once
+
+#include <chrono>
+
+namespace physim::client {
+
+class Stopwatch {
+ public:
+  [[nodiscard]] double seconds() const {
+    return std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
+  }
+
+ private:
+  std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
+};
+
+}  // namespace physim::client
