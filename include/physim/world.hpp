@@ -456,7 +456,7 @@ class World {
   Status set_environment(std::uint32_t index, const Environment& environment);
 
   // ------------------------------------------------------------------------------------------- coming and going
-  /// A projectile of a kind. `delay` [s]: it is pending until then.
+  /// A projectile of a kind. `delay` [s]: it is pending until then, and flies from that moment on, also inside a step.
   Result<ProjectileId> spawn(KindId kind, const Launch& launch, double delay = 0);
   /// A projectile of a definition that need not be a kind yet.
   Result<ProjectileId> spawn(const ProjectileDef& projectile, const Launch& launch, const BodyDef& body = {},
