@@ -156,6 +156,7 @@ void WorldRun::Impl::fire(Magazine& magazine) {
     const double moment = volley.start + static_cast<double>(magazine.fired) * volley.interval;
     if (moment >= end - slack) return;
     const double delay = moment > world.time() + slack ? moment - world.time() : 0;
+    PHYSIM_ASSERT(delay >= 0 && delay < scenario.world.def.step);
     const Launch launch = scattered(magazine.launch, volley, magazine.fired++);
     std::size_t known = world.events().size();
     if (known > kMostEventsOfCalls / 2) world.forget_events(), known = 0;  // they are counted
