@@ -72,9 +72,15 @@ Status add_time(const StudyCommand& command, ScenarioStudy& study) {
 
 /// What the options say besides the file.
 Status add_options(const StudyCommand& command, Scenario& scenario) {
-  for (const std::string& text : command.vary) scenario.study.inputs.push_back(text);
-  for (const std::string& text : command.targets) scenario.study.targets.push_back(text);
-  for (const std::string& text : command.at) scenario.study.at.push_back(text);
+  const auto add = [&](const char* option, const char* list, const auto& from, auto& to) {
+    for (const std::string& text : from) {
+      scenario.study.places.push_back({list + ('[' + std::to_string(to.size()) + ']'), option});
+      to.push_back(text);
+    }
+  };
+  add("--vary", "inputs", command.vary, scenario.study.inputs);
+  add("--target", "targets", command.targets, scenario.study.targets);
+  add("--at", "at", command.at, scenario.study.at);
   if (command.shots) scenario.study.shots = static_cast<std::int64_t>(*command.shots);
   const auto range = option_value("--range", command.range, Quantity::length);
   if (!range) return range.error();
@@ -201,6 +207,12 @@ Result<FlownStudy> fly_study(const Study& study, const ScenarioStudy& texts, Tas
   return told_study(*plan, *std::move(result), static_cast<std::size_t>(texts.histograms), texts.inputs);
 }
 
+/// An error about the study of a shot.
+Error about_study(const AskedShot& asked, const Error& error) {
+  Error in_text = in_study(asked.scenario.study, error);
+  return in_text.place == error.place ? about(asked, error) : in_text;
+}
+
 struct AskedStudy {
   AskedShot asked;
   Study study;
@@ -212,7 +224,7 @@ Result<AskedStudy> ask_study(const StudyCommand& command) {
   if (!asked) return asked.error();
   if (Status status = add_options(command, asked->scenario); !status) return status.error();
   auto study = study_of(asked->scenario, asked->shot());
-  if (!study) return about(*asked, study.error());
+  if (!study) return about_study(*asked, study.error());
   if (Status status = add_width(command, *study); !status) return status.error();
   return AskedStudy{*std::move(asked), *std::move(study)};
 }
@@ -298,11 +310,11 @@ Result<int> run_over_ranges(const StudyCommand& command, const AskedShot& asked,
       there.launch.sight.zero_range = range;
       there.launch.sight.dial = 0;  // it is that of one range
       const auto known = hold(there);
-      if (!known) return about(asked, known.error());
+      if (!known) return about_study(asked, known.error());
       held = *known;
     }
     auto flown = fly_study(there, asked.scenario.study, threads, ranks, alone);
-    if (!flown) return about(asked, flown.error());
+    if (!flown) return about_study(asked, flown.error());
     misses = misses || misses_width(there, flown->result);
     list.push_back({range, std::move(flown->result), held});
   }
@@ -414,7 +426,7 @@ Status check_job(const StudyCommand& command, const Ranks& ranks) {
 /// One shot again, such as the worst.
 Result<int> fly_again(const StudyCommand& command, const AskedShot& asked, const Study& study) {
   const auto plan = plan_study(study);
-  if (!plan) return about(asked, plan.error());
+  if (!plan) return about_study(asked, plan.error());
   const std::uint64_t shots = plan->shards() * study.shard_shots;
   if (*command.fly >= shots)
     return Error{"the study has shots 0 to " + std::to_string(shots - 1), "--fly",
@@ -449,7 +461,7 @@ Result<int> run(StudyCommand command) {
   if (!command.shards.empty()) return run_part(command, study, *threads);
   if (!command.ranges.empty()) return run_over_ranges(command, asked, study, *threads, ranks);
   const auto flown = fly_study(study, asked.scenario.study, *threads, ranks, command);
-  if (!flown) return about(asked, flown.error());
+  if (!flown) return about_study(asked, flown.error());
   if (Status status = write_files(command, asked, *flown, *threads); !status) return status.error();
   const bool misses = misses_width(study, flown->result);
   if (misses) warn_of_width();

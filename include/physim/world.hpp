@@ -396,7 +396,7 @@ struct RecordOptions {
 
 inline constexpr char kSaveMagic[8] = {'P', 'H', 'Y', 'S', 'I', 'M', 'S', '\n'};
 /// The format of a save's bytes; others are refused.
-inline constexpr std::uint32_t kSaveFormat = 15;
+inline constexpr std::uint32_t kSaveFormat = 16;
 
 /// Parts that a save lacks: functions are no data. They are given again: custom forces in the order they were added;
 /// those of environments in the order of these, each once, however many have it. A scene has one engine, if any.
@@ -456,7 +456,7 @@ class World {
   Status set_environment(std::uint32_t index, const Environment& environment);
 
   // ------------------------------------------------------------------------------------------- coming and going
-  /// A projectile of a kind. `delay` [s]: it is pending until then.
+  /// A projectile of a kind. `delay` [s]: it is pending until then, and flies from that moment on, also inside a step.
   Result<ProjectileId> spawn(KindId kind, const Launch& launch, double delay = 0);
   /// A projectile of a definition that need not be a kind yet.
   Result<ProjectileId> spawn(const ProjectileDef& projectile, const Launch& launch, const BodyDef& body = {},

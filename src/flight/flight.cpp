@@ -156,7 +156,7 @@ const Body<double>& FlightRecord::body_at(double time, Body<double>& changed) co
     const std::size_t later = later_node(path.nodes, part, time);
     const double place = place_between(path.nodes[later - 1], path.nodes[later], time);
     const Vec3d &before = path.pushes[later - 1], &after = path.pushes[later];
-    add_push(c, clock + time, before + (after - before) * place, has_own_force, b);
+    add_push(c, {clock + time, clock + time}, clock + time, before + (after - before) * place, has_own_force, b);
   }
   return b;
 }

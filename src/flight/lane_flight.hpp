@@ -297,7 +297,7 @@ class LaneFlight {
       (place == 0 ? push_at_start_ : push_at_end_) = push;
       path_.push = push.a;
       if (place == 0 && record_.path.pushes.size() < 2) record_.path.pushes.assign(1, push.a);
-      add_push(c, t, vec_cast<S>(push.a), from.has_own_force, lane().body);
+      add_push(c, {s.t, s.t_end}, t, vec_cast<S>(push.a), from.has_own_force, lane().body);
       lane().drag_rate = static_cast<S>(push.drag_rate);
     };
     const Integrator integrator = fidelity().integrator;
@@ -471,8 +471,8 @@ class LaneFlight {
     Body<S>& body = lane().body;
     body.applied = path_.own_body->applied;
     body.applied_until = path_.own_body->applied_until;
-    add_push(*course_.conditions, t_start_ + static_cast<S>(passed), vec_cast<S>(path_.push), frames_.has_own_force,
-             body);
+    const S from = t_start_ + static_cast<S>(passed);
+    add_push(*course_.conditions, {from, t_end_}, from, vec_cast<S>(path_.push), frames_.has_own_force, body);
   }
 
   /// What it did along surfaces, up to where something ends it there.

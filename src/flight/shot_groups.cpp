@@ -19,7 +19,7 @@ namespace {
 
 /// Whether a launch without a rail gives a Body only the first numbers: what else put_launch() sets is not read.
 bool differ_by_launch_alone(const Conditions<double>& c) {
-  return !spins(c.fidelity) && !is_in_repose(c.fidelity) && !c.has_motor &&
+  return !spins(c.fidelity) && !is_in_repose(c.fidelity) && !c.has_motor && !c.has_force_end &&
          c.fidelity.drag != DragModel::linear_quadratic;
 }
 

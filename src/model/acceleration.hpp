@@ -25,10 +25,11 @@
 
 PHYSIM_ISA_BEGIN
 
-/// Constant applied acceleration until its time is over; the original's one-shot force never is.
+/// Constant applied acceleration until its time is over; the original's one-shot force never is. Where its end is a
+/// stop of steps, a body has it in the whole of a step or not at all.
 template <class R, class S>
 PHYSIM_INLINE Vec3<R> applied(const Conditions<S>& c, const Body<R>& b, const R& t) {
-  if (c.fidelity.original_one_shot_forces) return b.applied;
+  if (c.fidelity.original_one_shot_forces || c.has_force_end) return b.applied;
   const R zero(S(0));
   const auto on = t < b.applied_until;
   return {select(on, b.applied.x, zero), select(on, b.applied.y, zero), select(on, b.applied.z, zero)};
@@ -40,14 +41,32 @@ PHYSIM_INLINE R lighter(const Conditions<S>& c, const Body<R>& b, const R& t) {
   return c.has_motor ? b.mass / mass_at(b, t) : R(S(1));
 }
 
-/// Lets a body feel what force generators give per mass at a time: with its own force, where it has one, it stands in
-/// the place of that. Generators know the mass at the start of the frame; applied_now() takes what stands here from the
-/// mass at launch to that left.
+/// From when to when a step, or the rest of one, goes; where both are one, a moment [s].
+template <class R>
+struct StepSpan {
+  R from;
+  R to;
+};
+
+/// The own force in a step that its end does not cut: over the whole of it the part of the step in which it acts, so
+/// that its impulse is exact.
 template <class R, class S>
-PHYSIM_INLINE void add_push(const Conditions<S>& c, const R& t, const Vec3<R>& push, bool own_force, Body<R>& b) {
+PHYSIM_INLINE Vec3<R> applied_over(const Conditions<S>& c, const Body<R>& b, const StepSpan<R>& step) {
+  if (!c.has_force_end) return applied(c, b, step.from);
+  const R zero(S(0)), one(S(1));
+  const R left = b.applied_until - step.from, length = step.to - step.from;
+  return b.applied * select(left <= zero, zero, select(left >= length, one, left / length));
+}
+
+/// Lets a body feel what force generators give per mass at a time of a step: with its own force, where it has one, it
+/// stands in the place of that. Generators know the mass at the start of the frame; applied_now() takes what stands
+/// here from the mass at launch to that left.
+template <class R, class S>
+PHYSIM_INLINE void add_push(const Conditions<S>& c, const StepSpan<R>& step, const R& t, const Vec3<R>& push,
+                            bool own_force, Body<R>& b) {
   PHYSIM_ASSERT(c.has_applied);
   Vec3<R> sum = c.has_motor ? push * (mass_at(b, t) / b.mass) : push;
-  if (own_force) sum += applied(c, b, t);
+  if (own_force) sum += applied_over(c, b, step);
   b.applied = sum;
   b.applied_until = constant<R>(std::numeric_limits<double>::infinity());
 }

@@ -103,6 +103,7 @@ struct MagnusGrid;
 /// What some projectiles of a cohort have beside the plain models; the others pay nothing for it.
 struct Features {
   bool has_applied = false;          // an applied force
+  bool has_force_end = false;        // ... that ends: a stop of their steps (solve/stops.hpp)
   bool has_motor = false;            // a motor
   bool has_rail = false;             // it starts on a rail
   bool has_magnus_tables = false;    // a table of lift by spin

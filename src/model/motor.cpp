@@ -121,11 +121,12 @@ PHYSIM_COLD std::size_t MotorPool::add(const MotorDef& motor, const CurvePart<do
   double delivered = 0;
   for (std::size_t i = 0; i + 1 < times.size(); ++i) {
     Burn<double> burn = burning_piece(motor, delivered, impulse, times[i], times[i + 1]);
-    burn.drag_factor = drag_factor;
+    const bool pauses = burn.thrust == 0 && burn.thrust_rate == 0;
+    burn.drag_factor = pauses ? 1 : drag_factor;
     const double lasts = times[i + 1] - times[i];
     delivered += lasts * (burn.thrust + 0.5 * burn.thrust_rate * lasts);
     PHYSIM_ASSERT(pieces.empty() || pieces.back().burn.end == burn.start);
-    pieces.push_back({burn, burning});
+    pieces.push_back({burn, pauses ? coasting : burning});
   }
   pieces.push_back({no_burn(motor.ignition_delay + times.back(), never, motor.propellant_mass), coasting});
 

@@ -160,9 +160,12 @@ void put_kind(const ProjectileDef& p, TablePool& pool, Conditions<double>& c, Bo
   b.damping_rate = linear ? b.k1_per_mass : p.drag.damping == 1 ? 0 : -log(p.drag.damping);
   PHYSIM_ASSERT(b.damping_rate >= 0 && b.half_area_per_mass >= 0);
   b.applied = p.force * (1 / p.mass);
-  b.applied_until = p.force == Vec3d{} ? 0 : p.force_duration;
-  const bool feels_forces = c.fidelity.motion == Motion::force;
-  c.has_applied = c.has_applied || (feels_forces && p.force != Vec3d{});
+  const bool feels_force = c.fidelity.motion == Motion::force && p.force != Vec3d{};
+  b.applied_until = feels_force ? p.force_duration : std::numeric_limits<double>::infinity();
+  c.has_applied = c.has_applied || feels_force;
+  // The original's loop has frames of one length: it looks at their start.
+  const bool stops = !c.fidelity.original_one_shot_forces && !is_classic(c.fidelity);
+  c.has_force_end = c.has_force_end || (stops && std::isfinite(b.applied_until));
   b.gravity_scale = p.gravity_scale;
   c.has_gravity_scale = c.has_gravity_scale || p.gravity_scale != 1;
   b.free = {1, 1, 1};

@@ -1,6 +1,8 @@
 #include "report/flown.hpp"
 
+#include <algorithm>
 #include <cmath>
+#include <string_view>
 
 #include "base/assert.hpp"
 #include "prepare/grant.hpp"
@@ -24,7 +26,31 @@ Result<std::size_t> find_shot(const Scenario& scenario, const std::string& wante
       .message = "there is no shot \"" + wanted + "\"", .place = scenario.file, .hint = "its shots are " + names};
 }
 
+namespace {
+
+/// Where what the library calls "launch.sight.zero_range" is given for a shot; empty if it is not.
+std::string given_place(const Scenario& scenario, const ScenarioShot& shot, std::string_view member) {
+  PHYSIM_ASSERT(scenario.given.size() == scenario.given_places.size());
+  std::string path(member);
+  for (const std::string_view of_shot : {"launch.", "projectile."})
+    if (member.starts_with(of_shot))
+      path = "shot." + shot.projectile.name + "." + std::string(member.substr(of_shot.size()));
+  for (std::size_t end = path.size(); end != path.npos && end > 0; end = path.find_last_of(".[", end - 1)) {
+    const auto at = std::ranges::lower_bound(scenario.given, path.substr(0, end));
+    if (at != scenario.given.end() && *at == path.substr(0, end))
+      return scenario.given_places[static_cast<std::size_t>(at - scenario.given.begin())];
+  }
+  return "";
+}
+
+}  // namespace
+
 Error about(const Scenario& scenario, const ScenarioShot& shot, Error error) {
+  if (const std::string place = given_place(scenario, shot, error.place); !place.empty()) {
+    error.message = "shot \"" + shot.projectile.name + "\": " + error.place + ": " + error.message;
+    error.place = place;
+    return error;
+  }
   const std::string field = error.place.empty() ? "" : ": " + error.place;
   error.place = scenario.file + ": shot \"" + shot.projectile.name + "\"" + field;
   return error;

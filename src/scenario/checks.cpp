@@ -151,6 +151,7 @@ Status check_scenario(const Scenario& scenario, const Value& document) {
   mistakes.take(check_places(without_air, document));
   check_world(scenario, names, document, mistakes);
   if (!scenario.world.given) check_expectations(scenario, names, document, mistakes);
+  if (mistakes.empty()) mistakes.take(check_study(scenario, document));  // it is made of all of them
   return mistakes.status();
 }
 

@@ -7,7 +7,6 @@
 #include <cmath>
 #include <optional>
 #include <string_view>
-#include <utility>
 
 #include "base/assert.hpp"
 #include "base/ieee_mode.hpp"
@@ -48,14 +47,18 @@ class MotorReader {
   [[nodiscard]] Error fault(const std::string& message, std::string_view hint) const {
     return Error{message, place(), std::string(hint)};
   }
-  /// Thrust that does not end at zero falls to it at its last point, as other programs have it.
+  /// Thrust that does not end at zero falls to it at its last point, as other programs have it. Zeros inside are a
+  /// pause of the motor; those behind its end say nothing.
   void end_open() {
-    if (!std::exchange(open_, false)) return;
+    if (motors_.empty()) return;
     MotorDef& motor = motors_.back().motor;
     std::vector<ThrustPoint>& thrust = motor.thrust;
     if (thrust.size() < 2)
       return keep(fault("the thrust of " + in_quotes(motor.name) + " has no points", "is the file cut off?"));
+    if (!(total_impulse(motor) > 0)) return keep(fault("the motor gives no impulse", "its thrust is zero"));
+    while (thrust.back().force == 0 && thrust[thrust.size() - 2].force == 0) thrust.pop_back();
     const double end = thrust.back().time;
+    if (thrust.back().force == 0) return;
     if (thrust[thrust.size() - 2].time == end)
       thrust.back().force = 0;
     else
@@ -77,11 +80,9 @@ class MotorReader {
       end_open();
       return read_header(words);
     }
-    if (open_) return read_point(words);
+    if (!motors_.empty()) return read_point(words);
     const bool is_point = words.size() == 2 && finite_number(words[0]) && finite_number(words[1]);
-    if (is_point && motors_.empty()) return fault("a point of thrust before any motor", kHeaderHint);
-    if (is_point)
-      return fault("a point after the end of " + in_quotes(motors_.back().motor.name), "its thrust came to 0 before");
+    if (is_point) return fault("a point of thrust before any motor", kHeaderHint);
     return no_header(words);
   }
   [[nodiscard]] Error no_header(const std::vector<std::string_view>& words) const {
@@ -93,7 +94,6 @@ class MotorReader {
     MotorFileEntry& entry = motors_.emplace_back();
     entry.motor.name = words[0];
     entry.line = line_;
-    open_ = true;
     if (words.size() != kHeader) return no_header(words);
     entry.delays = words[3];
     entry.manufacturer = words[6];
@@ -132,15 +132,11 @@ class MotorReader {
       return fault("three points at time " + number_text(time), "two points at one time are a step");
     if (count == kMostMotorPoints) return fault("too many points", "at most " + std::to_string(kMostMotorPoints));
     thrust.push_back({time, force});
-    if (force > 0 || time == 0) return {};
-    open_ = false;
-    if (!(total_impulse(motors_.back().motor) > 0)) return fault("the motor gives no impulse", "its thrust is zero");
     return {};
   }
 
   const std::string& file_;
   std::size_t line_ = 0;
-  bool open_ = false;  // the points of the last motor, sound or not, go on
   std::vector<MotorFileEntry> motors_;
 };
 

@@ -46,25 +46,34 @@ void complete(Scenario& scenario, const Value& document) {
     scenario.expect[i].place = element(document, "expect", i).place.text();
 }
 
-/// The paths of values in a table, but for those in lists of tables.
-void add_paths(const Value& table, const std::string& head, std::vector<std::string>& paths) {
+struct GivenSetting {
+  std::string path;
+  std::string place;
+};
+
+/// The values in a table, but for those in lists of tables.
+void add_given(const Value& table, const std::string& head, std::vector<GivenSetting>& given) {
   for (const Member& member : *table.get<Table>()) {
     const Array* array = member.value.get<Array>();
     const bool is_list_of_tables = array != nullptr && !array->empty() && array->front().get<Table>() != nullptr;
     if (member.value.get<Table>() != nullptr)
-      add_paths(member.value, head + member.key + ".", paths);
+      add_given(member.value, head + member.key + ".", given);
     else if (!head.empty() || !is_list_of_tables)
-      paths.push_back(head + member.key);
+      given.push_back({head + member.key, member.value.place.text()});
   }
 }
 
-std::vector<std::string> given_paths(const Scenario& scenario, const Value& document) {
-  std::vector<std::string> paths;
-  add_paths(document, "", paths);
+void note_given(const Value& document, Scenario& scenario) {
+  PHYSIM_ASSERT(scenario.given.empty() && scenario.given_places.empty());
+  std::vector<GivenSetting> all;
+  add_given(document, "", all);
   for (std::size_t i = 0; i < scenario.shots.size(); ++i)
-    add_paths(element(document, "shot", i), "shot." + scenario.shots[i].projectile.name + ".", paths);
-  std::ranges::sort(paths);
-  return paths;
+    add_given(element(document, "shot", i), "shot." + scenario.shots[i].projectile.name + ".", all);
+  std::ranges::sort(all, {}, &GivenSetting::path);
+  for (GivenSetting& each : all) {
+    scenario.given.push_back(std::move(each.path));
+    scenario.given_places.push_back(std::move(each.place));
+  }
 }
 
 /// Tables of measurements that the study names are files of the scenario, though only a study reads them.
@@ -73,8 +82,8 @@ Status begin_reading_measurements(const Scenario& scenario) {
     const std::string_view file = file_of_column(scenario.study.inputs[i]);
     if (file.empty()) continue;
     Status begun = begin_reading(beside_scenario(scenario, std::string(file)), kMeasurements);
-    const std::string place = scenario.file + ": study.inputs[" + std::to_string(i) + ']';
-    if (!begun) return Error{begun.error().message, place, begun.error().hint};
+    if (!begun)
+      return in_study(scenario.study, {begun.error().message, "inputs[" + std::to_string(i) + ']', begun.error().hint});
   }
   return {};
 }
@@ -98,6 +107,7 @@ Result<Scenario> read_plain(const Value& document, const std::string& file, Chec
   PHYSIM_ASSERT(format == kFormat);
   PHYSIM_ASSERT(scenario.shots.size() == array->size());
   complete(scenario, document);
+  note_study_places(scenario.study, document);
   if (checks == Checks::of_each) return scenario;
   if (Status status = complete_scene(scenario, document); !status) return status.error();
   if (Status status = complete_emitters(scenario, document); !status) return status.error();
@@ -105,7 +115,7 @@ Result<Scenario> read_plain(const Value& document, const std::string& file, Chec
   if (Status status = begin_reading_measurements(scenario); !status) return status.error();
   if (checks == Checks::all) {
     add_notes(scenario, document);
-    scenario.given = given_paths(scenario, document);
+    note_given(document, scenario);
   }
   scenario.files = in_use.inputs();
   return scenario;

@@ -125,6 +125,12 @@ struct ScenarioThing {
 struct Scenario;
 struct ScenarioShot;
 
+/// Where a text of a study stands: in a file, or in an option.
+struct StudyTextPlace {
+  std::string path{};   ///< "inputs[1]", "rounds" [-]
+  std::string place{};  ///< "file:line:column", "--vary" [-]
+};
+
 /// The [study] of a scenario, as written.
 struct ScenarioStudy {
   std::vector<std::string> inputs{};      ///< "shot.speed = 800 m/s +- 3 m/s"; see parse_study_input() [-]
@@ -141,7 +147,11 @@ struct ScenarioStudy {
   bool indices = false;                   ///< Sobol indices [-]
   std::int64_t over_inputs = 0;           ///< parts of each input over which hits are reported; 0: not reported [-]
   std::int64_t histograms = 0;            ///< bars of histograms; 0: not reported [-]
+  std::vector<StudyTextPlace> places{};   ///< of those that are given [-]
 };
+
+/// An error of a study of a scenario in the place of the text that it is about; as it was where it is about none.
+[[nodiscard]] Error in_study(const ScenarioStudy& study, Error error);
 
 /// A number and its distribution from a text, PATH = DISTRIBUTION:
 ///   800 m/s +- 3 m/s                     normal
@@ -316,6 +326,7 @@ struct Scenario {
   std::vector<std::string> notes{};         ///< remarks about the file, with their place: former names [-]
   /// Paths of what the file and overrides say of shots and of all that is no list: "shot.NAME.mass" [-]
   std::vector<std::string> given{};
+  std::vector<std::string> given_places{};  ///< of each of them: "file:line:column", or the override [-]
 };
 
 /// The emitter that fires the rounds or tracers of a shot by its name, which no volley fires; null: none.

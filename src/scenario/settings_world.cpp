@@ -100,7 +100,7 @@ constexpr Entry kWorldSettings[] = {
     PHYSIM_VOLLEY(name, "in tables; default: volley-1, volley-2, ..."),
     PHYSIM_VOLLEY(shot, "name of the shot", kRequired),
     PHYSIM_VOLLEY(count, "launches", between(1, 1e8)),
-    PHYSIM_VOLLEY(interval, "time between launches, each at the next start of a step; 0: all at once", Quantity::time,
+    PHYSIM_VOLLEY(interval, "time between launches, each at its own moment; 0: all at once", Quantity::time,
                   at_least(0)),
     setting("volley.rate", rate_slot, "launches in a time, instead of interval", Quantity::frequency, above(0)),
     PHYSIM_VOLLEY(start, "time of the first launch", Quantity::time, at_least(0)),

@@ -149,14 +149,18 @@ void WorldRun::Impl::fire() {
 void WorldRun::Impl::fire(Magazine& magazine) {
   const Volley& volley = magazine.volley;
   const double slack = 1e-9 * scenario.world.def.step;  // a launch at 0.1 s belongs to the step that starts there
+  const double end = world.time() + coming_step();
   PHYSIM_ASSERT(magazine.group < groups.size());
   WorldGroup& group = groups[magazine.group];
   while (magazine.fired < static_cast<std::uint64_t>(volley.count)) {
-    if (volley.start + static_cast<double>(magazine.fired) * volley.interval > world.time() + slack) return;
+    const double moment = volley.start + static_cast<double>(magazine.fired) * volley.interval;
+    if (moment >= end - slack) return;
+    const double delay = moment > world.time() + slack ? moment - world.time() : 0;
+    PHYSIM_ASSERT(delay >= 0 && delay < scenario.world.def.step);
     const Launch launch = scattered(magazine.launch, volley, magazine.fired++);
     std::size_t known = world.events().size();
     if (known > kMostEventsOfCalls / 2) world.forget_events(), known = 0;  // they are counted
-    const Result<ProjectileId> spawned = world.spawn(group.kind, launch);
+    const Result<ProjectileId> spawned = world.spawn(group.kind, launch, delay);
     const std::span<const Event> news = world.events().subspan(known);
     if (!spawned) {
       if (group.refused++ == 0) group.refusal = spawned.error().message;
@@ -168,7 +172,7 @@ void WorldRun::Impl::fire(Magazine& magazine) {
     const auto before = static_cast<std::size_t>(born - news.begin());
     count(news.first(before));  // it may have taken the place of another; that one's track ends here
     if (tracks.size() <= id.index) tracks.resize(id.index + std::size_t{1});
-    tracks[id.index] = {id.generation, {magazine.group, ++launches}, false, world.time(), launch.position};
+    tracks[id.index] = {id.generation, {magazine.group, ++launches}, false, world.time() + delay, launch.position};
     count(news.subspan(before));
     if (volley.shot.empty()) lone[group.shot] = id;
   }

@@ -16,7 +16,7 @@ PHYSIM_ISA_BEGIN
 /// Layers of the air are the only corners, if there are any.
 template <class S>
 PHYSIM_INLINE bool only_air_has_corners(const Conditions<S>& c) {
-  return !(drag_has_corners(c) || has_wind_pieces(c) || c.has_applied || c.has_rail || c.has_aero_tables);
+  return !(drag_has_corners(c) || has_wind_pieces(c) || c.has_rail || c.has_aero_tables);
 }
 
 /// Whether steps end at kinks that are expected. The layers of the standard are not: a flight passes few.
@@ -128,7 +128,7 @@ PHYSIM_INLINE MaskOf<R> bends(const Conditions<S>& c, const Regime<R>& a, const 
 /// Lanes in which the acceleration jumps between the regimes.
 template <class R, class S>
 PHYSIM_INLINE MaskOf<R> jumps(const Conditions<S>& c, const Regime<R>& a, const Regime<R>& b) {
-  MaskOf<R> jump = (a.band != b.band) | (a.force != b.force) | (a.rail != b.rail);
+  MaskOf<R> jump = (a.band != b.band) | (a.rail != b.rail);
   if (has_wind_pieces(c) && c.wind.stepped) jump = jump | (a.wind_piece != b.wind_piece);
   return jump;
 }

@@ -288,8 +288,9 @@ class March {
     l.step.t_end = select(whole, end, l.step.t + l.control.h);
     l.step.h = select(whole, left, l.control.h);
     if (!has_stops(c)) return;
-    const Mask stops = l.body.burn.end < l.step.t_end;
-    l.step.t_end = select(stops, l.body.burn.end, l.step.t_end);
+    const R stop = next_stop(c, l.body);
+    const Mask stops = stop < l.step.t_end;
+    l.step.t_end = select(stops, stop, l.step.t_end);
     l.step.h = select(stops, l.step.t_end - l.step.t, l.step.h);
   }
 

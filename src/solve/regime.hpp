@@ -1,7 +1,7 @@
 // Regimes: where on its piecewise data a flight is. An adaptive integrator must not step across a corner of a linear
-// drag curve, an edge of a band, a layer of the atmosphere, a point of the wind profile or the end of a force: its
-// error estimate assumes smooth derivatives. Steps that would are cut to end just behind the corner. Steps of every
-// integrator are cut where a launch rail lets go; what is known by its time, a motor's table, is in solve/stops.hpp.
+// drag curve, an edge of a band, a layer of the atmosphere or a point of the wind profile: its error estimate assumes
+// smooth derivatives. Steps that would are cut to end just behind the corner. Steps of every integrator are cut where a
+// launch rail lets go; what is known by its time, a motor's table or the end of a force, is in solve/stops.hpp.
 #pragma once
 
 #include "math/vec3.hpp"
@@ -17,7 +17,6 @@ struct Regime {
   R band;
   R air_layer;
   R wind_piece;
-  R force;
   R aero_cell;
   R rail;
 };
@@ -75,7 +74,7 @@ template <class R, class S>
 PHYSIM_NOINLINE Regime<R> regime(const Conditions<S>& c, const Body<R>& b, const Rotor<R>& rotor, const R& t,
                                  const State<R>& s) {
   const R zero(S(0));
-  Regime<R> r{zero, zero, zero, zero, zero, zero, zero};
+  Regime<R> r{zero, zero, zero, zero, zero, zero};
   if (c.has_rail) rail_phase(c, b, t, s, r.rail);
   if (!steps_itself(c.fidelity)) return r;  // fixed steps go over what bends in place and speed
   if (drag_has_corners(c)) {
@@ -97,7 +96,6 @@ PHYSIM_NOINLINE Regime<R> regime(const Conditions<S>& c, const Body<R>& b, const
   if (has_wind_pieces(c))
     r.wind_piece = borders_passed(c.wind.points, c.wind.by_range ? s.x.x : height(c, s.x),
                                   [&](int i) { return c.wind_pieces[i].at; });
-  if (c.has_applied) r.force = select(t >= b.applied_until, R(S(1)), zero);
   if (c.has_aero_tables)
     r.aero_cell =
         cell_of(c.curve_rows, rotor.mach, length(air_velocity(c, b, t, s)) * air_state(c, b, s.x).per_sound_speed);
@@ -107,24 +105,20 @@ PHYSIM_NOINLINE Regime<R> regime(const Conditions<S>& c, const Body<R>& b, const
 template <class R>
 PHYSIM_INLINE MaskOf<R> differ(const Regime<R>& a, const Regime<R>& b) {
   return (a.curve_cell != b.curve_cell) | (a.band != b.band) | (a.air_layer != b.air_layer) |
-         (a.wind_piece != b.wind_piece) | (a.force != b.force) | (a.aero_cell != b.aero_cell) | (a.rail != b.rail);
+         (a.wind_piece != b.wind_piece) | (a.aero_cell != b.aero_cell) | (a.rail != b.rail);
 }
 
 template <class R, class Mask>
 PHYSIM_INLINE Regime<R> select(const Mask& m, const Regime<R>& a, const Regime<R>& b) {
-  return {select(m, a.curve_cell, b.curve_cell),
-          select(m, a.band, b.band),
-          select(m, a.air_layer, b.air_layer),
-          select(m, a.wind_piece, b.wind_piece),
-          select(m, a.force, b.force),
-          select(m, a.aero_cell, b.aero_cell),
-          select(m, a.rail, b.rail)};
+  return {select(m, a.curve_cell, b.curve_cell), select(m, a.band, b.band),
+          select(m, a.air_layer, b.air_layer),   select(m, a.wind_piece, b.wind_piece),
+          select(m, a.aero_cell, b.aero_cell),   select(m, a.rail, b.rail)};
 }
 
 /// Whether any piecewise data is in use, so that smooth flights do not pay.
 template <class S>
 PHYSIM_INLINE bool has_corners(const Conditions<S>& c) {
-  return drag_has_corners(c) || has_layers(c) || has_wind_pieces(c) || c.has_applied || c.has_rail || c.has_aero_tables;
+  return drag_has_corners(c) || has_layers(c) || has_wind_pieces(c) || c.has_rail || c.has_aero_tables;
 }
 
 /// Above all speeds, below the edges of bands that are not used.

@@ -1,11 +1,13 @@
 // Stops: times and places at which steps of every integrator end, because the acceleration bends or jumps there: the
-// points of a motor's table, and where a launch rail releases the projectile or ends.
+// points of a motor's table, the end of an applied force, and where a launch rail releases the projectile or ends.
 //
-// A step belongs to one piece of the table and one phase on the rail, which the body holds; all stages use them, the
-// last one too, so that each step is smooth up to its very end. Then the body passes to the next piece and phase, and
-// the next step begins with its own slope. Where a piece ends is known before, so steps are made to end there; where a
-// phase ends is found as corners are (solve/regime.hpp).
+// A step belongs to one piece of the table and one phase on the rail, and has the force or not; the body holds them.
+// All stages use them, the last one too, so that each step is smooth up to its very end. Then the body passes on, and
+// the next step begins with its own slope. When a piece or a force ends is known before, so steps are made to end
+// there; where a phase ends is found as corners are (solve/regime.hpp).
 #pragma once
+
+#include <limits>
 
 #include "base/assert.hpp"
 #include "math/vec3.hpp"
@@ -17,7 +19,16 @@ PHYSIM_ISA_BEGIN
 /// Whether steps may end early at all.
 template <class S>
 PHYSIM_INLINE bool has_stops(const Conditions<S>& c) {
-  return c.has_motor || c.has_rail;
+  return c.has_motor || c.has_rail || c.has_force_end;
+}
+
+/// The next stop that is known by its time [s].
+template <class R, class S>
+PHYSIM_INLINE R next_stop(const Conditions<S>& c, const Body<R>& b) {
+  R stop = constant<R>(std::numeric_limits<double>::infinity());
+  if (c.has_motor) stop = b.burn.end;
+  if (c.has_force_end) stop = min(stop, b.applied_until);
+  return stop;
 }
 
 /// The phase on the rail at a time and state, for a body that was in another one before.
@@ -57,6 +68,16 @@ PHYSIM_INLINE MaskOf<R> pass_pieces(const Conditions<S>& c, const R& t, const Ma
   return over;
 }
 
+/// Takes the force from lanes in which its time is over; returns them.
+template <class R>
+PHYSIM_INLINE MaskOf<R> pass_force(const R& t, const MaskOf<R>& lanes, Body<R>& b) {
+  const R zero(ScalarOf<R>(0));
+  const MaskOf<R> over = lanes & (t >= b.applied_until);
+  b.applied = select(over, Vec3<R>{zero, zero, zero}, b.applied);
+  b.applied_until = select(over, constant<R>(std::numeric_limits<double>::infinity()), b.applied_until);
+  return over;
+}
+
 /// Passes on to the piece and the phase at the start of the next step; returns the lanes in which something is new, so
 /// that their acceleration is another one. A body that comes to rest on the rail stands still.
 template <class R, class S>
@@ -65,6 +86,7 @@ PHYSIM_INLINE MaskOf<R> pass_stops(const Conditions<S>& c, const R& t, const Mas
   const R zero(S(0));
   MaskOf<R> changed = zero != zero;
   if (c.has_motor) changed = pass_pieces(c, t, lanes, b);
+  if (c.has_force_end) changed = changed | pass_force(t, lanes, b);
   if (!c.has_rail || !any(b.rail_phase < constant<R>(kOffRail))) return changed;
   R phase;
   rail_phase(c, b, t, s, phase);

@@ -693,6 +693,14 @@ void begin_emitters(WorldImpl& world, double dt) {
   step.end_lives();
 }
 
+void fly_launched(WorldImpl& world, const SettleContext& context, std::uint32_t slot, double time) {
+  const SettleContext own = alone(context);
+  EmitterWatch step(world, own, world.state.clock.time());
+  step.begin_following(slot, time);
+  const double passed = step.passed_at(time);
+  if (passed < own.dt) step.fly_newborn(slot, passed);
+}
+
 void watch_for_emitters(WorldImpl& world, const SettleContext& context) {
   if (world.state.emitters.empty()) return;
   const SettleContext own = alone(context);

@@ -76,6 +76,8 @@ struct WorldImpl;
 
 /// Before a step: ends of lives, ages, and where followed projectiles are.
 void begin_emitters(WorldImpl& world, double dt);
+/// Flies one that was launched inside the step just taken, to its end.
+void fly_launched(WorldImpl& world, const SettleContext& context, std::uint32_t slot, double time);
 /// All have moved, and none has left yet: what that sets off.
 void watch_for_emitters(WorldImpl& world, const SettleContext& context);
 /// All that had to leave have left: births.

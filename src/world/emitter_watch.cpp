@@ -70,11 +70,17 @@ void EmitterWatch::note_followed() {
     if (!all_[i].active || !all_[i].def().follows) continue;
     const Slot* slot = w_.find(all_[i].def().follows);
     if (!slot) continue;
-    const BodyState now = w_.state.state_of(*slot);
+    const BodyState now = followed_state(*slot);
     s_.led[i].emplace(MotionKey{.time = context_.time, .position = now.position, .velocity = now.velocity});
     is_any_led_ = true;
     s_.led[i]->by_launch = launch_of_followed(all_[i], *slot);
   }
+}
+/// What waits for its launch stands.
+BodyState EmitterWatch::followed_state(const Slot& slot) const {
+  BodyState now = w_.state.state_of(slot);
+  if (slot.is(kPending)) now.velocity = {};
+  return now;
 }
 /// Nothing where it does not fly by its closed form.
 std::optional<LedByLaunch> EmitterWatch::launch_of_followed(Emitter& e, const Slot& slot) {
@@ -136,12 +142,20 @@ void EmitterWatch::watch(const Chunk& chunk) {
     last.erase(at);
   }
 }
+void EmitterWatch::begin_following(std::uint32_t index, double time) {
+  if (!is_any_led_) return;
+  const BodyState at = w_.state.state_of(w_.state.slots[index]);
+  for (std::uint32_t i = 1; i < all_.size(); ++i) {
+    if (!s_.led[i] || !follows(all_[i], index)) continue;
+    s_.led[i]->way.turn({.time = time, .position = at.position, .velocity = at.velocity});
+  }
+}
 void EmitterWatch::follow_to_end() {
   for (std::uint32_t i = 1; i < all_.size(); ++i) {
     std::optional<Led>& led = s_.led[i];
     const Slot* slot = led && !led->is_left ? w_.find(all_[i].def().follows) : nullptr;
     if (!slot) continue;
-    led->at_end = w_.state.state_of(*slot);
+    led->at_end = followed_state(*slot);
   }
 }
 

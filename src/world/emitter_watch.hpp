@@ -20,6 +20,8 @@ class EmitterWatch {
 
   // ------------------------------------------------------------------------------------------- after it
   void watch(const Chunk& chunk);
+  /// One was launched inside the step: emitters that follow it stood until then.
+  void begin_following(std::uint32_t slot, double time);
   void follow_to_end();
   /// By a rule that is looked at when the step is over.
   void leave_now(std::uint32_t slot);
@@ -43,6 +45,7 @@ class EmitterWatch {
   [[nodiscard]] bool is_known(std::uint32_t slot) const;
   [[nodiscard]] bool follows(const Emitter& e, std::uint32_t slot) const;
   void watch(const Event& event);
+  [[nodiscard]] BodyState followed_state(const Slot& slot) const;
   std::optional<LedByLaunch> launch_of_followed(Emitter& e, const Slot& slot);
   void turn_followed(const Event& event);
   /// It leaves the world where its last event says, or at the end of the step.

@@ -37,6 +37,7 @@ RowLayout layout_of(const Fidelity& granted, const Features& features, bool laun
   add(read & kBehind);
   PHYSIM_ASSERT(layout.fields.size() == read.runs().numbers());
   std::ranges::copy_if(layout.fields, std::back_inserter(layout.own), [](std::uint8_t i) { return !kOfKind[i]; });
+  if (features.has_force_end) layout.own.push_back(std::uint8_t(kBodyNumber.applied_until));
   layout.burning = std::ranges::find(layout.fields, kBodyNumber.burn_piece) != layout.fields.end();
   const bool closed = granted.motion == Motion::closed_form;
   layout.float32 = granted.precision == Precision::float32;

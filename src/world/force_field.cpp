@@ -12,14 +12,17 @@ namespace {
 /// The rows of one partner are summed in their order, and a user function sees it: it must not be that of the rows.
 bool order_matters(const ForceLaw& law) { return std::holds_alternative<CustomForce>(law) || other_end(law); }
 
-/// Whether a generator acts at a place of a step. At the end of a step the generator counts as it was just before, so
-/// that a push over whole steps has its exact impulse with every integrator.
-bool acts(const Generator& g, double time, double dt, double place) {
-  const double from = (g.start - time) / dt;
-  const double to = (g.end - time) / dt;
-  if (place == 1) return from < 1 - kSameTime && to > 1 - kSameTime;
-  return from < place + kSameTime && to > place + kSameTime;
-}
+/// The part of a step in which a generator acts, 0..1.
+struct ActingPart {
+  double from;
+  double to;
+
+  ActingPart(const Generator& g, double time, double dt) : from((g.start - time) / dt), to((g.end - time) / dt) {
+    if (from < kSameTime) from = 0;
+    if (to > 1 - kSameTime) to = 1;
+  }
+  [[nodiscard]] double length() const { return to - from; }
+};
 
 }  // namespace
 
@@ -95,9 +98,8 @@ void ForceField::begin_step(double time, double dt) {
     const Generator& g = state_.generators[index];
     if (without_functions_ && std::holds_alternative<CustomForce>(g.def.law)) continue;
     if (without_pairs_ && other_end(g.def.law)) continue;
-    const bool comes = (g.start - time_) / dt < 1 - kSameTime;
-    const bool over = (g.end - time_) / dt <= kSameTime;
-    if (comes && !over) list(index);
+    const ActingPart acts(g, time_, dt);
+    if (acts.from < 1 - kSameTime && acts.to > kSameTime) list(index);
   }
 }
 
@@ -136,36 +138,61 @@ void ForceField::list_backwards(std::uint32_t index, ProjectileId other) {
 }
 
 // --------------------------------------------------------------------------------------------------- a stage
-void ForceField::evaluate(double place) {
+void ForceField::begin_stage(double place) {
   PHYSIM_ASSERT(place >= 0 && place <= 1);
   PHYSIM_ASSERT(rows_.position.size() == rows_.id.size() && rows_.mass.size() == rows_.id.size());
   place_ = place;
-  const double time = time_ + place * dt_;
   rows_.force.assign(rows_.id.size(), Vec3d{});
   rows_.drag_rate.assign(rows_.id.size(), 0.0);
   if (has_zones_) rows_.in_zone.assign(rows_.id.size(), 0);
   if (has_ages_) {
     rows_.age.resize(rows_.id.size());
     for (std::size_t row = 0; row < rows_.id.size(); ++row)
-      rows_.age[row] = time - state_.slots.birth(rows_.id[row].index);
+      rows_.age[row] = time_ + place * dt_ - state_.slots.birth(rows_.id[row].index);
   }
+}
+
+void ForceField::evaluate(double place) {
+  begin_stage(place);
+  for (const Push& push : rows_.pushes) {
+    const ActingPart acts(state_.generators[push.generator], time_, dt_);
+    if (acts.length() < 1)
+      add_part(push, acts.from + place * acts.length(), acts.length());
+    else
+      add(push, place);
+  }
+}
+
+void ForceField::evaluate_now() {
+  begin_stage(0);
+  for (const Push& push : rows_.pushes)
+    if (ActingPart(state_.generators[push.generator], time_, dt_).from == 0) add(push, 0);
+}
+
+/// With the part of its force that is the part of the step in which it acts, asked for in the course of that part: its
+/// impulse is exact, with every integrator.
+void ForceField::add_part(const Push& push, double place, double part) {
+  const std::vector<Vec3d> force = rows_.force;
+  const std::vector<double> drag_rate = rows_.drag_rate;
+  add(push, place);
+  for (std::size_t row = 0; row < force.size(); ++row) {
+    rows_.force[row] = force[row] + (rows_.force[row] - force[row]) * part;
+    rows_.drag_rate[row] = drag_rate[row] + (rows_.drag_rate[row] - drag_rate[row]) * part;
+  }
+}
+
+void ForceField::add(const Push& push, double place) {
+  const Generator& g = state_.generators[push.generator];
+  const double time = time_ + place * dt_, since = time - g.start;
   ForceStage stage{time,      rows_.id,  rows_.position, rows_.velocity, rows_.mass,
                    rows_.age, rows_.def, rows_.in_zone,  rows_.force,    rows_.drag_rate};
-  for (const Push& push : rows_.pushes) {
-    const Generator& g = state_.generators[push.generator];
-    if (!acts(g, time_, dt_, place)) continue;
-    const double since = time - g.start;
-    const ForceClock clock{std::abs(since) < kSameTime * dt_ ? 0 : since, bool(g.def.target.kind)};
-    const auto add = [&](const ForceLaw& law) { add_force(law, clock, members_of(push), *this, stage, rows_.scratch); };
-    if (!push.from) {
-      add(g.def.law);
-    } else {
-      ForceLaw backwards = g.def.law;
-      PHYSIM_ASSERT(other_end_of(backwards) != nullptr);
-      *other_end_of(backwards) = push.from;
-      add(backwards);
-    }
-  }
+  const ForceClock clock{std::abs(since) < kSameTime * dt_ ? 0 : since, bool(g.def.target.kind)};
+  const auto add = [&](const ForceLaw& law) { add_force(law, clock, members_of(push), *this, stage, rows_.scratch); };
+  if (!push.from) return add(g.def.law);
+  ForceLaw backwards = g.def.law;
+  PHYSIM_ASSERT(other_end_of(backwards) != nullptr);
+  *other_end_of(backwards) = push.from;
+  add(backwards);
 }
 
 bool ForceField::is_sound(std::uint32_t row) const {

@@ -77,12 +77,17 @@ class ForceField final : public Surroundings {
   [[nodiscard]] bool is_felt() const { return !rows_.pushes.empty(); }
   /// Fills rows.force and rows.drag_rate, from positions and velocities at a place 0..1 of the step.
   void evaluate(double place);
+  /// ... as they are at the start of the step, also where they end within it.
+  void evaluate_now();
 
   [[nodiscard]] Partner partner(ProjectileId id) const override;
   [[nodiscard]] Vec3d drag_equation(std::uint32_t row, double density, const Vec3d& u) const override;
   [[nodiscard]] OwnDrag own_drag(std::uint32_t row) const override;
 
  private:
+  void begin_stage(double place);
+  void add(const Push& push, double place);
+  void add_part(const Push& push, double place, double part);
   void list(std::uint32_t generator);
   void list_backwards(std::uint32_t generator, ProjectileId other);
   [[nodiscard]] std::uint32_t row_of(ProjectileId id) const;

@@ -59,7 +59,7 @@ PHYSIM_INLINE void advance_rows(const ForcedJob<S>& job, const Conditions<S>& c,
     load_scratch(job, kPush, row, push);
     l.drag_rate = load<R>(job.column(kPushRate), row);
   }
-  add_push(c, stage_time(f.integrator, stage, s), push, job.own_force, l.body);
+  add_push(c, {s.t, s.t_end}, stage_time(f.integrator, stage, s), push, job.own_force, l.body);
   const auto load_part = [&](auto& part) {
     const PartColumns at = columns_of(part, stages);
     if (stage > 0) load_scratch(job, at.stage, row, part.end);

@@ -285,6 +285,7 @@ void Placement::rewrite_row(std::uint32_t index) {
 Body<double> Placement::body_of(const Slot& slot) const {
   Body<double> body = registry_.kind(slot.kind).on(slot.rung).body;
   state_.rows_of(slot).read_fields(slot.row, body);
+  if (registry_.cohort(slot.cohort).conditions.has_force_end) pass_force(clock_of(slot), true, body);  // it may rest
   return body;
 }
 

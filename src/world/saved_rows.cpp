@@ -32,6 +32,13 @@ bool put_burn(const Conditions<double>& c, double after, Body<double>& body) {
   return true;
 }
 
+/// Takes the force from a body whose save says that it is over; else it ends when that of its kind does.
+bool put_force(const Body<double>& kind, Body<double>& body) {
+  if (std::isfinite(body.applied_until)) return float(body.applied_until) == float(kind.applied_until);
+  body.applied = {};
+  return true;
+}
+
 /// Axes are frozen or free, and a plane of fire has a normal of length one.
 bool constrains(const Conditions<double>& c, const Body<double>& body) {
   const auto is_switch = [](double x) { return x == 0 || x == 1; };
@@ -75,6 +82,7 @@ bool Placement::put_saved(std::uint32_t index, const std::vector<double>& number
   });
   Body<double> body = rung.body;
   for (const std::uint8_t field : layout.own) good = !std::isnan(physim::numbers(body)[field] = next()) && good;
+  if (c.has_force_end) good = put_force(rung.body, body) && good;
   if (layout.burning) good = put_burn(c, next(), body) && good;
   good = good && constrains(c, body);
   state_.rows_of(slot).write_fields(slot.row, body);

@@ -50,11 +50,12 @@ class SettledRow final : public ContactHost {
   }
   [[nodiscard]] bool ends_finite() const { return physim::ends_finite(cohort_.key.fidelity, march.lanes.step); }
   [[nodiscard]] bool gone() const { return gone_; }
-  /// Another piece of its motor's table, another phase on the rail.
+  /// Another piece of its motor's table, another phase on the rail, the end of its force.
   [[nodiscard]] bool has_passed_stops() const {
     const Body<S>& body = march.lanes.body;
     return has_stops(conditions()) &&
-           (body.burn_piece != from_row_->burn_piece || body.rail_phase != from_row_->rail_phase);
+           (body.burn_piece != from_row_->burn_piece || body.rail_phase != from_row_->rail_phase ||
+            (conditions().has_force_end && from_row_->applied_until <= t_end_));
   }
   [[nodiscard]] const Slot& slot() const { return context_.state->slots[slot_index_]; }
   [[nodiscard]] std::uint32_t slot_index() const { return slot_index_; }
@@ -145,9 +146,10 @@ class SettledRow final : public ContactHost {
   /// From now on the models feel what generators gave it then.
   void feel_as_at(double passed) {
     if (!taken_) return;
-    if (driven_) return feel_drive(passed, now(), t_start_ + static_cast<S>(passed));
+    felt_from_ = t_start_ + static_cast<S>(passed);
+    if (driven_) return feel_drive(passed, now(), felt_from_);
     const S part = static_cast<S>(passed / context_.dt);
-    feel(taken_->push[0] + (taken_->push[1] - taken_->push[0]) * part, t_start_ + static_cast<S>(passed));
+    feel(taken_->push[0] + (taken_->push[1] - taken_->push[0]) * part, felt_from_);
   }
   /// Whether its emitter acts on its flight.
   [[nodiscard]] bool is_driven() const { return driven_.has_value(); }
@@ -305,6 +307,7 @@ class SettledRow final : public ContactHost {
     if (taken_) {  // what generators gave is not its own
       body.applied = from_row_->applied;
       body.applied_until = from_row_->applied_until;
+      if (conditions().has_force_end) pass_force(t_end_, true, body);
     }
     const S* number = numbers(body);
     for (const std::uint8_t field : rows_.layout().fields) columns_.field[field][row_] = number[field];
@@ -329,6 +332,7 @@ class SettledRow final : public ContactHost {
       t_start_ = columns_.offset[row_] + steps * static_cast<S>(context_.dt);
       t_end_ = columns_.offset[row_] + (steps + S(1)) * static_cast<S>(context_.dt);
     }
+    felt_from_ = t_start_;
     if (taken_ || has_stops(conditions())) *from_row_ = lane.body;
     if (turning()) {
       Rows::get<RotorConstants>(columns_.rotor, row_, *lane.rotor);
@@ -339,7 +343,7 @@ class SettledRow final : public ContactHost {
   /// From now on the models feel that by generators.
   void feel(const Pushed<S>& push, S t) {
     march.lanes.body = *from_row_;
-    add_push(*march.course().conditions, t, push.a, taken_->own_force, march.lanes.body);
+    add_push(*march.course().conditions, {felt_from_, t_end_}, t, push.a, taken_->own_force, march.lanes.body);
     march.lanes.drag_rate = push.drag_rate;
   }
   [[nodiscard]] static Pushed<S> narrow(const Pushed<double>& push) {
@@ -424,6 +428,7 @@ class SettledRow final : public ContactHost {
   State<double> start_{};
   S t_start_ = 0;
   S t_end_ = 0;
+  S felt_from_ = 0;              // from then on it feels what it does: since the start of the step, or a contact in it
   double length_ = context_.dt;  // of the step as far as it is flown [s]
   bool gone_ = false;
   bool relaunched_ = false;

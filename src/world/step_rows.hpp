@@ -63,12 +63,15 @@ PHYSIM_INLINE R end_on_clock(const WorldJob<S>& job, std::uint32_t row) {
   return load<R>(job.columns.offset, row) + (steps + S(1)) * job.h;
 }
 
-/// Rows on a rail, and rows with a piece of a motor's table that ends in this step.
+/// Rows on a rail, and rows with a force or a piece of a motor's table that ends in this step.
 template <class R, class S>
-PHYSIM_INLINE MaskOf<R> stop_here(const WorldJob<S>& job, std::uint32_t row) {
+PHYSIM_INLINE MaskOf<R> stop_here(const WorldJob<S>& job, const Conditions<S>& c, std::uint32_t row) {
   const auto field = [&](unsigned number) { return load<R>(job.columns.field[number], row); };
   const R t_end = end_on_clock<R>(job, row);
-  return (field(kBodyNumber.burn.end) <= t_end) | (field(kBodyNumber.rail_phase) < constant<R>(kOffRail));
+  MaskOf<R> stops = t_end != t_end;
+  if (c.has_force_end) stops = field(kBodyNumber.applied_until) <= t_end;
+  if (!c.has_motor && !c.has_rail) return stops;
+  return stops | (field(kBodyNumber.burn.end) <= t_end) | (field(kBodyNumber.rail_phase) < constant<R>(kOffRail));
 }
 
 /// Rows in which any other watched number crosses its value from the start of the step to its end. Behind a call: few
@@ -166,7 +169,7 @@ PHYSIM_INLINE auto noteworthy(const WorldJob<S>& job, const Conditions<S>& c, co
   using R = decltype(m.end.x.x);
   const Watchdog<S>& w = job.watchdog;
   MaskOf<R> found = plainly_noteworthy(w, c, m);
-  if (has_stops(c)) found = found | stop_here<R>(job, row);
+  if (has_stops(c)) found = found | stop_here<R>(job, c, row);
   if (w.simple) return found;
   if (w.watched) crosses_watched(job, c, State<R>(m.start), State<R>(m.end), found);
   return found | further_noteworthy(job, c, m, row);
@@ -335,7 +338,7 @@ struct AnyRung {
       fill_lanes(job.last - row, &l.step.t_end, 1);
     }
     MaskOf<R> asked = lane_number < R(static_cast<S>(job.last - row));
-    if (stops) asked = asked & !stop_here<R>(job, row);  // noteworthy, so it is settled anyway
+    if (stops) asked = asked & !stop_here<R>(job, *job.course->conditions, row);  // noteworthy, so it is settled anyway
     MaskOf<R> lost = march.take_frame(l.step.t_end, R(job.h), asked);
     if (turning) lost = lost | (asked & !is_finite(l.step.turn->end));
     return {start, l.step.end, l.step.slope[1].v, lost};

@@ -231,7 +231,7 @@ Vec3d WorldImpl::generator_force(std::uint32_t index, const BodyState& there, do
   field.begin_step(state.clock.time(), state.clock.dt);
   rows.position[0] = there.position;
   rows.velocity[0] = there.velocity;
-  field.evaluate(0);
+  field.evaluate_now();
   if (drag_rate) *drag_rate = rows.drag_rate[0];
   return rows.force[0];
 }

@@ -207,7 +207,7 @@ struct WorldImpl : Gate {
             &hit_asking,
             restless.is_any() ? &restless : nullptr};
   }
-  void launch_pending();
+  void launch_pending(const SettleContext& context);
   void expire_old();
   void step_free(double dt);
   void step_forced(double dt);

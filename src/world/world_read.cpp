@@ -153,7 +153,8 @@ Accelerations ProjectileView::accelerations() const {
   const double t = world_->placement.clock_of(*slot);
   Body<double> b = world_->placement.body_of(*slot);
   if (cohort.key.forced)
-    add_push(c, t, world_->generator_force(id_.index, state()) * inverse_mass() + world_->emitter_push(id_.index),
+    add_push(c, {t, t}, t,
+             world_->generator_force(id_.index, state()) * inverse_mass() + world_->emitter_push(id_.index),
              cohort.key.features.has_applied, b);
   const BodyState now = world_->state.state_of(*slot);
   const Rows& rows = world_->state.rows_of(*slot);
@@ -187,7 +188,7 @@ Vec3d ProjectileView::jerk() const {
   if (cohort.key.forced) {
     const Vec3d force = world_->generator_force(id_.index, now);
     const Vec3d push = world_->emitter_push(id_.index);
-    add_push(cohort.conditions, t, force * per_mass + push, cohort.key.features.has_applied, b);
+    add_push(cohort.conditions, {t, t}, t, force * per_mass + push, cohort.key.features.has_applied, b);
     change = [this, force, per_mass](const State<double>& s) {
       return (world_->generator_force(id_.index, {s.x, s.v}) - force) * per_mass;
     };

@@ -171,16 +171,18 @@ TaskRunner& WorldImpl::runner(std::size_t rows) {
 
 void World::set_task_runner(TaskRunner* runner) { impl().lent = runner; }
 
-void WorldImpl::launch_pending() {
-  while (const ProjectileId id = state.launches.take_due(state.clock.time(), state.slots)) {
-    Slot& slot = *find(id);
+/// Launches what is due in the step just taken: each flies from its moment to the end of the step, alone.
+void WorldImpl::launch_pending(const SettleContext& context) {
+  while (const auto due = state.launches.take(state.clock.time(), state.slots)) {
+    Slot& slot = *find(due->id);
     slot.set(kPending, false);
     slot.set_status(LifeStatus::in_flight);
     const BodyState at = state.state_of(slot);
     const Body<double> old = placement.body_of(slot);
-    placement.relocate(id.index);
-    placement.write_row(id.index, at, {.previous = at.position, .old = &old});  // its clock starts now
-    tell_launch(id.index, {});
+    placement.relocate(due->id.index);
+    placement.write_row(due->id.index, at, {.previous = at.position, .old = &old, .birth = due->time});
+    tell_launch(due->id.index, {.moment = due->time});
+    fly_launched(*this, context, due->id.index, due->time);
   }
 }
 
@@ -321,7 +323,6 @@ void WorldImpl::step(double dt) {
   // Begin: what is due now, and what acts on all projectiles where they are.
   hit_asking.forget();
   placement.rebase(dt);
-  launch_pending();
   begin_generators(dt);
   apply_detail();
   move_scene(dt);
@@ -338,6 +339,7 @@ void WorldImpl::step(double dt) {
   state.clock.tick();
   PHYSIM_ASSERT(state.clock.time() >= before && state.clock.steps == steps_before + 1);
   ++state.counters.steps;
+  launch_pending(context);
   // Commit, in order of slots; then births in order of time.
   watch_for_emitters(*this, context);
   finish_step();

@@ -107,11 +107,11 @@ TEST(FilesInUse, nothing_is_refused_without_a_record) {
 std::string write_scenario(const Folder& folder) {
   const std::string shapes = test::write_named_files(folder);
   fs::create_directory(folder / "sub");
-  return folder.write("s.toml",
-                      "physim = 1\n[world]\nduration = \"10 ms\"\n[[shot]]\ndrag = { coefficient = 0.75 }\n" +
-                          std::string(test::kRocketLines) + shapes +
-                          "[study]\ninputs = [\"shot.speed = column speed of sub/../speeds.csv per occasion\", "
-                          "\"shot.mass = one of 57 g, 58 g\"]\n");
+  return folder.write(
+      "s.toml", "physim = 1\n[world]\nduration = \"10 ms\"\n[[shot]]\ndrag = { coefficient = 0.75 }\n" +
+                    std::string(test::kRocketLines) + shapes +
+                    "[study]\nrounds = 4\ninputs = [\"shot.speed = column speed of sub/../speeds.csv per occasion\", "
+                    "\"shot.mass = one of 57 g, 58 g\"]\n");
 }
 
 std::vector<std::string> names_of(const std::vector<std::string>& files) {

@@ -79,6 +79,23 @@ TEST(MotorFile, thrust_that_ends_above_zero_falls_at_its_last_point) {
   }
 }
 
+/// Two pulses of 10 N s and 11 N s, each as a step or with a slope, and rows that say nothing behind the end.
+TEST(MotorFile, zeros_inside_are_a_pause_and_those_behind_the_end_are_left_out) {
+  const auto motors = parse_motor_file(
+      "P 18 70 0 .021 .030 E\n0 0\n0.1 0\n0.1 20\n0.6 20\n0.6 0\n1 0\n1 20\n1.5 20\n1.6 0\n2 0\n3 0\n"
+      "Q 18 70 0 .010 .020 E\n1 20\n2 0\n",
+      "f.eng");
+  ASSERT_TRUE(motors) << motors.error().text();
+  ASSERT_EQ(motors->size(), 2u);
+  const MotorDef motor = pick_motor(*motors, "P", "f.eng")->motor;
+  EXPECT_NEAR(total_impulse(motor), 21, 1e-12);
+  EXPECT_EQ(burn_time(motor), 1.6);
+  EXPECT_EQ(thrust_at(motor, 0.8), 0);
+  EXPECT_EQ(thrust_at(motor, 0.05), 0);
+  EXPECT_NEAR(propellant_left(motor, 0.8), .021 * 11 / 21, 1e-15);
+  EXPECT_NEAR(total_impulse(pick_motor(*motors, "Q", "f.eng")->motor), 20, 1e-12);
+}
+
 struct Bad {
   const char* text;
   const char* place;
@@ -103,7 +120,7 @@ TEST(MotorFile, mistakes_name_their_line) {
       {"C6 18 70 0-3 .0108 .0231 E\n", "f.eng:1", "has no points"},
       {"C6 18 70 0-3 .0108 .0231 E\nB6 18 70 0-3 .0108 .0231 E\n", "f.eng:2", "has no points"},
       {"C6 18 70 0-3 .0108 .0231 E\n1 0\n", "f.eng:2", "no impulse"},
-      {"C6 18 70 0-3 .0108 .0231 E\n0.2 5\n1 0\n1.1 2\n", "f.eng:4", "after the end of \"C6\""},
+      {"C6 18 70 0-3 .0108 .0231 E\n0.2 5\n1 0\n0.9 2\n", "f.eng:4", "time 0.9 after 1"},
   };
   for (const Bad& bad : kBad) {
     SCOPED_TRACE(bad.text);

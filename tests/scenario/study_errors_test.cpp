@@ -1,0 +1,70 @@
+// Mistakes of a [study] have the place of their text, whichever command reads the file.
+#include <gtest/gtest.h>
+
+#include "scenario/scenario.hpp"
+
+namespace physim {
+namespace scenario_study_errors_test {
+
+const std::string kShot =
+    "physim = 1\n[[shot]]\nmass = \"10 g\"\ndiameter = \"7.82 mm\"\n"
+    "drag = { table = \"g7\", ballistic_coefficient = 170 }\nspeed = \"800 m/s\"\n[until]\nrange = \"600 m\"\n";
+const std::string kInput = "[study]\ninputs = [\"shot.speed = 800 m/s +- 3 m/s\"]\n";  // lines 9 and 10
+
+std::string error_of(const std::string& text, const std::vector<std::string>& overrides = {}) {
+  const Result<Scenario> scenario = parse_scenario(kShot + text, "f.toml", overrides);
+  return scenario.ok() ? "no error" : scenario.error().text();
+}
+
+void expect_begins(const std::string& text, const std::string& begin) {
+  EXPECT_TRUE(text.starts_with(begin)) << text << "\ninstead of\n" << begin;
+}
+
+TEST(StudyErrors, inputs_have_their_places) {
+  expect_begins(
+      error_of("[study]\ninputs = [\n  \"shot.speed = 800 m/s +- 3 m/s\",\n  \"shot.mass = 10 g +- -1 g\"]\n"),
+      "f.toml:12:3: error: study.inputs[1].distribution.deviation: must be a positive number, not ");
+  expect_begins(error_of("[study]\ninputs = [\"shot.speeed = 800 m/s +- 3 m/s\"]\n"),
+                "f.toml:10:11: error: study.inputs[0]: no number of a shot that may be uncertain is called \"shot.sp");
+  expect_begins(error_of("[study]\ninputs = \"shot.speed = 800 m +- 3 m\"\n"),
+                "f.toml:10:10: error: study.inputs[0]: ");
+  expect_begins(error_of("[study]\ninputs = [\"shot.speed = 8 m/s +- 3 m/s\", \"shot.speed = 8 m/s +- 1 m/s\"]\n"),
+                "f.toml:10:42: error: study.inputs[1].path: shot.speed is drawn by inputs[0] already");
+  expect_begins(error_of("[study]\ninputs = [\"shot.speed = 800 m/s +- 3 m/s per occasion\"]\n"),
+                "f.toml:9:1: error: rounds: is one shot, and inputs[0] is drawn once");
+}
+
+TEST(StudyErrors, the_other_lists_have_theirs) {
+  expect_begins(error_of(kInput + "targets = [\"plate: rectangle -45 cm x 75 cm\"]\n"),
+                "f.toml:11:12: error: study.targets[0].width: must be a positive number, not -0.45");
+  expect_begins(error_of(kInput + "targets = [\"a: circle 1 m\", \"a: circle 2 m\"]\n"),
+                "f.toml:11:29: error: study.targets[1]: has the name \"a\" of targets[0]");
+  expect_begins(error_of(kInput + "at = [\"100 m\",\n \"100 m\"]\n"),
+                "f.toml:12:2: error: study.at[1]: is the place of at[0] again");
+  expect_begins(error_of(kInput + "at = [\"apox\"]\n"),
+                "f.toml:11:7: error: study.at[0]: no place on the way is called");
+  expect_begins(error_of(kInput + "quantities = [\"right\", \"upp\"]\n"), "f.toml:11:24: error: study.quantities[1]: ");
+  expect_begins(error_of(kInput + "correlated = [\"shot.speed with shot.mass = 0.5\"]\n"),
+                "f.toml:11:15: error: study.correlated[0]: ");
+  expect_begins(error_of(kInput + "aim = \"0 m\"\n"), "f.toml:11:7: error: study.aim: ");
+  expect_begins(error_of(kInput + "histograms = 2\n"), "f.toml:11:14: error: study.histograms: must be from 3 to 1000");
+  expect_begins(error_of(kInput + "rounds = 2\nsampling = \"sobol\"\n"),
+                "f.toml:11:10: error: study.rounds: Sobol's sequence knows no occasions");
+}
+
+TEST(StudyErrors, an_override_is_named_as_the_option_that_it_is) {
+  expect_begins(error_of(kInput, {"study.at=[\"apox\"]"}), "--set study.at=[\"apox\"]: error: study.at[0]: no place");
+  expect_begins(error_of(kInput, {"study.inputs=[\"shot.mass = 10 g +- -1 g\"]"}),
+                "--set study.inputs=[\"shot.mass = 10 g +- -1 g\"]: error: study.inputs[0].distribution.deviation: ");
+}
+
+TEST(StudyErrors, a_study_of_one_of_several_shots_is_good) {
+  const std::string zeroed =
+      "[study]\ninputs = [\"shot.elevation = 1 deg +- 0.1 deg\"]\n[[shot]]\nspeed = \"800 m/s\"\n"
+      "sight = { zero_range = \"100 m\" }\n";
+  EXPECT_EQ(error_of(zeroed), "no error");  // the first shot has no zero range
+  EXPECT_EQ(error_of("[study]\nshots = 1000\ntargets = [\"circle 10 cm\"]\n"), "no error");  // inputs by --vary
+}
+
+}  // namespace scenario_study_errors_test
+}  // namespace physim
