@@ -15,6 +15,7 @@
 #include "model/pair_contact.hpp"
 #include "world/held_forces.hpp"
 #include "world/pair_sweep.hpp"
+#include "world/pair_touch.hpp"
 #include "world/world_impl.hpp"
 
 namespace physim {
@@ -31,27 +32,6 @@ constexpr double kAtOnce = 1e-9;
 constexpr double kUnmoved = 1e-12;
 /// Part of a step: shorter legs of a path say nothing of an acceleration [-].
 constexpr double kShort = 1e-3;
-/// Part of their reach by which two may lie in each other; farther, one was put inside of the other [-].
-constexpr double kDeep = 1e-3;
-
-/// Layers of both, as both want.
-[[nodiscard]] bool want_each_other(const Collider& a, const Collider& b) {
-  return meet_by_layers(a.kind->body.collision, a.layers, b.kind->body.collision, b.layers);
-}
-[[nodiscard]] bool may_move(const Collider& c) { return c.flies || c.sleeps; }
-[[nodiscard]] double reach(const Collider& c) { return c.kind->body.collision.radius; }
-[[nodiscard]] bool passes(const Collider& c) { return c.kind->body.collision.on_hit == OnHit::pass; }
-
-/// Two that touch, or pass through each other.
-struct Meeting {
-  double time;         // into the step [s]
-  std::uint32_t a, b;  // a < b
-  std::uint32_t version_a, version_b;
-  EventKind kind;  // hit, entered or left
-
-  /// Later, for a queue whose top is the first.
-  bool operator<(const Meeting& other) const { return std::tie(time, a, b) > std::tie(other.time, other.a, other.b); }
-};
 
 class PairStep {
  public:
@@ -176,7 +156,7 @@ class PairStep {
     Knot on_a = a.path.front(), on_b = b.path.front();
     if (a.traces.empty()) on_a.v -= a.ahead;
     if (b.traces.empty()) on_b.v -= b.ahead;
-    const double gap = length(on_a.x - on_b.x) - (reach(a) + reach(b)), near = 4 * slack(a, b);
+    const double gap = length(on_a.x - on_b.x) - (reach(a) + reach(b)), near = 4 * slack_between(a, b);
     if (gap > near || is_deep(a, b, on_a, on_b)) return false;
     const double speed = dot(on_a.v - on_b.v, normal_between(on_a, on_b));
     return std::abs(speed) <= near / context_.dt + rounding_of_speed(a, b, on_a, on_b);
@@ -225,7 +205,7 @@ class PairStep {
                     : note(first(a, b, radius - beyond, Touch::comes_near, from), EventKind::entered);
     }
     if (lies_on_.contains({i, j})) return;
-    const double slack = this->slack(a, b);
+    const double slack = slack_between(a, b);
     if (apart > radius + slack) return note(first(a, b, radius, Touch::comes_near, from), EventKind::hit);
     if (apart < radius - slack && met_inside_.contains({i, j})) {
       const auto left = first(a, b, radius + slack, Touch::goes_away, from);
@@ -241,16 +221,6 @@ class PairStep {
   [[nodiscard]] static std::optional<double> first(const Collider& a, const Collider& b, double distance, Touch touch,
                                                    double from) {
     return collide::first_touch(a.path, b.path, distance, touch, from);
-  }
-  /// So far two that touch may be from where they should be [m].
-  [[nodiscard]] static double slack(const Collider& a, const Collider& b) {
-    return 1e-9 * (reach(a) + reach(b)) + 4 * std::max(a.spacing, b.spacing);
-  }
-  /// One was put inside of the other: they meet once in a step, until they have been apart.
-  [[nodiscard]] static bool is_deep(const Collider& a, const Collider& b, const Knot& on_a, const Knot& on_b) {
-    const double radius = reach(a) + reach(b);
-    PHYSIM_ASSERT(radius >= 0);
-    return length(on_a.x - on_b.x) < (1 - kDeep) * radius;
   }
   [[nodiscard]] double rounding_of_speed(const Collider& a, const Collider& b, const Knot& on_a,
                                          const Knot& on_b) const {
@@ -273,12 +243,6 @@ class PairStep {
                                .normal = normal,
                                .other = context_.state->slots.id_of(other.slot)});
   }
-  [[nodiscard]] static Vec3d normal_between(const Knot& a, const Knot& b) {
-    const Vec3d between = a.x - b.x, relative = a.v - b.v;
-    if (length(between) > 0) return normalized(between);
-    return length(relative) > 0 ? -normalized(relative) : Vec3d{1, 0, 0};  // one in the middle of the other
-  }
-
   void pass(const Meeting& m) {
     const Collider &a = all_[m.a], &b = all_[m.b];
     const Knot on_a = at(a, m.time), on_b = at(b, m.time);
@@ -381,7 +345,7 @@ class PairStep {
     const bool lies = is_low(surface, before, pull, frame) || std::max(a.hits, b.hits) > kMostMeetings;
     const bool strikes = !lies || is_strike(before, pull, frame);
     if (lies) surface.restitution = 0, lies_on_.insert({m.a, m.b});
-    const bool inside = time == 0 && length(on_a.x - on_b.x) < reach(a) + reach(b) - slack(a, b);
+    const bool inside = time == 0 && length(on_a.x - on_b.x) < reach(a) + reach(b) - slack_between(a, b);
     const bool deep = is_deep(a, b, on_a, on_b);
     if (deep) met_inside_.insert({m.a, m.b});
     return {.a = m.a,
@@ -466,9 +430,9 @@ class PairStep {
     const Knot on_a = at(a, time), on_b = at(b, time);
     const bool lies = lies_on_.contains({i, j});
     const double gap = length(on_a.x - on_b.x) - (reach(a) + reach(b));
-    if (gap > 4 * slack(a, b) || is_deep(a, b, on_a, on_b)) return std::nullopt;
+    if (gap > 4 * slack_between(a, b) || is_deep(a, b, on_a, on_b)) return std::nullopt;
     const Vec3d n = normal_between(on_a, on_b);
-    const double put = 4 * slack(a, b) / context_.dt;
+    const double put = 4 * slack_between(a, b) / context_.dt;
     if (dot(on_a.v - on_b.v, n) > put + rounding_of_speed(a, b, on_a, on_b)) return std::nullopt;
     PairSurface surface = pair_surface(a.kind->body, b.kind->body);
     if (lies) surface.restitution = 0;
@@ -637,7 +601,7 @@ class PairStep {
     if (context_.state->slots[c.slot].is(kPiled))
       sweep_->each_beside(static_cast<std::uint32_t>(&c - all_.data()), [&](std::uint32_t j) {
         const double apart = length(c.path.front().x - all_[j].path.front().x) - (reach(c) + reach(all_[j]));
-        const bool touches = want_each_other(c, all_[j]) && apart <= 8 * slack(c, all_[j]);
+        const bool touches = want_each_other(c, all_[j]) && apart <= 8 * slack_between(c, all_[j]);
         if (all_[j].sleeps && touches) s_.disturbed.push_back(all_[j].slot);
       });
     w_.wake_alone(c.slot, context_.time + c.since);
@@ -729,22 +693,6 @@ class PairStep {
     }
     return walls;
   }
-  [[nodiscard]] static bool push_apart(const Collider& a, const Collider& b, Knot& on_a, Knot& on_b) {
-    const Vec3d n = normal_between(on_a, on_b);
-    const double give = dot(component_product(a.mobility + b.mobility, n), n);
-    const double deep = reach(a) + reach(b) - length(on_a.x - on_b.x);
-    if (!(deep > slack(a, b)) || !(give > 0)) return false;
-    const Vec3d push = n * (deep / give);
-    on_a.x += component_product(a.mobility, push);
-    on_b.x -= component_product(b.mobility, push);
-    const double speed = dot(on_a.v - on_b.v, n);
-    if (!(speed < 0)) return true;
-    const Vec3d impulse = n * (-speed / give);
-    on_a.v += component_product(a.mobility, impulse);
-    on_b.v -= component_product(b.mobility, impulse);
-    return true;
-  }
-
   /// Those that lie on each other, in groups. They do not sleep by themselves.
   void list_piles() {
     std::erase_if(lies_on_, [this](const auto& pair) { return all_[pair.first].is_gone || all_[pair.second].is_gone; });
