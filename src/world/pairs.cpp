@@ -30,6 +30,8 @@ constexpr int kMostMeetings = 100;
 constexpr double kAtOnce = 1e-9;
 /// Slower it does not move for having passed on a blow [m/s].
 constexpr double kUnmoved = 1e-12;
+/// Part of accelerations: less is not pressing [-].
+constexpr double kUnpressed = 1e-6;
 /// Part of a step: shorter legs of a path say nothing of an acceleration [-].
 constexpr double kShort = 1e-3;
 
@@ -122,26 +124,30 @@ class PairStep {
 
   /// Steps that move with the velocity at their start leave a projectile where it is as it begins to fall, so that what
   /// lies on another one would leave it for a step. What lies in a pile has the velocity of its row: so it falls from
-  /// there.
+  /// there. In a pile that nothing holds, steps that move with the velocity at their end are off by as much.
   bool straighten_those_that_lie() {
-    const auto begins_late = [this](const Collider& c) {
-      if (!c.flies || !c.traces.empty() || c.is_gone) return false;
+    const auto is_straight = [this](const Collider& c) {
+      if (!c.flies || !c.traces.empty() || c.is_gone) return true;
       const Fidelity& f = w_.registry.cohort(c.cohort).key.fidelity;
-      return stagger(f) < 0 || is_classic(f);
+      return stagger(f) == 0 && !is_classic(f);
     };
-    if (std::ranges::none_of(all_, begins_late)) return false;
+    if (std::ranges::all_of(all_, is_straight)) return false;
     std::set<std::pair<std::uint32_t, std::uint32_t>> touching;
     sweep_->each([&](std::uint32_t i, std::uint32_t j) {
       if (stay_together(all_[i], all_[j])) touching.insert({i, j});
     });
     const std::map<std::uint32_t, std::uint32_t> groups = groups_of(touching);
-    std::set<std::uint32_t> held;  // groups of which one stands, or touched something else
+    std::set<std::uint32_t> held, pressed;  // groups of which one stands or touched something else; that press together
     for (const auto& [i, group] : groups)
       if (!all_[i].flies || !all_[i].traces.empty()) held.insert(group);
+    for (const auto& [i, j] : touching)
+      if (press(all_[i], all_[j])) pressed.insert(groups.at(i));
     bool any = false;
     for (const auto& [i, group] : groups) {
       Collider& c = all_[i];
-      if (!held.contains(group) || !begins_late(c)) continue;
+      if (is_straight(c)) continue;
+      const bool ends_late = stagger(w_.registry.cohort(c.cohort).key.fidelity) > 0;
+      if (held.contains(group) ? ends_late : !pressed.contains(group)) continue;
       for (Knot& k : c.path) k.v -= c.ahead;
       c.ahead = {};
       c.path.back().x = c.path.front().x + (c.path.front().v + c.path.back().v) * (0.5 * context_.dt);
@@ -149,6 +155,12 @@ class PairStep {
       any = true;
     }
     return any;
+  }
+  /// Whether two that touch come nearer by what each feels alone.
+  [[nodiscard]] bool press(const Collider& a, const Collider& b) const {
+    const Knot &on_a = a.path.front(), &on_b = b.path.front();
+    const double pull = dot(acceleration(a, 0) - acceleration(b, 0), normal_between(on_a, on_b));
+    return pull < -rounding_of_speed(a, b, on_a, on_b) / context_.dt;
   }
   /// Whether two touch when the step begins, and neither part nor approach by the velocities of their rows.
   [[nodiscard]] bool stay_together(const Collider& a, const Collider& b) const {
@@ -301,6 +313,7 @@ class PairStep {
       tell(EventKind::hit, all_[t.b], all_[t.a], now_[t.b].knot, -t.n, reason);
     }
     part();
+    find_pulls(time);
     for (const TouchNow& t : touches_)
       if (t.lies && dot(moved(t.a) - moved(t.b), t.n) > kUnmoved && !is_held(t)) lies_on_.erase({t.a, t.b});
     std::erase_if(now_, [](const auto& each) { return each.second.is_still(); });
@@ -314,6 +327,7 @@ class PairStep {
     PairBody moves{};
     Vec3d came{};                 // its spin before
     std::optional<Vec3d> spin{};  // afterwards, if it is another one
+    std::optional<Vec3d> pull{};  // of one that lies on others: what is left of its acceleration [m/s^2]
     bool meets = true;            // false: it only lies at those that meet
 
     /// It passed on what it was given, and nothing of it changed.
@@ -342,7 +356,9 @@ class PairStep {
     const double frame = frame_of_contact(context_.dt);
     PairSurface surface = pair_surface(a.kind->body, b.kind->body);
     ++a.hits, ++b.hits;
-    const bool lies = is_low(surface, before, pull, frame) || std::max(a.hits, b.hits) > kMostMeetings;
+    const double rounding = rounding_of_speed(a, b, on_a, on_b) / context_.dt;
+    const bool low = pull < -rounding && is_low(surface, before, pull, frame);
+    const bool lies = low || std::max(a.hits, b.hits) > kMostMeetings;
     const bool strikes = !lies || is_strike(before, pull, frame);
     if (lies) surface.restitution = 0, lies_on_.insert({m.a, m.b});
     const bool inside = time == 0 && length(on_a.x - on_b.x) < reach(a) + reach(b) - slack_between(a, b);
@@ -447,17 +463,25 @@ class PairStep {
     PHYSIM_ASSERT(now_.contains(i));
     const Collider& c = all_[i];
     const Knot& now = now_[i].knot;
-    const CollisionDef& of = c.kind->body.collision;
-    if (!context_.scene || of.layers == 0 || !(of.radius > 0)) return;
-    const double time = context_.time + now.time, within = of.radius + 4e-10 + 16 * c.spacing;
-    const auto add = [&](const SceneNearest& near) {
-      if (near.away == Vec3d{} || is_passing(near, of)) return;
-      const Vec3d u = velocity_at(*context_.scene->state(near.instance, time), near.position);
-      const double put = (within - of.radius) / context_.dt;  // so fast it may look that was put beside the surface
+    const double radius = reach(c), within = radius + 4e-10 + 16 * c.spacing;
+    each_surface(i, within, [&](const SceneNearest& near, const Vec3d& u) {
+      const double put = (within - radius) / context_.dt;  // so fast it may look that was put beside the surface
       if (dot(now.v - u, near.away) > put + 8 * epsilon_of(c) * (length(now.v) + length(u))) return;
       const PairSurface surface = pair_surface(context_.scene->material(near.material), c.kind->body);
-      const Vec3d runs = context_.scene->conveyor_velocity(near.instance, near.away, time);
+      const Vec3d runs = context_.scene->conveyor_velocity(near.instance, near.away, context_.time + now.time);
       walls_.push_back({i, {.velocity = runs == Vec3d{} ? u : u + runs}, near.away, surface});
+    });
+  }
+  /// Calls f with each surface that one is beside at the moment at hand, and how that moves [m/s].
+  template <class F>
+  void each_surface(std::uint32_t i, double within, const F& f) const {
+    const Knot& now = now_.at(i).knot;
+    const CollisionDef& of = all_[i].kind->body.collision;
+    if (!context_.scene || of.layers == 0 || !(of.radius > 0)) return;
+    const double time = context_.time + now.time;
+    const auto add = [&](const SceneNearest& near) {
+      if (near.away == Vec3d{} || is_passing(near, of)) return;
+      f(near, velocity_at(*context_.scene->state(near.instance, time), near.position));
     };
     SceneByMotion(*context_.scene)
         .each_beside(now.x, within, {.layers = of.layers, .sensors = false, .from_front = true}, time, add);
@@ -544,7 +568,6 @@ class PairStep {
     if (!may_move(c)) return;
     Knot now = body.knot;
     now.v = body.moves.velocity;
-    const std::optional<Vec3d> pulled = pulled_at_rest(i, now.time);
     OnHit on_hit = OnHit::bounce;
     for (const TouchNow& t : touches_) {
       if ((t.a != i && t.b != i) || !t.strikes) continue;
@@ -557,8 +580,8 @@ class PairStep {
     c.since = now.time;
     if (c.sleeps) rouse(c);
     Parting parting{now.time, last_trace(c, now.time), {now.x, now.v}, body.spin, then(on_hit), {}};
-    const bool lies = pulled && parting.then == Parting::Then::flies_on;
-    if (lies) parting.then = Parting::Then::lies, parting.pull = *pulled;
+    const bool lies = body.pull && parting.then == Parting::Then::flies_on;
+    if (lies) parting.then = Parting::Then::lies, parting.pull = *body.pull;
     const Vec3d free = free_acceleration(c, now.time);
     fly_on(c, parting);
     c.free = lies ? std::optional(free) : std::nullopt;
@@ -572,23 +595,53 @@ class PairStep {
     const double below = dot(acceleration(a, time) - free_acceleration(b, time), t.n);
     return !lifts_off(dot(moved(t.a) - moved(t.b), t.n), std::min(above, below), frame_of_contact(context_.dt));
   }
-  /// What is left of the acceleration of one that lies on others, and goes on lying there; none: it flies.
-  [[nodiscard]] std::optional<Vec3d> pulled_at_rest(std::uint32_t i, double time) const {
-    const Vec3d free = free_acceleration(all_[i], time);
-    const double frame = frame_of_contact(context_.dt);
-    std::vector<Vec3d> held;
+  /// What is left of the accelerations of those that go on lying at each other. They press on each other as far as they
+  /// would come nearer: two that fall together do not.
+  void find_pulls(double time) {
+    PHYSIM_ASSERT(!touches_.empty());
+    std::map<std::uint32_t, PairBody> bodies;
+    const auto body = [&](std::uint32_t i) -> PairBody& {
+      const Vec3d free = free_acceleration(all_[i], time);
+      return bodies.try_emplace(i, PairBody{free, {}, all_[i].mobility}).first->second;
+    };
+    std::vector<PairTouch> presses;
     for (const TouchNow& t : touches_) {
-      if (!t.lies || (t.a != i && t.b != i)) continue;
-      const Vec3d n = t.a == i ? t.n : -t.n;
-      const double pull = dot(free, n), leaves = dot(moved(t.a) - moved(t.b), t.n);
-      if (pull < 0 && !lifts_off(leaves, pull, frame)) held.push_back(n);
+      if (!t.lies) continue;
+      PairBody &a = body(t.a), &b = body(t.b);
+      const double of_a = dot(a.velocity, t.n), of_b = -dot(b.velocity, t.n), pull = min(min(of_a, of_b), of_a + of_b);
+      if (pull < 0 && !lifts_off(dot(moved(t.a) - moved(t.b), t.n), pull, frame_of_contact(context_.dt)))
+        presses.push_back({a, b, t.n, {}});
     }
-    if (held.empty()) return std::nullopt;
-    Vec3d pull = free;
-    constexpr int kTurns = 16;
-    for (int turn = 0; turn < kTurns; ++turn)
-      for (const Vec3d& n : held) pull -= n * min(dot(pull, n), 0.0);
-    return pull;
+    if (presses.empty()) return;
+    // At a surface that stands nothing comes nearer; what is at one that moves goes along with it already.
+    double most = 0;  // acceleration that presses [m/s^2]
+    for (const auto& [i, pulled] : bodies) most = max(most, length(pulled.velocity));
+    std::deque<PairBody> surfaces;
+    for (auto& [i, pulled] : bodies)
+      each_support(i, 0.5 * frame_of_contact(context_.dt) * most, [&, &pulled = pulled](const Vec3d& n, bool moves) {
+        presses.push_back({pulled, surfaces.emplace_back(PairBody{moves ? pulled.velocity : Vec3d{}}), n, {}});
+      });
+    meet(presses);
+    for (const auto& [i, pulled] : bodies) {
+      const Vec3d free = free_acceleration(all_[i], time);
+      if (length(pulled.velocity - free) > kUnpressed * most) now_.at(i).pull = pulled.velocity;
+    }
+  }
+  /// Calls f with the normal of each surface that one is at and does not part from faster than `put` [m/s], the ground
+  /// too, and whether it moves.
+  template <class F>
+  void each_support(std::uint32_t i, double put, const F& f) const {
+    const Collider& c = all_[i];
+    const Knot& now = now_.at(i).knot;
+    const double near_to = kDeep * reach(c) + 16 * c.spacing;
+    each_surface(i, reach(c) + near_to, [&](const SceneNearest& near, const Vec3d& u) {
+      if (dot(moved(i) - u, near.away) <= put) f(near.away, u != Vec3d{});
+    });
+    const Ground& ground = context_.def->ground;
+    const Conditions<double>& conditions = w_.registry.cohort(c.cohort).conditions;
+    if (ground.mode != GroundMode::bounce || height(conditions, now.x) > ground.height + near_to) return;
+    const Vec3d up = is_round(conditions.fidelity.earth) ? vertical_at(conditions, now.x) : Vec3d{0, 1, 0};
+    if (dot(moved(i), up) <= put) f(up, false);
   }
   /// Its velocity behind the moment at hand.
   [[nodiscard]] Vec3d moved(std::uint32_t i) const {
