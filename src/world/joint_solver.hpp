@@ -71,7 +71,10 @@ struct NetReport {
   bool solved = true;
 };
 
-/// Holds the bodies of one net at the end of a step of h [s]. Rows are in an order in which neighbours are near.
+/// Holds the bodies of one net at the end of a step of h [s], or of a part of it. Rows are in an order in which
+/// neighbours are near.
+NetReport hold_part(std::span<NetBody> bodies, std::span<NetRow> rows, double h);
+/// Holds them at the end of a step, in parts if it is too long for the net (world/joint_parts.cpp).
 NetReport hold_net(std::span<NetBody> bodies, std::span<NetRow> rows, double h);
 
 }  // namespace physim

@@ -15,6 +15,7 @@
 #include "model/pair_contact.hpp"
 #include "world/held_forces.hpp"
 #include "world/pair_sweep.hpp"
+#include "world/pair_touch.hpp"
 #include "world/world_impl.hpp"
 
 namespace physim {
@@ -29,29 +30,10 @@ constexpr int kMostMeetings = 100;
 constexpr double kAtOnce = 1e-9;
 /// Slower it does not move for having passed on a blow [m/s].
 constexpr double kUnmoved = 1e-12;
+/// Part of accelerations: less is not pressing [-].
+constexpr double kUnpressed = 1e-6;
 /// Part of a step: shorter legs of a path say nothing of an acceleration [-].
 constexpr double kShort = 1e-3;
-/// Part of their reach by which two may lie in each other; farther, one was put inside of the other [-].
-constexpr double kDeep = 1e-3;
-
-/// Layers of both, as both want.
-[[nodiscard]] bool want_each_other(const Collider& a, const Collider& b) {
-  return meet_by_layers(a.kind->body.collision, a.layers, b.kind->body.collision, b.layers);
-}
-[[nodiscard]] bool may_move(const Collider& c) { return c.flies || c.sleeps; }
-[[nodiscard]] double reach(const Collider& c) { return c.kind->body.collision.radius; }
-[[nodiscard]] bool passes(const Collider& c) { return c.kind->body.collision.on_hit == OnHit::pass; }
-
-/// Two that touch, or pass through each other.
-struct Meeting {
-  double time;         // into the step [s]
-  std::uint32_t a, b;  // a < b
-  std::uint32_t version_a, version_b;
-  EventKind kind;  // hit, entered or left
-
-  /// Later, for a queue whose top is the first.
-  bool operator<(const Meeting& other) const { return std::tie(time, a, b) > std::tie(other.time, other.a, other.b); }
-};
 
 class PairStep {
  public:
@@ -142,26 +124,30 @@ class PairStep {
 
   /// Steps that move with the velocity at their start leave a projectile where it is as it begins to fall, so that what
   /// lies on another one would leave it for a step. What lies in a pile has the velocity of its row: so it falls from
-  /// there.
+  /// there. In a pile that nothing holds, steps that move with the velocity at their end are off by as much.
   bool straighten_those_that_lie() {
-    const auto begins_late = [this](const Collider& c) {
-      if (!c.flies || !c.traces.empty() || c.is_gone) return false;
+    const auto is_straight = [this](const Collider& c) {
+      if (!c.flies || !c.traces.empty() || c.is_gone) return true;
       const Fidelity& f = w_.registry.cohort(c.cohort).key.fidelity;
-      return stagger(f) < 0 || is_classic(f);
+      return stagger(f) == 0 && !is_classic(f);
     };
-    if (std::ranges::none_of(all_, begins_late)) return false;
+    if (std::ranges::all_of(all_, is_straight)) return false;
     std::set<std::pair<std::uint32_t, std::uint32_t>> touching;
     sweep_->each([&](std::uint32_t i, std::uint32_t j) {
       if (stay_together(all_[i], all_[j])) touching.insert({i, j});
     });
     const std::map<std::uint32_t, std::uint32_t> groups = groups_of(touching);
-    std::set<std::uint32_t> held;  // groups of which one stands, or touched something else
+    std::set<std::uint32_t> held, pressed;  // groups of which one stands or touched something else; that press together
     for (const auto& [i, group] : groups)
       if (!all_[i].flies || !all_[i].traces.empty()) held.insert(group);
+    for (const auto& [i, j] : touching)
+      if (press(all_[i], all_[j])) pressed.insert(groups.at(i));
     bool any = false;
     for (const auto& [i, group] : groups) {
       Collider& c = all_[i];
-      if (!held.contains(group) || !begins_late(c)) continue;
+      if (is_straight(c)) continue;
+      const bool ends_late = stagger(w_.registry.cohort(c.cohort).key.fidelity) > 0;
+      if (held.contains(group) ? ends_late : !pressed.contains(group)) continue;
       for (Knot& k : c.path) k.v -= c.ahead;
       c.ahead = {};
       c.path.back().x = c.path.front().x + (c.path.front().v + c.path.back().v) * (0.5 * context_.dt);
@@ -170,13 +156,19 @@ class PairStep {
     }
     return any;
   }
+  /// Whether two that touch come nearer by what each feels alone.
+  [[nodiscard]] bool press(const Collider& a, const Collider& b) const {
+    const Knot &on_a = a.path.front(), &on_b = b.path.front();
+    const double pull = dot(acceleration(a, 0) - acceleration(b, 0), normal_between(on_a, on_b));
+    return pull < -rounding_of_speed(a, b, on_a, on_b) / context_.dt;
+  }
   /// Whether two touch when the step begins, and neither part nor approach by the velocities of their rows.
   [[nodiscard]] bool stay_together(const Collider& a, const Collider& b) const {
     if (a.path.size() < 2 || b.path.size() < 2 || !want_each_other(a, b) || passes(a) || passes(b)) return false;
     Knot on_a = a.path.front(), on_b = b.path.front();
     if (a.traces.empty()) on_a.v -= a.ahead;
     if (b.traces.empty()) on_b.v -= b.ahead;
-    const double gap = length(on_a.x - on_b.x) - (reach(a) + reach(b)), near = 4 * slack(a, b);
+    const double gap = length(on_a.x - on_b.x) - (reach(a) + reach(b)), near = 4 * slack_between(a, b);
     if (gap > near || is_deep(a, b, on_a, on_b)) return false;
     const double speed = dot(on_a.v - on_b.v, normal_between(on_a, on_b));
     return std::abs(speed) <= near / context_.dt + rounding_of_speed(a, b, on_a, on_b);
@@ -225,7 +217,7 @@ class PairStep {
                     : note(first(a, b, radius - beyond, Touch::comes_near, from), EventKind::entered);
     }
     if (lies_on_.contains({i, j})) return;
-    const double slack = this->slack(a, b);
+    const double slack = slack_between(a, b);
     if (apart > radius + slack) return note(first(a, b, radius, Touch::comes_near, from), EventKind::hit);
     if (apart < radius - slack && met_inside_.contains({i, j})) {
       const auto left = first(a, b, radius + slack, Touch::goes_away, from);
@@ -241,16 +233,6 @@ class PairStep {
   [[nodiscard]] static std::optional<double> first(const Collider& a, const Collider& b, double distance, Touch touch,
                                                    double from) {
     return collide::first_touch(a.path, b.path, distance, touch, from);
-  }
-  /// So far two that touch may be from where they should be [m].
-  [[nodiscard]] static double slack(const Collider& a, const Collider& b) {
-    return 1e-9 * (reach(a) + reach(b)) + 4 * std::max(a.spacing, b.spacing);
-  }
-  /// One was put inside of the other: they meet once in a step, until they have been apart.
-  [[nodiscard]] static bool is_deep(const Collider& a, const Collider& b, const Knot& on_a, const Knot& on_b) {
-    const double radius = reach(a) + reach(b);
-    PHYSIM_ASSERT(radius >= 0);
-    return length(on_a.x - on_b.x) < (1 - kDeep) * radius;
   }
   [[nodiscard]] double rounding_of_speed(const Collider& a, const Collider& b, const Knot& on_a,
                                          const Knot& on_b) const {
@@ -273,12 +255,6 @@ class PairStep {
                                .normal = normal,
                                .other = context_.state->slots.id_of(other.slot)});
   }
-  [[nodiscard]] static Vec3d normal_between(const Knot& a, const Knot& b) {
-    const Vec3d between = a.x - b.x, relative = a.v - b.v;
-    if (length(between) > 0) return normalized(between);
-    return length(relative) > 0 ? -normalized(relative) : Vec3d{1, 0, 0};  // one in the middle of the other
-  }
-
   void pass(const Meeting& m) {
     const Collider &a = all_[m.a], &b = all_[m.b];
     const Knot on_a = at(a, m.time), on_b = at(b, m.time);
@@ -337,6 +313,7 @@ class PairStep {
       tell(EventKind::hit, all_[t.b], all_[t.a], now_[t.b].knot, -t.n, reason);
     }
     part();
+    find_pulls(time);
     for (const TouchNow& t : touches_)
       if (t.lies && dot(moved(t.a) - moved(t.b), t.n) > kUnmoved && !is_held(t)) lies_on_.erase({t.a, t.b});
     std::erase_if(now_, [](const auto& each) { return each.second.is_still(); });
@@ -350,6 +327,7 @@ class PairStep {
     PairBody moves{};
     Vec3d came{};                 // its spin before
     std::optional<Vec3d> spin{};  // afterwards, if it is another one
+    std::optional<Vec3d> pull{};  // of one that lies on others: what is left of its acceleration [m/s^2]
     bool meets = true;            // false: it only lies at those that meet
 
     /// It passed on what it was given, and nothing of it changed.
@@ -378,10 +356,12 @@ class PairStep {
     const double frame = frame_of_contact(context_.dt);
     PairSurface surface = pair_surface(a.kind->body, b.kind->body);
     ++a.hits, ++b.hits;
-    const bool lies = is_low(surface, before, pull, frame) || std::max(a.hits, b.hits) > kMostMeetings;
+    const double rounding = rounding_of_speed(a, b, on_a, on_b) / context_.dt;
+    const bool low = pull < -rounding && is_low(surface, before, pull, frame);
+    const bool lies = low || std::max(a.hits, b.hits) > kMostMeetings;
     const bool strikes = !lies || is_strike(before, pull, frame);
     if (lies) surface.restitution = 0, lies_on_.insert({m.a, m.b});
-    const bool inside = time == 0 && length(on_a.x - on_b.x) < reach(a) + reach(b) - slack(a, b);
+    const bool inside = time == 0 && length(on_a.x - on_b.x) < reach(a) + reach(b) - slack_between(a, b);
     const bool deep = is_deep(a, b, on_a, on_b);
     if (deep) met_inside_.insert({m.a, m.b});
     return {.a = m.a,
@@ -466,9 +446,9 @@ class PairStep {
     const Knot on_a = at(a, time), on_b = at(b, time);
     const bool lies = lies_on_.contains({i, j});
     const double gap = length(on_a.x - on_b.x) - (reach(a) + reach(b));
-    if (gap > 4 * slack(a, b) || is_deep(a, b, on_a, on_b)) return std::nullopt;
+    if (gap > 4 * slack_between(a, b) || is_deep(a, b, on_a, on_b)) return std::nullopt;
     const Vec3d n = normal_between(on_a, on_b);
-    const double put = 4 * slack(a, b) / context_.dt;
+    const double put = 4 * slack_between(a, b) / context_.dt;
     if (dot(on_a.v - on_b.v, n) > put + rounding_of_speed(a, b, on_a, on_b)) return std::nullopt;
     PairSurface surface = pair_surface(a.kind->body, b.kind->body);
     if (lies) surface.restitution = 0;
@@ -483,17 +463,25 @@ class PairStep {
     PHYSIM_ASSERT(now_.contains(i));
     const Collider& c = all_[i];
     const Knot& now = now_[i].knot;
-    const CollisionDef& of = c.kind->body.collision;
-    if (!context_.scene || of.layers == 0 || !(of.radius > 0)) return;
-    const double time = context_.time + now.time, within = of.radius + 4e-10 + 16 * c.spacing;
-    const auto add = [&](const SceneNearest& near) {
-      if (near.away == Vec3d{} || is_passing(near, of)) return;
-      const Vec3d u = velocity_at(*context_.scene->state(near.instance, time), near.position);
-      const double put = (within - of.radius) / context_.dt;  // so fast it may look that was put beside the surface
+    const double radius = reach(c), within = radius + 4e-10 + 16 * c.spacing;
+    each_surface(i, within, [&](const SceneNearest& near, const Vec3d& u) {
+      const double put = (within - radius) / context_.dt;  // so fast it may look that was put beside the surface
       if (dot(now.v - u, near.away) > put + 8 * epsilon_of(c) * (length(now.v) + length(u))) return;
       const PairSurface surface = pair_surface(context_.scene->material(near.material), c.kind->body);
-      const Vec3d runs = context_.scene->conveyor_velocity(near.instance, near.away, time);
+      const Vec3d runs = context_.scene->conveyor_velocity(near.instance, near.away, context_.time + now.time);
       walls_.push_back({i, {.velocity = runs == Vec3d{} ? u : u + runs}, near.away, surface});
+    });
+  }
+  /// Calls f with each surface that one is beside at the moment at hand, and how that moves [m/s].
+  template <class F>
+  void each_surface(std::uint32_t i, double within, const F& f) const {
+    const Knot& now = now_.at(i).knot;
+    const CollisionDef& of = all_[i].kind->body.collision;
+    if (!context_.scene || of.layers == 0 || !(of.radius > 0)) return;
+    const double time = context_.time + now.time;
+    const auto add = [&](const SceneNearest& near) {
+      if (near.away == Vec3d{} || is_passing(near, of)) return;
+      f(near, velocity_at(*context_.scene->state(near.instance, time), near.position));
     };
     SceneByMotion(*context_.scene)
         .each_beside(now.x, within, {.layers = of.layers, .sensors = false, .from_front = true}, time, add);
@@ -580,7 +568,6 @@ class PairStep {
     if (!may_move(c)) return;
     Knot now = body.knot;
     now.v = body.moves.velocity;
-    const std::optional<Vec3d> pulled = pulled_at_rest(i, now.time);
     OnHit on_hit = OnHit::bounce;
     for (const TouchNow& t : touches_) {
       if ((t.a != i && t.b != i) || !t.strikes) continue;
@@ -593,8 +580,8 @@ class PairStep {
     c.since = now.time;
     if (c.sleeps) rouse(c);
     Parting parting{now.time, last_trace(c, now.time), {now.x, now.v}, body.spin, then(on_hit), {}};
-    const bool lies = pulled && parting.then == Parting::Then::flies_on;
-    if (lies) parting.then = Parting::Then::lies, parting.pull = *pulled;
+    const bool lies = body.pull && parting.then == Parting::Then::flies_on;
+    if (lies) parting.then = Parting::Then::lies, parting.pull = *body.pull;
     const Vec3d free = free_acceleration(c, now.time);
     fly_on(c, parting);
     c.free = lies ? std::optional(free) : std::nullopt;
@@ -608,23 +595,53 @@ class PairStep {
     const double below = dot(acceleration(a, time) - free_acceleration(b, time), t.n);
     return !lifts_off(dot(moved(t.a) - moved(t.b), t.n), std::min(above, below), frame_of_contact(context_.dt));
   }
-  /// What is left of the acceleration of one that lies on others, and goes on lying there; none: it flies.
-  [[nodiscard]] std::optional<Vec3d> pulled_at_rest(std::uint32_t i, double time) const {
-    const Vec3d free = free_acceleration(all_[i], time);
-    const double frame = frame_of_contact(context_.dt);
-    std::vector<Vec3d> held;
+  /// What is left of the accelerations of those that go on lying at each other. They press on each other as far as they
+  /// would come nearer: two that fall together do not.
+  void find_pulls(double time) {
+    PHYSIM_ASSERT(!touches_.empty());
+    std::map<std::uint32_t, PairBody> bodies;
+    const auto body = [&](std::uint32_t i) -> PairBody& {
+      const Vec3d free = free_acceleration(all_[i], time);
+      return bodies.try_emplace(i, PairBody{free, {}, all_[i].mobility}).first->second;
+    };
+    std::vector<PairTouch> presses;
     for (const TouchNow& t : touches_) {
-      if (!t.lies || (t.a != i && t.b != i)) continue;
-      const Vec3d n = t.a == i ? t.n : -t.n;
-      const double pull = dot(free, n), leaves = dot(moved(t.a) - moved(t.b), t.n);
-      if (pull < 0 && !lifts_off(leaves, pull, frame)) held.push_back(n);
+      if (!t.lies) continue;
+      PairBody &a = body(t.a), &b = body(t.b);
+      const double of_a = dot(a.velocity, t.n), of_b = -dot(b.velocity, t.n), pull = min(min(of_a, of_b), of_a + of_b);
+      if (pull < 0 && !lifts_off(dot(moved(t.a) - moved(t.b), t.n), pull, frame_of_contact(context_.dt)))
+        presses.push_back({a, b, t.n, {}});
     }
-    if (held.empty()) return std::nullopt;
-    Vec3d pull = free;
-    constexpr int kTurns = 16;
-    for (int turn = 0; turn < kTurns; ++turn)
-      for (const Vec3d& n : held) pull -= n * min(dot(pull, n), 0.0);
-    return pull;
+    if (presses.empty()) return;
+    // At a surface that stands nothing comes nearer; what is at one that moves goes along with it already.
+    double most = 0;  // acceleration that presses [m/s^2]
+    for (const auto& [i, pulled] : bodies) most = max(most, length(pulled.velocity));
+    std::deque<PairBody> surfaces;
+    for (auto& [i, pulled] : bodies)
+      each_support(i, 0.5 * frame_of_contact(context_.dt) * most, [&, &pulled = pulled](const Vec3d& n, bool moves) {
+        presses.push_back({pulled, surfaces.emplace_back(PairBody{moves ? pulled.velocity : Vec3d{}}), n, {}});
+      });
+    meet(presses);
+    for (const auto& [i, pulled] : bodies) {
+      const Vec3d free = free_acceleration(all_[i], time);
+      if (length(pulled.velocity - free) > kUnpressed * most) now_.at(i).pull = pulled.velocity;
+    }
+  }
+  /// Calls f with the normal of each surface that one is at and does not part from faster than `put` [m/s], the ground
+  /// too, and whether it moves.
+  template <class F>
+  void each_support(std::uint32_t i, double put, const F& f) const {
+    const Collider& c = all_[i];
+    const Knot& now = now_.at(i).knot;
+    const double near_to = kDeep * reach(c) + 16 * c.spacing;
+    each_surface(i, reach(c) + near_to, [&](const SceneNearest& near, const Vec3d& u) {
+      if (dot(moved(i) - u, near.away) <= put) f(near.away, u != Vec3d{});
+    });
+    const Ground& ground = context_.def->ground;
+    const Conditions<double>& conditions = w_.registry.cohort(c.cohort).conditions;
+    if (ground.mode != GroundMode::bounce || height(conditions, now.x) > ground.height + near_to) return;
+    const Vec3d up = is_round(conditions.fidelity.earth) ? vertical_at(conditions, now.x) : Vec3d{0, 1, 0};
+    if (dot(moved(i), up) <= put) f(up, false);
   }
   /// Its velocity behind the moment at hand.
   [[nodiscard]] Vec3d moved(std::uint32_t i) const {
@@ -637,7 +654,7 @@ class PairStep {
     if (context_.state->slots[c.slot].is(kPiled))
       sweep_->each_beside(static_cast<std::uint32_t>(&c - all_.data()), [&](std::uint32_t j) {
         const double apart = length(c.path.front().x - all_[j].path.front().x) - (reach(c) + reach(all_[j]));
-        const bool touches = want_each_other(c, all_[j]) && apart <= 8 * slack(c, all_[j]);
+        const bool touches = want_each_other(c, all_[j]) && apart <= 8 * slack_between(c, all_[j]);
         if (all_[j].sleeps && touches) s_.disturbed.push_back(all_[j].slot);
       });
     w_.wake_alone(c.slot, context_.time + c.since);
@@ -729,22 +746,6 @@ class PairStep {
     }
     return walls;
   }
-  [[nodiscard]] static bool push_apart(const Collider& a, const Collider& b, Knot& on_a, Knot& on_b) {
-    const Vec3d n = normal_between(on_a, on_b);
-    const double give = dot(component_product(a.mobility + b.mobility, n), n);
-    const double deep = reach(a) + reach(b) - length(on_a.x - on_b.x);
-    if (!(deep > slack(a, b)) || !(give > 0)) return false;
-    const Vec3d push = n * (deep / give);
-    on_a.x += component_product(a.mobility, push);
-    on_b.x -= component_product(b.mobility, push);
-    const double speed = dot(on_a.v - on_b.v, n);
-    if (!(speed < 0)) return true;
-    const Vec3d impulse = n * (-speed / give);
-    on_a.v += component_product(a.mobility, impulse);
-    on_b.v -= component_product(b.mobility, impulse);
-    return true;
-  }
-
   /// Those that lie on each other, in groups. They do not sleep by themselves.
   void list_piles() {
     std::erase_if(lies_on_, [this](const auto& pair) { return all_[pair.first].is_gone || all_[pair.second].is_gone; });
