@@ -20,9 +20,9 @@ constexpr double kEpsilon = std::numeric_limits<double>::epsilon();
 
 class Net {
  public:
-  Net(std::span<NetBody> bodies, std::span<NetRow> rows, double h)
-      : bodies_(bodies), rows_(rows), h_(h), ends_(bodies.size()), found_(rows.size()) {
-    PHYSIM_ASSERT(h > 0);
+  Net(std::span<NetBody> bodies, std::span<NetRow> rows, const NetPart& part)
+      : bodies_(bodies), rows_(rows), part_(part), h_(part.h), ends_(bodies.size()), found_(rows.size()) {
+    PHYSIM_ASSERT(part.h > 0 && part.step >= part.h);
     for (std::uint32_t i = 0; i < rows.size(); ++i) {
       PHYSIM_ASSERT(rows[i].a != rows[i].b && std::max(rows[i].a, rows[i].b) < bodies.size());
       ends_[rows[i].a].push_back({i, 1});
@@ -57,6 +57,7 @@ class Net {
     double q = 0;         // impulse times h [kg m]
     double p = 0;         // impulse that turns speeds [N s]
     bool takes_part = false;
+    bool is_loose = false;  // of a cable: it stays slack
     bool active = false;
   };
 
@@ -352,16 +353,25 @@ class Net {
     f.slack = 1e-12 * std::abs(row.length) + 4 * (a.spacing + b.spacing) + 8 * kEpsilon * size_of(row);
     f.target = row.length;
     row.came_taut = false;
-    if (row.kind != NetRow::Kind::cable || f.takes_part || !(f.l > row.length + f.slack)) return;
+    f.is_loose = !part_.comes_taut && row.kind == NetRow::Kind::cable && !f.takes_part;
+    if (f.is_loose) f.target = kInfinity;
+    if (f.is_loose || row.kind != NetRow::Kind::cable || f.takes_part) return;
+    // Just as long as it may be it comes taut if its ends part.
+    const double speed = speed_of(row, f.n);
+    if (!(f.l > row.length + f.slack) && !(is_stretched(row, f) && speed > 0)) return;
     row.came_taut = true;
-    row.speed = std::max(speed_of(row, f.n), 0.0);
+    row.speed = std::max(speed, 0.0);
     f.p = row.speed * restitution_of(row, f);
-    if (f.p > 0) f.target -= row.restitution * (f.l - row.length);
+    if (f.p > 0) f.target -= row.restitution * std::max(f.l - row.length, 0.0);
+  }
+  /// As long as it may be, but for rounding.
+  [[nodiscard]] static bool is_stretched(const NetRow& row, const Found& f) {
+    return f.l >= row.length - kTaut * row.length - f.slack;
   }
   /// A bounce of a cable that came taut and would be over within this step does not lift it any more.
   [[nodiscard]] double restitution_of(const NetRow& row, const Found& f) const {
     const double before = dot(f.n0, bodies_[row.a].start_velocity - bodies_[row.b].start_velocity);
-    const double gained = row.speed - before;
+    const double gained = (row.speed - before) * (part_.step / h_);  // in a whole step
     return row.restitution * row.speed > gained / 2 ? row.restitution : 0;
   }
 
@@ -369,7 +379,7 @@ class Net {
   [[nodiscard]] static bool holds(const NetRow& row, const Found& f) {
     switch (row.kind) {
       case NetRow::Kind::rod: return true;
-      case NetRow::Kind::cable: return row.came_taut || f.l >= row.length - kTaut * row.length - f.slack;
+      case NetRow::Kind::cable: return !f.is_loose && (row.came_taut || is_stretched(row, f));
       case NetRow::Kind::plane: return f.l <= row.length + f.slack;
       case NetRow::Kind::spring: return false;
     }
@@ -418,7 +428,8 @@ class Net {
 
   std::span<NetBody> bodies_;
   std::span<NetRow> rows_;
-  double h_;
+  const NetPart part_;
+  const double h_;
   std::vector<std::vector<End>> ends_;  // of rows, by body
   std::vector<Found> found_;
   std::vector<Vec3d> flown_;          // places before the net holds them
@@ -433,6 +444,8 @@ class Net {
 
 }  // namespace
 
-NetReport hold_part(std::span<NetBody> bodies, std::span<NetRow> rows, double h) { return Net(bodies, rows, h).run(); }
+NetReport hold_part(std::span<NetBody> bodies, std::span<NetRow> rows, const NetPart& part) {
+  return Net(bodies, rows, part).run();
+}
 
 }  // namespace physim

@@ -13,8 +13,9 @@
 //   planes           l(q) >= l,  q >= 0, one of them equal
 //   springs          q = -(h^2/2) F,  F = k ((l0 + l(q))/2 - L) + c (l(q) - l0)/h    (trapezoidal rule: any k, any h)
 //
-// A cable that was slack when the step began and is too long at its end came taut: what is too long is taken back, with
-// its restitution, and the speed at which its ends part is turned around by it. What is wrong with lengths before a
+// A cable that was slack when the step began and is too long at its end came taut: the step is taken in parts, up to
+// that moment and from there (world/joint_parts.cpp). There the speed at which its ends part is turned around by its
+// restitution. What is wrong with lengths before a
 // step (rounding, or ends that a call has put elsewhere) is put right by moves that give no speed.
 //
 // The steps of Newton's method are solved directly (J1 M^-1 J0^T, factored within its envelope, rows of a net in the
@@ -71,10 +72,17 @@ struct NetReport {
   bool solved = true;
 };
 
-/// Holds the bodies of one net at the end of a step of h [s], or of a part of it. Rows are in an order in which
-/// neighbours are near.
-NetReport hold_part(std::span<NetBody> bodies, std::span<NetRow> rows, double h);
-/// Holds them at the end of a step, in parts if it is too long for the net (world/joint_parts.cpp).
+/// What a part of a step is.
+struct NetPart {
+  double h;                // its length [s]
+  double step;             // length of the whole step [s]
+  bool comes_taut = true;  // false: cables that are slack stay so, however long they become
+};
+
+/// Holds the bodies of one net at the end of a part of a step. Rows are in an order in which neighbours are near.
+NetReport hold_part(std::span<NetBody> bodies, std::span<NetRow> rows, const NetPart& part);
+/// Holds them at the end of a step of h [s], which is cut where cables come taut, and where it is too long for the net
+/// (world/joint_parts.cpp).
 NetReport hold_net(std::span<NetBody> bodies, std::span<NetRow> rows, double h);
 
 }  // namespace physim
