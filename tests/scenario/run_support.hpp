@@ -22,8 +22,9 @@ inline Scenario parsed(const std::string& text, const std::vector<std::string>& 
 inline WorldRun run_of(const Scenario& scenario) { return WorldRun::create(scenario).value(); }
 inline WorldRun run_of(const std::string& text) { return run_of(parsed(text)); }
 
+/// Takes the steps that are left.
 inline void finish(WorldRun& run) {
-  for (std::uint64_t step = 0; step < run.steps(); ++step) run.step();
+  for (std::uint64_t step = run.world().counters().steps; step < run.steps(); ++step) run.step();
 }
 
 /// Takes all steps of a run and keeps all of its hits.

@@ -3,8 +3,7 @@
 
 #include <cmath>
 
-#include "scenario/world_run.hpp"
-#include "support.hpp"
+#include "scenario/run_support.hpp"
 
 namespace physim {
 namespace scenario_volley_inside_test {
@@ -22,15 +21,6 @@ const char* const kClosed =
     R"({ motion = "closed_form", gravity = "constant", drag = "off", air = "vacuum", wind = "off" })";
 const char* const kRk4 =
     R"({ integrator = "rk4", gravity = "constant", drag = "off", air = "vacuum", wind = "off", rotation = "none" })";
-
-WorldRun run_of(const std::string& text) {
-  auto scenario = parse_scenario(text, "f.toml");
-  if (!scenario) ADD_FAILURE() << scenario.error().text();
-  return std::move(*WorldRun::create(std::move(*scenario)));
-}
-void finish(WorldRun& run) {
-  for (std::uint64_t i = run.world().counters().steps; i < run.steps(); ++i) run.step();
-}
 
 TEST(VolleyInside, each_lands_as_a_shot_from_its_own_moment) {
   const double up = 30 / std::sqrt(2.0), flies = (up + std::sqrt(up * up + 2 * kG)) / kG;
