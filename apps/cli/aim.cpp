@@ -125,7 +125,12 @@ Result<int> run(const AimCommand& command) {
                                 target->target, target->options);
   if (!found)
     return about(*asked, found.error(),
-                 {{"--tolerance", command.tolerance, "options.tolerance"}, {"--time", command.time, "options.time"}});
+                 {{"--target", command.position, "target.position"},
+                  {"--range", command.range, "target.position"},
+                  {"--target-velocity", command.velocity, "target.velocity"},
+                  {"--target-acceleration", command.acceleration, "target.acceleration"},
+                  {"--tolerance", command.tolerance, "options.tolerance"},
+                  {"--time", command.time, "options.time"}});
   Until until{.ground = target->options.ground};
   const bool are_one = found->low && found->high && found->low->time == found->high->time;
   for (const auto& solution : {found->low, are_one ? std::nullopt : found->high}) {

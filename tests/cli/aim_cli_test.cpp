@@ -113,7 +113,7 @@ TEST(CliAim, RefusesWhatMakesNoSense) {
   expect_complaint(physim({"aim", file, "--target", "1, 2, 3, 4"}), "--target: error: ");
   expect_complaint(physim({"aim", file, "--target", "9, 0, 0", "--range", "3 m"}), "given together with --range");
   expect_complaint(physim({"aim", bullet, "--height", "3 m"}), "--height: error: needs a range");
-  expect_complaint(physim({"aim", file, "--target", "0, 0, 0"}), "target.position: error: is at the muzzle");
+  expect_complaint(physim({"aim", file, "--target", "0, 0, 0"}), "--target: error: is at the muzzle");
   expect_complaint(physim({"aim", file, "--tolerance", "0 m"}), "--tolerance: error");
   expect_complaint(physim({"aim", file, "--arc", "flat"}), "unknown arc \"flat\"; low, high or both");
   expect_complaint(physim({"aim", file, "--shot", "gun"}), "there is no shot \"gun\"");

@@ -103,7 +103,10 @@ TEST(CliScene, StudyOfImpactsAloneCountsHitsOnThings) {
     if (figure["name"] == "hit.wall") on_wall = figure["value"];
   EXPECT_NEAR(on_wall, 0.9151, 0.02) << "(2 Phi(1 m / 0.495 m) - 1)^2 at its front";
   const Ran plane = physim({"study", file, "--set", "study.targets=[\"circle 10 cm\"]"});
-  EXPECT_TRUE(has(plane.err, "targets: error: lie on a plane: ask for two lengths first")) << plane.err;
+  EXPECT_TRUE(
+      has(plane.err,
+          "--set study.targets=[\"circle 10 cm\"]: error: study.targets: lie on a plane: ask for two lengths first"))
+      << plane.err;
 }
 
 TEST(CliScene, RunSaysWhichTrianglesAreLeftOut) {
