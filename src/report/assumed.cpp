@@ -60,8 +60,8 @@ class Assumed {
   /// A table, or a value that stands for one, gives all that is in it.
   [[nodiscard]] bool is_given(const std::string& path) const {
     for (std::size_t end = path.find('.'); end != path.npos; end = path.find('.', end + 1))
-      if (std::ranges::binary_search(scenario_.given, path.substr(0, end))) return true;
-    return std::ranges::binary_search(scenario_.given, path);
+      if (std::ranges::binary_search(scenario_.given, path.substr(0, end), {}, &GivenSetting::path)) return true;
+    return std::ranges::binary_search(scenario_.given, path, {}, &GivenSetting::path);
   }
 
   /// A number that is a little different, within its range; itself where there is none.

@@ -30,15 +30,13 @@ namespace {
 
 /// Where what the library calls "launch.sight.zero_range" is given for a shot; empty if it is not.
 std::string given_place(const Scenario& scenario, const ScenarioShot& shot, std::string_view member) {
-  PHYSIM_ASSERT(scenario.given.size() == scenario.given_places.size());
   std::string path(member);
   for (const std::string_view of_shot : {"launch.", "projectile."})
     if (member.starts_with(of_shot))
       path = "shot." + shot.projectile.name + "." + std::string(member.substr(of_shot.size()));
   for (std::size_t end = path.size(); end != path.npos && end > 0; end = path.find_last_of(".[", end - 1)) {
-    const auto at = std::ranges::lower_bound(scenario.given, path.substr(0, end));
-    if (at != scenario.given.end() && *at == path.substr(0, end))
-      return scenario.given_places[static_cast<std::size_t>(at - scenario.given.begin())];
+    const auto at = std::ranges::lower_bound(scenario.given, path.substr(0, end), {}, &GivenSetting::path);
+    if (at != scenario.given.end() && at->path == path.substr(0, end)) return at->place;
   }
   return "";
 }

@@ -32,8 +32,8 @@ std::string put_in_place(const ScenarioStudy& study, const std::string& line) {
   if (end == line.npos) return line;
   std::string_view path = std::string_view(line).substr(0, end);
   if (path.starts_with(kOfStudy)) path.remove_prefix(kOfStudy.size());
-  const StudyTextPlace* nearest = nullptr;
-  for (const StudyTextPlace& each : study.places)
+  const GivenSetting* nearest = nullptr;
+  for (const GivenSetting& each : study.places)
     if (leads_to(path, each.path) && (nearest == nullptr || each.path.size() > nearest->path.size())) nearest = &each;
   if (nearest == nullptr) return line;
   return nearest->place + std::string(kSays) + std::string(kOfStudy) + std::string(path) + ": " +

@@ -46,11 +46,6 @@ void complete(Scenario& scenario, const Value& document) {
     scenario.expect[i].place = element(document, "expect", i).place.text();
 }
 
-struct GivenSetting {
-  std::string path;
-  std::string place;
-};
-
 /// The values in a table, but for those in lists of tables.
 void add_given(const Value& table, const std::string& head, std::vector<GivenSetting>& given) {
   for (const Member& member : *table.get<Table>()) {
@@ -63,17 +58,13 @@ void add_given(const Value& table, const std::string& head, std::vector<GivenSet
   }
 }
 
-void note_given(const Value& document, Scenario& scenario) {
-  PHYSIM_ASSERT(scenario.given.empty() && scenario.given_places.empty());
-  std::vector<GivenSetting> all;
-  add_given(document, "", all);
+std::vector<GivenSetting> given_settings(const Scenario& scenario, const Value& document) {
+  std::vector<GivenSetting> given;
+  add_given(document, "", given);
   for (std::size_t i = 0; i < scenario.shots.size(); ++i)
-    add_given(element(document, "shot", i), "shot." + scenario.shots[i].projectile.name + ".", all);
-  std::ranges::sort(all, {}, &GivenSetting::path);
-  for (GivenSetting& each : all) {
-    scenario.given.push_back(std::move(each.path));
-    scenario.given_places.push_back(std::move(each.place));
-  }
+    add_given(element(document, "shot", i), "shot." + scenario.shots[i].projectile.name + ".", given);
+  std::ranges::sort(given, {}, &GivenSetting::path);
+  return given;
 }
 
 /// Tables of measurements that the study names are files of the scenario, though only a study reads them.
@@ -115,7 +106,7 @@ Result<Scenario> read_plain(const Value& document, const std::string& file, Chec
   if (Status status = begin_reading_measurements(scenario); !status) return status.error();
   if (checks == Checks::all) {
     add_notes(scenario, document);
-    note_given(document, scenario);
+    scenario.given = given_settings(scenario, document);
   }
   scenario.files = in_use.inputs();
   return scenario;

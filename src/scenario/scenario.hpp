@@ -125,10 +125,10 @@ struct ScenarioThing {
 struct Scenario;
 struct ScenarioShot;
 
-/// Where a text of a study stands: in a file, or in an option.
-struct StudyTextPlace {
-  std::string path{};   ///< "inputs[1]", "rounds" [-]
-  std::string place{};  ///< "file:line:column", "--vary" [-]
+/// Where a setting is given: in a file, or in an option.
+struct GivenSetting {
+  std::string path{};   ///< "shot.NAME.mass"; of a text of a study "inputs[1]", "rounds" [-]
+  std::string place{};  ///< "file:line:column", "--vary", or the override [-]
 };
 
 /// The [study] of a scenario, as written.
@@ -147,7 +147,7 @@ struct ScenarioStudy {
   bool indices = false;                   ///< Sobol indices [-]
   std::int64_t over_inputs = 0;           ///< parts of each input over which hits are reported; 0: not reported [-]
   std::int64_t histograms = 0;            ///< bars of histograms; 0: not reported [-]
-  std::vector<StudyTextPlace> places{};   ///< of those that are given [-]
+  std::vector<GivenSetting> places{};     ///< of those that are given [-]
 };
 
 /// An error of a study of a scenario in the place of the text that it is about; as it was where it is about none.
@@ -324,9 +324,8 @@ struct Scenario {
   std::vector<Expectation> expect{};        ///< [-]
   ScenarioStudy study{};                    ///< [-]
   std::vector<std::string> notes{};         ///< remarks about the file, with their place: former names [-]
-  /// Paths of what the file and overrides say of shots and of all that is no list: "shot.NAME.mass" [-]
-  std::vector<std::string> given{};
-  std::vector<std::string> given_places{};  ///< of each of them: "file:line:column", or the override [-]
+  /// What the file and overrides give of shots and of all that is no list, in the order of paths [-]
+  std::vector<GivenSetting> given{};
 };
 
 /// The emitter that fires the rounds or tracers of a shot by its name, which no volley fires; null: none.
