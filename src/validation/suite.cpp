@@ -4,6 +4,7 @@
 
 #include "base/assert.hpp"
 #include "physim/names.hpp"
+#include "prepare/grant.hpp"
 #include "validation/suite.hpp"
 
 namespace physim::validation {
@@ -91,7 +92,7 @@ std::string complaint(const Flight& flight, const Fidelity& asked) {
   if (!ended_as_planned(flight.outcome())) return "the flight ended: " + std::string(name(flight.outcome()));
   const Fidelity& granted = flight.fidelity_in_use().fidelity;
   if (granted.motion != asked.motion) return "granted other motion: " + std::string(name(granted.motion));
-  const bool is_named = asked.motion != Motion::closed_form && asked.integrator != Integrator::adaptive;
+  const bool is_named = asked.motion != Motion::closed_form && !is_chosen_by_rotation(asked.integrator);
   if (is_named && granted.integrator != asked.integrator)
     return "granted other integrator: " + std::string(name(granted.integrator));
   if (granted.drag != asked.drag) return "granted other drag: " + std::string(name(granted.drag));

@@ -187,12 +187,12 @@ void ForceField::add(const Push& push, double place) {
   ForceStage stage{time,      rows_.id,  rows_.position, rows_.velocity, rows_.mass,
                    rows_.age, rows_.def, rows_.in_zone,  rows_.force,    rows_.drag_rate};
   const ForceClock clock{std::abs(since) < kSameTime * dt_ ? 0 : since, bool(g.def.target.kind)};
-  const auto add = [&](const ForceLaw& law) { add_force(law, clock, members_of(push), *this, stage, rows_.scratch); };
-  if (!push.from) return add(g.def.law);
+  const auto sum = [&](const ForceLaw& law) { add_force(law, clock, members_of(push), *this, stage, rows_.scratch); };
+  if (!push.from) return sum(g.def.law);
   ForceLaw backwards = g.def.law;
   PHYSIM_ASSERT(other_end_of(backwards) != nullptr);
   *other_end_of(backwards) = push.from;
-  add(backwards);
+  sum(backwards);
 }
 
 bool ForceField::is_sound(std::uint32_t row) const {

@@ -21,7 +21,7 @@ constexpr double kEpsilon = std::numeric_limits<double>::epsilon();
 class Net {
  public:
   Net(std::span<NetBody> bodies, std::span<NetRow> rows, const NetPart& part)
-      : bodies_(bodies), rows_(rows), part_(part), h_(part.h), ends_(bodies.size()), found_(rows.size()) {
+      : bodies_(bodies), rows_(rows), part_(part), ends_(bodies.size()), found_(rows.size()) {
     PHYSIM_ASSERT(part.h > 0 && part.step >= part.h);
     for (std::uint32_t i = 0; i < rows.size(); ++i) {
       PHYSIM_ASSERT(rows[i].a != rows[i].b && std::max(rows[i].a, rows[i].b) < bodies.size());
@@ -110,7 +110,7 @@ class Net {
     double gained = 0, moved = 0;  // [J]
     for (std::size_t i = 0; i < bodies_.size(); ++i) {
       const NetBody &now = bodies_[i], &then = flown[i];
-      const Vec3d way = followed_[i] - then.x, push = (then.v - then.start_velocity) * (1 / h_);
+      const Vec3d way = followed_[i] - then.x, push = (then.v - then.start_velocity) * (1 / part_.h);
       for (double Vec3d::*axis : {&Vec3d::x, &Vec3d::y, &Vec3d::z}) {
         if (!(now.mobility.*axis > 0)) continue;
         const double mass = 1 / (now.mobility.*axis);
@@ -215,9 +215,9 @@ class Net {
     for (std::size_t i = 0; i < rows_.size(); ++i) {
       const Found& f = found_[i];
       if (f.q == 0) continue;
-      push(rows_[i], f.n0, f.q / h_, &NetBody::v);
+      push(rows_[i], f.n0, f.q / part_.h, &NetBody::v);
       // A spring pulls at the end of the step as at its start; what holds lengths does as speeds need it.
-      if (rows_[i].kind == NetRow::Kind::spring) push(rows_[i], f.n, f.q / h_, &NetBody::v);
+      if (rows_[i].kind == NetRow::Kind::spring) push(rows_[i], f.n, f.q / part_.h, &NetBody::v);
     }
   }
 
@@ -237,12 +237,12 @@ class Net {
     if (row.kind == NetRow::Kind::cable && !was_taut(row, f)) f.takes_part = false;
     if (row.kind != NetRow::Kind::spring) return;
     const double k = row.stiffness, c = row.damping;
-    const double slope = h_ * h_ * k / 4 + h_ * c / 2;
+    const double slope = part_.h * part_.h * k / 4 + part_.h * c / 2;
     PHYSIM_ASSERT(k >= 0 && c >= 0);
     f.takes_part = f.takes_part && slope > 0;
     if (!f.takes_part) return;
     f.give = 1 / slope;
-    f.target = f.give * (h_ * h_ * k / 2 * (row.length - f.l0 / 2) + h_ * c / 2 * f.l0);
+    f.target = f.give * (part_.h * part_.h * k / 2 * (row.length - f.l0 / 2) + part_.h * c / 2 * f.l0);
   }
   [[nodiscard]] bool was_taut(const NetRow& row, const Found& f) const {
     const NetBody &a = bodies_[row.a], &b = bodies_[row.b];
@@ -371,7 +371,7 @@ class Net {
   /// A bounce of a cable that came taut and would be over within this step does not lift it any more.
   [[nodiscard]] double restitution_of(const NetRow& row, const Found& f) const {
     const double before = dot(f.n0, bodies_[row.a].start_velocity - bodies_[row.b].start_velocity);
-    const double gained = (row.speed - before) * (part_.step / h_);  // in a whole step
+    const double gained = (row.speed - before) * (part_.step / part_.h);  // in a whole step
     return row.restitution * row.speed > gained / 2 ? row.restitution : 0;
   }
 
@@ -418,7 +418,7 @@ class Net {
     report_.solved = choose(attempt, fits) && report_.solved;
     for (std::size_t i = 0; i < rows_.size(); ++i) {
       const double twice = rows_[i].kind == NetRow::Kind::spring ? 2 : 1;
-      rows_[i].impulse = -(twice * found_[i].q / h_ + found_[i].p);
+      rows_[i].impulse = -(twice * found_[i].q / part_.h + found_[i].p);
     }
   }
 
@@ -429,7 +429,6 @@ class Net {
   std::span<NetBody> bodies_;
   std::span<NetRow> rows_;
   const NetPart part_;
-  const double h_;
   std::vector<std::vector<End>> ends_;  // of rows, by body
   std::vector<Found> found_;
   std::vector<Vec3d> flown_;          // places before the net holds them
