@@ -105,7 +105,8 @@ PHYSIM_COLD double overhang(const SceneSegment& chord) {
 /// No surface, but where the point is when its way begins. By which surface it leaves, has the mark too.
 bool begins_inside(const SceneHit& hit) { return hit.starts_inside && hit.entering; }
 
-/// Whether a place is inside of the body that a surface is of, by a cast that is always the same.
+/// Whether a place is inside the body that the surface belongs to. The cast has one fixed direction, so that both
+/// chords that end there get the same answer.
 PHYSIM_COLD bool is_inside(const Scene& scene, const SceneFilter& filter, const SceneHit& surface, const Vec3d& place,
                            double time) {
   constexpr Vec3d kAside{1e-6, 6e-7, 3e-7};  // [m]

@@ -211,8 +211,8 @@ class Client {
   /// Emitters instead of those of the scenario; it starts again, and goes on to the moment at hand.
   [[nodiscard]] Status set_emitters(const std::vector<ScenarioEmitter>& emitters);
 
-  /// What the next shot would do; flown again only when something changed. Where that takes longer than a frame and
-  /// frames are not to wait, the path stays that of the shot before until the new one is there.
+  /// The flight of the next shot, computed again if something changed. If the last computation took longer than a frame
+  /// and `computes_beside` is set, the former path is returned until the thread has the new one.
   [[nodiscard]] const Prediction& prediction();
   [[nodiscard]] const Track* selected_track() const;
   void select_next();
@@ -232,8 +232,8 @@ class Client {
   [[nodiscard]] std::optional<Vec3d> surface_under(const Pixel& pixel) const;
   [[nodiscard]] Status place_wall(const Vec3d& from, const Vec3d& to);
   [[nodiscard]] Status place_target(const Vec3d& middle);
-  /// Where a target would stand for a click: on a path, where that is high enough above the ground for all of the
-  /// target, or with its lower edge on what is there.
+  /// The place of a target for a click: on a path if the whole target is above the ground there, else with its lower
+  /// edge on the surface under the pixel.
   [[nodiscard]] std::optional<Vec3d> target_under(const Pixel& pixel);
   /// The change of aim by which a shot that missed a target hits it; computed once for each shot and target.
   [[nodiscard]] std::optional<AimChange> aim_change_of(const Track& track, const TargetDisc& target);
@@ -307,8 +307,8 @@ class Client {
     std::vector<std::string> presets;
     bool operator==(const Compared&) const = default;
   };
-  /// What the last one took [s], what is asked for beside the frames, and by whom. Threads of a client that is moved
-  /// stay where they are.
+  /// A computation that may run on a thread: the duration of the last one [s], the request that the thread works on,
+  /// and the thread. It is behind a pointer, so that a client can be moved.
   template <class At, class Answer>
   struct Slow {
     double seconds = 0;

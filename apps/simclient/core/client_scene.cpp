@@ -71,7 +71,7 @@ std::optional<Vec3d> Client::surface_under(const Pixel& pixel) const {
 
 namespace {
 
-/// Where a path passes a height, as near in time to a moment as it does; nothing if it stays below.
+/// The place at which a path crosses a height, of several the nearest in time to `time` [s]; nullopt if it never does.
 std::optional<Vec3d> nearest_as_high(const std::vector<TrackSample>& path, double time, double height) {
   std::optional<TrackSample> best;
   for (std::size_t i = 1; i < path.size(); ++i) {

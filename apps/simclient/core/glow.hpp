@@ -9,14 +9,14 @@
 
 namespace physim::client {
 
-/// What shines: a particle, or the streak of one.
+/// A source of light: a particle, or its streak from one frame to the next.
 struct Light {
   Vec3d from, to;
   Colour colour = 0xFFFFFFFF;
   float pixels = 0;  // its diameter [pixels]
 };
 
-/// How hot a colour looks, from 0 to 1: colours of fire are, those of water, smoke and paper are not.
+/// The apparent heat of a colour [-], 0..1: above 0 for colours of fire, 0 for those of water, smoke and paper.
 [[nodiscard]] double heat(Colour colour);
 
 /// The colour of the middle of what has this colour: hot things are brighter there.

@@ -25,7 +25,7 @@ struct Prediction {
 
 /// The prediction by a flight that was computed whole. It is cut if nothing that the scenario asks for ends it.
 [[nodiscard]] Prediction prediction_of(const Flight& flight, const Scenario& scenario);
-/// How it begins, with a path of a moment.
+/// The start of a prediction: its launch and granted fidelity, with a path of one short flight.
 [[nodiscard]] Prediction beginning_of(Scenario scenario, const ScenarioShot& shot);
 
 /// Predicts the shots of one session.

@@ -1,4 +1,5 @@
-// A table that is no wider than its room: columns give way by their rank, and what they say is told under the mouse.
+// A table that is no wider than its window. If the columns do not fit, those of the lowest rank are hidden, and a
+// tooltip shows their values.
 #pragma once
 
 #include <span>
