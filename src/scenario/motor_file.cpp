@@ -43,9 +43,9 @@ class MotorReader {
   }
 
  private:
-  [[nodiscard]] std::string place() const { return file_ + ":" + std::to_string(line_); }
+  [[nodiscard]] std::string place(std::size_t line) const { return file_ + ":" + std::to_string(line); }
   [[nodiscard]] Error fault(const std::string& message, std::string_view hint) const {
-    return Error{message, place(), std::string(hint)};
+    return Error{message, place(line_), std::string(hint)};
   }
   /// Thrust that does not end at zero falls to it at its last point, as other programs have it. Zeros inside are a
   /// pause of the motor; those behind its end say nothing.
@@ -55,7 +55,7 @@ class MotorReader {
     std::vector<ThrustPoint>& thrust = motor.thrust;
     if (thrust.size() < 2)
       return keep(fault("the thrust of " + in_quotes(motor.name) + " has no points", "is the file cut off?"));
-    if (!(total_impulse(motor) > 0)) return keep(fault("the motor gives no impulse", "its thrust is zero"));
+    if (!(total_impulse(motor) > 0)) return keep({"the motor gives no impulse", place(point_line_), "its thrust is zero"});
     while (thrust.back().force == 0 && thrust[thrust.size() - 2].force == 0) thrust.pop_back();
     const double end = thrust.back().time;
     if (thrust.back().force == 0) return;
@@ -132,11 +132,13 @@ class MotorReader {
       return fault("three points at time " + number_text(time), "two points at one time are a step");
     if (count == kMostMotorPoints) return fault("too many points", "at most " + std::to_string(kMostMotorPoints));
     thrust.push_back({time, force});
+    point_line_ = line_;
     return {};
   }
 
   const std::string& file_;
   std::size_t line_ = 0;
+  std::size_t point_line_ = 0;  // of the last point of thrust
   std::vector<MotorFileEntry> motors_;
 };
 

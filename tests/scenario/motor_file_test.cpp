@@ -120,6 +120,7 @@ TEST(MotorFile, mistakes_name_their_line) {
       {"C6 18 70 0-3 .0108 .0231 E\n", "f.eng:1", "has no points"},
       {"C6 18 70 0-3 .0108 .0231 E\nB6 18 70 0-3 .0108 .0231 E\n", "f.eng:2", "has no points"},
       {"C6 18 70 0-3 .0108 .0231 E\n1 0\n", "f.eng:2", "no impulse"},
+      {"C6 18 70 0-3 .0108 .0231 E\n1 0\n; B6 follows\nB6 18 70 0-3 .0108 .0231 E\n", "f.eng:2", "no impulse"},
       {"C6 18 70 0-3 .0108 .0231 E\n0.2 5\n1 0\n0.9 2\n", "f.eng:4", "time 0.9 after 1"},
   };
   for (const Bad& bad : kBad) {
