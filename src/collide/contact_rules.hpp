@@ -273,4 +273,16 @@ template <class Host>
   return braked(a, own - slide.normal * dot(own, slide.normal), ending, slide.v_t, slide.time);
 }
 
+/// What stands in the way of a ball that touches it already: the deepest but `below`; none if nothing does.
+[[nodiscard]] inline SceneNearest in_way(const Scene& scene, const SceneFilter& solids, InstanceId below,
+                                         const Vec3d& x, const Vec3d& way, double radius, double time) {
+  PHYSIM_ASSERT(radius > 0);
+  SceneNearest nearest;
+  SceneByMotion(scene).each_beside(x, radius, solids, time, [&](const SceneNearest& near) {
+    const bool stands = near.instance != below && dot(way, near.away) < 0;
+    if (stands && (!nearest || near.distance < nearest.distance)) nearest = near;
+  });
+  return nearest;
+}
+
 }  // namespace physim

@@ -260,7 +260,8 @@ class SceneContacts {
 
   /// One contact; nothing where another one follows in `s`, `hit` and `passed`.
   [[nodiscard]] std::optional<After> contact(State<double>& s, SceneHit& hit, double& passed) {
-    if (hit.starts_inside && is_ball()) push_out(s, hit, passed);
+    if (hit.starts_inside && is_ball())
+      push_out(scene_->nearest(s.x, collision().radius, solids_, r_.scene_time() + passed), s, hit, passed);
     if (hit.starts_inside) look_for_surface(s, hit, passed);
     if (hit.starts_inside && came_through_) enter_here(s, hit);
     hit = of_first_part(*scene_, solids_, hit, s.x - hit.normal * collision().radius, r_.scene_time() + passed);
@@ -325,9 +326,8 @@ class SceneContacts {
   }
 
   /// A ball that touches something where the step begins, as its middle is outside.
-  void push_out(State<double>& s, SceneHit& hit, double passed) const {
+  void push_out(const SceneNearest& near, State<double>& s, SceneHit& hit, double passed) const {
     const double radius = collision().radius, time = r_.scene_time() + passed, rounding = 4 * gap_at(s.x);
-    const SceneNearest near = scene_->nearest(s.x, radius, solids_, time);
     if (!near || near.away == Vec3d{} || scene_->is_one_way(near.instance)) return;
     // What lies there: at an edge a point may miss it.
     const Vec3d before = near.distance < rounding ? near.away * rounding : Vec3d{};
@@ -600,13 +600,17 @@ class SceneContacts {
     return length_squared(after.velocity) <= bend * -dot(a, about.away);
   }
 
-  /// Another thing than the one below that a way goes into at once, if it begins inside of it by a rounding.
+  /// Another thing than the one below that a way goes into at once, as it begins inside of it: by rounding, or by what
+  /// a net or a call leaves. What is deeper was put there, and goes on as if nothing were.
   [[nodiscard]] SceneHit stands_here(State<double> s, const SceneHit& below, SceneHit wall, const Vec3d& way,
                                      double passed) const {
+    PHYSIM_ASSERT(wall.starts_inside && is_ball());
+    constexpr double kMostIn = 1e-6;  // [m]
     const Vec3d was = s.x;
-    push_out(s, wall, passed);
-    if (length(s.x - was) > 4 * gap_at(was)) return {};
-    if (wall.starts_inside || wall.instance == below.instance || !(dot(way, wall.normal) < 0)) return {};
+    push_out(in_way(*scene_, solids_, below.instance, s.x, way, collision().radius, r_.scene_time() + passed), s, wall,
+             passed);
+    if (length(s.x - was) > max(kMostIn, 4 * gap_at(was))) return {};
+    if (wall.starts_inside || !(dot(way, wall.normal) < 0)) return {};
     wall.part = 0, wall.position = s.x;
     return wall;
   }

@@ -55,7 +55,8 @@ class MotorReader {
     std::vector<ThrustPoint>& thrust = motor.thrust;
     if (thrust.size() < 2)
       return keep(fault("the thrust of " + in_quotes(motor.name) + " has no points", "is the file cut off?"));
-    if (!(total_impulse(motor) > 0)) return keep({"the motor gives no impulse", place(point_line_), "its thrust is zero"});
+    if (!(total_impulse(motor) > 0))
+      return keep({"the motor gives no impulse", place(point_line_), "its thrust is zero"});
     while (thrust.back().force == 0 && thrust[thrust.size() - 2].force == 0) thrust.pop_back();
     const double end = thrust.back().time;
     if (thrust.back().force == 0) return;

@@ -141,6 +141,30 @@ TEST(ContactAtOnce, piles_at_rest_stay_at_rest) {
     }
 }
 
+/// A wall that a ball on a floor is a little in, by rounding or as others put it there, stops it as any does.
+TEST(ContactAtOnce, a_ball_slides_into_no_wall_that_it_is_in_already) {
+  for (const Precision precision : {Precision::float64, Precision::float32})
+    for (const double r : {0.05, 0.5})
+      for (const double deep : {0.0, 1e-9, 2e-8, 2e-7})
+        for (const double speed : {0.004, 0.5}) {
+          Scene scene;
+          const MaterialId soft = *scene.add_material({.restitution = 0, .friction = 0.3});
+          const ShapeId box = *scene.add_shape(BoxShape{{3, 3, 3}});
+          for (const Vec3d& at : {Vec3d{0, -5, 0}, Vec3d{0, 0, -5}}) {
+            ASSERT_TRUE(scene.add({.shape = box, .transform = {.position = at}, .material = soft}));
+          }
+          World world = world_with(scene);
+          const ProjectileId ball =
+              put(world, by_rk4(r, precision), body_of(r, 0, 0.3), {-0.8, -2 + r, -2 + r - deep}, {0.1, 0, -speed});
+          for (int i = 0; i < 20; ++i) {
+            world.step(1.0 / 60);
+            EXPECT_GT(world[ball].position().z, -2 + r - 5e-7) << r << " " << deep << " " << speed << " " << i;
+            EXPECT_NEAR(world[ball].position().y, -2 + r, 5e-7) << r << " " << deep << " " << speed << " " << i;
+          }
+          EXPECT_NEAR(world[ball].velocity().z, 0, 1e-9);
+        }
+}
+
 TEST(ContactAtOnce, a_ball_turns_about_an_edge_until_nothing_presses) {
   for (const double v : {2.0, 0.3})
     for (const double hz : {60.0, 240.0, 1000.0}) {
