@@ -600,17 +600,15 @@ class SceneContacts {
     return length_squared(after.velocity) <= bend * -dot(a, about.away);
   }
 
-  /// Another thing than the one below that a way goes into at once, as it begins inside of it: by rounding, or by what
-  /// a net or a call leaves. What is deeper was put there, and goes on as if nothing were.
+  /// Another thing than the one below that a way goes into at once, as it begins inside of it: by a micrometre at most,
+  /// as rounding, a net or a call leaves it. What is deeper was put there, and goes on as if nothing were.
   [[nodiscard]] SceneHit stands_here(State<double> s, const SceneHit& below, SceneHit wall, const Vec3d& way,
                                      double passed) const {
-    PHYSIM_ASSERT(wall.starts_inside && is_ball());
-    constexpr double kMostIn = 1e-6;  // [m]
     const Vec3d was = s.x;
     push_out(in_way(*scene_, solids_, below.instance, s.x, way, collision().radius, r_.scene_time() + passed), s, wall,
              passed);
-    if (length(s.x - was) > max(kMostIn, 4 * gap_at(was))) return {};
-    if (wall.starts_inside || !(dot(way, wall.normal) < 0)) return {};
+    const bool deep = length(s.x - was) > max(1e-6, 4 * gap_at(was));
+    if (deep || wall.starts_inside || !(dot(way, wall.normal) < 0)) return {};
     wall.part = 0, wall.position = s.x;
     return wall;
   }
@@ -658,9 +656,7 @@ class SceneContacts {
     const State<double> began = s;
     const double begin = passed;
     passed = part < 1 || way.time < r_.step_length() - passed ? passed + part * way.time : r_.step_length();
-    const auto then = [part](const Vec3d& from, const Vec3d& end) {
-      return part < 1 ? from + (end - from) * part : end;
-    };
+    const auto then = [part](Vec3d from, Vec3d end) { return part < 1 ? from + (end - from) * part : end; };
     s = {part < 1 ? next.position - over : to, then(motion.velocity, way.motion.velocity) + then(u, then_at)};
     if (is_ball()) r_.put_spin(then(motion.spin, way.motion.spin), passed);
     went(began, begin, s, passed);
