@@ -1,4 +1,4 @@
-# Kernel files (src/*/*_kernel.cpp) are compiled once per instruction set, each copy in the namespace PHYSIM_ISA; the
+# Kernel files (src/**/*_kernel.cpp) are compiled once per instruction set, each copy in the namespace PHYSIM_ISA; the
 # library chooses among them at run time. PHYSIM_HAVE_AVX2 and PHYSIM_HAVE_AVX512 (0 or 1), in a generated header, say
 # which copies exist, so that other instruction sets compile again what chooses among them, and nothing else.
 #

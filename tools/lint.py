@@ -55,6 +55,31 @@ C_HEADERS = {"stdint.h", "stddef.h", "stdbool.h"}
 FILE_HEADERS = {"fstream", "iostream", "filesystem"}
 
 
+
+# Rooms of layers, lower ones first: a file sees its own room and those before it. A .cpp file of any room may include what
+# the functions of World share: they stand with what they call.
+ROOMS = {"world": ["core", "step", "couple", "journal", "door"]}
+SHARED_BY_CALLS = {"world/couple/world_impl.hpp"}
+
+
+def check_rooms(name, lines):
+    parts = name.split("/")
+    if parts[0] != "src" or parts[1] not in ROOMS:
+        return
+    rooms = ROOMS[parts[1]]
+    if len(parts) != 4 or parts[2] not in rooms:
+        find(name, 1, f"src/{parts[1]} has the rooms {', '.join(rooms)}; put the file into one of them")
+        return
+    for number, line in enumerate(lines, 1):
+        match = INCLUDE.match(line)
+        target = match.group(2).split("/") if match else []
+        if len(target) != 3 or target[0] != parts[1] or target[1] not in rooms:
+            continue
+        shared = name.endswith(".cpp") and "/".join(target) in SHARED_BY_CALLS
+        if rooms.index(target[1]) > rooms.index(parts[2]) and not shared:
+            find(name, number, f'{parts[1]}/{parts[2]} may not include "{"/".join(target)}"; its room comes later')
+
+
 def check_includes(name, lines):
     """A layer sees the public headers, itself, and the layers above it; the core has no dependency."""
     parts = name.split("/")
@@ -394,7 +419,7 @@ def check_counts(texts):
 def check_kernel_symbols():
     """A weak symbol outside its own namespace may be shared by the linker with code for older processors."""
     nm = shutil.which("nm")
-    pattern = "CMakeFiles/physim_kernels_*.dir/src/*/*_kernel.cpp.o"
+    pattern = "CMakeFiles/physim_kernels_*.dir/src/**/*_kernel.cpp.o"
     objects = [o for preset in ("release", "clang") for o in sorted((ROOT / "build" / preset).glob(pattern))]
     checked = 0
     for path in objects:
@@ -447,6 +472,7 @@ def main():
         text = read(name)
         lines = text.splitlines()
         check_includes(name, lines)
+        check_rooms(name, lines)
         check_units(name, text, lines)
         check_initialised(name, text)
         check_apart(name, text)

@@ -96,7 +96,7 @@ class Faults:
         slow = read_by_kernels(src)
         self.by_kind = {}
         for layer in LAYERS:
-            for path in sorted((src / layer).glob("*.?pp")):
+            for path in sorted((src / layer).rglob("*.?pp")):
                 for begin, end, instead, what in places(path.read_text(encoding="utf-8")):
                     found, weights = self.by_kind.setdefault(what, ([], []))
                     found.append((path, begin, end, instead, what))
@@ -152,7 +152,7 @@ class Tests:
         return failure
 
     def noticed_by(self, path):
-        concerned = path.parent.name
+        concerned = path.parts[path.parts.index("src") + 1]
         if failure := self.first_failure(self.named([concerned])) if self.suites.get(concerned) else "":
             return failure
         for folders in (set(self.suites) - LAST, LAST & set(self.suites)):

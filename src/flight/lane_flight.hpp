@@ -538,7 +538,7 @@ class LaneFlight {
   bool is_relaunched_ = false;  // a closed form, in this frame
   bool ends_at_rest_ = false;
   StepParts parts_{0, false};                  // of the frame, or the flight
-  std::optional<S> steps_of_;                  // as in world/settle.cpp, since a contact in the frame
+  std::optional<S> steps_of_;                  // as in world/step/settle.cpp, since a contact in the frame
   S t_start_{}, t_end_{};                      // of the frame, on the march's clock
   double into_step_ = 0;                       // from the march's clock to the time into the contacts' step [s]
   double passed_range_ = 0, passed_time_ = 0;  // where closed forms were relaunched [m], [s]

@@ -48,7 +48,7 @@ struct FrameStart {
 };
 
 /// Flies on. The record has all but its path: what is in use, conditions, body and rotor as they are now. The bits at
-/// the ends of frames are those of a world (world/settle.cpp, world/forced_step.cpp).
+/// the ends of frames are those of a world (world/step/settle.cpp, world/step/forced_step.cpp).
 void fly_on(FlightRecord& record, const FrameStart& from, const Tolerance& tolerance, const Until& until);
 
 }  // namespace physim

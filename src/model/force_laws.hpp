@@ -137,7 +137,7 @@ template <class Law>
 
 // ------------------------------------------------------------------------------ laws that one projectile alone decides
 // `p` is the projectile: position(), velocity() [m, m/s], mass() [kg], diameter() [m]. Springs between two, zones of
-// wind, thrust by time and user functions know more (world/force_eval.cpp).
+// wind, thrust by time and user functions know more (world/step/force_eval.cpp).
 
 [[nodiscard]] Vec3d force_on(const ConstantForce& law, const auto&) { return law.force; }
 [[nodiscard]] Vec3d force_on(const ConstantAcceleration& law, const auto& p) { return law.acceleration * p.mass(); }

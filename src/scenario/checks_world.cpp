@@ -6,8 +6,8 @@
 #include "scenario/mistakes.hpp"
 #include "scenario/schema.hpp"
 #include "scenario/suggest.hpp"
-#include "world/check.hpp"
-#include "world/force_eval.hpp"
+#include "world/core/check.hpp"
+#include "world/step/force_eval.hpp"
 
 namespace physim {
 namespace {

@@ -5,7 +5,7 @@
 #include "flight/flight_record.hpp"
 #include "physim/solve.hpp"
 #include "scenario/scenario.hpp"
-#include "world/registry.hpp"
+#include "world/core/registry.hpp"
 
 namespace physim {
 namespace {

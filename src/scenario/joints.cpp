@@ -10,7 +10,7 @@
 #include "scenario/suggest.hpp"
 #include "scenario/units.hpp"
 #include "scenario/world_run_impl.hpp"
-#include "world/joints.hpp"
+#include "world/core/joints.hpp"
 
 namespace physim {
 namespace {

@@ -11,7 +11,7 @@ namespace capi_recorded_calls_test {
 
 #define PHYSIM_CALL(name, ...) #name,
 constexpr const char* kRecorded[] = {
-#include "world/recorded_calls.hpp"
+#include "world/core/recorded_calls.hpp"
 };
 #undef PHYSIM_CALL
 

@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "world/recorder.hpp"
+#include "world/core/recorder.hpp"
 
 namespace physim::test {
 

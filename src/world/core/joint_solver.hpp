@@ -1,0 +1,88 @@
+// What joints do to the ends of a step that was flown without them.
+//
+// A net of rods, cables, springs and planes holds bodies. Each flew its step as if alone, from `start` to x and v. What
+// the net did meanwhile is found at once for all of its rows, by RATTLE (Andersen 1983, J. Comput. Phys. 52, 24-34;
+// Hairer, Lubich & Wanner 2006, Geometric Numerical Integration, VII.1.3): an impulse q/h along each row's direction
+// n0 at the start of the step moves its ends apart by w n0 q (w: one over their masses) and changes their velocities by
+// w n0 q/h, so that lengths are kept; then impulses along the directions n1 at its end take away the speed at which
+// rods would become longer or shorter. So free bodies that a net joins keep their momentum and their angular momentum,
+// and in a uniform field energy only swings by terms in h^2.
+//
+//   rods             l(q) = l0                              the distance at the start of the step
+//   taut cables      l(q) <= l0, q <= 0, one of them equal  (a linear complementarity problem)
+//   planes           l(q) >= l,  q >= 0, one of them equal
+//   springs          q = -(h^2/2) F,  F = k ((l0 + l(q))/2 - L) + c (l(q) - l0)/h    (trapezoidal rule: any k, any h)
+//
+// A cable that was slack when the step began and is too long at its end came taut: the step is taken in parts, up to
+// that moment and from there (world/couple/joint_parts.cpp). There the speed at which its ends part is turned around by
+// its restitution. What is wrong with lengths before a step (rounding, or ends that a call has put elsewhere) is put
+// right by moves that give no speed.
+//
+// The steps of Newton's method are solved directly (J1 M^-1 J0^T, factored within its envelope, rows of a net in the
+// order in which a breadth-first search finds them: Cuthill & McKee 1969), so a long chain costs as much as its rows
+// are many and is as stiff as a short one. Which cables pull follows from block pivoting (Judice & Pires 1994,
+// Computers Ops Res. 21, 587-596); its last resort is Murty's rule. Rows that others imply already take no part.
+//
+// A light body between rods that hold a heavy one swings across them fast: such steps are taken in parts that are short
+// beside that (1000 kg on ten links of a gram: some hundreds of parts of 1/60 s).
+//
+// Error: of order h^2 in place and time over a fixed span. Wrong: where a net turns by a quarter of a turn or more
+// within a step. Then, where the rounds do not suffice, and where the net would gain more than a fiftieth of the energy
+// of its motion in a step, lengths are put right without a speed: springs are not felt in that step, and energy is
+// lost.
+#pragma once
+
+#include <cstdint>
+#include <span>
+
+#include "physim/math.hpp"
+
+namespace physim {
+
+/// A body that rows end at, or a fixed point.
+struct NetBody {
+  Vec3d start{};           // where it was when the step began [m]
+  Vec3d start_velocity{};  // [m/s]
+  Vec3d x{};               // place after its flight alone; then the held place [m]
+  Vec3d v{};               // velocity after its flight alone; then the held velocity [m/s]
+  Vec3d mobility{};        // one over its mass, along each axis; 0: nothing moves it [1/kg]
+  double spacing = 0;      // of the numbers that keep its place [m]
+};
+
+/// What holds two bodies.
+struct NetRow {
+  enum class Kind : std::uint8_t { rod, cable, spring, plane };
+  Kind kind = Kind::rod;
+  std::uint32_t a = 0;  // bodies
+  std::uint32_t b = 0;
+  double length = 0;       // [m]
+  double restitution = 0;  // of cables [-]
+  double stiffness = 0;    // of springs [N/m]
+  double damping = 0;      // of springs [kg/s]
+  Vec3d normal{};          // of planes, that a is outside of: dot(normal, a - b) >= length [-]
+  // What was found.
+  double impulse = 0;      // with which it pulled its ends together [N s]
+  double speed = 0;        // at which they parted when it came taut [m/s]
+  bool came_taut = false;  // in this step
+};
+
+struct NetReport {
+  std::uint32_t rounds = 0;
+  double residual = 0;  // the farthest that a row is from what it keeps [m]
+  bool solved = true;
+};
+
+/// What a part of a step is.
+struct NetPart {
+  double h;                // its length [s]
+  double step;             // length of the whole step [s]
+  bool comes_taut = true;  // false: cables that are slack stay so, however long they become
+};
+
+/// Holds the bodies of one net at the end of a part of a step. Rows are in an order in which neighbours are near.
+NetReport hold_part(std::span<NetBody> bodies, std::span<NetRow> rows, const NetPart& part);
+/// Holds them at the end of a step of h [s], which is cut where cables come taut, and where it is too long for the net
+/// (world/couple/joint_parts.cpp).
+NetReport hold_net(std::span<NetBody> bodies, std::span<NetRow> rows, double h);
+
+}  // namespace physim

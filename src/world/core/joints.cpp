@@ -1,0 +1,211 @@
+// Joints as a world keeps them, and the calls that change them.
+#include "world/core/joints.hpp"
+
+#include <algorithm>
+
+#include "base/archive.hpp"
+#include "base/checker.hpp"
+#include "base/ieee_mode.hpp"
+#include "world/couple/world_impl.hpp"
+
+namespace physim {
+namespace {
+
+/// Joints of one projectile: this many are solved quickly, as all of them feel each other.
+constexpr std::size_t kMostJointsOfOne = 64;
+constexpr std::size_t kMostJoints = 1u << 22;
+
+Error no_joint() { return {"there is no such joint", "joint", "it was removed, or a projectile that it held is gone"}; }
+
+}  // namespace
+
+// ------------------------------------------------------------------------------------------- the list
+JointId Joints::add(const Joint& joint) {
+  std::uint32_t index;
+  if (free_.empty()) {
+    index = size();
+    all_.emplace_back();
+  } else {
+    index = free_.back();
+    free_.pop_back();
+  }
+  PHYSIM_ASSERT(!all_[index].active && joint.length && joint.a != joint.b);
+  all_[index].active = true;
+  all_[index].def = joint;
+  join(index);
+  return id_of(index);
+}
+
+void Joints::join(std::uint32_t index) {
+  const Joint& joint = all_[index].def;
+  PHYSIM_ASSERT(all_[index].active && joint.a);
+  ++count_;
+  for (const ProjectileId end : {joint.a, joint.b}) {
+    if (!end) continue;
+    std::vector<std::uint32_t>& all = of_slot_[end.index];
+    all.insert(std::ranges::upper_bound(all, index), index);
+  }
+}
+
+void Joints::erase(std::uint32_t index) {
+  HeldJoint& joint = (*this)[index];
+  PHYSIM_ASSERT(joint.active && count_ > 0);
+  for (const ProjectileId end : {joint.def.a, joint.def.b}) {
+    const auto at = of_slot_.find(end.index);
+    if (!end || at == of_slot_.end()) continue;
+    std::erase(at->second, index);
+    if (at->second.empty()) of_slot_.erase(at);
+  }
+  joint = {.generation = joint.generation + 1, .active = false, .def = {}, .tension = 0, .is_taut = false};
+  free_.push_back(index);
+  --count_;
+}
+
+bool Joints::restore(std::vector<HeldJoint> all, std::vector<std::uint32_t> free) {
+  if (all.empty() || all[0].active) return false;
+  std::vector<bool> seen(all.size());
+  for (const std::uint32_t index : free) {
+    if (index == 0 || index >= all.size() || seen[index] || all[index].active) return false;
+    seen[index] = true;
+  }
+  const auto active = std::ranges::count_if(all, [](const HeldJoint& joint) { return joint.active; });
+  if (free.size() + static_cast<std::size_t>(active) + 1 != all.size()) return false;
+  all_ = std::move(all);
+  free_ = std::move(free);
+  of_slot_.clear();
+  count_ = 0;
+  each([this](std::uint32_t index) { join(index); });
+  return true;
+}
+
+std::size_t Joints::bytes() const {
+  return all_.capacity() * sizeof(HeldJoint) + of_slot_.size() * 64 + events.capacity() * sizeof(JointEvent);
+}
+
+void Joints::add_to(Hash& hash) const {
+  if (all_.size() == 1) return;
+  each([&](std::uint32_t index) { hash.add(hash_of(index, all_[index].def)); });
+  for (const HeldJoint& joint : all_) hash.add(std::uint64_t{joint.generation});
+  for (const std::uint32_t index : free_) hash.add(std::uint64_t{index});
+}
+
+// ------------------------------------------------------------------------------------------- bad input
+Status check(const Joint& joint) {
+  Checker c;
+  c.named(joint.kind, JointKind::spring, "joint.kind");
+  c.require(bool(joint.a), "joint.a", "is nobody", "a joint holds a projectile to another one, or to a point");
+  c.require(joint.a != joint.b, "joint.b", "is joint.a too", "a joint holds two different projectiles");
+  c.is_vector(joint.point, "joint.point");
+  c.require(length(joint.point) <= 1e15, "joint.point", "must lie within 1e15 m");
+  if (joint.length) {
+    c.positive(*joint.length, "joint.length", "leave it out for the distance at which its ends are now");
+    c.require(*joint.length <= 1e15, "joint.length", "must not be above 1e15 m");
+  }
+  c.require(joint.restitution >= 0 && joint.restitution <= 1, "joint.restitution", "must lie between 0 and 1");
+  c.require(joint.restitution == 0 || joint.kind == JointKind::cable, "joint.restitution", "is that of a cable",
+            "rods and springs have none");
+  c.not_negative(joint.stiffness, "joint.stiffness", "in N/m").not_negative(joint.damping, "joint.damping", "in kg/s");
+  return c.status();
+}
+
+namespace {
+
+/// Whether there is room at an end.
+Status refuses_end(const WorldImpl& w, ProjectileId end, const char* place) {
+  if (!w.find(end)) return Error{"it is gone", place, "is_alive() tells"};
+  const auto* joints = w.state.joints.of_slot(end.index);
+  if (joints && joints->size() >= kMostJointsOfOne)
+    return Error{"is held by 64 joints already", place, "spread them over several projectiles"};
+  return {};
+}
+
+Vec3d end_of(const WorldState& state, const Joint& joint) {
+  return joint.b ? state.state_of(state.slots[joint.b.index]).position : joint.point;
+}
+double distance_of_ends(const WorldState& state, const Joint& joint) {
+  return length(state.state_of(state.slots[joint.a.index]).position - end_of(state, joint));
+}
+
+void wake_ends(WorldImpl& w, const Joint& joint) {
+  for (const ProjectileId end : {joint.a, joint.b})
+    if (end && w.find(end) && w.state.slots[end.index].is(kAsleep)) w.wake(end.index);
+}
+
+void tell_end(WorldState& state, std::uint32_t index, ProjectileId who) {
+  if (state.joints.events.size() >= kMostEventsOfCalls) return;
+  state.joints.events.push_back({JointEventKind::ended, state.joints.id_of(index), who, state.clock.time(), 0});
+}
+
+}  // namespace
+
+// ------------------------------------------------------------------------------------------- calls
+Result<JointId> World::add_joint(const Joint& joint) {
+  WorldImpl& w = impl();
+  const Recorded<Call::add_joint> call(w, joint);
+  if (call.is_refused()) return call.refusal();
+  if (const Status status = check(joint); !status) return status.error();
+  if (const Status status = refuses_end(w, joint.a, "joint.a"); !status) return status.error();
+  if (const Status status = joint.b ? refuses_end(w, joint.b, "joint.b") : Status(); !status) return status.error();
+  if (w.state.joints.count() >= kMostJoints) return Error{"there are too many of them", "joint", "at most 4194304"};
+  Joint added = joint;
+  if (!added.length) {  // what is measured is held to the bounds of what is given: saves are
+    added.length = distance_of_ends(w.state, joint);
+    if (!(*added.length > 0)) return Error{"its ends are at one place", "joint.length", "say how long it is"};
+    if (const Status status = check(added); !status) return status.error();
+  }
+  const JointId id = w.state.joints.add(added);
+  wake_ends(w, added);
+  return call.returns(id);
+}
+
+Status World::remove_joint(JointId id) {
+  WorldImpl& w = impl();
+  const Recorded<Call::remove_joint> call(w, id);
+  if (call.is_refused()) return call.refusal();
+  const HeldJoint* joint = w.state.joints.find(id);
+  if (!joint) return no_joint();
+  wake_ends(w, joint->def);
+  w.state.joints.erase(id.index);
+  return {};
+}
+
+void end_joints_of(WorldImpl& w, std::uint32_t slot) {
+  PHYSIM_ASSERT(slot > 0);
+  const auto* joints = w.state.joints.empty() ? nullptr : w.state.joints.of_slot(slot);
+  if (!joints) return;
+  const ProjectileId who = w.state.slots.id_of(slot);
+  for (const std::uint32_t index : std::vector<std::uint32_t>(*joints)) {
+    const Joint& joint = w.state.joints[index].def;
+    const ProjectileId other = joint.a == who ? joint.b : joint.a;
+    tell_end(w.state, index, who);
+    w.state.joints.erase(index);
+    if (other && w.find(other) && w.state.slots[other.index].is(kAsleep)) w.wake(other.index);
+  }
+}
+
+std::vector<JointId> World::joints() const {
+  const Joints& all = impl().state.joints;
+  std::vector<JointId> ids;
+  all.each([&](std::uint32_t index) { ids.push_back(all.id_of(index)); });
+  return ids;
+}
+const Joint* World::joint(JointId id) const {
+  const HeldJoint* joint = impl().state.joints.find(id);
+  return joint ? &joint->def : nullptr;
+}
+JointState World::joint_state(JointId id) const {
+  const IeeeMode mode;
+  const WorldState& state = impl().state;
+  const HeldJoint* joint = state.joints.find(id);
+  if (!joint) return {};
+  const bool is_taut = joint->def.kind != JointKind::cable || joint->is_taut;
+  return {distance_of_ends(state, joint->def), joint->tension, is_taut};
+}
+std::vector<JointEvent> World::joint_events() const { return impl().state.joints.events; }
+JointCounts World::joint_counts() const {
+  JointCounts counts = impl().state.joints.counts;
+  counts.joints = impl().state.joints.count();
+  return counts;
+}
+
+}  // namespace physim

@@ -1,0 +1,107 @@
+// Joints: the rods, cables and springs of a world; what they hold, and their state in the last step.
+//
+// All fly their step as if alone, with their contacts. Then each net of joints is solved (world/core/joint_solver.hpp),
+// in the order of its joints, on one thread, and what it holds is put where it holds it. From step to step nothing
+// is kept but the joints themselves, so snapshots and saves hold no more. Those of a net sleep and wake together.
+#pragma once
+
+#include <unordered_map>
+#include <vector>
+
+#include "base/assert.hpp"
+#include "base/hash.hpp"
+#include "physim/result.hpp"
+#include "physim/world.hpp"
+#include "world/core/joint_solver.hpp"
+
+namespace physim {
+
+/// A joint of a world.
+struct HeldJoint {
+  std::uint32_t generation = 1;
+  bool active = false;
+  Joint def;  // with its length
+  // What the last step came to, to be shown only.
+  double tension = 0;  // [N]
+  bool is_taut = false;
+};
+
+class Joints {
+ public:
+  [[nodiscard]] bool empty() const { return count_ == 0; }
+  [[nodiscard]] std::size_t count() const { return count_; }
+  [[nodiscard]] std::uint32_t size() const { return static_cast<std::uint32_t>(all_.size()); }
+  [[nodiscard]] HeldJoint& operator[](std::uint32_t index) {
+    PHYSIM_ASSERT(index > 0 && index < all_.size());
+    return all_[index];
+  }
+  [[nodiscard]] const HeldJoint& operator[](std::uint32_t index) const {
+    PHYSIM_ASSERT(index > 0 && index < all_.size());
+    return all_[index];
+  }
+  [[nodiscard]] const HeldJoint* find(JointId id) const {
+    if (id.index == 0 || id.index >= all_.size()) return nullptr;
+    const HeldJoint& joint = all_[id.index];
+    return joint.active && joint.generation == id.generation ? &joint : nullptr;
+  }
+  [[nodiscard]] JointId id_of(std::uint32_t index) const { return {index, (*this)[index].generation}; }
+  /// Indices of the joints of a slot, in order; null: none.
+  [[nodiscard]] const std::vector<std::uint32_t>* of_slot(std::uint32_t slot) const {
+    const auto at = of_slot_.find(slot);
+    return at == of_slot_.end() ? nullptr : &at->second;
+  }
+
+  JointId add(const Joint& joint);
+  void erase(std::uint32_t index);
+  /// Calls f with the index of every joint that there is, in order.
+  template <class F>
+  void each(const F& f) const {
+    for (std::uint32_t index = 1; index < all_.size(); ++index)
+      if (all_[index].active) f(index);
+  }
+
+  [[nodiscard]] std::size_t bytes() const;
+  /// Nothing where there never was any.
+  void add_to(Hash& hash) const;
+
+  // ------------------------------------------------------------------------------------------- as a save tells it
+  [[nodiscard]] const std::vector<HeldJoint>& all() const { return all_; }  // the first is unused
+  [[nodiscard]] const std::vector<std::uint32_t>& free() const { return free_; }
+  /// False where that makes no sense.
+  bool restore(std::vector<HeldJoint> all, std::vector<std::uint32_t> free);
+
+  std::vector<JointEvent> events;  // since the last step began
+  JointCounts counts;              // but for the joints
+
+ private:
+  void join(std::uint32_t index);
+
+  std::vector<HeldJoint> all_{1};  // 0 is unused
+  std::vector<std::uint32_t> free_;
+  std::size_t count_ = 0;
+  std::unordered_map<std::uint32_t, std::vector<std::uint32_t>> of_slot_;
+};
+
+/// A held projectile, in the step at hand.
+struct HeldBody {
+  ProjectileId id;
+  BodyState start;  // when the step began
+};
+
+/// Memory that steps use again and again.
+struct JointScratch {
+  std::vector<HeldBody> held;                    // in order of slots
+  std::vector<std::vector<std::uint32_t>> nets;  // joints that hold together, neighbours near each other
+};
+
+struct WorldImpl;
+
+[[nodiscard]] Status check(const Joint& joint);
+/// Before a step: stores the state of held projectiles; nets with a moving member wake as a whole.
+void begin_joints(WorldImpl& world);
+/// After it: puts held projectiles where joints hold them.
+void hold_joints(WorldImpl& world, double dt);
+/// Ends the joints of a projectile that leaves, with events.
+void end_joints_of(WorldImpl& world, std::uint32_t slot);
+
+}  // namespace physim
