@@ -172,7 +172,7 @@ class StudyColumns {
     const std::string quantities = below + "quantities", hits = below + "hits";
     file.add_group(quantities.c_str());
     for (const StudyQuantity quantity : study.quantities)
-      quantities_.push_back(file.add(quantities, std::string(name(quantity)), std::string(report::unit_of(quantity)),
+      quantities_.push_back(file.add(quantities, std::string(name(quantity)), std::string(unit_of(quantity)),
                                      H5T_IEEE_F64LE, H5T_NATIVE_DOUBLE));
     if (!study.targets.empty()) file.add_group(hits.c_str());
     for (const StudyTarget& target : study.targets)

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "base/assert.hpp"
+#include "base/enumerators.hpp"
 #include "base/text.hpp"
 #include "physim/math.hpp"
 #include "physim/result.hpp"
@@ -66,10 +67,10 @@ class Checker {
   PHYSIM_INLINE Checker& is_vector(const Vec3d& v, const auto& place) {
     return require(finite(v), place, "must have three finite components");
   }
-  /// An enumerator: a cast can make other values, which tables must not be read by. `last` is the last one.
+  /// An enumerator: a cast can make other values, which tables must not be read by.
   template <class Enum>
-  PHYSIM_INLINE Checker& named(Enum value, Enum last, const auto& place) {
-    return require(static_cast<unsigned>(value) <= static_cast<unsigned>(last), place, "is none of the named values");
+  PHYSIM_INLINE Checker& named(Enum value, const auto& place) {
+    return require(static_cast<std::size_t>(value) < kEnumerators<Enum>, place, "is none of the named values");
   }
   /// What another check said.
   Checker& also(Status other) {

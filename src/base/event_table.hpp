@@ -8,6 +8,7 @@
 #include <string_view>
 
 #include "base/assert.hpp"
+#include "base/enumerators.hpp"
 #include "physim/event.hpp"
 
 namespace physim {
@@ -121,14 +122,7 @@ constexpr bool is_in_order() {
 }
 static_assert(is_in_order());
 
-/// Whether an enumerator has this value: compilers write others as "(Enum)7".
-template <auto value>
-constexpr bool is_enumerator() {
-  constexpr std::string_view text = __PRETTY_FUNCTION__;
-  return text[text.rfind("value = ") + 8] != '(';
-}
-static_assert(is_enumerator<EventKind::stayed>());
-static_assert(!is_enumerator<static_cast<EventKind>(kEventKinds)>(), "the last kinds of events have no row");
+static_assert(kEnumerators<EventKind> == kEventKinds, "the last kinds of events have no row");
 
 /// Number of kinds that an EventSpec may request: the first ones.
 constexpr std::size_t watchable_kinds() {

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "base/enumerators.hpp"
 #include "model/force_laws.hpp"
 #include "physim/names.hpp"
 #include "scenario/emitter_maker.hpp"
@@ -310,7 +311,7 @@ physim_result physim_world_add_joint(physim_world* world, const physim_joint* jo
     call.need(joint, "joint");
     const physim_joint j = call.read(joint, "joint");
     call.need(id, "id");
-    call.need(j.kind >= PHYSIM_ROD && j.kind <= PHYSIM_SPRING, "joint.kind", "is none");
+    call.need(static_cast<std::size_t>(j.kind) < kEnumerators<JointKind>, "joint.kind", "is none");
     if (!call.ok()) return;
     Joint made{.kind = static_cast<JointKind>(j.kind),
                .a = id_of<ProjectileId>(j.a),

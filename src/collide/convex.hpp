@@ -16,8 +16,10 @@
 #include <limits>
 #include <optional>
 
+#include "collide/box.hpp"
 #include "collide/segment.hpp"
 #include "physim/math.hpp"
+#include "physim/scene.hpp"
 
 namespace physim::collide {
 
@@ -38,9 +40,18 @@ struct Nearest {
 }
 
 // ------------------------------------------------------------------------------------------- the shapes
+[[nodiscard]] inline Bounds bounds_about(const Vec3d& half) {
+  Bounds box;
+  box.take(half);
+  box.take(-half);
+  return box;
+}
+
 struct Sphere {
   double radius;
 
+  [[nodiscard]] SphereShape definition() const { return {radius}; }
+  [[nodiscard]] Bounds bounds() const { return bounds_about({radius, radius, radius}); }
   [[nodiscard]] double margin() const { return radius; }
   [[nodiscard]] Nearest nearest(const Vec3d& p) const { return nearest_by(p); }
 };
@@ -49,6 +60,8 @@ struct Sphere {
 struct Capsule {
   double radius, half_height;
 
+  [[nodiscard]] CapsuleShape definition() const { return {radius, half_height}; }
+  [[nodiscard]] Bounds bounds() const { return bounds_about({radius, half_height + radius, radius}); }
   [[nodiscard]] double margin() const { return radius; }
   [[nodiscard]] Nearest nearest(const Vec3d& p) const {
     return nearest_by({p.x, p.y - std::clamp(p.y, -half_height, half_height), p.z});
@@ -58,6 +71,8 @@ struct Capsule {
 struct Box {
   Vec3d half;
 
+  [[nodiscard]] BoxShape definition() const { return {half}; }
+  [[nodiscard]] Bounds bounds() const { return bounds_about(half); }
   [[nodiscard]] double margin() const { return 0; }
   [[nodiscard]] Nearest nearest(const Vec3d& p) const {
     return nearest_by({p.x - std::clamp(p.x, -half.x, half.x), p.y - std::clamp(p.y, -half.y, half.y),
@@ -69,6 +84,8 @@ struct Box {
 struct Cylinder {
   double radius, half_height;
 
+  [[nodiscard]] CylinderShape definition() const { return {radius, half_height}; }
+  [[nodiscard]] Bounds bounds() const { return bounds_about({radius, half_height, radius}); }
   [[nodiscard]] double margin() const { return 0; }
   [[nodiscard]] Nearest nearest(const Vec3d& p) const {
     const double across = std::sqrt(p.x * p.x + p.z * p.z);
@@ -79,6 +96,8 @@ struct Cylinder {
 
 /// Below the plane y = 0.
 struct HalfSpace {
+  [[nodiscard]] PlaneShape definition() const { return {}; }
+  [[nodiscard]] Bounds bounds() const { return {}; }
   [[nodiscard]] double margin() const { return 0; }
   [[nodiscard]] Nearest nearest(const Vec3d& p) const { return p.y > 0 ? Nearest{p.y, {0, 1, 0}} : Nearest{}; }
 };

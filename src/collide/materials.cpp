@@ -72,8 +72,8 @@ PHYSIM_COLD Status check_material(const Material& m) {
   Checker c;
   check_part(c, m.restitution, "material.restitution", "more would give energy");
   c.not_negative(m.friction, "material.friction");
-  c.named(m.combine.restitution, Combine::maximum, "material.combine.restitution");
-  c.named(m.combine.friction, Combine::maximum, "material.combine.friction");
+  c.named(m.combine.restitution, "material.combine.restitution");
+  c.named(m.combine.friction, "material.combine.friction");
   check_part(c, m.grip_restitution, "material.grip_restitution", "more would give energy");
   check_between(c, m.density, 0, 1e6, "material.density", "in kg/m^3; 0: not known");
   check_ricochet(c, m.ricochet, m.density);

@@ -24,27 +24,6 @@ Bounds Placement::outside(const Bounds& box) const {
 
 namespace {
 
-Bounds about(const Vec3d& half) {
-  Bounds box;
-  box.take(half);
-  box.take(-half);
-  return box;
-}
-
-Bounds bounds(const HalfSpace&) { return {}; }
-Bounds bounds(const Sphere& s) { return about({s.radius, s.radius, s.radius}); }
-Bounds bounds(const Box& b) { return about(b.half); }
-Bounds bounds(const Capsule& c) { return about({c.radius, c.half_height + c.radius, c.radius}); }
-Bounds bounds(const Cylinder& c) { return about({c.radius, c.half_height, c.radius}); }
-Bounds bounds(const ConvexHull& h) { return h.bounds(); }
-Bounds bounds(const Mesh& m) { return m.bounds(); }
-Bounds bounds(const HeightField& f) { return f.bounds(); }
-Bounds bounds(const Compound& c) {
-  Bounds all;
-  for (const Compound::Part& part : c.parts) all.take(part.bounds);
-  return all;
-}
-
 template <class Surface>
 std::optional<NearPlace> nearest(const Surface& surface, const Vec3d& p, double& within) {
   if constexpr (requires { surface.nearest(p, within); }) {
@@ -90,30 +69,22 @@ double clearance(const Compound& compound, const Vec3d& p) {
 
 }  // namespace
 
-Bounds bounds_of(const Shape& shape) {
-  return std::visit([](const auto& one) { return bounds(one); }, shape);
+Bounds Compound::bounds() const {
+  Bounds all;
+  for (const Part& part : parts) all.take(part.bounds);
+  return all;
 }
-
-namespace {
-
-ShapeDef definition(const HalfSpace&) { return PlaneShape{}; }
-ShapeDef definition(const Sphere& s) { return SphereShape{s.radius}; }
-ShapeDef definition(const Box& b) { return BoxShape{b.half}; }
-ShapeDef definition(const Capsule& c) { return CapsuleShape{c.radius, c.half_height}; }
-ShapeDef definition(const Cylinder& c) { return CylinderShape{c.radius, c.half_height}; }
-ShapeDef definition(const Mesh& m) { return m.definition(); }
-ShapeDef definition(const HeightField& f) { return f.definition(); }
-ShapeDef definition(const ConvexHull& h) { return h.definition(); }
-ShapeDef definition(const Compound& c) {
+CompoundShape Compound::definition() const {
   CompoundShape shape;
-  for (const Compound::Part& part : c.parts) shape.parts.push_back(part.definition);
+  for (const Part& part : parts) shape.parts.push_back(part.definition);
   return shape;
 }
 
-}  // namespace
-
+Bounds bounds_of(const Shape& shape) {
+  return std::visit([](const auto& one) -> Bounds { return one.bounds(); }, shape);
+}
 ShapeDef definition_of(const Shape& shape) {
-  return std::visit([](const auto& one) { return definition(one); }, shape);
+  return std::visit([](const auto& one) -> ShapeDef { return one.definition(); }, shape);
 }
 
 std::optional<MaterialId> material_of(const Shape& shape, std::uint32_t primitive, std::uint32_t triangle) {

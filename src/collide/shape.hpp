@@ -54,6 +54,9 @@ struct Compound {
     std::shared_ptr<const Shape> shape;
   };
   std::vector<Part> parts;
+
+  [[nodiscard]] CompoundShape definition() const;
+  [[nodiscard]] Bounds bounds() const;
 };
 
 /// What a shape was made of.

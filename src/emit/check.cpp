@@ -4,6 +4,7 @@
 #include <variant>
 
 #include "base/checker.hpp"
+#include "base/emit_shape_table.hpp"
 #include "collide/path.hpp"
 #include "emit/drawn.hpp"
 #include "emit/emission.hpp"
@@ -127,7 +128,7 @@ void check_cycle(Checker& c, const EmitterCycle& cycle) {
   c.require(!cycle.prewarm || delay == 0, "emitter.cycle.prewarm", "goes with no delay", "leave one of them out");
   c.require(cycle.rate > 0 && cycle.rate <= 1e6, "emitter.cycle.rate",
             "must be positive, and at most 1e6, not " + short_text(cycle.rate), "1 is the world's clock");
-  c.named(cycle.stop, StopAction::remove, "emitter.cycle.stop");
+  c.named(cycle.stop, "emitter.cycle.stop");
 }
 
 void check_burst(Checker& c, const Burst& burst, const Place& place) {
@@ -230,11 +231,11 @@ void check_trail(Checker& c, const TrailDef& trail) {
 void check_surface(Checker& c, const EmitFrom& from) {
   const EmitSurface& surface = from.surface;
   const Place at = "emitter.from.surface.", shape = at + "shape";
-  c.named(surface.along, EmitAlong::axis, at + "along");
+  c.named(surface.along, at + "along");
   check_within(c, surface.scale, 1e-9, 1e9, at + "scale", "1 changes nothing");
-  c.require(has_triangles(from.shape) || !surface.shape, shape, "does nothing for this shape",
+  c.require(reads(from.shape, kFromSurface) || !surface.shape, shape, "does nothing for this shape",
             "say mesh, mesh_edges, mesh_vertices or terrain");
-  if (!c.status_so_far() || !has_triangles(from.shape)) return;
+  if (!c.status_so_far() || !reads(from.shape, kFromSurface)) return;
   const bool is_terrain = from.shape == EmitShape::terrain;
   c.require(bool(surface.shape), shape, is_terrain ? "has no height field" : "has no mesh",
             "SharedShape::make() prepares one");
@@ -257,7 +258,7 @@ void check_surface(Checker& c, const EmitFrom& from) {
 
 void check_from(Checker& c, const EmitFrom& from) {
   const Place at = "emitter.from.";
-  c.named(from.shape, EmitShape::terrain, at + "shape").named(from.arc_mode, ArcMode::spread, at + "arc_mode");
+  c.named(from.shape, at + "shape").named(from.arc_mode, at + "arc_mode");
   check_within(c, from.radius, 0, kFarthest, at + "radius", "in m");
   check_within(c, from.tube, 0, kFarthest, at + "tube", "in m");
   check_within(c, from.length, 0, kFarthest, at + "length", "in m");
@@ -347,7 +348,7 @@ void check_flight(Checker& c, const ParticleFlight& flight) {
 }
 
 void check_sub(Checker& c, const SubEmitter& sub, const Place& place) {
-  c.named(sub.on, SubEvent::trigger, place + ".on").named(sub.axis, SubAxis::normal, place + ".axis");
+  c.named(sub.on, place + ".on").named(sub.axis, place + ".axis");
   check_count(c, sub.count, place + ".count");
   check_part(c, sub.probability, place + ".probability");
   check_within(c, sub.age, 0, kMostValue, place + ".age", "in s");
@@ -372,7 +373,7 @@ Status check(const EmitterDef& def) {
   check_life(c, def.life);
   check_flight(c, def.flight);
   c.require(def.maximum > 0, "emitter.maximum", "must be positive", "it is how many are alive at once");
-  c.named(def.when_full, WhenFull::replace_oldest, "emitter.when_full");
+  c.named(def.when_full, "emitter.when_full");
   check_length(c, def.subs.size(), kMostParts, "emitter.subs");
   for (std::size_t i = 0; i < def.subs.size() && c.status_so_far(); ++i)
     check_sub(c, def.subs[i], "emitter.subs[" + std::to_string(i) + "]");

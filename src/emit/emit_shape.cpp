@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/emit_shape_table.hpp"
 #include "emit/emit_surface.hpp"
 
 namespace physim {
@@ -105,9 +106,6 @@ void ShapeOutlets::at_each(NewbornPack& pack,
 /// Shapes that draw from the first two blocks alone.
 void ShapeOutlets::by_kernel(NewbornPack& pack,
                              PackChance<Draw, EmitStream::particle, NewbornPack::kLanes>& chance) const {
-  const EmitShape shape = shape_.from.shape;
-  const bool draws_more = shape == EmitShape::sphere || shape == EmitShape::hemisphere || shape == EmitShape::box ||
-                          shape == EmitShape::ring;
   NewbornPack::Column of_moment, moment;
   for (std::size_t i = 0; i < NewbornPack::kLanes; ++i) of_moment[i] = pack.of_moment[i], moment[i] = pack.moment[i];
   OutletJob job{.shape = &shape_,
@@ -116,7 +114,7 @@ void ShapeOutlets::by_kernel(NewbornPack& pack,
                 .of_moment = of_moment.data(),
                 .moment = moment.data()};
   for (const Draw first : {Draw::arc, Draw::along}) {
-    if (first == Draw::along && !draws_more) break;
+    if (first == Draw::along && !row_of(shape_.from.shape).draws_within) break;
     for (unsigned k = 0; k < 4; ++k) {
       const unsigned draw = static_cast<unsigned>(first) + k;
       job.words[draw] = chance.words(static_cast<Draw>(draw)).data();

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <utility>
 
+#include "base/emit_shape_table.hpp"
 #include "math/elementary.hpp"
 #include "math/vec3.hpp"
 
@@ -297,18 +298,13 @@ class TerrainOutlets final : public SurfaceOutlets {
 
 }  // namespace
 
-bool has_triangles(EmitShape shape) {
-  return shape == EmitShape::mesh || shape == EmitShape::mesh_edges || shape == EmitShape::mesh_vertices ||
-         shape == EmitShape::terrain;
-}
-
 EmitPatch patch_of(const EmitSurface& surface, const HeightField& field) {
   return {std::max(surface.low_x, 0.0), std::min(surface.high_x, (field.columns() - 1) * field.spacing_x()),
           std::max(surface.low_z, 0.0), std::min(surface.high_z, (field.rows() - 1) * field.spacing_z())};
 }
 
 std::shared_ptr<const SurfaceOutlets> surface_outlets(const EmitFrom& from) {
-  if (!has_triangles(from.shape)) return nullptr;
+  if (!reads(from.shape, kFromSurface)) return nullptr;
   const SharedShape::Content* content = from.surface.shape.content();
   PHYSIM_ASSERT(content && (from.shape == EmitShape::terrain) == (content->field() != nullptr));  // by check()
   if (from.shape == EmitShape::terrain) return std::make_shared<TerrainOutlets>(from, *content->field());

@@ -30,8 +30,6 @@ class SurfaceOutlets {
 
 /// Those of a definition; null where its shape has no triangles.
 [[nodiscard]] std::shared_ptr<const SurfaceOutlets> surface_outlets(const EmitFrom& from);
-/// Whether a shape is made of triangles.
-[[nodiscard]] bool has_triangles(EmitShape shape);
 
 /// A rectangle of a height field, of x and z.
 struct EmitPatch {

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/emit_shape_table.hpp"
 #include "math/quat.hpp"
 #include "math/vec3.hpp"
 
@@ -12,10 +13,7 @@ namespace {
 
 constexpr double kRainSlack = 1e-9;  // beside the box, of places that are rounded [m]
 
-bool is_along_axis(const EmitFrom& from) {
-  const bool is_even = from.shape == EmitShape::point || from.shape == EmitShape::box || from.shape == EmitShape::line;
-  return is_even && from.randomise == 0;
-}
+bool is_along_axis(const EmitFrom& from) { return row_of(from.shape).is_straight && from.randomise == 0; }
 /// Rotations, but for rounding: the same at any frame rate.
 bool are_alike(const Quatd& a, const Quatd& b) {
   return std::abs(a.w * b.w + a.x * b.x + a.y * b.y + a.z * b.z) > 1 - 1e-12;

@@ -462,7 +462,7 @@ Status check(const ProjectileDef& projectile, const Launch& launch, const Target
   constexpr double kFarthestPlace = 1e15;          // [m]
   constexpr double kSlowest = 1e-9, kMost = 1e15;  // [m/s], and of an acceleration [m/s^2]
   Checker c;
-  c.named(options.arc, Arc::both, "options.arc");
+  c.named(options.arc, "options.arc");
   const auto within = [&c](const Vec3d& v, double most, const char* place) {
     c.is_vector(v, place).require(!(length(v) > most), place, "exceeds " + short_text(most), "numbers are in SI units");
   };

@@ -324,8 +324,7 @@ Result<Sample> Flight::at_range(double range) const {
 Result<Sample> Flight::at_height(double level, Crossing direction) const {
   const IeeeMode mode;
   const FlightRecord& r = *record_;
-  if (const Status status = Checker().named(direction, Crossing::falling, "direction").status(); !status)
-    return status.error();
+  if (const Status status = Checker().named(direction, "direction").status(); !status) return status.error();
   const auto above = [&](double t) { return height(r.cohort.conditions, r.state(t).x) - level; };
   if (r.outcome == Outcome::refused) return never("anything", r);
   if (const auto time = first_crossing(r, direction, {.kind = EventKind::height, .value = level}, above))

@@ -18,6 +18,7 @@
 #include <type_traits>
 #include <vector>
 
+#include "base/enumerators.hpp"
 #include "physim/fidelity.hpp"
 
 namespace physim {
@@ -228,17 +229,9 @@ constexpr void for_each_effect(const auto& f) {
   f("fidelity.interpolation", &Fidelity::interpolation);
 }
 
-/// How many rungs an effect has: enumerators count from 0, and there is no row behind the last one.
+/// Number of rungs of an effect; each has a row.
 template <class Enum>
-consteval std::size_t count_rungs() {
-  std::size_t count = 0;
-  while (!row(static_cast<Enum>(count)).name.empty()) ++count;
-  return count;
-}
-template <class Enum>
-inline constexpr std::size_t kRungCount = count_rungs<Enum>();
-template <class Enum>
-inline constexpr Enum kLastRung = static_cast<Enum>(kRungCount<Enum> - 1);
+inline constexpr std::size_t kRungCount = kEnumerators<Enum>;
 
 /// What one column of the table says of each rung, a byte each.
 template <auto kColumn, class Enum>

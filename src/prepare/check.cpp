@@ -35,8 +35,7 @@ constexpr double kMostThrust = 1e12;      // [N]
 constexpr double kLeastImpulse = 1e-9;    // [N s]
 
 void check_fidelity(Checker& c, const Fidelity& f) {
-  for_each_effect(
-      [&]<class Enum>(const char* place, Enum Fidelity::*rung) { c.named(f.*rung, kLastRung<Enum>, place); });
+  for_each_effect([&]<class Enum>(const char* place, Enum Fidelity::*rung) { c.named(f.*rung, place); });
   c.not_negative(f.tolerance, "fidelity.tolerance", "0: what the precision allows for");
 }
 
@@ -92,8 +91,8 @@ PHYSIM_COLD void check_coefficient(Checker& c, const AeroCoefficient& points, co
 }
 
 PHYSIM_COLD void check_aero(Checker& c, const AeroDef& a) {
-  c.named(a.rate_norm, RateNorm::twice_speed, "projectile.aero.rate_norm");
-  c.named(a.damping_frame, DampingFrame::inertial, "projectile.aero.damping_frame");
+  c.named(a.rate_norm, "projectile.aero.rate_norm");
+  c.named(a.damping_frame, "projectile.aero.damping_frame");
   c.not_negative(a.area, "projectile.aero.area", "0: from the diameter");
   c.not_negative(a.length, "projectile.aero.length", "0: the diameter");
   c.not_negative(a.span, "projectile.aero.span", "0: the length");
@@ -174,7 +173,7 @@ PHYSIM_COLD void check_motor(Checker& c, const ProjectileDef& p) {
 }
 
 PHYSIM_COLD void check_magnus(Checker& c, const MagnusDef& m) {
-  c.named(m.measure, SpinMeasure::parameter, "projectile.magnus.measure");
+  c.named(m.measure, "projectile.magnus.measure");
   c.is_number(m.lift, "projectile.magnus.lift").positive(m.lift_base, "projectile.magnus.lift_base", "");
   c.not_negative(m.lift_saturation, "projectile.magnus.lift_saturation", "");
   c.not_negative(m.drag_per_spin, "projectile.magnus.drag_per_spin", "");
@@ -199,7 +198,7 @@ Status check_projectile(const ProjectileDef& p, bool curve_too) {
   c.not_negative(p.length, "projectile.length", "0 where it is not known").is_number(p.twist, "projectile.twist");
   check_fidelity(c, p.fidelity);
   const DragDef& d = p.drag;
-  c.named(d.table, DragTable::custom, "projectile.drag.table");
+  c.named(d.table, "projectile.drag.table");
   c.not_negative(d.coefficient, "projectile.drag.coefficient", "");
   c.not_negative(d.ballistic_coefficient, "projectile.drag.ballistic_coefficient", "0: from mass and diameter");
   c.positive(d.form_factor, "projectile.drag.form_factor", "");
@@ -268,8 +267,8 @@ PHYSIM_COLD Status check(const Launch& l) {
             "angles are in radians: 30 degrees are 30_deg");
   if (l.velocity) c.is_vector(*l.velocity, "launch.velocity");
   const LaunchAttitude& a = l.attitude;
-  c.named(a.frame, AttitudeFrame::world, "launch.attitude.frame");
-  c.named(a.rate_frame, RateFrame::inertial, "launch.attitude.rate_frame");
+  c.named(a.frame, "launch.attitude.frame");
+  c.named(a.rate_frame, "launch.attitude.rate_frame");
   c.is_number(a.yaw, "launch.attitude.yaw").is_number(a.pitch, "launch.attitude.pitch");
   c.is_number(a.roll, "launch.attitude.roll").is_vector(a.rates, "launch.attitude.rates");
   c.is_number(l.sight.height, "launch.sight.height").is_number(l.sight.cant, "launch.sight.cant");
@@ -349,10 +348,10 @@ PHYSIM_COLD Status check(const Environment& e) {
   Checker c;
   c.require(e.altitude >= kLowestAltitude && e.altitude <= 1e9, "environment.altitude",
             "must lie between -5000 m and 1e9 m", "");
-  c.named(e.gravity.model, kLastRung<GravityModel>, "environment.gravity.model");
-  c.named(e.atmosphere.model, kLastRung<AirModel>, "environment.atmosphere.model");
-  c.named(e.wind.by, WindAxis::range, "environment.wind.by");
-  c.named(e.wind.interpolation, WindInterpolation::step, "environment.wind.interpolation");
+  c.named(e.gravity.model, "environment.gravity.model");
+  c.named(e.atmosphere.model, "environment.atmosphere.model");
+  c.named(e.wind.by, "environment.wind.by");
+  c.named(e.wind.interpolation, "environment.wind.interpolation");
   c.is_number(e.gravity.acceleration, "environment.gravity.acceleration");
   c.require(std::abs(e.gravity.acceleration) <= kMostGravity, "environment.gravity.acceleration", "exceeds 1e12 m/s^2",
             "accelerations are in m/s^2");
@@ -442,7 +441,7 @@ Status check_fits(const Vec3d& position, const Vec3d& velocity, Precision precis
 
 Status check(const CollisionDef& collision, const std::string& place) {
   Checker c;
-  c.named(collision.on_hit, OnHit::ask, place + ".on_hit");
+  c.named(collision.on_hit, place + ".on_hit");
   c.require(collision.inertia > 0 && collision.inertia <= 1, place + ".inertia", "must lie above 0 and not above 1",
             "2/5: a solid ball");
   c.require(collision.radius == 0 || (collision.radius >= 1e-12 && collision.radius <= 1e6), place + ".radius",
@@ -452,8 +451,8 @@ Status check(const CollisionDef& collision, const std::string& place) {
 
 Status check(const CombineDef& combine, const std::string& place) {
   Checker c;
-  c.named(combine.restitution, Combine::maximum, place + ".restitution");
-  c.named(combine.friction, Combine::maximum, place + ".friction");
+  c.named(combine.restitution, place + ".restitution");
+  c.named(combine.friction, place + ".friction");
   return c.status();
 }
 
@@ -486,7 +485,7 @@ PHYSIM_COLD Status check(const Until& u) {
     const auto place = [i](const char* member) { return InputPlace("until.events", i, member); };
     c.is_number(u.events[i].value, place(".value"));
     c.require(is_watchable(u.events[i].kind), place(".kind"), "is none of the named values");
-    c.named(u.events[i].direction, Crossing::falling, place(".direction"));
+    c.named(u.events[i].direction, place(".direction"));
   }
   if (u.scene) c.also(check(u.contact, "until.contact"));
   return c.status();

@@ -299,26 +299,6 @@ Json json_of(const FlownStudy& flown) {
 
 }  // namespace
 
-std::string_view unit_of(StudyQuantity quantity) {
-  switch (quantity) {
-    case StudyQuantity::time: return "s";
-    case StudyQuantity::vx:
-    case StudyQuantity::vy:
-    case StudyQuantity::vz:
-    case StudyQuantity::impact_speed:
-    case StudyQuantity::speed: return "m/s";
-    case StudyQuantity::x:
-    case StudyQuantity::y:
-    case StudyQuantity::z:
-    case StudyQuantity::right:
-    case StudyQuantity::up:
-    case StudyQuantity::along: return "m";
-    case StudyQuantity::obliquity: return "rad";
-    case StudyQuantity::impact_energy: return "J";
-  }
-  PHYSIM_UNREACHABLE();
-}
-
 std::string unit_of(const StudyInput& input) {
   const auto known = study_path(input.path);
   return known ? known->unit : "";

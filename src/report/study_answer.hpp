@@ -10,6 +10,7 @@
 #include "report/answer.hpp"
 #include "report/records.hpp"
 #include "settings/units.hpp"
+#include "study/quantities.hpp"
 
 namespace physim::report {
 
@@ -33,8 +34,6 @@ struct FlownStudy {
 [[nodiscard]] std::string unit_of(const StudyInput& input);
 /// "shot.speed [m/s]"; "shot.speed += [m/s]" of what is added.
 [[nodiscard]] std::string with_unit(const StudyInput& input);
-/// "m", "s", "m/s".
-[[nodiscard]] std::string_view unit_of(StudyQuantity quantity);
 /// "right [m]"
 [[nodiscard]] std::string with_unit(StudyQuantity quantity);
 

@@ -1,6 +1,7 @@
 // Meshes and terrain that emitters of a scenario let their particles out of.
 #include <map>
 
+#include "base/emit_shape_table.hpp"
 #include "emit/emit_surface.hpp"
 #include "physim/files.hpp"
 #include "scenario/checks.hpp"
@@ -46,7 +47,7 @@ class Surfaces {
 
 Status complete_surface(ScenarioEmitter& emitter, Surfaces& surfaces, const Value& table) {
   const bool by_name = !emitter.surface_of.empty(), by_file = !emitter.surface_file.empty();
-  if (!by_name && !by_file && has_triangles(emitter.def.from.shape))
+  if (!by_name && !by_file && reads(emitter.def.from.shape, kFromSurface))
     return Error{"emitter.from.surface: there is none, and the shape needs one", place_of(table, {"from"}),
                  "name a [[shape]] with a mesh or a height field: surface = \"...\", or a file of a mesh"};
   if (!by_name && !by_file) return {};

@@ -5,6 +5,7 @@
 #include <tuple>
 
 #include "base/assert.hpp"
+#include "base/joint_table.hpp"
 #include "scenario/checks.hpp"
 #include "scenario/schema.hpp"
 #include "scenario/suggest.hpp"
@@ -43,7 +44,7 @@ class JointNet {
                 .b = joint.b.empty() ? knot_of_point(joint.def.point) : knot_of_shot(joint.b)};
       held.launched = length(places_[held.a] - places_[held.b]);
       held.length = joint.def.length.value_or(held.launched);
-      if (joint.def.kind != JointKind::spring) {
+      if (row_of(joint.def.kind).pulls) {
         held_by_[held.a].push_back(joints_.size());
         held_by_[held.b].push_back(joints_.size());
       }
@@ -59,10 +60,10 @@ class JointNet {
       const JointKind kind = scenario_.joints[i].def.kind;
       const std::string said = text(held.length);
       const double more = held.launched - held.length, slack = kRounding * std::max(held.launched, held.length);
-      if ((kind == JointKind::rod && std::abs(more) > slack) || (kind == JointKind::cable && more > slack))
+      if (breaks(kind, more, slack))
         all.push_back({i, said + ", and its ends are " + text(held.launched) +
                               " apart at launch: the first step moves them, which throws them"});
-      if (kind != JointKind::rod) continue;
+      if (!row_of(kind).pushes) continue;
       if (const double most = farthest(i); most < held.length - kRounding * held.length)
         all.push_back(
             {i, said + ", and other joints let its ends be " + text(most) + " apart at most: they contradict it"});

@@ -6,6 +6,7 @@
 #include "base/ieee_mode.hpp"
 #include "collide/mesh.hpp"
 #include "scenario/published_materials.hpp"
+#include "scenario/settings_parts.hpp"
 #include "scenario/suggest.hpp"
 #include "scenario/world_run.hpp"
 
@@ -55,9 +56,11 @@ Status SceneMaker::add_material(std::size_t index) {
 Status SceneMaker::add_shape(std::size_t index) {
   const ScenarioShape& shape = scenario_.shapes[index];
   if (shape.is_compound()) return {};
-  if (std::holds_alternative<CompoundShape>(shape.shape))
-    return Error{"it is no shape", "",
-                 "give one of plane, sphere, box, capsule, cylinder, hull, mesh, height_field, compound"};
+  if (std::holds_alternative<CompoundShape>(shape.shape)) {
+    std::string kinds;
+    for (const std::string_view kind : shape_kinds()) kinds += (kinds.empty() ? "" : ", ") + std::string(kind);
+    return Error{"it is no shape", "", "give one of " + kinds};
+  }
   if (shape.materials.empty() || !std::holds_alternative<MeshShape>(shape.shape))
     return keep_shape(shape.shape, shape.name);
   const Result<MeshShape> mesh = mesh_of(shape);

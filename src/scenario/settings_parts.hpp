@@ -203,4 +203,7 @@ inline Environment& environment_in(const Scope& scope) { return scope.scenario->
 [[nodiscard]] std::span<const Entry> joint_settings();    // [[joint]]
 [[nodiscard]] std::span<const Entry> study_settings();    // [study]
 
+/// Names of the kinds of a [[shape]].
+[[nodiscard]] std::span<const std::string_view> shape_kinds();
+
 }  // namespace physim

@@ -305,5 +305,6 @@ constexpr Entry kSceneSettings[] = {
 }  // namespace
 
 std::span<const Entry> scene_settings() { return kSceneSettings; }
+std::span<const std::string_view> shape_kinds() { return kind_names<kShapes>(); }
 
 }  // namespace physim

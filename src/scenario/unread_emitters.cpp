@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "base/assert.hpp"
+#include "base/emit_shape_table.hpp"
 #include "physim/names.hpp"
 #include "scenario/suggest.hpp"
 #include "scenario/units.hpp"
@@ -136,44 +137,33 @@ constexpr UnreadRule kGunRules[] = {
 };
 
 // -------------------------------------------------------------------------------------------------------------- shapes
-std::string why_not_of(R r, std::initializer_list<EmitShape> shapes) {
+template <FromMember member>
+std::string why_unread(R r) {
   const EmitShape shape = def(r).from.shape;
-  return read_unless(std::ranges::find(shapes, shape) == shapes.end(),
-                     "emitter.from.shape = " + in_quotes(name(shape)));
+  return read_unless(!reads(shape, member), "emitter.from.shape = " + in_quotes(name(shape)));
 }
-using enum EmitShape;
-std::string why_no_arc(R r) { return why_not_of(r, {cone, hemisphere, sphere, circle, ring}); }
-std::string why_no_arc_or_line(R r) { return why_not_of(r, {cone, hemisphere, sphere, circle, ring, line}); }
-std::string why_no_surface(R r) { return why_not_of(r, {mesh, mesh_edges, mesh_vertices, terrain}); }
-std::string why_no_terrain(R r) { return why_not_of(r, {terrain}); }
 
 constexpr UnreadRule kShapeRules[] = {
-    {"emitter.from.radius",
-     [](R r) {
-       return why_not_of(r, {cone, sphere, hemisphere, circle, ring});
-     }},
-    {"emitter.from.angle", [](R r) { return why_not_of(r, {cone}); }},
-    {"emitter.from.tube", [](R r) { return why_not_of(r, {ring}); }},
-    {"emitter.from.size", [](R r) { return why_not_of(r, {box}); }},
-    {"emitter.from.length", [](R r) { return why_not_of(r, {line}); }},
-    {"emitter.from.thickness",
-     [](R r) {
-       return why_not_of(r, {cone, sphere, hemisphere, circle, ring, box});
-     }},
-    {"emitter.from.arc", why_no_arc},
-    {"emitter.from.arc_mode", why_no_arc_or_line},
+    {"emitter.from.radius", why_unread<kFromRadius>},
+    {"emitter.from.angle", why_unread<kFromAngle>},
+    {"emitter.from.tube", why_unread<kFromTube>},
+    {"emitter.from.size", why_unread<kFromSize>},
+    {"emitter.from.length", why_unread<kFromLength>},
+    {"emitter.from.thickness", why_unread<kFromThickness>},
+    {"emitter.from.arc", why_unread<kFromArc>},
+    {"emitter.from.arc_mode", why_unread<kFromArcMode>},
     {"emitter.from.arc_speed",
      [](R r) {
-       if (std::string why = why_no_arc_or_line(r); !why.empty()) return why;
+       if (std::string why = why_unread<kFromArcMode>(r); !why.empty()) return why;
        const ArcMode mode = def(r).from.arc_mode;
        return read_with(mode == ArcMode::loop || mode == ArcMode::ping_pong,
                         "emitter.from.arc_mode = \"loop\" or \"ping_pong\"");
      }},
-    {"emitter.from.surface", why_no_surface},
-    {"emitter.from.surface.low_x", why_no_terrain},
-    {"emitter.from.surface.high_x", why_no_terrain},
-    {"emitter.from.surface.low_z", why_no_terrain},
-    {"emitter.from.surface.high_z", why_no_terrain},
+    {"emitter.from.surface", why_unread<kFromSurface>},
+    {"emitter.from.surface.low_x", why_unread<kFromPatch>},
+    {"emitter.from.surface.high_x", why_unread<kFromPatch>},
+    {"emitter.from.surface.low_z", why_unread<kFromPatch>},
+    {"emitter.from.surface.high_z", why_unread<kFromPatch>},
 };
 
 // ----------------------------------------------------------------------------------------------------------- particles

@@ -329,7 +329,7 @@ Status check_parts(const Scenario& scenario) {
   Checker c;
   for (const Volley& volley : scenario.volleys) {
     c.also(check_shot_name(names, volley.shot, "volley.shot", file));
-    c.named(volley.spread.shape, SpreadShape::uniform, "volley.spread.shape");
+    c.named(volley.spread.shape, "volley.spread.shape");
   }
   for (const ScenarioForce& force : scenario.forces) {
     for (const std::string& shot : force.shots) c.also(check_shot_name(names, shot, "force.shots", file));

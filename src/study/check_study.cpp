@@ -10,6 +10,7 @@
 #include "study/impacts.hpp"
 #include "study/paths.hpp"
 #include "study/places.hpp"
+#include "study/quantities.hpp"
 #include "study/sobol.hpp"
 #include "study/targets.hpp"
 
@@ -124,7 +125,7 @@ Status check_inputs(const Study& study, bool of_flights) {
 
 void check_sizes(Checker& c, const Study& study) {
   constexpr std::uint64_t kMostShots = std::uint64_t{1} << 50;
-  c.named(study.sampling, Sampling::sobol, "sampling");
+  c.named(study.sampling, "sampling");
   c.require(study.shots >= 1 && study.shots <= kMostShots, "shots", "must be from 1 to 2^50");
   c.require(study.shard_shots >= 16 && study.shard_shots <= 65536, "shard_shots", "must be from 16 to 65536");
   c.require(study.rounds >= 1, "rounds", "must be one or more");
@@ -175,7 +176,7 @@ void check_impacts(Checker& c, const Study& study) {
 
 void check_quantities(Checker& c, const Study& study, bool of_flights) {
   for (std::size_t i = 0; i < study.quantities.size(); ++i) {
-    c.named(study.quantities[i], StudyQuantity::impact_energy, numbered("quantities", i));
+    c.named(study.quantities[i], numbered("quantities", i));
     const auto before = study.quantities.begin() + static_cast<std::ptrdiff_t>(i);
     c.require(std::find(study.quantities.begin(), before, study.quantities[i]) == before, numbered("quantities", i),
               "is asked for twice");

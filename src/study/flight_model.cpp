@@ -27,6 +27,7 @@
 #include "study/model.hpp"
 #include "study/paths.hpp"
 #include "study/places.hpp"
+#include "study/quantities.hpp"
 #include "study/shard_job.hpp"
 #include "study/targets.hpp"
 

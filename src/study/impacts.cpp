@@ -7,6 +7,7 @@
 #include "model/motor_table.hpp"
 #include "physim/scene.hpp"
 #include "prepare/grant.hpp"
+#include "study/quantities.hpp"
 
 namespace physim {
 namespace {

@@ -21,10 +21,6 @@ inline constexpr ShotImpact kNoImpact = {std::numeric_limits<double>::quiet_NaN(
                                          std::numeric_limits<double>::quiet_NaN(),
                                          std::numeric_limits<double>::quiet_NaN()};
 
-[[nodiscard]] constexpr bool is_of_impact(StudyQuantity quantity) {
-  return quantity == StudyQuantity::impact_speed || quantity == StudyQuantity::obliquity ||
-         quantity == StudyQuantity::impact_energy;
-}
 [[nodiscard]] double part_of(const ShotImpact& impact, StudyQuantity quantity);
 
 /// The mass of a projectile over its flight.

@@ -1,5 +1,5 @@
 // Names of a study's enumerators, as they are spelled in its headers.
-#include "physim/study.hpp"
+#include "study/quantities.hpp"
 
 namespace physim {
 
@@ -15,9 +15,11 @@ std::span<const std::string_view> names_of<DrawnFor>() {
 }
 template <>
 std::span<const std::string_view> names_of<StudyQuantity>() {
-  static constexpr std::string_view names[] = {
-      "time",  "x",     "y",  "z",     "vx",           "vy",        "vz",
-      "speed", "right", "up", "along", "impact_speed", "obliquity", "impact_energy"};
+  static constexpr auto names = [] {
+    std::array<std::string_view, kStudyQuantities.size()> list;
+    for (std::size_t i = 0; i < list.size(); ++i) list[i] = kStudyQuantities[i].name;
+    return list;
+  }();
   return names;
 }
 

@@ -7,6 +7,7 @@
 #include "base/checker.hpp"
 #include "base/event_table.hpp"
 #include "study/impacts.hpp"
+#include "study/quantities.hpp"
 
 namespace physim {
 namespace {
@@ -35,7 +36,7 @@ Status check_event(const EventSpec& event, const std::string& place) {
   Checker c;
   c.require(is_watchable(event.kind), place + ".event.kind", "is nothing that a flight watches",
             "name a range, a height, a time, a speed, a Mach number, or apex, ignition, burnout or rail_exit");
-  c.named(event.direction, Crossing::falling, place + ".event.direction");
+  c.named(event.direction, place + ".event.direction");
   if (!c.status_so_far()) return c.status();
   const bool is_way = event.kind == EventKind::range || event.kind == EventKind::time;
   c.require(std::isfinite(event.value), place + ".event.value", "is no number");
@@ -133,7 +134,7 @@ Status check_places(const Study& study, bool of_flights) {
               "must name the columns that the function fills");
     for (std::size_t q = 0; q < place.quantities.size() && c.status_so_far(); ++q) {
       const std::string of = name + ".quantities[" + std::to_string(q) + ']';
-      c.named(place.quantities[q], StudyQuantity::impact_energy, of);
+      c.named(place.quantities[q], of);
       c.require(!of_flights || !is_of_impact(place.quantities[q]), of,
                 "is of the first impact, wherever that is, and not of a place on the way", "ask for it at the end");
       const auto before = place.quantities.begin() + static_cast<std::ptrdiff_t>(q);

@@ -16,6 +16,7 @@
 #include "study/over_inputs.hpp"
 #include "study/paths.hpp"
 #include "study/places.hpp"
+#include "study/quantities.hpp"
 
 namespace physim {
 namespace {

@@ -228,7 +228,7 @@ std::vector<StudyFigure> figures_of(const StudyResult& result) {
   }
   for (const QuantityResult& q : result.quantities)
     list.push_back({"mean " + std::string(name(q.quantity)),
-                    within_error(q.mean) + " " + std::string(report::unit_of(q.quantity)),
+                    within_error(q.mean) + " " + std::string(unit_of(q.quantity)),
                     "\u00b1 " + significant(q.mean.error, 2) + ", \u03c3 " + significant(q.deviation, 4)});
   return list;
 }
@@ -250,7 +250,7 @@ std::vector<StudyInputRow> input_rows(const Study& study, const StudyResult& res
                       : unit == "rad"             ? " deg"
                                                   : " " + unit);
     for (std::size_t q = 0; q < std::min<std::size_t>(2, result.quantities.size()); ++q) {
-      const std::string of(report::unit_of(result.quantities[q].quantity));
+      const std::string of(unit_of(result.quantities[q].quantity));
       const double effect = std::abs(row.effect[q]);
       const bool is_short = of == "m" && effect < 0.01;
       told.effect[q] = report::significant(is_short ? 1000 * effect : effect, 3) + (is_short ? " mm" : " " + of);

@@ -25,7 +25,7 @@ void check_rules(Checker& c, const DespawnRules& d) {
 
 Status check(const Ground& g) {
   Checker c;
-  c.named(g.mode, GroundMode::bounce, "ground.mode").is_number(g.height, "ground.height");
+  c.named(g.mode, "ground.mode").is_number(g.height, "ground.height");
   c.require(g.restitution >= 0 && g.restitution <= 1, "ground.restitution", "must lie between 0 and 1");
   c.not_negative(g.friction, "ground.friction").also(check(g.combine, "ground.combine"));
   c.also(check(g.conveyor, "ground.conveyor"));
@@ -44,10 +44,10 @@ Status check(const DetailRule& rule) {
   return c.status();
 }
 
-Status check(Axes axes, const char* place) { return Checker().named(axes, Axes::all, place).status(); }
-Status check(Smoothing smoothing, const char* place) {
-  return Checker().named(smoothing, Smoothing::extrapolate, place).status();
+Status check(Axes axes, const char* place) {  // a set: each number up to that of all is one
+  return Checker().require((axes | Axes::all) == Axes::all, place, "is none of the named values").status();
 }
+Status check(Smoothing smoothing, const char* place) { return Checker().named(smoothing, place).status(); }
 
 Status check(const WorldDef& def) {
   Checker c;
@@ -62,7 +62,7 @@ Status check(const WorldDef& def) {
             "0: all there are");
   for (const PoolDef& pool : def.pools) {
     c.require(pool.maximum > 0, "world.pools.maximum", "must be positive");
-    c.named(pool.when_full, WhenFull::replace_oldest, "world.pools.when_full");
+    c.named(pool.when_full, "world.pools.when_full");
   }
   return c.status();
 }

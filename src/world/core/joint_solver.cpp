@@ -63,14 +63,14 @@ class Net {
 
   /// Which sign an impulse of it may have; 0: any.
   [[nodiscard]] static double side(const NetRow& row) {
-    return row.kind == NetRow::Kind::cable ? -1 : row.kind == NetRow::Kind::plane ? 1 : 0;
+    return static_cast<double>(row.pushes) - static_cast<double>(row.pulls);
   }
   [[nodiscard]] double size_of(const NetRow& row) const {
     return length(bodies_[row.a].x) + length(bodies_[row.b].x) + std::abs(row.length);
   }
   /// Direction and distance of two places; where they are one, the direction stays.
   static void measure(const NetRow& row, const Vec3d& between, Vec3d& n, double& l) {
-    if (row.kind == NetRow::Kind::plane) {
+    if (row.has_normal) {
       n = row.normal;
       l = dot(n, between);
       return;
@@ -120,7 +120,7 @@ class Net {
       }
     }
     for (std::size_t i = 0; i < rows_.size(); ++i) {
-      if (rows_[i].kind != NetRow::Kind::spring) continue;
+      if (!rows_[i].is_spring()) continue;
       const auto stored = [&](double l) {
         return rows_[i].stiffness / 2 * (l - rows_[i].length) * (l - rows_[i].length);
       };
@@ -217,7 +217,7 @@ class Net {
       if (f.q == 0) continue;
       push(rows_[i], f.n0, f.q / part_.h, &NetBody::v);
       // A spring pulls at the end of the step as at its start; what holds lengths does as speeds need it.
-      if (rows_[i].kind == NetRow::Kind::spring) push(rows_[i], f.n, f.q / part_.h, &NetBody::v);
+      if (rows_[i].is_spring()) push(rows_[i], f.n, f.q / part_.h, &NetBody::v);
     }
   }
 
@@ -230,12 +230,12 @@ class Net {
     f.rounding = 16 * kEpsilon * (length(a.mobility) + length(b.mobility));
     f.q = f.p = 0;
     f.give = 0;
-    const bool has_direction = row.kind == NetRow::Kind::plane || f.l0 > 0;
+    const bool has_direction = row.has_normal || f.l0 > 0;
     f.takes_part = has_direction && (a.mobility != Vec3d{} || b.mobility != Vec3d{});
     f.target = f.l0;
-    if (row.kind == NetRow::Kind::plane) f.target = std::min(f.l0, row.length);
-    if (row.kind == NetRow::Kind::cable && !was_taut(row, f)) f.takes_part = false;
-    if (row.kind != NetRow::Kind::spring) return;
+    if (row.only_pushes()) f.target = std::min(f.l0, row.length);
+    if (row.is_cable() && !was_taut(row, f)) f.takes_part = false;
+    if (!row.is_spring()) return;
     const double k = row.stiffness, c = row.damping;
     const double slope = part_.h * part_.h * k / 4 + part_.h * c / 2;
     PHYSIM_ASSERT(k >= 0 && c >= 0);
@@ -334,8 +334,7 @@ class Net {
   }
   /// Its length is kept, and it can be.
   [[nodiscard]] bool is_held(const NetRow& row) const {
-    return row.kind != NetRow::Kind::spring &&
-           (bodies_[row.a].mobility != Vec3d{} || bodies_[row.b].mobility != Vec3d{});
+    return !row.is_spring() && (bodies_[row.a].mobility != Vec3d{} || bodies_[row.b].mobility != Vec3d{});
   }
   [[nodiscard]] bool is_wrong(const NetRow& row, const Found& f) const {
     return is_held(row) && (side(row) == 0 || side(row) * (f.l - f.target) < 0);
@@ -353,9 +352,9 @@ class Net {
     f.slack = 1e-12 * std::abs(row.length) + 4 * (a.spacing + b.spacing) + 8 * kEpsilon * size_of(row);
     f.target = row.length;
     row.came_taut = false;
-    f.is_loose = !part_.comes_taut && row.kind == NetRow::Kind::cable && !f.takes_part;
+    f.is_loose = !part_.comes_taut && row.is_cable() && !f.takes_part;
     if (f.is_loose) f.target = kInfinity;
-    if (f.is_loose || row.kind != NetRow::Kind::cable || f.takes_part) return;
+    if (f.is_loose || !row.is_cable() || f.takes_part) return;
     // Just as long as it may be it comes taut if its ends part.
     const double speed = speed_of(row, f.n);
     if (!(f.l > row.length + f.slack) && !(is_stretched(row, f) && speed > 0)) return;
@@ -377,13 +376,8 @@ class Net {
 
   // ------------------------------------------------------------------------------------------- speeds
   [[nodiscard]] static bool holds(const NetRow& row, const Found& f) {
-    switch (row.kind) {
-      case NetRow::Kind::rod: return true;
-      case NetRow::Kind::cable: return !f.is_loose && (row.came_taut || is_stretched(row, f));
-      case NetRow::Kind::plane: return f.l <= row.length + f.slack;
-      case NetRow::Kind::spring: return false;
-    }
-    return false;
+    if (row.is_cable()) return !f.is_loose && (row.came_taut || is_stretched(row, f));
+    return row.is_rod() || (row.only_pushes() && f.l <= row.length + f.slack);
   }
 
   /// Takes away the speeds at which rows would become longer or shorter than they may be.
@@ -417,7 +411,7 @@ class Net {
     };
     report_.solved = choose(attempt, fits) && report_.solved;
     for (std::size_t i = 0; i < rows_.size(); ++i) {
-      const double twice = rows_[i].kind == NetRow::Kind::spring ? 2 : 1;
+      const double twice = rows_[i].is_spring() ? 2 : 1;
       rows_[i].impulse = -(twice * found_[i].q / part_.h + found_[i].p);
     }
   }

@@ -51,15 +51,22 @@ struct NetBody {
 
 /// What holds two bodies.
 struct NetRow {
-  enum class Kind : std::uint8_t { rod, cable, spring, plane };
-  Kind kind = Kind::rod;
-  std::uint32_t a = 0;  // bodies
+  bool pulls = true;        // it keeps its ends from being farther apart than its length
+  bool pushes = true;       // ... and from being nearer; one that does neither is a spring
+  bool has_normal = false;  // of a plane: its direction stays
+  std::uint32_t a = 0;      // bodies
   std::uint32_t b = 0;
   double length = 0;       // [m]
   double restitution = 0;  // of cables [-]
   double stiffness = 0;    // of springs [N/m]
   double damping = 0;      // of springs [kg/s]
   Vec3d normal{};          // of planes, that a is outside of: dot(normal, a - b) >= length [-]
+
+  [[nodiscard]] bool is_rod() const { return pulls && pushes; }
+  [[nodiscard]] bool is_cable() const { return pulls && !pushes; }
+  [[nodiscard]] bool is_spring() const { return !pulls && !pushes; }
+  [[nodiscard]] bool only_pushes() const { return pushes && !pulls; }
+
   // What was found.
   double impulse = 0;      // with which it pulled its ends together [N s]
   double speed = 0;        // at which they parted when it came taut [m/s]

@@ -92,7 +92,7 @@ void Joints::add_to(Hash& hash) const {
 // ------------------------------------------------------------------------------------------- bad input
 Status check(const Joint& joint) {
   Checker c;
-  c.named(joint.kind, JointKind::spring, "joint.kind");
+  c.named(joint.kind, "joint.kind");
   c.require(bool(joint.a), "joint.a", "is nobody", "a joint holds a projectile to another one, or to a point");
   c.require(joint.a != joint.b, "joint.b", "is joint.a too", "a joint holds two different projectiles");
   c.is_vector(joint.point, "joint.point");

@@ -18,7 +18,7 @@ std::uint32_t parts_of_step(std::span<const NetBody> bodies, std::span<const Net
   constexpr double kSlow = 4, kTurnOfPart = 4.0 / 3, kMostParts = 1000;  // [rad], [rad], [-]
   std::vector<double> bends(bodies.size());                              // by body, sum of 1/L [1/m]
   for (const NetRow& row : rows) {
-    const bool holds = row.kind == NetRow::Kind::rod || row.kind == NetRow::Kind::cable;
+    const bool holds = !row.is_spring() && !row.has_normal;
     if (holds && row.length > 0) bends[row.a] += 1 / row.length, bends[row.b] += 1 / row.length;
   }
   double pull = 0, swings = 0;

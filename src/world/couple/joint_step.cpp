@@ -4,6 +4,7 @@
 
 #include "base/assert.hpp"
 #include "base/checker.hpp"
+#include "base/joint_table.hpp"
 #include "model/turning.hpp"
 #include "world/core/joints.hpp"
 #include "world/couple/joint_contacts.hpp"
@@ -72,12 +73,7 @@ void each_end(const WorldState& state, const std::vector<std::uint32_t>& net, co
   const Vec3d b = joint.b ? state.state_of(state.slots[joint.b.index]).position : joint.point;
   const double off = length(a - b) - *joint.length;
   const double slack = kStrain * (*joint.length + length(a) + length(b));
-  switch (joint.kind) {
-    case JointKind::rod: return std::abs(off) > slack;
-    case JointKind::cable: return off > slack;
-    case JointKind::spring: return false;
-  }
-  return false;
+  return breaks(joint.kind, off, slack);
 }
 
 /// Wakes all projectiles of a net if one of it moves.
@@ -119,10 +115,10 @@ class NetStep {
 
  private:
   void add(const Joint& joint, std::uint32_t index) {
-    constexpr NetRow::Kind kKinds[] = {NetRow::Kind::rod, NetRow::Kind::cable, NetRow::Kind::spring};
     NetRow& row = rows_.emplace_back();
     joints_.push_back(index);
-    row.kind = kKinds[static_cast<std::size_t>(joint.kind)];
+    row.pulls = row_of(joint.kind).pulls;
+    row.pushes = row_of(joint.kind).pushes;
     row.a = body_of(joint.a);
     row.b = joint.b ? body_of(joint.b) : point(joint.point);
     row.length = *joint.length;
@@ -192,7 +188,8 @@ class NetStep {
       if (!contact || is_shallow(bodies_[i], *contact)) continue;
       if (!origin_) origin_ = point({});
       NetRow& row = rows_.emplace_back();
-      row.kind = NetRow::Kind::plane;
+      row.pulls = false;
+      row.has_normal = true;
       row.a = static_cast<std::uint32_t>(i);
       row.b = *origin_;
       row.normal = contact->normal;
