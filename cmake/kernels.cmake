@@ -128,8 +128,8 @@ function(physim_add_kernels target)
       endif()
       if(PHYSIM_SMALL_KERNELS)
         set(no_guards $<IF:$<CXX_COMPILER_ID:GNU>,--param=asan-stack=0,SHELL:-mllvm -asan-stack=0>)
-        # At -O1 g++ 12 does not survive the selects of packs (gimple-isel.cc).
-        target_compile_options(${kernels} PRIVATE $<IF:$<CXX_COMPILER_ID:GNU>,-O2,-O1> ${no_guards})
+        # g++ 12 does not survive the selects of packs at -O1, nor at -O2 if a jump is threaded through one (gimple-isel.cc).
+        target_compile_options(${kernels} PRIVATE $<IF:$<CXX_COMPILER_ID:GNU>,-O2;-fno-thread-jumps,-O1> ${no_guards})
       endif()
     endif()
     target_include_directories(${kernels} PRIVATE include src ${physim_generated})
