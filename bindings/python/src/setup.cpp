@@ -17,20 +17,23 @@ namespace {
 /// Reads a tree of Python's objects as the tree of a file; each value knows the path of its setting.
 class PythonReader {
  public:
-  [[nodiscard]] Value read(nb::handle object, const SchemaNode* node, const Place& place) const {
+  [[nodiscard]] Value read(nb::handle object, const SchemaNode* node, const Place& place) {
+    if (++depth_ > kMostDeep) fail("is nested too deeply", *place.source, "a list or dict must not hold itself");
     Value value;
     value.place = place;
     if (nb::isinstance<nb::dict>(object))
       value.content = table(object, node, *place.source);
     else
       value.content = content(object, node, place);
+    --depth_;
     return value;
   }
 
  private:
+  static constexpr int kMostDeep = 100;
   using Content = decltype(Value::content);
 
-  [[nodiscard]] Table table(nb::handle object, const SchemaNode* node, const std::string& path) const {
+  [[nodiscard]] Table table(nb::handle object, const SchemaNode* node, const std::string& path) {
     Table members;
     for (const auto& [key, each] : nb::borrow<nb::dict>(object)) {
       if (!nb::isinstance<nb::str>(key)) fail("a key is no text", path);
@@ -44,7 +47,7 @@ class PythonReader {
     return members;
   }
 
-  [[nodiscard]] Content content(nb::handle object, const SchemaNode* node, const Place& place) const {
+  [[nodiscard]] Content content(nb::handle object, const SchemaNode* node, const Place& place) {
     PyObject* const o = object.ptr();
     const std::string& path = *place.source;
     if (PyUnicode_Check(o)) return text_of(object, path);
@@ -54,8 +57,9 @@ class PythonReader {
     if (object.is_none()) return absent(node, path);
     if (PyList_Check(o) || PyTuple_Check(o)) return list(object, node, place);
     if (nb::hasattr(object, "to") && nb::hasattr(object, "magnitude"))  // a quantity of pint
-      return content(in_si(object, node, path), node, place);
-    if (nb::hasattr(object, "tolist")) return content(object.attr("tolist")(), node, place);  // of NumPy and pandas
+      return read(in_si(object, node, path), node, place).content;
+    if (nb::hasattr(object, "tolist"))
+      return read(object.attr("tolist")(), node, place).content;  // of NumPy and pandas
     if (nb::hasattr(object, "__fspath__")) return nb::cast<std::string>(nb::str(object));
     if (nb::hasattr(object, "__float__")) {
       const nb::float_ number(object);
@@ -89,7 +93,7 @@ class PythonReader {
     return std::string(node->entry->none);
   }
 
-  [[nodiscard]] Content list(nb::handle object, const SchemaNode* node, const Place& place) const {
+  [[nodiscard]] Content list(nb::handle object, const SchemaNode* node, const Place& place) {
     Array array;
     for (const nb::handle each : object) array.push_back(read(each, node, place));
     return array;
@@ -106,12 +110,14 @@ class PythonReader {
            path, "expected " + std::string(info(node->entry->quantity).with_article) + " in " + unit);
     }
   }
+
+  int depth_ = 0;  // an error ends the reader
 };
 
 // ------------------------------------------------------------------------------------------------- trees to scenarios
 Place place_of_path(const std::string& path) { return {std::make_shared<const std::string>(path), 0, 0}; }
 
-/// What a path leads to.
+/// Where a path leads.
 struct Led {
   Addressed target;
   Place place;
