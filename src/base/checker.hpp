@@ -25,14 +25,16 @@ class InputPlace {
   InputPlace(const char* whole) : whole_(whole) {}         // NOLINT: a text is a place
   InputPlace(Text whole) : whole_(whole) {}                // NOLINT
   InputPlace(const std::string& whole) : whole_(whole) {}  // NOLINT: must outlive this
-  /// list[item], or a member of it, as ".kind".
+  /// A member of it, as ".kind".
+  InputPlace(Text whole, Text member) : whole_(whole), member_(member) {}
+  /// list[item], or a member of it.
   InputPlace(Text list, std::size_t item, Text member = "") : whole_(list), item_(item), member_(member) {}
 
   [[nodiscard]] bool empty() const { return whole_.empty(); }
   [[nodiscard]] std::string text() const {
     std::string text(whole_);
-    if (item_ != kNoItem) text.append("[").append(std::to_string(item_)).append("]").append(member_);
-    return text;
+    if (item_ != kNoItem) text.append("[").append(std::to_string(item_)).append("]");
+    return text.append(member_);
   }
 
  private:

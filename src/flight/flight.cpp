@@ -180,10 +180,10 @@ State<double> FlightRecord::state(double time) const {
   const Node &n0 = nodes[later - 1], &n1 = nodes[later];
   const double theta = place_between(n0, n1, time);
   if (part.leg.on_surface) return state_on_surface(n0, n1, theta);
-  if (path.kept.empty())
-    return dense_state(f.integrator, n0, n1, coefficients_before(path.coefficients, f.integrator, later), theta);
   if (theta == 0) return n0.y;
   if (theta == 1) return n1.y;
+  if (path.kept.empty())
+    return dense_state(f.integrator, n0, n1, coefficients_before(path.coefficients, f.integrator, later), theta);
   State<double> coefficients[kMaxDenseCoefficients];
   interpolate_kept(path.kept[later - 1], n0, n1, coefficients);
   return dense_state(f.integrator, n0, n1, coefficients, theta);

@@ -439,27 +439,27 @@ Status check_fits(const Vec3d& position, const Vec3d& velocity, Precision precis
   return Error{"is too large for float32", near ? "velocity" : "position", "ask for float64"};
 }
 
-Status check(const CollisionDef& collision, const std::string& place) {
+Status check(const CollisionDef& collision, std::string_view place) {
   Checker c;
-  c.named(collision.on_hit, place + ".on_hit");
-  c.require(collision.inertia > 0 && collision.inertia <= 1, place + ".inertia", "must lie above 0 and not above 1",
-            "2/5: a solid ball");
-  c.require(collision.radius == 0 || (collision.radius >= 1e-12 && collision.radius <= 1e6), place + ".radius",
-            "must be zero, or lie between 1e-12 and 1e6 m", "0: a point");
+  c.named(collision.on_hit, InputPlace(place, ".on_hit"));
+  c.require(collision.inertia > 0 && collision.inertia <= 1, InputPlace(place, ".inertia"),
+            "must lie above 0 and not above 1", "2/5: a solid ball");
+  c.require(collision.radius == 0 || (collision.radius >= 1e-12 && collision.radius <= 1e6),
+            InputPlace(place, ".radius"), "must be zero, or lie between 1e-12 and 1e6 m", "0: a point");
   return c.status();
 }
 
-Status check(const CombineDef& combine, const std::string& place) {
+Status check(const CombineDef& combine, std::string_view place) {
   Checker c;
-  c.named(combine.restitution, place + ".restitution");
-  c.named(combine.friction, place + ".friction");
+  c.named(combine.restitution, InputPlace(place, ".restitution"));
+  c.named(combine.friction, InputPlace(place, ".friction"));
   return c.status();
 }
 
-Status check(const ConveyorDef& conveyor, const std::string& place) {
+Status check(const ConveyorDef& conveyor, std::string_view place) {
   const auto [x, y, z] = conveyor.velocity;
   const bool good = abs(x) <= 1e6 && abs(y) <= 1e6 && abs(z) <= 1e6;
-  return Checker().require(good, place + ".velocity", "must have components within 1e6 m/s").status();
+  return Checker().require(good, InputPlace(place, ".velocity"), "must have components within 1e6 m/s").status();
 }
 
 Status check(const ContactDef& contact, const std::string& place) {

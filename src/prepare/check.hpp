@@ -2,6 +2,7 @@
 #pragma once
 
 #include <string>
+#include <string_view>
 
 #include "physim/flight.hpp"
 
@@ -18,9 +19,9 @@ inline constexpr double kShortestStep = 1e-9;  // a part of a shorter one is not
 [[nodiscard]] Status check(const Environment& environment);
 [[nodiscard]] Status check(const Tolerance& tolerance, const Fidelity& fidelity);
 [[nodiscard]] Status check(const Until& until);
-[[nodiscard]] Status check(const CombineDef& combine, const std::string& place);
-[[nodiscard]] Status check(const ConveyorDef& conveyor, const std::string& place);
-[[nodiscard]] Status check(const CollisionDef& collision, const std::string& place);
+[[nodiscard]] Status check(const CombineDef& combine, std::string_view place);
+[[nodiscard]] Status check(const ConveyorDef& conveyor, std::string_view place);
+[[nodiscard]] Status check(const CollisionDef& collision, std::string_view place);
 [[nodiscard]] Status check(const ContactDef& contact, const std::string& place);
 /// Whether a place [m] and a velocity [m/s] are numbers in a precision.
 [[nodiscard]] Status check_fits(const Vec3d& position, const Vec3d& velocity, Precision precision);

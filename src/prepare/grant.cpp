@@ -2,6 +2,7 @@
 #include "prepare/grant.hpp"
 
 #include <algorithm>
+#include <utility>
 
 #include "base/text.hpp"
 #include "model/attitude.hpp"
@@ -11,6 +12,7 @@
 #include "model/spin_drift.hpp"
 #include "physim/names.hpp"
 #include "prepare/conditions.hpp"
+#include "prepare/launch.hpp"
 #include "solve/take_step.hpp"
 
 namespace physim {
@@ -34,7 +36,7 @@ class Granting {
     if (is_chosen_by_rotation(f_.integrator))
       f_.integrator = f_.rotation == RotationModel::rigid_body ? kBodyIntegrator : kPointIntegrator;
     PHYSIM_ASSERT(!turns(f_) || flies_motors(f_));
-    return {f_, notes_};
+    return {f_, std::move(notes_)};
   }
 
  private:
@@ -273,11 +275,10 @@ constexpr double kMostSphereMach = 0.3;  // where compressibility begins to show
 
 /// Why Litz's drift means little for a shot; empty where it is in its place.
 std::string doubt_about_drift(const ProjectileDef& projectile, const Launch& launch, const Environment& environment) {
-  const auto stability = stability_factor(projectile, launch, environment);
-  if (!stability || !(launch_speed(launch) > 0)) return {};
+  const auto stability = stability_of_checked(projectile, launch_speed(launch), environment);
+  if (!stability || !(launch_speed(launch) > 0) || (*stability >= 1 && *stability < kMostStable)) return {};
   const std::string is = "the stability factor Sg is " + short_text(*stability);
   if (*stability < 1) return is + ": below 1 the projectile tumbles, and its drift means nothing";
-  if (*stability < kMostStable) return {};
   return is + ": beyond " + short_text(kMostStable) + " there is no drift to be had; look at mass, diameter, length " +
          "and twist";
 }

@@ -25,7 +25,8 @@ inline constexpr Integrator kBodyIntegrator = Integrator::tsit5;
 /// What of the asked fidelity this projectile in this environment can have.
 [[nodiscard]] FidelityInUse grant(const Fidelity& asked, const ProjectileDef& projectile,
                                   const Environment& environment);
-/// With notes about the launch: a rail that is left out, models that it leads beyond where they hold.
+/// With notes about the launch, where all of it is checked: a rail that is left out, models that it leads beyond where
+/// they hold.
 [[nodiscard]] FidelityInUse grant(const Fidelity& asked, const ProjectileDef& projectile,
                                   const Environment& environment, const Launch& launch);
 

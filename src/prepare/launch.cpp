@@ -10,6 +10,7 @@
 #include "model/attitude.hpp"
 #include "model/magnus.hpp"
 #include "model/motor.hpp"
+#include "model/standard_atmosphere.hpp"
 #include "prepare/check.hpp"
 #include "prepare/conditions.hpp"
 #include "prepare/equivalent_drag.hpp"
@@ -86,17 +87,22 @@ Rotor<double> prepare_rotor(const ProjectileDef& p, const Launch& launch, double
 
 std::optional<double> stability_factor(const ProjectileDef& p, const Launch& launch, const Environment& environment) {
   const IeeeMode mode;
-  if (p.twist == 0 || p.length <= 0 || !check(p) || !check(launch) || !check(environment)) return std::nullopt;
-  const auto air = air_at_origin(environment);
-  if (!air || !(air->pressure > 0)) return std::nullopt;
-  return miller_stability(p, launch_speed(launch), air->temperature, air->pressure);
+  if (!check(p) || !check(launch) || !check(environment)) return std::nullopt;
+  return stability_of_checked(p, launch_speed(launch), environment);
+}
+
+std::optional<double> stability_of_checked(const ProjectileDef& p, double speed, const Environment& environment) {
+  if (p.twist == 0 || p.length <= 0) return std::nullopt;
+  const AirSample air = air_sample(environment, std::clamp(environment.altitude, kLowestAltitude, kHighestAltitude));
+  if (!(air.pressure > 0)) return std::nullopt;
+  return miller_stability(p, speed, air.temperature, air.pressure);
 }
 
 namespace {
 
 /// Miller's, where Litz's formulas hold.
 std::optional<double> stability_at_launch(const ProjectileDef& p, double speed, const Environment& environment) {
-  const auto stability = stability_factor(p, {.speed = speed}, environment);
+  const auto stability = stability_of_checked(p, speed, environment);
   return stability && *stability < kMostStable ? stability : std::nullopt;
 }
 

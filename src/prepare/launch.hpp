@@ -1,6 +1,8 @@
 // Launches: what of Body and Rotor a launch gives, for flights, batches and worlds alike.
 #pragma once
 
+#include <optional>
+
 #include "model/attitude.hpp"
 #include "model/sight.hpp"
 #include "model/spin_drift.hpp"
@@ -30,6 +32,9 @@ void put_launch(const ProjectileDef& projectile, const Launch& launch, double el
 [[nodiscard]] Rotor<double> prepare_rotor(const ProjectileDef& projectile, const Launch& launch, double elevation,
                                           const Body<double>& body, TablePool& pool, Conditions<double>& conditions);
 
+/// stability_factor() of input that is checked already; `launch_speed` in m/s.
+[[nodiscard]] std::optional<double> stability_of_checked(const ProjectileDef& projectile, double launch_speed,
+                                                         const Environment& environment);
 /// Litz's aerodynamic jump, where it is granted: turns the launch velocity up or down.
 void jump_in_crosswind(const ProjectileDef& projectile, const Environment& environment,
                        const Conditions<double>& conditions, Body<double>& body);

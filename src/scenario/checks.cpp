@@ -144,11 +144,13 @@ Status check_scenario(const Scenario& scenario, const Value& document) {
   const ScenarioNames names(scenario);
   Mistakes mistakes;
   check_shots(scenario, names, document, mistakes);
-  Environment without_wind = scenario.environment, without_air = scenario.environment;
-  without_wind.wind = {};
-  without_air.atmosphere = {};
-  mistakes.take(check_places(without_wind, document));
-  mistakes.take(check_places(without_air, document));
+  if (!check(scenario.environment)) {
+    Environment without_wind = scenario.environment, without_air = scenario.environment;
+    without_wind.wind = {};
+    without_air.atmosphere = {};
+    mistakes.take(check_places(without_wind, document));
+    mistakes.take(check_places(without_air, document));
+  }
   check_world(scenario, names, document, mistakes);
   if (!scenario.world.given) check_expectations(scenario, names, document, mistakes);
   if (mistakes.empty()) mistakes.take(check_study(scenario, document));  // it is made of all of them

@@ -228,6 +228,7 @@ Status complete_scene(Scenario& scenario, const Value& document) {
 }
 
 Status check_scene(const Scenario& scenario, const Value& document) {
+  if (scenario.materials.empty() && scenario.shapes.empty() && scenario.things.empty()) return {};
   for (std::size_t i = 0; i < count_in(document, "material"); ++i)
     if (Status status = check_material(element(document, "material", i)); !status) return status;
   for (std::size_t i = 0; i < scenario.shapes.size(); ++i)

@@ -49,8 +49,8 @@ ProjectileDef projectile_of(const ScenarioShot& shot) {
     p.drag = {.coefficient = 0};
     p.motor.drag_curve.clear();
     for (AeroPoint& point : p.aero.drag_yaw) point.value = 0;
-  } else if (const Result<ProjectileDef> scaled = with_drag_scaled(p, body.drag_scale)) {
-    p = *scaled;
+  } else if (Result<ProjectileDef> scaled = with_drag_scaled(p, body.drag_scale)) {
+    p = *std::move(scaled);
   }  // else the world refuses it
   return p;
 }

@@ -27,17 +27,16 @@ Status make_table(const SchemaNode& node, Value& value) {
   return {};
 }
 
-/// What an override still has to go through: tables below `node` by `rest`, and lists from number `list` on.
+/// Where an override goes, and the number of the next list of tables on its way.
 struct Way {
   const Addressed& target;
-  std::string_view rest;
   std::size_t list = 0;
 };
 
-Status put(Value& here, const SchemaNode& node, Way way, Value value);
+Status put(Value& here, const SchemaNode& node, Way way, Value&& value);
 
 /// Into one element, which is made if it is the next one.
-Status put_into_element(Array& array, const SchemaNode& node, std::size_t index, const Way& way, Value value) {
+Status put_into_element(Array& array, const SchemaNode& node, std::size_t index, const Way& way, Value&& value) {
   PHYSIM_ASSERT(node.is_list_of_tables());
   const std::string count = std::to_string(array.size()), next = std::to_string(array.size() + 1);
   if (index > array.size())
@@ -49,7 +48,7 @@ Status put_into_element(Array& array, const SchemaNode& node, std::size_t index,
   return {};
 }
 
-Status put_into_list(Value& list, const SchemaNode& node, Way way, Value value) {
+Status put_into_list(Value& list, const SchemaNode& node, Way way, Value&& value) {
   PHYSIM_ASSERT(way.list < way.target.elements.size());
   const std::optional<std::size_t> element = way.target.elements[way.list++];
   Array* array = list.get<Array>();
@@ -58,36 +57,36 @@ Status put_into_list(Value& list, const SchemaNode& node, Way way, Value value) 
   if (element) return put_into_element(*array, node, *element, way, std::move(value));
   if (array->size() == 1) return put(array->front(), node, way, std::move(value));
   // Elements without a list of their own have nothing to change in it, where others have one.
-  const std::size_t dot = way.rest.find('.');
-  const SchemaNode* inner = dot == way.rest.npos ? nullptr : node.find(way.rest.substr(0, dot));
-  const auto has_list = [inner](const Value& each) { return each.find(inner->name) != nullptr; };
-  const bool skips = inner && inner->is_list_of_tables() && std::ranges::any_of(*array, has_list);
+  const SchemaNode& inner = node.child_towards(*way.target.node);
+  const auto has_list = [&inner](const Value& each) { return each.find(inner.name) != nullptr; };
+  const bool is_last = &inner == way.target.node;
+  const bool skips = !is_last && inner.is_list_of_tables() && std::ranges::any_of(*array, has_list);
   for (Value& each : *array) {
     if (skips && !has_list(each)) continue;
-    if (Status status = put(each, node, way, value); !status) return status;
+    if (Status status = put(each, node, way, Value(value)); !status) return status;
   }
   return {};
 }
 
 /// Walks from a table to the target. What is missing on the way is made apart, so that an error leaves nothing behind.
-Status put(Value& here, const SchemaNode& node, Way way, Value value) {
+Status put(Value& here, const SchemaNode& node, Way way, Value&& value) {
   if (Status status = make_table(node, here); !status) return status;
-  const std::size_t dot = way.rest.find('.');
-  const SchemaNode* child = node.find(way.rest.substr(0, dot));
-  PHYSIM_ASSERT(child != nullptr);  // the target is in the tree
-  Value* member = here.find(child->name);
-  const bool is_last = dot == way.rest.npos, is_list = !is_last && child->is_list_of_tables();
-  way.rest.remove_prefix(is_last ? way.rest.size() : dot + 1);
+  const SchemaNode& child = node.child_towards(*way.target.node);
+  Value* member = here.find(child.name);
+  const bool is_last = &child == way.target.node, is_list = !is_last && child.is_list_of_tables();
   const auto put_into = [&](Value& into) {
     if (is_last) return into = std::move(value), Status();
-    return is_list ? put_into_list(into, *child, way, std::move(value)) : put(into, *child, way, std::move(value));
+    return is_list ? put_into_list(into, child, way, std::move(value)) : put(into, child, way, std::move(value));
   };
   if (member != nullptr) return put_into(*member);
+  Table& table = *here.get<Table>();
+  if (table.size() == table.capacity()) table.reserve(2 * table.size() + 6);  // few have one key alone
   const Place place = value.place;
+  if (is_last) return table.push_back({child.name, place, std::move(value)}), Status();
   Value made{Table{}, place, {}, {}};
   if (is_list) made.content = Array{};
   if (Status status = put_into(made); !status) return status;
-  here.get<Table>()->push_back({child->name, place, std::move(made)});
+  table.push_back({child.name, place, std::move(made)});
   return {};
 }
 
@@ -105,9 +104,9 @@ Result<Addressed> address_in(const Value& document, std::string_view path, const
       path, [&document] { return shot_names(document); }, place);
 }
 
-Status put_value(Value& document, const Addressed& target, Value value) {
+Status put_value(Value& document, const Addressed& target, Value&& value) {
   PHYSIM_ASSERT(target.node != nullptr);
-  return put(document, schema(), {target, target.node->path}, std::move(value));
+  return put(document, schema(), {target}, std::move(value));
 }
 
 Status apply_override(Value& document, const std::string& override_text) {

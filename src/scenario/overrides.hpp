@@ -17,7 +17,7 @@ namespace physim {
 /// The target of a path in a document; shots are known by their names.
 [[nodiscard]] Result<Addressed> address_in(const Value& document, std::string_view path, const Place& place);
 /// Puts a value at a target, which is looked at when the document is read. After an error the document is as it was.
-[[nodiscard]] Status put_value(Value& document, const Addressed& target, Value value);
+[[nodiscard]] Status put_value(Value& document, const Addressed& target, Value&& value);
 /// Puts a value, as it stands right of "=" in an override, at a path (scenario/by_path.hpp) of a document. The number
 /// that follows the last one of a list adds an element. The value is checked by itself (check_alone()). After an error
 /// the document is as it was.

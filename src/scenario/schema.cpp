@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <memory>
 
 #include "base/assert.hpp"
 #include "base/ieee_mode.hpp"
@@ -37,6 +38,11 @@ void plant(SchemaNode& root, const Entry& entry) {
   }
   PHYSIM_ASSERT(node->entry == nullptr);  // no two settings have one path
   node->entry = &entry;
+}
+
+/// Lets each node of a tree point to the table that it is in. The tree must stay where it is.
+void point_up(SchemaNode& node) {
+  for (SchemaNode& child : node.children) child.above = &node, point_up(child);
 }
 
 std::string type_of(const ValueRef& slot) {
@@ -93,12 +99,13 @@ const SchemaNode* SchemaNode::find(std::string_view child) const {
 }
 
 const SchemaNode& schema() {
-  static const SchemaNode root = [] {
-    SchemaNode node;
-    for (const Entry& entry : entries()) plant(node, entry);
+  static const std::unique_ptr<const SchemaNode> root = [] {
+    auto node = std::make_unique<SchemaNode>();
+    for (const Entry& entry : entries()) plant(*node, entry);
+    point_up(*node);
     return node;
   }();
-  return root;
+  return *root;
 }
 
 const SchemaNode* find_node(std::string_view path) {

@@ -131,11 +131,18 @@ struct Entry : SettingRow {
 struct SchemaNode {
   std::string name;  // last part of the path
   std::string path;
-  const Entry* entry = nullptr;      // of keys and of lists of tables
-  std::vector<SchemaNode> children;  // of tables and of lists of tables
-  std::string shorthand;             // name of the child that may stand for the table
+  const Entry* entry = nullptr;       // of keys and of lists of tables
+  std::vector<SchemaNode> children;   // of tables and of lists of tables
+  std::string shorthand;              // name of the child that may stand for the table
+  const SchemaNode* above = nullptr;  // the table that it is in
 
   [[nodiscard]] const SchemaNode* find(std::string_view child) const;
+  /// The child on the way to what is somewhere below.
+  [[nodiscard]] const SchemaNode& child_towards(const SchemaNode& below) const {
+    const SchemaNode* node = &below;
+    while (node->above != this) node = node->above;
+    return *node;
+  }
   [[nodiscard]] bool is_list_of_tables() const { return entry != nullptr && !children.empty(); }
 };
 

@@ -46,7 +46,7 @@ std::vector<FlownRung> rungs_of(const Scenario& scenario) {
   for (const ScenarioShot& shot : scenario.shots) {
     const auto add = [&](const Fidelity& asked) {
       const Fidelity stepped = by_steps(asked, is_world || scenario.tolerance.step > 0);
-      rungs.push_back({&shot, asked, grant(stepped, shot.projectile, scenario.environment, shot.launch).fidelity});
+      rungs.push_back({&shot, asked, grant(stepped, shot.projectile, scenario.environment).fidelity});
     };
     if (is_ruled_by_detail(scenario, shot)) {
       for (const DetailRung& rung : scenario.world.def.detail.rungs) add(rung.fidelity);

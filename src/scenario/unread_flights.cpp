@@ -451,7 +451,7 @@ constexpr UnreadRule kFidelityRules[] = {
        const auto is_chosen = [&](Rung f) {
          Fidelity open = f.asked;
          open.body_form = BodyForm::automatic;
-         const Fidelity granted = grant(open, f.shot->projectile, r.scenario.environment, f.shot->launch).fidelity;
+         const Fidelity granted = grant(open, f.shot->projectile, r.scenario.environment).fidelity;
          return granted.body_form != f.granted.body_form;
        };
        return read_or(r.any(is_chosen), ": that form is flown anyway");

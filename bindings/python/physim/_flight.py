@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from operator import attrgetter
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -49,22 +50,17 @@ class Sample(Record):
     z: float
 
     def __init__(self, sample: _core.Sample) -> None:
-        self.__dict__["_sample"] = sample
-
-    def __getattr__(self, name: str) -> Any:
-        """Read when it is asked for: few ask for all."""
-        if name.startswith("_"):
-            raise AttributeError(name)
-        return getattr(self.__dict__["_sample"], name)
+        self._sample = sample
 
     def as_dict(self) -> dict[str, Any]:
-        return self.__dict__["_sample"].table()  # type: ignore[no-any-return]
-
-    def __dir__(self) -> list[str]:
-        return [*super().__dir__(), *self.as_dict(), "x", "y", "z"]
+        return self._sample.table()
 
     def __reduce__(self) -> Any:
         return (_pickled_sample, (self.as_dict(),))
+
+
+for _name in [*Sample.__annotations__]:  # read where it is asked for: few ask for all
+    setattr(Sample, _name, property(attrgetter("_sample." + _name)))
 
 
 class _PickledSample:

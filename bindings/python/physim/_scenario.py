@@ -13,7 +13,7 @@ from numpy.typing import ArrayLike, NDArray
 from . import _core
 from ._errors import Error
 from ._flight import UNITS, Event, Flight, _number, numbers
-from ._settings import by_path, keyword_docs, path_of
+from ._settings import keyword_docs, path_of
 from ._table import Columns, Record, html_table
 
 if TYPE_CHECKING:
@@ -260,15 +260,15 @@ class Shot(_Settled):
         **settings: Any,
     ) -> None:
         if base is None:
-            setup = _core.Setup.from_settings(by_path(settings), wind_field, force_field)
+            setup = _core.Setup.from_settings(settings, wind_field, force_field)
         else:
             setup = base._setup if isinstance(base, Shot) else base._setup.only_shot("")
             if settings:
-                setup = setup.with_settings(by_path(settings))
+                setup = setup.with_settings(settings, True)
             if wind_field is not None or force_field is not None:
                 functions = (wind_field or setup.wind_field, force_field or setup.force_field)
                 setup = setup.with_functions(*functions)
-        super().__init__(setup)
+        self._setup = setup
 
     @property
     def name(self) -> str:

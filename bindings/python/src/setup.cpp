@@ -1,6 +1,7 @@
 #include "setup.hpp"
 
 #include <algorithm>
+#include <deque>
 #include <unordered_map>
 
 #include "scenario/overrides.hpp"
@@ -17,20 +18,23 @@ namespace {
 /// Reads a tree of Python's objects as the tree of a file; each value knows the path of its setting.
 class PythonReader {
  public:
-  [[nodiscard]] Value read(nb::handle object, const SchemaNode* node, const Place& place) const {
+  [[nodiscard]] Value read(nb::handle object, const SchemaNode* node, const Place& place) {
+    if (++depth_ > kMostDeep) fail("is nested too deeply", *place.source, "a list or dict must not hold itself");
     Value value;
     value.place = place;
     if (nb::isinstance<nb::dict>(object))
       value.content = table(object, node, *place.source);
     else
       value.content = content(object, node, place);
+    --depth_;
     return value;
   }
 
  private:
+  static constexpr int kMostDeep = 100;
   using Content = decltype(Value::content);
 
-  [[nodiscard]] Table table(nb::handle object, const SchemaNode* node, const std::string& path) const {
+  [[nodiscard]] Table table(nb::handle object, const SchemaNode* node, const std::string& path) {
     Table members;
     for (const auto& [key, each] : nb::borrow<nb::dict>(object)) {
       if (!nb::isinstance<nb::str>(key)) fail("a key is no text", path);
@@ -44,7 +48,7 @@ class PythonReader {
     return members;
   }
 
-  [[nodiscard]] Content content(nb::handle object, const SchemaNode* node, const Place& place) const {
+  [[nodiscard]] Content content(nb::handle object, const SchemaNode* node, const Place& place) {
     PyObject* const o = object.ptr();
     const std::string& path = *place.source;
     if (PyUnicode_Check(o)) return text_of(object, path);
@@ -54,8 +58,9 @@ class PythonReader {
     if (object.is_none()) return absent(node, path);
     if (PyList_Check(o) || PyTuple_Check(o)) return list(object, node, place);
     if (nb::hasattr(object, "to") && nb::hasattr(object, "magnitude"))  // a quantity of pint
-      return content(in_si(object, node, path), node, place);
-    if (nb::hasattr(object, "tolist")) return content(object.attr("tolist")(), node, place);  // of NumPy and pandas
+      return read(in_si(object, node, path), node, place).content;
+    if (nb::hasattr(object, "tolist"))
+      return read(object.attr("tolist")(), node, place).content;  // of NumPy and pandas
     if (nb::hasattr(object, "__fspath__")) return nb::cast<std::string>(nb::str(object));
     if (nb::hasattr(object, "__float__")) {
       const nb::float_ number(object);
@@ -89,7 +94,7 @@ class PythonReader {
     return std::string(node->entry->none);
   }
 
-  [[nodiscard]] Content list(nb::handle object, const SchemaNode* node, const Place& place) const {
+  [[nodiscard]] Content list(nb::handle object, const SchemaNode* node, const Place& place) {
     Array array;
     for (const nb::handle each : object) array.push_back(read(each, node, place));
     return array;
@@ -106,15 +111,18 @@ class PythonReader {
            path, "expected " + std::string(info(node->entry->quantity).with_article) + " in " + unit);
     }
   }
+
+  int depth_ = 0;  // an error ends the reader
 };
 
 // ------------------------------------------------------------------------------------------------- trees to scenarios
 Place place_of_path(const std::string& path) { return {std::make_shared<const std::string>(path), 0, 0}; }
 
-/// What a path leads to.
+/// Where a path leads.
 struct Led {
   Addressed target;
   Place place;
+  std::ptrdiff_t depth;  // how many tables it is in
 };
 
 struct TextHash : std::hash<std::string_view> {
@@ -129,31 +137,33 @@ std::string_view view_of(nb::handle text) {
   return {begin, static_cast<std::size_t>(size)};
 }
 
-/// Paths of settings are looked up once; those that name or count an element, `once`, each time.
-const Led& led_by(const Value& document, nb::handle path, std::optional<Led>& once) {
-  static std::unordered_map<std::string, Led, TextHash, std::equal_to<>> known;  // under the interpreter's lock
-  const std::string_view text = view_of(path);
+/// What keys of a dict are: paths of settings, or keywords of Python, which lead to them.
+enum class Keys : std::uint8_t { paths, keywords };
+
+/// Each is looked up once, but for paths that name or count an element: they go into `once`.
+const Led& led_by(const Value& document, nb::handle key, Keys keys, std::deque<Led>& once) {
+  using Known = std::unordered_map<std::string, Led, TextHash, std::equal_to<>>;
+  static Known known_paths, known_keywords;  // under the interpreter's lock
+  Known& known = keys == Keys::paths ? known_paths : known_keywords;
+  const std::string_view text = view_of(key);
   if (const auto found = known.find(text); found != known.end()) return found->second;
-  const Place place = place_of_path(std::string(text));
-  once = Led{taken(address_in(document, text, place)), place};
-  return find_node(text) != nullptr ? known.emplace(text, *once).first->second : *once;
+  std::string path(text);
+  if (keys == Keys::keywords)
+    path = nb::cast<std::string>(nb::module_::import_("physim._settings").attr("path_of")(key));
+  const Place place = place_of_path(path);
+  once.push_back({taken(address_in(document, path, place)), place, std::ranges::count(path, '.')});
+  return find_node(path) != nullptr ? known.emplace(text, once.back()).first->second : once.back();
 }
 
-/// Puts settings by path into a document: tables before what is in them, whatever the order of the dict.
-void put_settings(Value& document, const nb::dict& changes) {
-  struct Change {
-    std::ptrdiff_t depth;
-    nb::handle path, value;
-  };
-  std::vector<Change> sorted;
+/// Puts settings into a document: tables before what is in them, whatever the order of the dict.
+void put_settings(Value& document, const nb::dict& changes, Keys keys) {
+  std::deque<Led> once;
+  std::vector<std::pair<const Led*, nb::handle>> sorted;
   sorted.reserve(changes.size());
-  for (const auto& [path, value] : changes) sorted.push_back({std::ranges::count(view_of(path), '.'), path, value});
-  std::ranges::stable_sort(sorted, {}, &Change::depth);
-  for (const Change& change : sorted) {
-    std::optional<Led> once;
-    const Led& led = led_by(document, change.path, once);
-    taken(put_value(document, led.target, PythonReader().read(change.value, led.target.node, led.place)));
-  }
+  for (const auto& [key, value] : changes) sorted.emplace_back(&led_by(document, key, keys, once), value);
+  std::ranges::stable_sort(sorted, {}, [](const auto& each) { return each.first->depth; });
+  for (const auto& [led, value] : sorted)
+    taken(put_value(document, led->target, PythonReader().read(value, led->target.node, led->place)));
 }
 
 /// One shot with nothing but defaults.
@@ -234,7 +244,7 @@ Value shot_of_settings(const nb::dict& settings) {
   for (const auto& [path, value] : settings)
     if (const std::string_view text = view_of(path); !text.starts_with("shot."))
       fail("is no setting of a projectile", std::string(text), "a world has one environment for all of a kind");
-  put_settings(document, settings);
+  put_settings(document, settings, Keys::paths);
   return element(document, "shot", 0);
 }
 
@@ -245,8 +255,8 @@ SetupPtr Setup::make(Value document, const std::string& file, std::optional<Func
   if (force) scenario.environment.force = force_of(*force);
   std::optional<Scene> scene;
   if (!scenario.world.given && !scenario.things.empty()) scene = taken(scene_of(scenario));
-  return std::make_shared<const Setup>(
-      Setup{std::move(document), std::move(scenario), std::move(scene), std::move(wind_field), std::move(force)});
+  return std::make_shared<const Setup>(std::move(document), std::move(scenario), std::move(scene),
+                                       std::move(wind_field), std::move(force));
 }
 
 SetupPtr Setup::plain() { return make(plain_document(), ""); }
@@ -290,16 +300,16 @@ std::optional<Function> function_of(const nb::object& object, const char* name) 
 
 nb::object function_in(const std::optional<Function>& function) { return function ? function->get() : nb::none(); }
 
-SetupPtr with_settings(const Setup& setup, const nb::dict& changes) {
+SetupPtr with_settings(const Setup& setup, const nb::dict& changes, bool by_keyword) {
   Value document = setup.document;
-  put_settings(document, changes);
+  put_settings(document, changes, by_keyword ? Keys::keywords : Keys::paths);
   add_world_of_bodies(document);
   return Setup::make(std::move(document), setup.scenario.file, setup.wind_field, setup.force);
 }
 
 SetupPtr from_settings(const nb::dict& settings, const nb::object& wind_field, const nb::object& force) {
   Value document = plain_document();
-  put_settings(document, settings);
+  put_settings(document, settings, Keys::keywords);
   add_world_of_bodies(document);
   return Setup::make(std::move(document), "", function_of(wind_field, "wind_field"), function_of(force, "force_field"));
 }
@@ -368,7 +378,7 @@ void add_setup(nb::module_& m) {
           "tree"_a, "file"_a = "", "wind_field"_a = nb::none(), "force_field"_a = nb::none(),
           "Reads nested dicts of settings.")
       .def_static("from_settings", &from_settings, "settings"_a, "wind_field"_a = nb::none(),
-                  "force_field"_a = nb::none(), "Reads settings by path, of one shot.")
+                  "force_field"_a = nb::none(), "Reads settings by keyword, of one shot.")
       .def_static("from_text", &from_text, "text"_a, "file"_a = "text", "overrides"_a = std::vector<std::string>(),
                   "wind_field"_a = nb::none(), "force_field"_a = nb::none(), "Reads the text of a scenario file.")
       .def_static(
@@ -377,7 +387,8 @@ void add_setup(nb::module_& m) {
             return from_text(taken(read_scenario_text(file)), file, overrides, nb::none(), nb::none());
           },
           "file"_a, "overrides"_a = std::vector<std::string>(), "Reads a scenario file.")
-      .def("with_settings", &with_settings, "changes"_a, "A copy with settings by path that differ.")
+      .def("with_settings", &with_settings, "changes"_a, "by_keyword"_a = false,
+           "A copy with other settings, by path or by keyword.")
       .def(
           "with_functions",
           [](const Setup& setup, const nb::object& wind_field, const nb::object& force) {

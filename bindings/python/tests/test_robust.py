@@ -269,3 +269,17 @@ def test_damaged_bytes_are_refused(damage):
         broken = save[:at] if damage == "cut" else save[:at] + bytes([save[at] ^ 0x40]) + save[at + 1 :]
         with pytest.raises(physim.Error):
             physim.World.load(broken)
+
+
+class Itself:
+    def tolist(self):
+        return self
+
+
+def test_what_holds_itself_is_refused():
+    table, row = {}, []
+    table["table"] = table
+    row.append(row)
+    for holds_itself in ({"drag": table}, {"drag_curve": row}, {"mass": Itself()}):
+        with pytest.raises(physim.Error, match="nested too deeply"):
+            physim.Shot(**holds_itself)

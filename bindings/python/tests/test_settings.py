@@ -59,12 +59,19 @@ def test_keys_of_lists_are_taken_in_dicts():
 
 
 def nested(path, value):
+    """Beside it stand choices that its table cannot be without: they may say which unit it has."""
+    table = path.rpartition(".")[0]
+    beside = {
+        row.path.removeprefix(table + "."): row.range.partition(" ")[0]
+        for row in physim.settings().values()
+        if row.required and row.type == "choice" and row.path.rpartition(".")[0] == table
+    }
     lists = {row.path for row in physim.settings().values() if row.type == "list" or row.path == "shot"}
     parts = path.split(".")
     for i in range(len(parts), 0, -1):
         head = ".".join(parts[:i])
         value = [value] if head in lists and i < len(parts) else value
-        value = {parts[i - 1]: value}
+        value = {parts[i - 1]: value} | (beside if i == len(parts) else {})
     return value
 
 
