@@ -29,10 +29,6 @@ TrackSample within_step(const Track& track, double time, const Vec3d& position, 
   return at;
 }
 
-void add_later(Track& track, const TrackSample& sample) {
-  if (sample.time > track.samples.back().time + kInstant) add_sample(track, sample);
-}
-
 /// True if a projectile has zero velocity in this sample and in the one before, at the same place.
 bool rests(const Track& track, const TrackSample& now) {
   PHYSIM_ASSERT(!track.samples.empty());
