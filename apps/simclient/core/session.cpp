@@ -270,8 +270,8 @@ Status Session::set_scene(const Scenario& changed) {
   }
   scenario_.materials = changed.materials;
   scenario_.shapes = changed.shapes;
+  hits_.change_things(scenario_.things, changed.things);
   scenario_.things = changed.things;
-  hits_.forget_gone(world.scene());
   begin_change();
   forget_moments();
   remember_moment(true);
@@ -470,9 +470,8 @@ std::string Session::fate_of(const Track& track) const {
     const bool has_rested = !track.whole && (world()[track.id].is_asleep() || rests(track, track.samples.back()));
     return has_rested ? "at rest" : "in flight";
   }
-  const auto& hits = hits_.hits();
-  const auto last = std::find_if(hits.rbegin(), hits.rend(), [&](const Hit& hit) { return hit.id == track.id; });
-  const bool has_stopped = last != hits.rend() && last->outcome == EventKind::stopped;
+  const Hit* last = hits_.last_of(track.id);
+  const bool has_stopped = last != nullptr && last->outcome == EventKind::stopped;
   if (has_stopped && track.born + track.samples.back().time < last->time + 2 * step_length())
     return "stopped by " + last->thing;
   switch (track.status) {
