@@ -434,7 +434,9 @@ void Session::look_at_events(std::span<const Event> events) {
 void Session::look_at_wall() {
   for (const WallHit& hit : run_->hits()) {
     Track* track = find(hit.id);
-    if (track == nullptr || track->impact) continue;
+    if (track == nullptr) continue;
+    track->is_at_wall = true;
+    if (track->impact) continue;
     track->impact = within_step(*track, hit.time, hit.position, hit.velocity);
     add_later(*track, *track->impact);
   }
@@ -477,7 +479,7 @@ std::string Session::fate_of(const Track& track) const {
   switch (track.status) {
     case LifeStatus::landed: return "landed";
     case LifeStatus::expired: return track.whole ? "at its end" : "expired";
-    case LifeStatus::retired: return "taken out";
+    case LifeStatus::retired: return track.is_at_wall ? "stopped by the wall" : "taken out";
     case LifeStatus::unknown: return track.impact ? "hit" : "gone";
     case LifeStatus::pending:
     case LifeStatus::in_flight: break;
