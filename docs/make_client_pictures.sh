@@ -5,16 +5,16 @@ cd "$(dirname "${BASH_SOURCE[0]}")/.."
 simclient=${SIMCLIENT:-build/release/bin/simclient}
 pictures=docs/pictures
 
-"$simclient" --hidden --size 1280x720 --screenshot "$pictures/client.png" \
+"$simclient" --hidden --size 1280x800 --screenshot "$pictures/client.png" \
   --script "trail-colour speed; fire; shot high; fire; seek 8.3; plots; wait 3" scenarios/mortar_over_hill.toml
 
-"$simclient" --hidden --size 1280x720 --screenshot "$pictures/client_compare.png" \
+"$simclient" --hidden --size 1280x800 --screenshot "$pictures/client_compare.png" \
   --script "compare; camera; camera; wait 1; fire-compared; wait 60; fit; wait 1" scenarios/308_168gr_g7.toml
 
-"$simclient" --hidden --size 1280x720 --screenshot "$pictures/client_things.png" \
+"$simclient" --hidden --size 1280x800 --screenshot "$pictures/client_things.png" \
   --script "settings; fit; wait 70; hits; wait 1; fit; wait 1" scenarios/billiards.toml
 
-"$simclient" --hidden --size 1280x720 --screenshot "$pictures/client_study.png" \
+"$simclient" --hidden --size 1280x800 --screenshot "$pictures/client_study.png" \
   --script "settings; statistics; study-at 400 m; study-at apex; study-run; wait 200" scenarios/study_308.toml
 
 "$simclient" --hidden --size 640x400 scenarios/golf_drive.toml \

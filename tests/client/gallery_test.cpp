@@ -77,5 +77,17 @@ TEST(Gallery, PicturesShowWhatFlies) {
   EXPECT_FALSE(pose_of("nowhere", 224, 140));
 }
 
+/// Its second shot goes over the hill that stops the first.
+TEST(Gallery, PicturesShowAllOfEachFlight) {
+  const Result<Pose> pose = pose_of("mortar_over_hill", 224, 140);
+  ASSERT_TRUE(pose);
+  ASSERT_GE(pose->paths.size(), 2U);
+  for (const auto& path : pose->paths)
+    for (const TrackSample& s : path) {
+      const auto at = pose->client.camera.project(s.position);
+      ASSERT_TRUE(at && at->x >= 0 && at->y >= 0 && at->x <= 224 && at->y <= 140) << at->x << " " << at->y;
+    }
+}
+
 }  // namespace
 }  // namespace physim::client::client_gallery

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 #include "client/support.hpp"
 #include "simclient/core/scene.hpp"
@@ -72,6 +73,69 @@ TEST(Glow, WhatIsColdOrBehindTheEyeHasNone) {
   const Vec3d at = camera.target, behind = camera.eye() - camera.forward() * 5.0;
   EXPECT_EQ(glow_of(camera, {{at, at, 0x0072B2FF, 6}}).columns, 0);
   EXPECT_EQ(glow_of(camera, {{behind, behind, 0xE69F00FF, 6}}).columns, 0);
+}
+
+/// A wall two metres wide and high across the view, so far before the camera's target; in front of the eye it is
+/// turned by 45 degrees.
+Scenery wall_before(const Camera& camera, double before) {
+  Scenery out;
+  out.origin = camera.target - camera.forward() * before;
+  const Vec3d right = camera.right() + camera.forward(), up = camera.up();
+  for (const auto& [x, y] : {std::pair{-1, -1}, {1, -1}, {1, 1}, {-1, -1}, {1, 1}, {-1, 1}})
+    out.vertices.push_back(lit_vertex(right * x + up * y, {0, 0, 1}, 0x808080FF));
+  out.solid = out.vertices.size();
+  return out;
+}
+
+TEST(Glow, WhatAThingHidesHasNone) {
+  Camera camera;
+  camera.set_viewport(900, 700);
+  const Vec3d at = camera.target, aside = at + camera.right() * 3.0;
+  const auto columns = [&](const Vec3d& from, const Vec3d& to, const Scenery& scenery) {
+    GlowMaker maker(camera, 1, 1e9, &scenery);
+    maker.add({from, to, 0xE69F00FF, 6});
+    GlowMap map;
+    maker.make(map);
+    return map.columns;
+  };
+  const int free = columns(at, at, Scenery{});
+  ASSERT_GT(free, 0);
+  EXPECT_EQ(columns(at, at, wall_before(camera, 1)), 0) << "behind it";
+  EXPECT_EQ(columns(at, at, wall_before(camera, -1)), free) << "before it";
+  for (const double along : {-0.9, -0.3, 0.0, 0.4, 0.8}) {
+    const Vec3d on_it = at + (camera.right() + camera.forward()) * along;
+    EXPECT_GT(columns(on_it, on_it, wall_before(camera, 0)), 0) << "on it, " << along;
+  }
+  EXPECT_GT(columns(aside, aside, wall_before(camera, 1)), 0) << "beside it";
+  const int whole = columns(at, aside, Scenery{}), rest = columns(at, aside, wall_before(camera, 1));
+  EXPECT_GT(rest, 0) << "a streak that comes out behind it";
+  EXPECT_LT(rest, whole);
+  Scenery sensor = wall_before(camera, 1);
+  sensor.solid = 0;
+  EXPECT_EQ(columns(at, at, sensor), free) << "sensors are seen through";
+}
+
+/// Rounds hit its wall from in front; from behind it they are hidden.
+TEST(Glow, SparksBehindAWallDoNotShineThroughIt) {
+  Client client = client_of("emit_machine_gun");
+  client.camera.set_viewport(960, 712);
+  ASSERT_TRUE(run(client, "seek 1.5; wait 3"));
+  Scene scene;
+  build_scene(client, 1, scene);
+  const auto of_sparks = [&] {
+    GlowMap map;
+    GlowMaker maker(client.camera, 1, 1e9, scene.scenery);
+    for (const Light& light : scene.lights)
+      if (light.to.x > 90) maker.add(light);
+    maker.make(map);
+    return map.columns == 0 ? 0 : static_cast<int>(*std::ranges::max_element(map.light));
+  };
+  EXPECT_GT(of_sparks(), 20);
+  client.camera.target = {100, 3, 0}, client.camera.yaw = std::numbers::pi, client.camera.pitch = 0.05;
+  client.camera.distance = 20;
+  const int behind = of_sparks();
+  client.camera.yaw = 0;
+  EXPECT_LT(behind, of_sparks() / 2);
 }
 
 TEST(Glow, SparksShineButForOnWhite) {

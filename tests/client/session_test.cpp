@@ -160,6 +160,7 @@ TEST(Session, PathsEndAtTheWall) {
   EXPECT_EQ(first.samples.back().position, first.impact->position);
   EXPECT_EQ(first.samples.front().time, 0) << "the launch is there";
   EXPECT_EQ(first.samples.front().position.x, 0);
+  EXPECT_EQ(session.fate_of(first), "stopped by the wall");
 }
 
 TEST(Session, RestartForgetsWhatWasFiredByHand) {
@@ -234,6 +235,15 @@ TEST(Prediction, IsTheFlightItself) {
       EXPECT_EQ(session.tracks()[0].samples[i].position, prediction.path[i].position) << type.name << " step " << i;
     }
   }
+}
+
+TEST(Prediction, EndsAtTheWallAsTheShotDoes) {
+  Session session = session_of("world_machine_gun.toml");
+  Predictor predictor;
+  const Prediction found = predictor.predict(session, session.scenario().shots[0]);
+  ASSERT_FALSE(found.error);
+  EXPECT_NEAR(found.path.back().position.x, 100, 1e-9);
+  EXPECT_FALSE(found.is_cut);
 }
 
 TEST(Prediction, FeelsTheForcesOfTheScenario) {

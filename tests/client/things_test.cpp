@@ -4,6 +4,7 @@
 #include <cmath>
 #include <filesystem>
 
+#include "base/text.hpp"
 #include "cli/program.hpp"
 #include "client/support.hpp"
 #include "math/angles.hpp"
@@ -11,6 +12,7 @@
 #include "scenario/world_run.hpp"
 #include "simclient/core/scene.hpp"
 #include "simclient/core/state_log.hpp"
+#include "simclient/core/target_report.hpp"
 
 namespace physim::client {
 namespace {
@@ -340,6 +342,30 @@ TEST(Placing, ATargetOnThePathIsHit) {
   EXPECT_EQ(hit.thing, "target-1");
   EXPECT_LT(length(hit.position - client.session.scenario().things[0].position), 0.5);
   EXPECT_LT(hit.obliquity, 20 * kDegree) << "it faces the shot";
+}
+
+/// Redone, it is where it was, with what hit it; another one at another place was not hit.
+TEST(Placing, HitsComeAgainWithTheirThing) {
+  Client client = client_of();
+  const std::vector<TrackSample> path = client.prediction().path;
+  const Vec3d on_path = path[path.size() / 2].position;
+  const auto target_at = [](const Vec3d& at) { return formatted("target %.6f %.6f %.6f", at.x, at.y, at.z); };
+  ASSERT_TRUE(run(client, target_at(on_path) + "; fire; wait 90"));
+  ASSERT_EQ(client.session.hits().hits().size(), 1U);
+  const Track& track = client.session.tracks()[0];
+  const TargetDisc target = targets_of(client.session.scenario())[0];
+  const std::string report = report_of(target, client.session, track)->text(target.radius);
+  EXPECT_TRUE(report.starts_with("hit")) << report;
+  EXPECT_EQ(client.session.fate_of(track), "stopped by target-1");
+  ASSERT_TRUE(run(client, "undo"));
+  EXPECT_TRUE(client.session.hits().hits().empty());
+  EXPECT_EQ(client.session.fate_of(client.session.tracks()[0]), "stopped by target-1") << "it was";
+  ASSERT_TRUE(run(client, "redo"));
+  ASSERT_EQ(client.session.hits().hits().size(), 1U);
+  EXPECT_EQ(report_of(target, client.session, client.session.tracks()[0])->text(target.radius), report);
+  ASSERT_TRUE(run(client, "undo; " + target_at(on_path + Vec3d{0, 0, 5})));
+  EXPECT_EQ(client.session.scenario().things[0].name, "target-1");
+  EXPECT_TRUE(client.session.hits().hits().empty()) << "it stands elsewhere";
 }
 
 /// A click on the place where a shot came down: all of the target is above the ground, and the same shot hits its

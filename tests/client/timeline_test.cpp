@@ -215,6 +215,22 @@ TEST(Timeline, HasTicksOfWhatHappens) {
   EXPECT_NEAR(timeline_of(range).end, range.session.tracks()[0].impact->time, 1e-9) << "it ends with the flight";
 }
 
+/// A knob that is held at one place stays there: the line does not change with the moment it goes to.
+TEST(Timeline, EndsAtTheSameMomentWhereverItIsLookedAt) {
+  for (const bool is_whole : {false, true}) {
+    Client client = client_of();
+    const std::string fire = is_whole ? "fire-whole" : "fire-into-world";
+    ASSERT_TRUE(run(client, "set shot.speed=20 m/s; set shot.elevation=50 deg; " + fire + "; wait 600"));
+    const Timeline behind = timeline_of(client);
+    ASSERT_LT(behind.end, 5);
+    ASSERT_TRUE(run(client, "seek 1; wait 3"));
+    ASSERT_TRUE(client.session.tracks()[0].is_flying());
+    EXPECT_EQ(timeline_of(client).end, behind.end) << fire;
+    ASSERT_TRUE(run(client, "pause; wait 30"));
+    EXPECT_EQ(timeline_of(client).end, behind.end) << fire;
+  }
+}
+
 /// The end of a flight in the world is foreseen as its prediction foresees it.
 TEST(Timeline, ForeseesTheEndOfTheLastShot) {
   Client client = client_of();

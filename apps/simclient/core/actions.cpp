@@ -498,9 +498,10 @@ std::string loss_of(const Client& client, const Action& action, const std::strin
   if (action.name == "record" && session.is_recording()) return lost;  // completes it
   const bool is_kept = session.is_recording() && action.name == "replay";
   if (session.is_recording() && !is_kept) lost += "The recording is not complete. ";
-  if (session.changes_by_hand() > 0 && !is_kept)
-    lost += formatted("What was fired and changed by hand since the start is forgotten (%d times). ",
-                      static_cast<int>(session.changes_by_hand()));
+  const auto changes = static_cast<unsigned long long>(session.changes_by_hand());
+  if (changes > 0 && !is_kept)
+    lost += changes == 1 ? "A shot or change by hand since the start is forgotten. "
+                         : formatted("%llu shots and changes by hand since the start are forgotten. ", changes);
   if (action.loss == Loss::session && client.has_unsaved_settings())
     lost += "Settings were changed and not saved (Ctrl+S saves). ";
   return lost;

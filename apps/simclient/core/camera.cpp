@@ -130,7 +130,7 @@ double Camera::near_plane() const { return std::clamp(distance * 0.01, 0.02, 1e4
 Vec3d Camera::shown(const Vec3d& point) const { return {point.x, target.y + (point.y - target.y) * stretch, point.z}; }
 
 std::optional<Pixel> Projector::project(const Vec3d& point) const {
-  const Vec3d way = Vec3d{point.x, target_.y + (point.y - target_.y) * stretch_, point.z} - eye_;
+  const Vec3d way = from_eye(point);
   const double depth = dot(way, forward_);
   if (depth < near_) return std::nullopt;
   const double scale = focal_ / depth;

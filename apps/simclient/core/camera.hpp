@@ -32,8 +32,14 @@ using Mat4 = std::array<float, 16>;
 class Projector {
  public:
   [[nodiscard]] std::optional<Pixel> project(const Vec3d& point) const;
+  /// How far before the eye a point is drawn, along the view [m].
+  [[nodiscard]] double depth(const Vec3d& point) const { return dot(from_eye(point), forward_); }
 
  private:
+  [[nodiscard]] Vec3d from_eye(const Vec3d& point) const {
+    return Vec3d{point.x, target_.y + (point.y - target_.y) * stretch_, point.z} - eye_;
+  }
+
   friend class Camera;
   Vec3d target_, eye_, forward_, right_, up_;
   double stretch_ = 1, near_ = 0, focal_ = 1, x_ = 0, y_ = 0;

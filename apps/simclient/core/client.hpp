@@ -138,6 +138,7 @@ class Client {
   std::deque<float> frame_times;  // that the last frames took [s]
   bool leaves = false;
   bool computes_beside = false;  // slow predictions and comparisons are computed while frames are drawn
+  float settings_height = 0;     // that shows all that the panel of settings has now [pixels]; 0: unknown yet
   std::uint64_t slide = 0;       // the number of the slide of a slider that is held, which is one change; 0: none is
   std::optional<double>
       cursor;  // the time of the world that the mouse points at, on a path, a plot or the timeline [s]

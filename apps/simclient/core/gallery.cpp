@@ -7,6 +7,7 @@
 #include "scenario/suggest.hpp"
 #include "simclient/core/folder.hpp"
 #include "simclient/core/original_tests.hpp"
+#include "simclient/core/subject.hpp"
 #include "simclient/core/thinning.hpp"
 
 namespace physim::client {
@@ -177,6 +178,11 @@ Result<Pose> pose_of(std::string_view scenario, int width, int height) {
     }
   }
   client.keep_view();
+  if (client.scenery().is_empty()) return pose;
+  std::vector<Vec3d> places;  // what things stop is not all that is shown
+  for (const auto& path : pose.paths)
+    for (const TrackSample& s : path) places.push_back(s.position);
+  if (!places.empty()) client.camera.fit(subject_of(std::move(places), client.scenery(), client.session.ground()));
   return pose;
 }
 

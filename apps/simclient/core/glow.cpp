@@ -85,7 +85,7 @@ Colour core_of(Colour colour) {
   return out;
 }
 
-GlowMaker::GlowMaker(const Camera& camera, double scale, double haze)
+GlowMaker::GlowMaker(const Camera& camera, double scale, double haze, const Scenery* scenery)
     : camera_(camera),
       view_(camera.projector()),
       eye_(camera.eye()),
@@ -95,7 +95,9 @@ GlowMaker::GlowMaker(const Camera& camera, double scale, double haze)
       rows_(static_cast<int>(std::ceil(camera.height() / cell_))),
       left_(columns_),
       top_(rows_),
-      sums_(static_cast<std::size_t>(columns_) * static_cast<std::size_t>(rows_) * 3) {}
+      sums_(static_cast<std::size_t>(columns_) * static_cast<std::size_t>(rows_) * 3) {
+  if (scenery != nullptr) hiding_.emplace(camera, cell_).add(*scenery);
+}
 
 /// Between the middles of four cells.
 void GlowMaker::add_at(double x, double y, double heat, const float (&colour)[3]) {
@@ -118,7 +120,7 @@ void GlowMaker::add_at(double x, double y, double heat, const float (&colour)[3]
 void GlowMaker::add(const Light& light) {
   const double hot = heat(light.colour);
   if (hot <= 0) return;
-  const auto from = view_.project(light.from), to = view_.project(light.to);
+  const auto from = view_.project(light.from), to = light.to == light.from ? from : view_.project(light.to);
   if (!from || !to) return;
   const double away = length(camera_.shown(light.to) - eye_);
   const double size = light.pixels / cell_, reach = std::hypot(to->x - from->x, to->y - from->y) / cell_;
@@ -128,9 +130,11 @@ void GlowMaker::add(const Light& light) {
   const float colour[3] = {static_cast<float>(light.colour >> 24U) / 255,
                            static_cast<float>(light.colour >> 16U & 0xFFU) / 255,
                            static_cast<float>(light.colour >> 8U & 0xFFU) / 255};
+  const double first = hiding_ ? 1 / view_.depth(light.from) : 0, last = hiding_ ? 1 / view_.depth(light.to) : 0;
   for (double k = 1; k <= pieces; ++k) {
     const double part = k / pieces;
-    add_at(std::lerp(from->x, to->x, part), std::lerp(from->y, to->y, part), strength * part, colour);
+    const Pixel at{std::lerp(from->x, to->x, part), std::lerp(from->y, to->y, part)};
+    if (!hiding_ || !hiding_->hides(at, std::lerp(first, last, part))) add_at(at.x, at.y, strength * part, colour);
   }
 }
 

@@ -2,9 +2,11 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include "simclient/core/camera.hpp"
+#include "simclient/core/hiding.hpp"
 #include "simclient/core/palette.hpp"
 
 namespace physim::client {
@@ -32,10 +34,11 @@ struct GlowMap {
   void clear() { columns = rows = 0; }
 };
 
-/// Adds up the light of all. `scale`: of the screen; `haze`: the distance at which half of a light is left [m].
+/// Adds up the light of all. `scale`: of the screen; `haze`: the distance at which half of a light is left [m];
+/// `scenery`: what hides lights; null: nothing does.
 class GlowMaker {
  public:
-  GlowMaker(const Camera& camera, double scale, double haze);
+  GlowMaker(const Camera& camera, double scale, double haze, const Scenery* scenery = nullptr);
   void add(const Light& light);
   void make(GlowMap& map);
 
@@ -49,6 +52,7 @@ class GlowMaker {
   int columns_, rows_;
   int left_, right_ = -1, top_, bottom_ = -1;  // of the cells that have light
   std::vector<float> sums_;
+  std::optional<HidingMap> hiding_;
 };
 
 }  // namespace physim::client

@@ -9,6 +9,14 @@
 namespace physim::client {
 namespace {
 
+/// At the same place, of the same shape and material.
+bool is_same(const ScenarioThing& a, const ScenarioThing& b) {
+  const Quatd turn = a.rotation.quaternion(), other = b.rotation.quaternion();
+  return a.name == b.name && a.shape == b.shape && a.material == b.material && a.position == b.position &&
+         a.scale == b.scale && rotate(turn, Vec3d{1, 0, 0}) == rotate(other, Vec3d{1, 0, 0}) &&
+         rotate(turn, Vec3d{0, 1, 0}) == rotate(other, Vec3d{0, 1, 0});
+}
+
 /// What an event says about a thing.
 Hit hit_of(const World& world, const physim::Scene& scene, const Event& event) {
   Hit hit;
@@ -101,10 +109,36 @@ void HitLog::forget_after(double time) {
   const std::size_t before = hits_.size();
   std::erase_if(hits_, [time](const Hit& hit) { return hit.time > time; });
   count_ -= before - hits_.size();
+  std::erase_if(gone_, [time](const Gone& each) { return each.hit.time > time; });
 }
 
-void HitLog::forget_gone(const physim::Scene* scene) {
-  std::erase_if(hits_, [scene](const Hit& hit) { return scene == nullptr || !scene->instance(hit.instance); });
+void HitLog::change_things(const std::vector<ScenarioThing>& before, const std::vector<ScenarioThing>& after) {
+  std::vector<Gone> all = std::move(gone_);
+  gone_.clear();
+  for (Hit& hit : hits_) {
+    const auto thing = std::ranges::find(before, hit.thing, &ScenarioThing::name);
+    if (thing != before.end()) all.push_back({std::move(hit), *thing});
+  }
+  hits_.clear();
+  for (Gone& each : all) {
+    const bool stands =
+        std::ranges::any_of(after, [&](const ScenarioThing& thing) { return is_same(thing, each.thing); });
+    if (stands)
+      hits_.push_back(std::move(each.hit));
+    else
+      gone_.push_back(std::move(each));
+  }
+  std::ranges::stable_sort(hits_, {}, &Hit::time);
+}
+
+const Hit* HitLog::last_of(ProjectileId id) const {
+  const Hit* last = nullptr;
+  const auto look = [&](const Hit& hit) {
+    if (hit.id == id && (last == nullptr || hit.time >= last->time)) last = &hit;
+  };
+  for (const Gone& each : gone_) look(each.hit);
+  for (const Hit& hit : hits_) look(hit);
+  return last;
 }
 
 }  // namespace physim::client

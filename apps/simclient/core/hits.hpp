@@ -5,8 +5,10 @@
 #include <deque>
 #include <span>
 #include <string>
+#include <vector>
 
 #include "physim/world.hpp"
+#include "scenario/scenario.hpp"
 #include "simclient/core/palette.hpp"
 
 namespace physim::client {
@@ -55,15 +57,23 @@ class HitLog {
   [[nodiscard]] const std::deque<Hit>& hits() const { return hits_; }
   /// How many there were, those that were forgotten too.
   [[nodiscard]] std::uint64_t count() const { return count_; }
-  void clear() { hits_.clear(), count_ = 0; }
+  void clear() { hits_.clear(), gone_.clear(), count_ = 0; }
   void forget_after(double time);
-  /// Those on things that are gone; null: all.
-  void forget_gone(const physim::Scene* scene);
+  /// Other things stand in the scene: hits on those that are gone leave the list, and come again with them.
+  void change_things(const std::vector<ScenarioThing>& before, const std::vector<ScenarioThing>& after);
+  /// The last hit of a projectile, on a thing that is gone too; null: it has none.
+  [[nodiscard]] const Hit* last_of(ProjectileId id) const;
 
  private:
+  struct Gone {
+    Hit hit;
+    ScenarioThing thing;
+  };
+
   void add(Hit hit);
 
   std::deque<Hit> hits_;
+  std::vector<Gone> gone_;
   std::uint64_t count_ = 0;
 };
 

@@ -43,6 +43,16 @@ Prediction beginning_of(Scenario scenario, const ScenarioShot& shot) {
   return prediction_of(fly_shot(scenario, shot), scenario);
 }
 
+/// The last sample of a path comes to where it crosses the wall of a world, if it does.
+bool ends_at_wall(std::vector<TrackSample>& path, double wall) {
+  if (path.size() < 2) return false;
+  const TrackSample& last = path[path.size() - 2];
+  const double from = last.position.x, to = path.back().position.x;
+  if (!(from < wall && to >= wall)) return false;
+  path.back() = between(last, path.back(), (wall - from) / (to - from));
+  return true;
+}
+
 /// Steps the world until the shot is gone or rests, or the limit is reached.
 void Predictor::fly(Prediction& prediction, std::uint64_t steps) {
   World& world = *world_;
@@ -61,7 +71,8 @@ void Predictor::fly(Prediction& prediction, std::uint64_t steps) {
     const bool is_alive = projectile.is_alive();
     if (is_alive) prediction.path.push_back(sample_of(projectile, projectile.age()));
     const bool stays = projectile.status() == LifeStatus::landed;
-    prediction.grows = is_alive && !projectile.is_asleep() && hits_ < kMostHits && !stays;
+    const bool is_stopped = is_alive && wall_ && ends_at_wall(prediction.path, *wall_);
+    prediction.grows = is_alive && !projectile.is_asleep() && hits_ < kMostHits && !stays && !is_stopped;
   }
   left_ -= std::min(steps, left_);
   prediction.is_cut = prediction.grows;
@@ -102,6 +113,7 @@ Prediction Predictor::predict(const Session& session, const ScenarioShot& shot, 
   prediction.granted = projectile.fidelity_in_use();
   prediction.path.push_back(sample_of(projectile, projectile.age()));
   id_ = *fired, start_ = world.time(), hits_ = 0, thinned_ = 0;
+  wall_ = session.scenario().world.given ? session.scenario().world.wall : std::nullopt;
   const auto revolution = revolution_time(session.scenario().environment, prediction.granted.fidelity,
                                           prediction.muzzle, prediction.velocity);
   const double steps = std::ceil(std::max(max_time, revolution.value_or(0)) / world.def().step);

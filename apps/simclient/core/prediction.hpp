@@ -49,10 +49,11 @@ class Predictor {
   Snapshot empty_;  // of it, before anything is fired
   // The last prediction:
   ProjectileId id_;
-  double start_ = 0;         // of the world [s]
-  std::uint64_t left_ = 0;   // steps up to the limit
-  int hits_ = 0;             // steps in which it met things
-  std::size_t thinned_ = 0;  // the number of the last sample that has been thinned out
+  double start_ = 0;            // of the world [s]
+  std::uint64_t left_ = 0;      // steps up to the limit
+  std::optional<double> wall_;  // x of the wall that stops all [m]
+  int hits_ = 0;                // steps in which it met things
+  std::size_t thinned_ = 0;     // the number of the last sample that has been thinned out
 };
 
 }  // namespace physim::client

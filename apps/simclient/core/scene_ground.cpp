@@ -33,10 +33,10 @@ void build_wall(const Client& client, double scale, double size, Scene& scene) {
   const std::optional<double>& wall = client.session.scenario().world.wall;
   if (!wall || !client.session.scenario().world.given) return;
   const Vec3d foot{*wall, scene.ground, client.launcher.shot().launch.position.z};
-  const Vec3d right{0, 0, size}, up{0, 1.5 * size, 0};
+  const Vec3d right{0, 0, size / 2}, up{0, 0.75 * size, 0};
   const Vec3d corners[] = {foot - right, foot + right, foot + right + up, foot - right + up};
   for (int i = 0; i < 4; ++i) scene.line(corners[i], corners[(i + 1) % 4], colours::kWarning, 2 * scale);
-  scene.label(corners[2], "wall, " + distance_text(*wall), colours::kWarning, -1);
+  scene.label(foot + up, "wall, " + distance_text(*wall), colours::kWarning, -1);
 }
 
 }  // namespace

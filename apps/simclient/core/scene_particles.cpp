@@ -162,7 +162,8 @@ void thin_crowd(const Camera& camera, Scene& scene) {
 
 void build_glow(const Camera& camera, double scale, Scene& scene) {
   if (scene.theme->is_light) return;
-  GlowMaker glow(camera, scale, haze_of(camera));
+  if (scene.lights.empty() && scene.crowd.empty()) return;
+  GlowMaker glow(camera, scale, haze_of(camera), scene.scenery);
   for (const Light& light : scene.lights) glow.add(light);
   for (SceneDot& dot : scene.crowd) {
     if (heat(dot.colour) <= 0) continue;

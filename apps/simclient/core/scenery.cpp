@@ -17,6 +17,7 @@ namespace {
 constexpr double kSmooth = 0.8;         // cosine of the largest angle between faces that are one round surface
 constexpr std::size_t kMostNames = 40;  // more would hide each other
 constexpr std::size_t kMostEdges = 4000;
+constexpr int kSidesOfTarget = 48;
 constexpr Colour kTerrain = 254;  // opacity of what has lines of equal height
 constexpr double kAnyReach = 0;   // without planes nothing depends on it
 
@@ -96,12 +97,14 @@ class Gatherer final : public SceneCanvas {
         high = {std::max(high.x, p.x), std::max(high.y, p.y), std::max(high.z, p.z)};
       }
     if (!is_plane) include(low, high);
+    const auto disc = is_plane || is_sensor_ ? std::nullopt : target_disc();
+    if (disc) make_round(*disc);
     if (is_terrain())
       for (Face& face : faces_) face.colour = (face.colour & ~0xFFU) | kTerrain;
     const Vec3d top = is_plane ? thing_->transform.position : Vec3d{(low.x + high.x) / 2, high.y, (low.z + high.z) / 2};
     if (!thing_->name.empty() && into_.names.size() < kMostNames) into_.names.push_back({top, thing_->name});
     add_faces();
-    if (const auto disc = is_plane || is_sensor_ ? std::nullopt : target_disc()) add_rings(*disc), add_stand(*disc);
+    if (disc) add_rings(*disc), add_stand(*disc);
     if (!is_plane && !is_sensor_ && faces_.size() < kMostEdges) add_edges();
     part.vertices = vertices.size() - part.vertex;
     part.edges = into_.edges.size() - part.edge;
@@ -126,6 +129,28 @@ class Gatherer final : public SceneCanvas {
         disc.radius = std::max(disc.radius, length(way - disc.axis * dot(way, disc.axis)));
       }
     return disc.half < kFlatDisc * disc.radius ? std::optional(disc) : std::nullopt;
+  }
+
+  /// Its faces anew, with more corners than things have for debugging.
+  void make_round(const Disc& disc) {
+    const PlaneAxes plane = axes_across(disc.axis);
+    const Colour colour = faces_[0].colour;
+    faces_.clear();
+    const auto add = [&](const Vec3d& a, const Vec3d& b, const Vec3d& c) {
+      const Vec3d middle = (a + b + c) * (1.0 / 3) - disc.middle, facing = cross(b - a, c - a);
+      faces_.push_back({{a, b, c}, normalized(dot(facing, middle) < 0 ? -facing : facing), colour});
+    };
+    for (int i = 0; i < kSidesOfTarget; ++i) {
+      const auto rim = [&](int k, double side) {
+        const double angle = 2 * kPi * (k % kSidesOfTarget) / kSidesOfTarget;
+        return disc.middle + disc.axis * (side * disc.half) +
+               (plane.right * std::cos(angle) + plane.up * std::sin(angle)) * disc.radius;
+      };
+      for (const double side : {-1.0, 1.0})
+        add(disc.middle + disc.axis * (side * disc.half), rim(i, side), rim(i + 1, side));
+      add(rim(i, -1), rim(i + 1, -1), rim(i + 1, 1));
+      add(rim(i, -1), rim(i + 1, 1), rim(i, 1));
+    }
   }
 
   /// Two posts from the rim of a target that stands upright, down to a thing or to the ground.
@@ -159,7 +184,7 @@ class Gatherer final : public SceneCanvas {
   /// Rings of a target: before both faces, from the rim to the middle.
   void add_rings(const Disc& disc) {
     constexpr double kBefore = 0.002;  // part of the radius
-    constexpr int kRings = 5, kSides = 40;
+    constexpr int kRings = 5, kSides = kSidesOfTarget;
     constexpr Colour kColours[kRings] = {0xF2F2EEFF, 0x2B2E33FF, 0x3B8FC2FF, 0xC9403AFF, 0xF0CF3AFF};
     const PlaneAxes plane = axes_across(disc.axis);
     for (const double side : {-1.0, 1.0})

@@ -29,10 +29,6 @@ TrackSample within_step(const Track& track, double time, const Vec3d& position, 
   return at;
 }
 
-void add_later(Track& track, const TrackSample& sample) {
-  if (sample.time > track.samples.back().time + kInstant) add_sample(track, sample);
-}
-
 /// True if a projectile has zero velocity in this sample and in the one before, at the same place.
 bool rests(const Track& track, const TrackSample& now) {
   PHYSIM_ASSERT(!track.samples.empty());
@@ -274,8 +270,8 @@ Status Session::set_scene(const Scenario& changed) {
   }
   scenario_.materials = changed.materials;
   scenario_.shapes = changed.shapes;
+  hits_.change_things(scenario_.things, changed.things);
   scenario_.things = changed.things;
-  hits_.forget_gone(world.scene());
   begin_change();
   forget_moments();
   remember_moment(true);
@@ -438,7 +434,9 @@ void Session::look_at_events(std::span<const Event> events) {
 void Session::look_at_wall() {
   for (const WallHit& hit : run_->hits()) {
     Track* track = find(hit.id);
-    if (track == nullptr || track->impact) continue;
+    if (track == nullptr) continue;
+    track->is_at_wall = true;
+    if (track->impact) continue;
     track->impact = within_step(*track, hit.time, hit.position, hit.velocity);
     add_later(*track, *track->impact);
   }
@@ -474,15 +472,14 @@ std::string Session::fate_of(const Track& track) const {
     const bool has_rested = !track.whole && (world()[track.id].is_asleep() || rests(track, track.samples.back()));
     return has_rested ? "at rest" : "in flight";
   }
-  const auto& hits = hits_.hits();
-  const auto last = std::find_if(hits.rbegin(), hits.rend(), [&](const Hit& hit) { return hit.id == track.id; });
-  const bool has_stopped = last != hits.rend() && last->outcome == EventKind::stopped;
+  const Hit* last = hits_.last_of(track.id);
+  const bool has_stopped = last != nullptr && last->outcome == EventKind::stopped;
   if (has_stopped && track.born + track.samples.back().time < last->time + 2 * step_length())
     return "stopped by " + last->thing;
   switch (track.status) {
     case LifeStatus::landed: return "landed";
     case LifeStatus::expired: return track.whole ? "at its end" : "expired";
-    case LifeStatus::retired: return "taken out";
+    case LifeStatus::retired: return track.is_at_wall ? "stopped by the wall" : "taken out";
     case LifeStatus::unknown: return track.impact ? "hit" : "gone";
     case LifeStatus::pending:
     case LifeStatus::in_flight: break;

@@ -107,6 +107,7 @@ class Session {
   [[nodiscard]] const HitLog& hits() const { return hits_; }
   /// Tracks and hits up to the last step that is known.
   [[nodiscard]] std::span<const Track> known_tracks() const { return ahead_ ? ahead_->tracks : tracks_; }
+  [[nodiscard]] bool flies_at_last() const { return ahead_ ? ahead_->flies : world().size() > 0; }
   [[nodiscard]] const HitLog& known_hits() const { return ahead_ ? ahead_->hits : hits_; }
   /// "bullet #3", or its name alone where it is no track.
   [[nodiscard]] std::string title_of(const Hit& hit) const;
@@ -168,6 +169,7 @@ class Session {
     std::vector<Track> tracks;
     HitLog hits;
     std::uint64_t step = 0;
+    bool flies = false;  // something did
   };
 
   Session() = default;

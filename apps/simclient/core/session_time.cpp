@@ -67,7 +67,7 @@ void Session::jump_towards(std::uint64_t target) {
   const auto later = std::ranges::upper_bound(moments_, target, {}, &Moment::step);
   const Moment& there = *std::prev(later);
   if (target >= step_ && there.step <= step_) return;
-  if (!ahead_) ahead_ = Ahead{tracks_, hits_, step_};
+  if (!ahead_) ahead_ = Ahead{tracks_, hits_, step_, world().size() > 0};
   run_->restore(there.run);
   step_ = there.step;
   if (step_ == ahead_->step) end_of_known();

@@ -127,6 +127,11 @@ void add_sample(Track& track, const TrackSample& sample) {
   track.thinned = samples.size() - 1;
 }
 
+void add_later(Track& track, const TrackSample& sample) {
+  constexpr double kInstant = 1e-9;  // times nearer than this are the same [s]
+  if (sample.time > track.samples.back().time + kInstant) add_sample(track, sample);
+}
+
 std::vector<TrackSample> samples_of(const Flight& flight, int rounds) {
   constexpr int kIntervals = 800;
   report::Times times;

@@ -22,6 +22,8 @@ void thin_out(std::vector<TrackSample>& samples, std::size_t from, double coarse
 /// Adds a sample to a track. Each part of a path is thinned once, so that errors do not add up; a path that has too
 /// many corners for that is thinned again, twice as coarsely.
 void add_sample(Track& track, const TrackSample& sample);
+/// Adds a sample to a track if it is later than the last one.
+void add_later(Track& track, const TrackSample& sample);
 
 /// A flight from its start to its end: at least 800 intervals, finer where lines would leave the path, and with all of
 /// its corners. `rounds`: how often an interval is halved at most.

@@ -87,7 +87,7 @@ Timeline timeline_of(Client& client) {
   const bool runs_by_itself = session.is_replay() || scenario.world.given;
   if (!runs_by_itself && !tracks.empty()) line.begin = std::ranges::min_element(tracks, {}, &Track::born)->born;
   const bool is_empty = tracks.empty() && !runs_by_itself;
-  if (is_empty || session.world().size() > 0 || session.is_replay()) line.end = line.known;
+  if (is_empty || session.flies_at_last() || session.is_replay()) line.end = line.known;
   if (scenario.world.given && std::isfinite(scenario.world.duration))
     line.end = std::max(line.end, scenario.world.duration);
   for (const Track& track : tracks) {

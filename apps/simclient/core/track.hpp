@@ -74,6 +74,7 @@ struct Track {
   LifeStatus status = LifeStatus::in_flight;
   bool by_hand = false;                      // fired by one, not by the scenario
   std::shared_ptr<const ScenarioShot> shot;  // that was fired by hand; null: by the scenario
+  bool is_at_wall = false;                   // that of its world stopped it
   bool edited = false;                       // something about it was changed while it flew
   std::shared_ptr<const Flight> whole;       // computed before it is shown, and played; null: it flies in the world
   std::shared_ptr<const std::vector<TrackSample>> path;  // of that, to its end

@@ -28,6 +28,7 @@ SettingsPanel::SettingsPanel() {
 }
 
 void SettingsPanel::draw(Client& client, const Box& box) {
+  client.settings_height = 0;
   const bool is_drawn = begin_panel("Settings###settings", box);
   const bool is_narrow = ImGui::GetContentRegionAvail().x < ImGui::GetFontSize() * 17;
   const ImVec2 padding = ImGui::GetStyle().FramePadding;
@@ -94,10 +95,12 @@ void SettingsPanel::draw_sheet(Client& client, Sheet& sheet, bool is_shot) {
   }
   ImGui::SetNextItemWidth(-1);
   ImGui::InputTextWithHint("##filter", is_shot ? "search all settings" : "search settings", &filter_);
+  const float above = ImGui::GetCursorScreenPos().y - ImGui::GetWindowPos().y;
   if (ImGui::BeginChild("rows")) {
     const bool is_brief = is_shot && filter_.empty();
     if (is_brief) quick_.draw(client);
     if (!is_brief || ImGui::CollapsingHeader("All settings")) draw_groups(client, sheet, is_shot);
+    client.settings_height = above + ImGui::GetCursorPosY() + ImGui::GetStyle().WindowPadding.y;
   }
   ImGui::EndChild();
 }

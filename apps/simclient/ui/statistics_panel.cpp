@@ -28,6 +28,14 @@ void position_row(const Vec3d& at, bool is_narrow) {
   vector_row("position", is_far ? "km" : "m", is_far ? at * 1e-3 : at, is_narrow);
 }
 
+/// In two lines where one is too narrow: wrapped, it would be parted at the point of a number.
+void write_hit(std::string text) {
+  const std::size_t colon = text.find(": ");
+  const bool fits = ImGui::CalcTextSize(text.c_str()).x <= ImGui::GetContentRegionAvail().x;
+  if (!fits && colon != std::string::npos) text.replace(colon, 2, ":\n  ");
+  ImGui::TextUnformatted(text.c_str());
+}
+
 /// The last ones, the first of them on top.
 void draw_hits_of(const Session& session, const Track& track) {
   constexpr std::size_t kMost = 3;
@@ -36,7 +44,7 @@ void draw_hits_of(const Session& session, const Track& track) {
   for (auto hit = hits.rbegin(); hit != hits.rend() && last.size() < kMost; ++hit)
     if (hit->id == track.id) last.push_back(&*hit);
   for (auto hit = last.rbegin(); hit != last.rend(); ++hit)
-    ImGui::TextWrapped("%.3f s  %s", (*hit)->time - track.born, hit_text(**hit).c_str());
+    write_hit(formatted("%.3f s  %s", (*hit)->time - track.born, hit_text(**hit).c_str()));
 }
 
 void draw_track(Client& client, const Track& track, bool is_selected) {
@@ -45,9 +53,9 @@ void draw_track(Client& client, const Track& track, bool is_selected) {
   ImGui::PushStyleColor(ImGuiCol_Text, tint(track.colour));
   const bool is_narrow = ImGui::GetContentRegionAvail().x < ImGui::GetFontSize() * 17.5F;
   const std::string when = is_narrow ? "" : formatted("   %.2f s", s.time);  // else beside the mass
-  const std::string title =
-      formatted("%s%s%s%s%s", track.title().c_str(), is_narrow ? "  " : "   ", client.session.fate_of(track).c_str(),
-                track.edited ? ", edited" : "", when.c_str());
+  const std::string fate = client.session.fate_of(track) + (track.edited ? ", edited" : "") + when;
+  std::string title = track.title() + (is_narrow ? "  " : "   ") + fate;
+  if (ImGui::CalcTextSize(title.c_str()).x > ImGui::GetContentRegionAvail().x) title = track.title() + "\n  " + fate;
   if (ImGui::Selectable((title + "###title").c_str(), is_selected)) client.selected = track.id;
   tooltip(title);
   if (ImGui::BeginTable("numbers", is_narrow ? 4 : 5, ImGuiTableFlags_SizingStretchProp)) {
