@@ -19,7 +19,8 @@ Layout make_layout(const Client& client, float width, float height, float scale)
   constexpr float kSettings = 0.46F, kMostSettings = 0.56F;  // parts of the dock: what flights leave ...
   constexpr float kWanted = 0.6F;                            // ... or what they take to be seen whole, up to this
   constexpr float kTitle = 32, kFlight = 100;                // of the flights, as high as letters of 15 pixels make it
-  constexpr float kOneFlight = 160;                          // in a narrow dock, with a hit
+  constexpr float kOneFlight = 160;                          // in a narrow dock, with a hit ...
+  constexpr float kNarrowFlight = 120, kLine = 26;           // ... and without one; of the third its first line is seen
   const float menu = 26 * scale, status = 28 * scale, play = client.show.play ? 34 * scale : 0;
   const float room = std::max(height - menu - status - play, 1.0F);
   float dock = std::min(kDock * scale, width - kScene * width * height / room);
@@ -27,7 +28,8 @@ Layout make_layout(const Client& client, float width, float height, float scale)
   const bool has_both = client.show.settings && client.show.statistics && room >= kLeastHeight * scale;
   const auto flights = static_cast<float>(std::clamp<std::size_t>(client.session.tracks().size(), 1, 3));
   const float rest = room - (kTitle + kFlight * flights) * scale;
-  const float wanted = std::min(client.settings_height, room - (kTitle + kOneFlight) * scale);
+  const float seen = kTitle + std::max(kOneFlight, kNarrowFlight * (flights - 1) + kLine);
+  const float wanted = std::min(client.settings_height, room - seen * scale);
   const float least = std::max(std::min(wanted, room * kWanted), room * kSettings);
   const float shared = std::round(std::min(std::max(rest, least), std::max({wanted, least, room * kMostSettings})));
   const float upper = !client.show.settings ? 0 : has_both ? shared : room;
