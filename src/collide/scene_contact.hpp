@@ -1,6 +1,4 @@
 // Contact of what flies with things of a scene: what it is and their materials let follow.
-//
-// Worlds and flights meet things alike: each is a ContactHost.
 #pragma once
 
 #include <algorithm>
@@ -10,7 +8,9 @@
 #include <utility>
 #include <vector>
 
+#include "collide/contact_host.hpp"
 #include "collide/contact_rules.hpp"
+#include "collide/contact_within.hpp"
 #include "collide/path_cast.hpp"
 #include "collide/scene_by_motion.hpp"
 #include "collide/way_through.hpp"
@@ -21,45 +21,6 @@
 #include "solve/judge.hpp"
 
 namespace physim {
-
-/// A projectile in its step, as contacts see it. `passed`: time since the step began [s].
-class ContactHost {
- public:
-  /// The scene; null if the projectile meets nothing.
-  [[nodiscard]] virtual const Scene* scene() const = 0;
-  /// The precision of the projectile's state.
-  [[nodiscard]] virtual Precision precision() const = 0;
-  [[nodiscard]] virtual const CollisionDef& collision() const = 0;
-  /// The projectile's restitution and friction, how both are combined, and its rolling resistance [-].
-  [[nodiscard]] virtual OwnSurface surface() const = 0;
-  /// 1 along the axes of W about which the projectile turns, 0 along others, as Ball::turns [-].
-  [[nodiscard]] virtual Vec3d turns() const = 0;
-  /// Time of the scene at the start of the step [s].
-  [[nodiscard]] virtual double scene_time() const = 0;
-  /// Length of the step [s].
-  [[nodiscard]] virtual double step_length() const = 0;
-  /// Angular velocity in W [rad/s].
-  [[nodiscard]] virtual Vec3d spin(double passed) const = 0;
-  virtual void put_spin(const Vec3d& spin, double passed) = 0;
-  /// Acceleration by all effects but the contact [m/s^2].
-  [[nodiscard]] virtual Vec3d acceleration_at(const State<double>& s, double passed) const = 0;
-  /// The part of a vector that the constraints of motion leave.
-  [[nodiscard]] virtual Vec3d kept(const Vec3d& v) const = 0;
-  /// Mass, measures and random draws of an Impact, by the number of the hit in the step.
-  [[nodiscard]] virtual Impact impact(int hits) const = 0;
-  /// Takes an event; the host adds the projectile's id and the time to event_of().
-  virtual void tell(EventKind kind, Reason reason, double passed, const State<double>& s, const SceneHit& hit = {},
-                    double depth = 0, double energy = 0) = 0;
-  /// Takes a way along a surface between two times of the step; a host without a path ignores it.
-  virtual void slid(const State<double>&, double, const State<double>&, double) {}
-  /// The answer to a hit of OnHit::ask; null if there is none yet.
-  [[nodiscard]] virtual const HitAnswer* answer_to(HitQuestion&, double) const { return nullptr; }
-  /// Keeps a hit without an answer; the step is flown again when there is one.
-  virtual void leave_open(const HitQuestion&) {}
-
- protected:
-  ~ContactHost() = default;
-};
 
 /// The contacts of one step.
 class SceneContacts {
@@ -262,7 +223,7 @@ class SceneContacts {
   [[nodiscard]] std::optional<After> contact(State<double>& s, SceneHit& hit, double& passed) {
     if (hit.starts_inside && is_ball())
       push_out(scene_->nearest(s.x, collision().radius, solids_, r_.scene_time() + passed), s, hit, passed);
-    if (hit.starts_inside) look_for_surface(s, hit, passed);
+    if (hit.starts_inside) look_for_surface(within(s.x, passed), s, hit);
     if (hit.starts_inside && came_through_) enter_here(s, hit);
     hit = of_first_part(*scene_, solids_, hit, s.x - hit.normal * collision().radius, r_.scene_time() + passed);
     const bool inside = hit.starts_inside;
@@ -348,47 +309,23 @@ class SceneContacts {
     s.x += held_back.normal * ((radius - near.distance * side) / part);
   }
 
-  /// What is inside by no more than a rounding goes in, or out, where it is; a ball also if it moves along the surface.
-  /// So does a ball that came out of one thing into what stands behind it at once.
-  void look_for_surface(State<double>& s, SceneHit& hit, double passed) const {
-    const Vec3d relative = s.v - hit.velocity;
-    const double speed = length(relative);
-    const bool went_through = is_ball() && (collision().on_hit == OnHit::impact || came_through_);
-    const double gap = gap_at(s.x), near = 4 * gap + (went_through ? 2 * collision().radius : 0);
-    const double here = 0.5 + 0.5 * gap / near;  // rounded as seen from the thing, it may lie outside by as much
-    const Vec3d off = relative * (speed > 0 ? near / speed : 0);
-    const SceneHit inside_of = hit;
-    for (const SceneHit& each : scene_->all_hits({s.x - off, s.x + off, 0, r_.scene_time() + passed, 0}, solids_)) {
-      if (!is_one_body(*scene_, each, inside_of) || each.starts_inside) continue;
-      const bool is_it = each.entering ? each.part <= here : hit.starts_inside && each.part >= 0.5 && !is_ball();
-      if (!is_it) continue;
-      hit = each;
-      s.x = each.position + each.normal * collision().radius;
-    }
-    if (!hit.starts_inside || !is_ball()) return;
-    if (const SceneHit beside = surface_beside(*scene_, solids_, hit, s.x, 4 * gap, r_.scene_time() + passed))
-      hit = beside, s.x = beside.position + beside.normal * collision().radius;
-  }
-
   /// Who came out of a body inside of another one, since they touch or overlap, meets that at once.
   [[nodiscard]] std::optional<After> into_next(const After& after, State<double>& s, SceneHit& hit, double passed) {
     if (after.then != Then::flies_on || !came_through_) return after;
     SceneHit next = cast(after.state.x, after.state.x, passed, 0);
-    if (!next.starts_inside) next = is_ball() ? SceneHit{} : entered_at(after.state, hit, passed);
+    if (!next.starts_inside)
+      next = is_ball() ? SceneHit{} : entered_at(within(after.state.x, passed), after.state, hit);
     if (!next || is_one_body(*scene_, next, hit)) return after;
     hit = next;
     s = after.state;
-    if (hit.starts_inside) look_for_surface(s, hit, passed);  // a ball's middle may be behind what is thin
+    if (hit.starts_inside) look_for_surface(within(s.x, passed), s, hit);  // a ball's middle may be behind what is thin
     return std::nullopt;
   }
-  /// The surface of another body through which a point was put as it came out of one: a mesh that touches it.
-  [[nodiscard]] SceneHit entered_at(const State<double>& s, const SceneHit& left, double passed) const {
-    const Vec3d off = normalized(s.v - left.velocity) * (4 * gap_at(s.x));
-    for (const SceneHit& each : scene_->all_hits({s.x - off, s.x, 0, r_.scene_time() + passed, 0}, solids_))
-      if (each.entering && !each.starts_inside && !is_one_body(*scene_, each, left)) return each;
-    return {};
+  /// How it is where it may be inside of something.
+  [[nodiscard]] Within within(const Vec3d& x, double passed) const {
+    const bool goes_through = collision().on_hit == OnHit::impact || came_through_;
+    return {*scene_, solids_, collision().radius, gap_at(x), r_.scene_time() + passed, goes_through};
   }
-
   [[nodiscard]] State<double> carried(const SceneHit& hit, const Vec3d& x, const Vec3d& along, double passed,
                                       double time) const {
     return carried_by(*scene_, hit.instance, x, along, r_.scene_time() + passed, time);
