@@ -1,6 +1,8 @@
 // What flies, as its contacts with things of a scene see it. Worlds and flights meet things alike: as ContactHosts.
 #pragma once
 
+#include <limits>
+
 #include "collide/contact_rules.hpp"
 #include "math/vec3.hpp"
 #include "model/body.hpp"
@@ -8,6 +10,12 @@
 #include "physim/scene.hpp"
 
 namespace physim {
+
+/// The ground below a place.
+struct GroundBelow {
+  double height = std::numeric_limits<double>::infinity();  // of the place above it; infinite: there is none [m]
+  Vec3d up{};                                               // [-]
+};
 
 /// A projectile in its step, as contacts see it. `passed`: time since the step began [s].
 class ContactHost {
@@ -39,6 +47,8 @@ class ContactHost {
                     double depth = 0, double energy = 0) = 0;
   /// Takes a way along a surface between two times of the step; a host without a path ignores it.
   virtual void slid(const State<double>&, double, const State<double>&, double) {}
+  /// The ground that takes over what a thing brings down to it; flights end there by themselves.
+  [[nodiscard]] virtual GroundBelow ground_below(const Vec3d&) const { return {}; }
   /// The answer to a hit of OnHit::ask; null if there is none yet.
   [[nodiscard]] virtual const HitAnswer* answer_to(HitQuestion&, double) const { return nullptr; }
   /// Keeps a hit without an answer; the step is flown again when there is one.

@@ -32,8 +32,8 @@ class SceneContacts {
         casts_(scene_, solids_) {}
   explicit operator bool() const { return scene_ != nullptr; }
 
-  /// What a contact leads to.
-  enum class Then { flies_on, lies, sticks, stops, asks };
+  /// What a contact leads to; it lands where a thing brings it down to the ground.
+  enum class Then { flies_on, lies, lands, sticks, stops, asks };
   struct After {
     Then then;
     State<double> state;
@@ -80,6 +80,24 @@ class SceneContacts {
     if (course.conditions->fidelity.motion != Motion::closed_form) return places;
     const double times = std::abs(at.n1.t) * static_cast<double>(std::numeric_limits<S>::epsilon());
     return places + std::max(length(at.n0.y.v), length(at.n1.y.v)) * times;
+  }
+
+  /// Where a straight way that begins `passed` into the step first meets something; what it passes is told.
+  struct OnWay {
+    SceneHit hit;
+    EvenWay::Moment at;
+  };
+  [[nodiscard]] std::optional<OnWay> meeting_on(const State<double>& from, const State<double>& to, double passed,
+                                                double time) {
+    const EvenWay way(from, to, time);
+    const auto straight = [&](double part) { return way.steadily(part).state.x; };
+    std::optional<OnWay> met;
+    if (collision().on_hit != OnHit::pass)
+      if (const auto hit =
+              collide::first_meeting(casts_, collision().radius, straight, {r_.scene_time() + passed, time}))
+        met = {hit->hit, hit->hit.velocity == Vec3d{} ? way.after_way(hit->theta) : way.steadily(hit->theta)};
+    tell_passages(way, met && time > 0 ? met->at.time / time : 1, passed, time);
+    return met;
   }
 
   /// What follows from meeting something, `passed` into the step.
@@ -178,7 +196,7 @@ class SceneContacts {
   /// Went straight along a surface.
   void went(const State<double>& from, double begin, const State<double>& to, double end) {
     r_.slid(from, begin, to, end);
-    tell_passages(straight(from, to), 1, begin, end - begin);
+    tell_passages(EvenWay(from, to, end - begin), 1, begin, end - begin);
   }
 
   [[nodiscard]] const CollisionDef& collision() const { return r_.collision(); }
@@ -550,53 +568,90 @@ class SceneContacts {
     return wall;
   }
 
+  /// A way along a thing that ends where it turns, and at the ground.
+  struct Ahead {
+    BallWay way;
+    Turn turn;
+    Vec3d to, then_at;   // where it ends [m]; velocity of the thing there [m/s]
+    Vec3d over;          // so far above the way a cast goes [m]
+    bool lands = false;  // at its end, or at once
+  };
+  [[nodiscard]] Ahead look_ahead(const State<double>& s, const SceneHit& hit, const BallMotion& motion,
+                                 const Pull& pull, double passed, double left) {
+    const Vec3d u = hit.velocity, over_it = runs(hit, passed);
+    const Surface on = surface(hit);
+    const auto way_in = [&](double time) {
+      return is_ball() ? ball_way(motion, pull, hit, on, over_it, time)
+                       : point_way(motion, over_it, pull, hit.normal, on, time);
+    };
+    const auto end_of = [&](const BallWay& way) {
+      return moves(hit) ? carried(hit, s.x, way.way, passed, way.time) : State<double>{s.x + way.way + u * way.time, u};
+    };
+    Ahead ahead{way_in(left), {}, {}, {}, {}};
+    BallWay& way = ahead.way;
+    if (is_ball() && !moves(hit)) ahead.turn = find_turn(s.x, motion, pull, hit, on, passed, way);
+    const Turn& turn = ahead.turn;
+    auto lands = comes_to_ground(s.x, way.time, [&](double time) { return end_of(way_in(time)).x; });
+    if (lands && !turn.about) way = way_in(*lands);
+    const auto [there, then_at] = end_of(way);
+    ahead.to = held(there), ahead.then_at = then_at;
+    // A thing that turns bends the way: the cast goes along the chord, above the arc.
+    if (moves(hit)) ahead.over = hit.normal * (0.25 * way.time * length(then_at - u));
+    if (above_) {  // what its places are rounded to adds up
+      const double gap = gap_at(ahead.to), then_above = *above_ + dot(ahead.to - there, hit.normal);
+      if (then_above < 0.5 * gap || then_above > 2 * gap)
+        ahead.to = outside(there - hit.normal * *above_, hit.normal, passed + way.time);
+      above_.reset();
+    }
+    if (turn.about) {
+      ahead.over += hit.normal * (0.5 * (turn.about.distance - collision().radius));  // the chord lies below the arc
+      ahead.to = turned_place(turn.about, ahead.to);
+      way.motion = turned_about(way.motion, pull.moving, ahead.to - there, turn.about.away, ball());
+      way.motion.velocity = r_.kept(way.motion.velocity);
+      const auto place = [&](double part) { return s.x + (ahead.to - s.x) * part; };
+      lands = comes_to_ground(s.x, 1, place);
+      if (lands) {
+        const EvenWay::Moment at =
+            EvenWay({s.x, motion.velocity}, {ahead.to, way.motion.velocity}, way.time).after_way(*lands);
+        way = {at.time, way.way, {at.state.v, at.mixed(motion.spin, way.motion.spin)}};
+        ahead.to = at.state.x;
+      }
+    }
+    ahead.lands = lands.has_value();
+    return ahead;
+  }
+  /// When a way comes to the ground from above; at once if the ground holds it already.
+  template <class Place>
+  [[nodiscard]] std::optional<double> comes_to_ground(const Vec3d& from, double time, const Place& place) const {
+    const auto above = [&](double at) { return r_.ground_below(place(at)).height; };
+    const double before = r_.ground_below(from).height, after = above(time);
+    if (!(after < 0)) return std::nullopt;
+    return before > 0 ? find_root(above, 0, before, time, after, 0) : 0;
+  }
+
   /// Slides or rolls along what it lies on, up to what stands in its way.
   [[nodiscard]] std::optional<After> moves_along(State<double>& s, SceneHit& hit, double& passed,
                                                  const BallMotion& motion, const Vec3d& a) {
     const Vec3d u = hit.velocity, over_it = runs(hit, passed);
-    const Surface on = surface(hit);
     const double left = pressed_for(s, hit, passed);
     const Vec3d w = s.v - u - over_it, v_t = w - hit.normal * dot(w, hit.normal);
     const Pull pull = pull_along(r_, a, s, {v_t, hit.normal, passed, left});
-    BallWay way{};
-    Turn turn;
-    if (is_ball()) {
-      way = ball_way(motion, pull, hit, on, over_it, left);
-      if (!moves(hit)) turn = find_turn(s.x, motion, pull, hit, on, passed, way);
-    } else {
-      way = point_way(motion, over_it, pull, hit.normal, on, left);
-    }
-    Vec3d there = s.x + way.way + u * way.time, then_at = u, over;
-    if (moves(hit)) {
-      const State<double> by = carried(hit, s.x, way.way, passed, way.time);
-      // A thing that turns bends the way: the cast goes along the chord, above the arc.
-      over = hit.normal * (0.25 * way.time * length(by.v - u));
-      there = by.x, then_at = by.v;
-    }
+    const auto [way, turn, to, then_at, over, lands] = look_ahead(s, hit, motion, pull, passed, left);
     carried_ = u != Vec3d{} || then_at != Vec3d{} || over_it != Vec3d{};
-    Vec3d to = held(there);
-    if (above_) {  // what its places are rounded to adds up
-      const double gap = gap_at(to), then_above = *above_ + dot(to - there, hit.normal);
-      if (then_above < 0.5 * gap || then_above > 2 * gap)
-        to = outside(there - hit.normal * *above_, hit.normal, passed + way.time);
-      above_.reset();
-    }
-    if (turn.about) {
-      over += hit.normal * (0.5 * (turn.about.distance - collision().radius));  // the chord lies below the arc
-      to = turned_place(turn.about, to);
-      way.motion = turned_about(way.motion, pull.moving, to - there, turn.about.away, ball());
-      way.motion.velocity = r_.kept(way.motion.velocity);
-    }
+    if (lands && way.time == 0) return lies_between(s, hit, {.normal = r_.ground_below(s.x).up}, passed, a);
     SceneHit next = cast(s.x + over, to + over, passed, way.time);
     if (next.starts_inside && is_ball() && over == Vec3d{}) next = stands_here(s, hit, next, to - s.x, passed);
     const double part = next && !next.starts_inside ? next.part : 1.0;
     const State<double> began = s;
     const double begin = passed;
-    passed = part < 1 || way.time < r_.step_length() - passed ? passed + part * way.time : r_.step_length();
-    const auto then = [part](Vec3d from, Vec3d end) { return part < 1 ? from + (end - from) * part : end; };
-    s = {part < 1 ? next.position - over : to, then(motion.velocity, way.motion.velocity) + then(u, then_at)};
-    if (is_ball()) r_.put_spin(then(motion.spin, way.motion.spin), passed);
+    const EvenWay even({s.x, motion.velocity + u}, {to, way.motion.velocity + then_at}, way.time);
+    const bool is_steady = u != Vec3d{} || moves(hit) || next.velocity != Vec3d{};  // as casts see what moves
+    const EvenWay::Moment then = is_steady ? even.steadily(part) : even.after_way(part);
+    passed = part < 1 || way.time < r_.step_length() - passed ? passed + then.time : r_.step_length();
+    s = {part < 1 ? next.position - over : to, then.state.v};
+    if (is_ball()) r_.put_spin(then.mixed(motion.spin, way.motion.spin), passed);
     went(began, begin, s, passed);
+    if (part == 1 && lands) return After{Then::lands, s, passed};
     if (part == 1 && turn.leaves) return After{Then::flies_on, s, passed};
     if (part == 1 && turn.about) hit.normal = turn.about.away, constrain(hit);
     if (part == 1 && way.time < left && ++hits_ <= kMostHits) return moves_along(s, hit, passed, way.motion, a);
@@ -620,11 +675,17 @@ class SceneContacts {
   /// Moves straight by `way`, to the velocity at its end, up to the next obstacle.
   [[nodiscard]] After along(const State<double>& s, const Vec3d& way, const Vec3d& velocity, const SceneHit& next,
                             double passed) {
-    const double left = longest_way(passed), part = next ? next.part : 1.0;
-    const double then = part < 1 || left < r_.step_length() - passed ? passed + part * left : r_.step_length();
-    const State<double> end{next ? outside(next.position, next.normal, then) : held(s.x + way),
-                            s.v + (velocity - s.v) * part};
+    const double left = longest_way(passed), meets = next ? next.part : 1.0;
+    const auto ground = comes_to_ground(s.x, 1, [&](double at) { return s.x + way * at; });
+    const bool lands = ground && *ground > 0 && *ground < meets;
+    const double part = lands ? *ground : meets;
+    const EvenWay even(s, {s.x + way, velocity}, left);
+    const EvenWay::Moment at = carried_ || next.velocity != Vec3d{} ? even.steadily(part) : even.after_way(part);
+    const double then = part < 1 || left < r_.step_length() - passed ? passed + at.time : r_.step_length();
+    const State<double> end{next && !lands ? outside(next.position, next.normal, then) : held(s.x + way * part),
+                            at.state.v};
     went(s, passed, end, then);
+    if (lands) return {Then::lands, end, then};
     return {then < r_.step_length() ? Then::flies_on : Then::lies, end, then};
   }
 
