@@ -37,6 +37,16 @@ inline void look_for_surface(const Within& w, State<double>& s, SceneHit& hit) {
     hit = beside, s.x = beside.position + beside.normal * w.radius;
 }
 
+/// The surface of another thing than the one below that a point's way goes into at once, as the point is in it by a
+/// micrometre at most.
+[[nodiscard]] inline SceneHit point_stands_here(const Within& w, const Vec3d& x, const SceneHit& below,
+                                                const SceneHit& wall, const Vec3d& way) {
+  if (wall.instance == below.instance) return {};
+  SceneHit surface = surface_beside(w.scene, w.solids, wall, x, max(1e-6, 4 * w.gap), w.time);
+  surface.part = 0;
+  return dot(way, surface.normal) < 0 ? surface : SceneHit{};
+}
+
 /// The surface of another body through which a point was put as it came out of one: a mesh that touches it.
 [[nodiscard]] inline SceneHit entered_at(const Within& w, const State<double>& s, const SceneHit& left) {
   const Vec3d off = normalized(s.v - left.velocity) * (4 * w.gap);

@@ -560,6 +560,7 @@ class SceneContacts {
   [[nodiscard]] SceneHit stands_here(State<double> s, const SceneHit& below, SceneHit wall, const Vec3d& way,
                                      double passed) const {
     const Vec3d was = s.x;
+    if (!is_ball()) return point_stands_here(within(was, passed), was, below, wall, way);
     push_out(in_way(*scene_, solids_, below.instance, s.x, way, collision().radius, r_.scene_time() + passed), s, wall,
              passed);
     const bool deep = length(s.x - was) > max(1e-6, 4 * gap_at(was));
@@ -640,7 +641,7 @@ class SceneContacts {
     carried_ = u != Vec3d{} || then_at != Vec3d{} || over_it != Vec3d{};
     if (lands && way.time == 0) return lies_between(s, hit, {.normal = r_.ground_below(s.x).up}, passed, a);
     SceneHit next = cast(s.x + over, to + over, passed, way.time);
-    if (next.starts_inside && is_ball() && over == Vec3d{}) next = stands_here(s, hit, next, to - s.x, passed);
+    if (next.starts_inside && over == Vec3d{}) next = stands_here(s, hit, next, to - s.x, passed);
     const double part = next && !next.starts_inside ? next.part : 1.0;
     const State<double> began = s;
     const double begin = passed;
