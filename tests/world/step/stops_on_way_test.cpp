@@ -140,5 +140,20 @@ TEST(OnItsWay, sensors_report_when_a_way_over_a_floor_goes_in_and_out) {
       }
 }
 
+/// Squares of such lengths are infinite.
+TEST(OnItsWay, a_way_whose_length_no_number_holds_goes_by_sensors) {
+  for (const double far : {1e150, 1e160, 1e200, 1e300}) {
+    Scene scene;
+    ASSERT_TRUE(scene.add({.shape = *scene.add_shape(BoxShape{{1, 1, 1}}), .sensor = true}));
+    World world = make_world(space());
+    ASSERT_TRUE(world.set_scene(scene));
+    const ProjectileId id =
+        *world.spawn(puck(), {.position = {far, 0, 0}, .velocity = Vec3d{-far, 0, 0}}, movers()[0].body);
+    world.step(1);
+    ASSERT_EQ(world.size(), 1u) << far;
+    EXPECT_LT(length(world[id].position()), 1e-6 * far) << far;
+  }
+}
+
 }  // namespace world_stops_on_way_test
 }  // namespace physim
