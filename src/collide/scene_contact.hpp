@@ -1,6 +1,4 @@
 // Contact of what flies with things of a scene: what it is and their materials let follow.
-//
-// Worlds and flights meet things alike: each is a ContactHost.
 #pragma once
 
 #include <algorithm>
@@ -10,7 +8,9 @@
 #include <utility>
 #include <vector>
 
+#include "collide/contact_host.hpp"
 #include "collide/contact_rules.hpp"
+#include "collide/contact_within.hpp"
 #include "collide/path_cast.hpp"
 #include "collide/scene_by_motion.hpp"
 #include "collide/way_through.hpp"
@@ -22,45 +22,6 @@
 
 namespace physim {
 
-/// A projectile in its step, as contacts see it. `passed`: time since the step began [s].
-class ContactHost {
- public:
-  /// The scene; null if the projectile meets nothing.
-  [[nodiscard]] virtual const Scene* scene() const = 0;
-  /// The precision of the projectile's state.
-  [[nodiscard]] virtual Precision precision() const = 0;
-  [[nodiscard]] virtual const CollisionDef& collision() const = 0;
-  /// The projectile's restitution and friction, how both are combined, and its rolling resistance [-].
-  [[nodiscard]] virtual OwnSurface surface() const = 0;
-  /// 1 along the axes of W about which the projectile turns, 0 along others, as Ball::turns [-].
-  [[nodiscard]] virtual Vec3d turns() const = 0;
-  /// Time of the scene at the start of the step [s].
-  [[nodiscard]] virtual double scene_time() const = 0;
-  /// Length of the step [s].
-  [[nodiscard]] virtual double step_length() const = 0;
-  /// Angular velocity in W [rad/s].
-  [[nodiscard]] virtual Vec3d spin(double passed) const = 0;
-  virtual void put_spin(const Vec3d& spin, double passed) = 0;
-  /// Acceleration by all effects but the contact [m/s^2].
-  [[nodiscard]] virtual Vec3d acceleration_at(const State<double>& s, double passed) const = 0;
-  /// The part of a vector that the constraints of motion leave.
-  [[nodiscard]] virtual Vec3d kept(const Vec3d& v) const = 0;
-  /// Mass, measures and random draws of an Impact, by the number of the hit in the step.
-  [[nodiscard]] virtual Impact impact(int hits) const = 0;
-  /// Takes an event; the host adds the projectile's id and the time to event_of().
-  virtual void tell(EventKind kind, Reason reason, double passed, const State<double>& s, const SceneHit& hit = {},
-                    double depth = 0, double energy = 0) = 0;
-  /// Takes a way along a surface between two times of the step; a host without a path ignores it.
-  virtual void slid(const State<double>&, double, const State<double>&, double) {}
-  /// The answer to a hit of OnHit::ask; null if there is none yet.
-  [[nodiscard]] virtual const HitAnswer* answer_to(HitQuestion&, double) const { return nullptr; }
-  /// Keeps a hit without an answer; the step is flown again when there is one.
-  virtual void leave_open(const HitQuestion&) {}
-
- protected:
-  ~ContactHost() = default;
-};
-
 /// The contacts of one step.
 class SceneContacts {
  public:
@@ -71,8 +32,8 @@ class SceneContacts {
         casts_(scene_, solids_) {}
   explicit operator bool() const { return scene_ != nullptr; }
 
-  /// What a contact leads to.
-  enum class Then { flies_on, lies, sticks, stops, asks };
+  /// What a contact leads to; it lands where a thing brings it down to the ground.
+  enum class Then { flies_on, lies, lands, sticks, stops, asks };
   struct After {
     Then then;
     State<double> state;
@@ -119,6 +80,24 @@ class SceneContacts {
     if (course.conditions->fidelity.motion != Motion::closed_form) return places;
     const double times = std::abs(at.n1.t) * static_cast<double>(std::numeric_limits<S>::epsilon());
     return places + std::max(length(at.n0.y.v), length(at.n1.y.v)) * times;
+  }
+
+  /// Where a straight way that begins `passed` into the step first meets something; what it passes is told.
+  struct OnWay {
+    SceneHit hit;
+    EvenWay::Moment at;
+  };
+  [[nodiscard]] std::optional<OnWay> meeting_on(const State<double>& from, const State<double>& to, double passed,
+                                                double time) {
+    const EvenWay way(from, to, time);
+    const auto straight = [&](double part) { return way.steadily(part).state.x; };
+    std::optional<OnWay> met;
+    if (collision().on_hit != OnHit::pass)
+      if (const auto hit =
+              collide::first_meeting(casts_, collision().radius, straight, {r_.scene_time() + passed, time}))
+        met = {hit->hit, hit->hit.velocity == Vec3d{} ? way.after_way(hit->theta) : way.steadily(hit->theta)};
+    tell_passages(way, met && time > 0 ? met->at.time / time : 1, passed, time);
+    return met;
   }
 
   /// What follows from meeting something, `passed` into the step.
@@ -217,7 +196,7 @@ class SceneContacts {
   /// Went straight along a surface.
   void went(const State<double>& from, double begin, const State<double>& to, double end) {
     r_.slid(from, begin, to, end);
-    tell_passages(straight(from, to), 1, begin, end - begin);
+    tell_passages(EvenWay(from, to, end - begin), 1, begin, end - begin);
   }
 
   [[nodiscard]] const CollisionDef& collision() const { return r_.collision(); }
@@ -262,7 +241,7 @@ class SceneContacts {
   [[nodiscard]] std::optional<After> contact(State<double>& s, SceneHit& hit, double& passed) {
     if (hit.starts_inside && is_ball())
       push_out(scene_->nearest(s.x, collision().radius, solids_, r_.scene_time() + passed), s, hit, passed);
-    if (hit.starts_inside) look_for_surface(s, hit, passed);
+    if (hit.starts_inside) look_for_surface(within(s.x, passed), s, hit);
     if (hit.starts_inside && came_through_) enter_here(s, hit);
     hit = of_first_part(*scene_, solids_, hit, s.x - hit.normal * collision().radius, r_.scene_time() + passed);
     const bool inside = hit.starts_inside;
@@ -348,47 +327,23 @@ class SceneContacts {
     s.x += held_back.normal * ((radius - near.distance * side) / part);
   }
 
-  /// What is inside by no more than a rounding goes in, or out, where it is; a ball also if it moves along the surface.
-  /// So does a ball that came out of one thing into what stands behind it at once.
-  void look_for_surface(State<double>& s, SceneHit& hit, double passed) const {
-    const Vec3d relative = s.v - hit.velocity;
-    const double speed = length(relative);
-    const bool went_through = is_ball() && (collision().on_hit == OnHit::impact || came_through_);
-    const double gap = gap_at(s.x), near = 4 * gap + (went_through ? 2 * collision().radius : 0);
-    const double here = 0.5 + 0.5 * gap / near;  // rounded as seen from the thing, it may lie outside by as much
-    const Vec3d off = relative * (speed > 0 ? near / speed : 0);
-    const SceneHit inside_of = hit;
-    for (const SceneHit& each : scene_->all_hits({s.x - off, s.x + off, 0, r_.scene_time() + passed, 0}, solids_)) {
-      if (!is_one_body(*scene_, each, inside_of) || each.starts_inside) continue;
-      const bool is_it = each.entering ? each.part <= here : hit.starts_inside && each.part >= 0.5 && !is_ball();
-      if (!is_it) continue;
-      hit = each;
-      s.x = each.position + each.normal * collision().radius;
-    }
-    if (!hit.starts_inside || !is_ball()) return;
-    if (const SceneHit beside = surface_beside(*scene_, solids_, hit, s.x, 4 * gap, r_.scene_time() + passed))
-      hit = beside, s.x = beside.position + beside.normal * collision().radius;
-  }
-
   /// Who came out of a body inside of another one, since they touch or overlap, meets that at once.
   [[nodiscard]] std::optional<After> into_next(const After& after, State<double>& s, SceneHit& hit, double passed) {
     if (after.then != Then::flies_on || !came_through_) return after;
     SceneHit next = cast(after.state.x, after.state.x, passed, 0);
-    if (!next.starts_inside) next = is_ball() ? SceneHit{} : entered_at(after.state, hit, passed);
+    if (!next.starts_inside)
+      next = is_ball() ? SceneHit{} : entered_at(within(after.state.x, passed), after.state, hit);
     if (!next || is_one_body(*scene_, next, hit)) return after;
     hit = next;
     s = after.state;
-    if (hit.starts_inside) look_for_surface(s, hit, passed);  // a ball's middle may be behind what is thin
+    if (hit.starts_inside) look_for_surface(within(s.x, passed), s, hit);  // a ball's middle may be behind what is thin
     return std::nullopt;
   }
-  /// The surface of another body through which a point was put as it came out of one: a mesh that touches it.
-  [[nodiscard]] SceneHit entered_at(const State<double>& s, const SceneHit& left, double passed) const {
-    const Vec3d off = normalized(s.v - left.velocity) * (4 * gap_at(s.x));
-    for (const SceneHit& each : scene_->all_hits({s.x - off, s.x, 0, r_.scene_time() + passed, 0}, solids_))
-      if (each.entering && !each.starts_inside && !is_one_body(*scene_, each, left)) return each;
-    return {};
+  /// How it is where it may be inside of something.
+  [[nodiscard]] Within within(const Vec3d& x, double passed) const {
+    const bool goes_through = collision().on_hit == OnHit::impact || came_through_;
+    return {*scene_, solids_, collision().radius, gap_at(x), r_.scene_time() + passed, goes_through};
   }
-
   [[nodiscard]] State<double> carried(const SceneHit& hit, const Vec3d& x, const Vec3d& along, double passed,
                                       double time) const {
     return carried_by(*scene_, hit.instance, x, along, r_.scene_time() + passed, time);
@@ -605,6 +560,7 @@ class SceneContacts {
   [[nodiscard]] SceneHit stands_here(State<double> s, const SceneHit& below, SceneHit wall, const Vec3d& way,
                                      double passed) const {
     const Vec3d was = s.x;
+    if (!is_ball()) return point_stands_here(within(was, passed), was, below, wall, way);
     push_out(in_way(*scene_, solids_, below.instance, s.x, way, collision().radius, r_.scene_time() + passed), s, wall,
              passed);
     const bool deep = length(s.x - was) > max(1e-6, 4 * gap_at(was));
@@ -613,53 +569,90 @@ class SceneContacts {
     return wall;
   }
 
+  /// A way along a thing that ends where it turns, and at the ground.
+  struct Ahead {
+    BallWay way;
+    Turn turn;
+    Vec3d to, then_at;   // where it ends [m]; velocity of the thing there [m/s]
+    Vec3d over;          // so far above the way a cast goes [m]
+    bool lands = false;  // at its end, or at once
+  };
+  [[nodiscard]] Ahead look_ahead(const State<double>& s, const SceneHit& hit, const BallMotion& motion,
+                                 const Pull& pull, double passed, double left) {
+    const Vec3d u = hit.velocity, over_it = runs(hit, passed);
+    const Surface on = surface(hit);
+    const auto way_in = [&](double time) {
+      return is_ball() ? ball_way(motion, pull, hit, on, over_it, time)
+                       : point_way(motion, over_it, pull, hit.normal, on, time);
+    };
+    const auto end_of = [&](const BallWay& way) {
+      return moves(hit) ? carried(hit, s.x, way.way, passed, way.time) : State<double>{s.x + way.way + u * way.time, u};
+    };
+    Ahead ahead{way_in(left), {}, {}, {}, {}};
+    BallWay& way = ahead.way;
+    if (is_ball() && !moves(hit)) ahead.turn = find_turn(s.x, motion, pull, hit, on, passed, way);
+    const Turn& turn = ahead.turn;
+    auto lands = comes_to_ground(s.x, way.time, [&](double time) { return end_of(way_in(time)).x; });
+    if (lands && !turn.about) way = way_in(*lands);
+    const auto [there, then_at] = end_of(way);
+    ahead.to = held(there), ahead.then_at = then_at;
+    // A thing that turns bends the way: the cast goes along the chord, above the arc.
+    if (moves(hit)) ahead.over = hit.normal * (0.25 * way.time * length(then_at - u));
+    if (above_) {  // what its places are rounded to adds up
+      const double gap = gap_at(ahead.to), then_above = *above_ + dot(ahead.to - there, hit.normal);
+      if (then_above < 0.5 * gap || then_above > 2 * gap)
+        ahead.to = outside(there - hit.normal * *above_, hit.normal, passed + way.time);
+      above_.reset();
+    }
+    if (turn.about) {
+      ahead.over += hit.normal * (0.5 * (turn.about.distance - collision().radius));  // the chord lies below the arc
+      ahead.to = turned_place(turn.about, ahead.to);
+      way.motion = turned_about(way.motion, pull.moving, ahead.to - there, turn.about.away, ball());
+      way.motion.velocity = r_.kept(way.motion.velocity);
+      const auto place = [&](double part) { return s.x + (ahead.to - s.x) * part; };
+      lands = comes_to_ground(s.x, 1, place);
+      if (lands) {
+        const EvenWay::Moment at =
+            EvenWay({s.x, motion.velocity}, {ahead.to, way.motion.velocity}, way.time).after_way(*lands);
+        way = {at.time, way.way, {at.state.v, at.mixed(motion.spin, way.motion.spin)}};
+        ahead.to = at.state.x;
+      }
+    }
+    ahead.lands = lands.has_value();
+    return ahead;
+  }
+  /// When a way comes to the ground from above; at once if the ground holds it already.
+  template <class Place>
+  [[nodiscard]] std::optional<double> comes_to_ground(const Vec3d& from, double time, const Place& place) const {
+    const auto above = [&](double at) { return r_.ground_below(place(at)).height; };
+    const double before = r_.ground_below(from).height, after = above(time);
+    if (!(after < 0)) return std::nullopt;
+    return before > 0 ? find_root(above, 0, before, time, after, 0) : 0;
+  }
+
   /// Slides or rolls along what it lies on, up to what stands in its way.
   [[nodiscard]] std::optional<After> moves_along(State<double>& s, SceneHit& hit, double& passed,
                                                  const BallMotion& motion, const Vec3d& a) {
     const Vec3d u = hit.velocity, over_it = runs(hit, passed);
-    const Surface on = surface(hit);
     const double left = pressed_for(s, hit, passed);
     const Vec3d w = s.v - u - over_it, v_t = w - hit.normal * dot(w, hit.normal);
     const Pull pull = pull_along(r_, a, s, {v_t, hit.normal, passed, left});
-    BallWay way{};
-    Turn turn;
-    if (is_ball()) {
-      way = ball_way(motion, pull, hit, on, over_it, left);
-      if (!moves(hit)) turn = find_turn(s.x, motion, pull, hit, on, passed, way);
-    } else {
-      way = point_way(motion, over_it, pull, hit.normal, on, left);
-    }
-    Vec3d there = s.x + way.way + u * way.time, then_at = u, over;
-    if (moves(hit)) {
-      const State<double> by = carried(hit, s.x, way.way, passed, way.time);
-      // A thing that turns bends the way: the cast goes along the chord, above the arc.
-      over = hit.normal * (0.25 * way.time * length(by.v - u));
-      there = by.x, then_at = by.v;
-    }
+    const auto [way, turn, to, then_at, over, lands] = look_ahead(s, hit, motion, pull, passed, left);
     carried_ = u != Vec3d{} || then_at != Vec3d{} || over_it != Vec3d{};
-    Vec3d to = held(there);
-    if (above_) {  // what its places are rounded to adds up
-      const double gap = gap_at(to), then_above = *above_ + dot(to - there, hit.normal);
-      if (then_above < 0.5 * gap || then_above > 2 * gap)
-        to = outside(there - hit.normal * *above_, hit.normal, passed + way.time);
-      above_.reset();
-    }
-    if (turn.about) {
-      over += hit.normal * (0.5 * (turn.about.distance - collision().radius));  // the chord lies below the arc
-      to = turned_place(turn.about, to);
-      way.motion = turned_about(way.motion, pull.moving, to - there, turn.about.away, ball());
-      way.motion.velocity = r_.kept(way.motion.velocity);
-    }
+    if (lands && way.time == 0) return lies_between(s, hit, {.normal = r_.ground_below(s.x).up}, passed, a);
     SceneHit next = cast(s.x + over, to + over, passed, way.time);
-    if (next.starts_inside && is_ball() && over == Vec3d{}) next = stands_here(s, hit, next, to - s.x, passed);
+    if (next.starts_inside && over == Vec3d{}) next = stands_here(s, hit, next, to - s.x, passed);
     const double part = next && !next.starts_inside ? next.part : 1.0;
     const State<double> began = s;
     const double begin = passed;
-    passed = part < 1 || way.time < r_.step_length() - passed ? passed + part * way.time : r_.step_length();
-    const auto then = [part](Vec3d from, Vec3d end) { return part < 1 ? from + (end - from) * part : end; };
-    s = {part < 1 ? next.position - over : to, then(motion.velocity, way.motion.velocity) + then(u, then_at)};
-    if (is_ball()) r_.put_spin(then(motion.spin, way.motion.spin), passed);
+    const EvenWay even({s.x, motion.velocity + u}, {to, way.motion.velocity + then_at}, way.time);
+    const bool is_steady = u != Vec3d{} || moves(hit) || next.velocity != Vec3d{};  // as casts see what moves
+    const EvenWay::Moment then = is_steady ? even.steadily(part) : even.after_way(part);
+    passed = part < 1 || way.time < r_.step_length() - passed ? passed + then.time : r_.step_length();
+    s = {part < 1 ? next.position - over : to, then.state.v};
+    if (is_ball()) r_.put_spin(then.mixed(motion.spin, way.motion.spin), passed);
     went(began, begin, s, passed);
+    if (part == 1 && lands) return After{Then::lands, s, passed};
     if (part == 1 && turn.leaves) return After{Then::flies_on, s, passed};
     if (part == 1 && turn.about) hit.normal = turn.about.away, constrain(hit);
     if (part == 1 && way.time < left && ++hits_ <= kMostHits) return moves_along(s, hit, passed, way.motion, a);
@@ -683,11 +676,17 @@ class SceneContacts {
   /// Moves straight by `way`, to the velocity at its end, up to the next obstacle.
   [[nodiscard]] After along(const State<double>& s, const Vec3d& way, const Vec3d& velocity, const SceneHit& next,
                             double passed) {
-    const double left = longest_way(passed), part = next ? next.part : 1.0;
-    const double then = part < 1 || left < r_.step_length() - passed ? passed + part * left : r_.step_length();
-    const State<double> end{next ? outside(next.position, next.normal, then) : held(s.x + way),
-                            s.v + (velocity - s.v) * part};
+    const double left = longest_way(passed), meets = next ? next.part : 1.0;
+    const auto ground = comes_to_ground(s.x, 1, [&](double at) { return s.x + way * at; });
+    const bool lands = ground && *ground > 0 && *ground < meets;
+    const double part = lands ? *ground : meets;
+    const EvenWay even(s, {s.x + way, velocity}, left);
+    const EvenWay::Moment at = carried_ || next.velocity != Vec3d{} ? even.steadily(part) : even.after_way(part);
+    const double then = part < 1 || left < r_.step_length() - passed ? passed + at.time : r_.step_length();
+    const State<double> end{next && !lands ? outside(next.position, next.normal, then) : held(s.x + way * part),
+                            at.state.v};
     went(s, passed, end, then);
+    if (lands) return {Then::lands, end, then};
     return {then < r_.step_length() ? Then::flies_on : Then::lies, end, then};
   }
 

@@ -98,8 +98,8 @@ namespace {
 PHYSIM_COLD double overhang(const SceneSegment& chord) {
   constexpr double kLeast = 1e-9, kMost = 1e-3;
   const double places = 16 * std::numeric_limits<double>::epsilon() * (length(chord.from) + length(chord.to)) + 1e-12;
-  const double way = length(chord.to - chord.from);
-  return way > 0 ? std::clamp(places / way, kLeast, kMost) : kMost;
+  const double part = places / length(chord.to - chord.from);
+  return part < kMost ? std::max(part, kLeast) : kMost;  // also where a length is no number
 }
 
 /// No surface, but where the point is when its way begins. By which surface it leaves, has the mark too.

@@ -22,8 +22,8 @@ namespace {
 /// What this version of the library must print. A change of the physics or the numerics changes it: say so in the
 /// commit.
 using Sums = std::array<std::uint64_t, 5>;
-constexpr Sums kExpectedSums = {0xdd0226c231836f79, 0x8590a39cfb051a28, 0x4e00955f69f0347b, 0xe4edcc38dfe89258,
-                                0x14524d1cfaa1a8a4};
+constexpr Sums kExpectedSums = {0xdd0226c231836f79, 0xb5e930c6c5f3a388, 0x4e00955f69f0347b, 0xf20a86fab78491fa,
+                                0x2d4faa1d663824e8};
 
 void print(std::FILE* file, const Sums& sums) {
   for (std::size_t i = 0; i < sums.size(); ++i)

@@ -174,28 +174,45 @@ class NetStep {
     }
     rows_.resize(joints);
     for (std::size_t i = 0; i < flown.size(); ++i)
-      if (const auto contact = contact_of(i, flown[i].x)) stop_at(bodies_[i], *contact);
+      while_it_meets(i, flown[i].x, bodies_[i], [&](const NetContact& contact) {
+        stop_at(bodies_[i], contact);
+        return true;
+      });
     return report;
   }
-  [[nodiscard]] std::optional<NetContact> contact_of(std::size_t body, const Vec3d& from) const {
-    if (slots_[body] == 0 || bodies_[body].mobility == Vec3d{} || !finite(bodies_[body].x)) return std::nullopt;
-    return contact_on_way(w_, slots_[body], from, bodies_[body].x);
+  /// Calls f for what a body meets on its way from where it flew to, as long as that says that it was moved out of it:
+  /// behind a floor that it is in by a rounding there may be a wall.
+  template <class F>
+  void while_it_meets(std::size_t index, const Vec3d& from, const NetBody& body, const F& f) const {
+    constexpr int kMostSides = 6;  // more than three things seldom meet
+    if (slots_[index] == 0 || body.mobility == Vec3d{}) return;
+    for (int side = 0; side < kMostSides && finite(body.x); ++side) {
+      const auto contact = contact_on_way(w_, slots_[index], from, body.x);
+      if (!contact || !f(*contact)) return;
+    }
   }
   bool add_contacts(const std::vector<NetBody>& flown) {
     const std::size_t before = rows_.size();
     for (std::size_t i = 0; i < flown.size(); ++i) {
-      const auto contact = contact_of(i, flown[i].x);
-      if (!contact || is_shallow(bodies_[i], *contact)) continue;
-      if (!origin_) origin_ = point({});
-      NetRow& row = rows_.emplace_back();
-      row.pulls = false;
-      row.has_normal = true;
-      row.a = static_cast<std::uint32_t>(i);
-      row.b = *origin_;
-      row.normal = contact->normal;
-      row.length = contact->offset;
+      NetBody body = bodies_[i];
+      while_it_meets(i, flown[i].x, body, [&](const NetContact& contact) {
+        if (!is_shallow(body, contact)) return keep_before(i, contact), false;
+        stop_at(body, contact);
+        return true;
+      });
     }
     return rows_.size() > before;
+  }
+  /// The body stays in front of what it meets, however its net is solved.
+  void keep_before(std::size_t body, const NetContact& contact) {
+    if (!origin_) origin_ = point({});
+    NetRow& row = rows_.emplace_back();
+    row.pulls = false;
+    row.has_normal = true;
+    row.a = static_cast<std::uint32_t>(body);
+    row.b = *origin_;
+    row.normal = contact.normal;
+    row.length = contact.offset;
   }
   [[nodiscard]] static double depth(const NetBody& body, const NetContact& contact) {
     return contact.offset - dot(contact.normal, body.x);

@@ -14,6 +14,11 @@
 
 namespace physim {
 
+[[nodiscard]] inline GroundBelow ground_below(const Conditions<double>& c, const Ground& ground, const Vec3d& x) {
+  if (ground.mode == GroundMode::none) return {};
+  return {height(c, x) - ground.height, vertical_at(c, x)};
+}
+
 /// The contacts of one step.
 template <class Host>
 class GroundContacts {
@@ -46,7 +51,7 @@ class GroundContacts {
     return ground_.mode == GroundMode::bounce && height_at(s.x) <= ground_.height &&
            climb_rate(r_.conditions(), s) <= 0;
   }
-  /// What slid along a thing down to the ground lies on that.
+  /// What was pressed into the ground by a thing lies on the ground.
   [[nodiscard]] State<double> lying(State<double> s) const {
     if (!is_met_too(s)) return s;
     const Vec3d n = up_at(s.x);

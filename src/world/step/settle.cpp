@@ -56,10 +56,7 @@ class Settling {
     if (parting.spin) r_.put_spin(*parting.spin, parting.passed);
     put(parting.state, parting.passed);
     if (parting.then == Parting::Then::lies) {
-      const auto& [x, v] = parting.state;
-      const double left = r_.step_length() - parting.passed;
-      lies_on_others_ = true;
-      roll(parting.state, {x + v * left + parting.pull * (0.5 * left * left), v + parting.pull * left}, parting.passed);
+      go_with_others(parting);
     } else if (parting.then != Parting::Then::flies_on) {
       stay(parting.state, parting.then == Parting::Then::sticks);
     } else {
@@ -253,14 +250,29 @@ class Settling {
   }
   /// Straight over the ground to the end of the step, or to what it meets there.
   void roll(const State<double>& from, const State<double>& to, double passed) {
-    const double left = r_.step_length() - passed;
-    const auto path = straight(from, to);
-    const auto met = scene_ ? scene_.meeting(path, 1, passed, left) : std::nullopt;
-    if (!met) return lie(to, r_.step_length());
-    const State<double> s{met->hit.position, path(met->theta).v};
-    const double at = std::min(passed + met->theta * left, r_.step_length());
+    if (!meets_on(from, to, passed, r_.step_length() - passed)) lie(to, r_.step_length());
+  }
+  /// On others that it lies on, as straight, or down to the ground.
+  void go_with_others(const Parting& parting) {
+    lies_on_others_ = true;
+    const auto& [x, v] = parting.state;
+    const double left = r_.step_length() - parting.passed;
+    const State<double> end{x + v * left + parting.pull * (0.5 * left * left), v + parting.pull * left};
+    const double above = r_.ground_below(x).height, below = r_.ground_below(end.x).height;
+    if (!(above > 0 && below < 0)) return roll(parting.state, end, parting.passed);
+    const EvenWay::Moment down = EvenWay(parting.state, end, left).after_way(above / (above - below));
+    if (!meets_on(parting.state, down.state, parting.passed, down.time))
+      touch_ground(down.state, parting.passed + down.time);
+  }
+  /// Whether a straight way that takes some time meets something; the row goes on from there then.
+  [[nodiscard]] bool meets_on(const State<double>& from, const State<double>& to, double passed, double time) {
+    const auto met = scene_ ? scene_.meeting_on(from, to, passed, time) : std::nullopt;
+    if (!met) return false;
+    const State<double> s{met->hit.position, met->at.state.v};
+    const double at = std::min(passed + met->at.time, r_.step_length());
     put(s, at);
     touch_thing(s, met->hit, at);
+    return true;
   }
 
   /// True if the projectile lies on a thing; it moves along the thing then.
@@ -285,11 +297,12 @@ class Settling {
       case Then::sticks: return stay(after.state, after.then == Then::sticks);
       case Then::lies: return lie(ground_.lying(after.state), after.passed);
       case Then::asks: return;  // the row is left as it was
+      case Then::lands:
       case Then::flies_on: break;
     }
     parts_.come_to(after.passed);
     if (!(after.passed < r_.step_length())) return lie(after.state, r_.step_length());
-    if (!ground_.is_met_too(after.state)) return go_on(after.state, after.passed);
+    if (after.then != Then::lands && !ground_.is_met_too(after.state)) return go_on(after.state, after.passed);
     if (!parts_.may_bounce()) return lie(ground_.lying(after.state), r_.step_length());
     touch_ground(after.state, after.passed);
   }

@@ -14,6 +14,7 @@
 #include "solve/lane_motion.hpp"
 #include "solve/stages.hpp"
 #include "world/step/drive.hpp"
+#include "world/step/ground_contact.hpp"
 #include "world/step/settle.hpp"
 
 namespace physim {
@@ -138,6 +139,10 @@ class SettledRow final : public ContactHost {
     const Vec3d a =
         acceleration_of_lane(conditions(), march.lanes, march.course().body, static_cast<double>(t_start_) + after, s);
     return driven_ ? a + kept(driven_->by.at(context_.time + after, s).a - driven_->felt.a) : a;
+  }
+
+  [[nodiscard]] GroundBelow ground_below(const Vec3d& x) const override {
+    return physim::ground_below(conditions(), context_.def->ground, x);
   }
 
   /// What constraints leave of a velocity or a way.

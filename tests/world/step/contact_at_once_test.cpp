@@ -141,10 +141,11 @@ TEST(ContactAtOnce, piles_at_rest_stay_at_rest) {
     }
 }
 
-/// A wall that a ball on a floor is a little in, by rounding or as others put it there, stops it as any does.
-TEST(ContactAtOnce, a_ball_slides_into_no_wall_that_it_is_in_already) {
+/// A wall that a ball or a point on a floor is a little in, by rounding or as others put it there, stops it as any
+/// does.
+TEST(ContactAtOnce, what_slides_goes_into_no_wall_that_it_is_in_already) {
   for (const Precision precision : {Precision::float64, Precision::float32})
-    for (const double r : {0.05, 0.5})
+    for (const double r : {0.0, 0.05, 0.5})
       for (const double deep : {0.0, 1e-9, 2e-8, 2e-7})
         for (const double speed : {0.004, 0.5}) {
           Scene scene;
@@ -154,8 +155,8 @@ TEST(ContactAtOnce, a_ball_slides_into_no_wall_that_it_is_in_already) {
             ASSERT_TRUE(scene.add({.shape = box, .transform = {.position = at}, .material = soft}));
           }
           World world = world_with(scene);
-          const ProjectileId ball =
-              put(world, by_rk4(r, precision), body_of(r, 0, 0.3), {-0.8, -2 + r, -2 + r - deep}, {0.1, 0, -speed});
+          const ProjectileId ball = put(world, by_rk4(std::max(r, 0.05), precision), body_of(r, 0, 0.3),
+                                        {-0.8, -2 + r, -2 + r - deep}, {0.1, 0, -speed});
           for (int i = 0; i < 20; ++i) {
             world.step(1.0 / 60);
             EXPECT_GT(world[ball].position().z, -2 + r - 5e-7) << r << " " << deep << " " << speed << " " << i;
