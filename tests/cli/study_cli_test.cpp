@@ -385,7 +385,7 @@ TEST(StudyCli, histograms) {
 TEST(StudyCli, what_a_table_over_range_leaves_out_is_told) {
   const Folder folder;
   const std::string file = folder.write("throw.toml", throw_study(4096));
-  for (const std::string& given : {"study.aim=1 m, 0 m", "study.quantities=[\"right\", \"up\", \"time\"]"}) {
+  for (const std::string given : {"study.aim=1 m, 0 m", "study.quantities=[\"right\", \"up\", \"time\"]"}) {
     const Ran ran = physim({"study", file, "--ranges", "20 m", "--set", given});
     EXPECT_EQ(ran.code, 0) << ran.err;
     EXPECT_TRUE(

@@ -309,8 +309,8 @@ class SettingsFuzz {
     if (first.setting == "world.detail.rungs.fidelity") return true;  // all rungs may be one
     if (first.setting == "target.velocity") return true;              // too fast for any shot
     if (first.setting == "force.bungee.rest_length" || first.setting == "force.bungee.other") return true;  // slack
-    // A velocity that no force changes has no drag, nor has a shot without air.
-    if (setting.setting == "shot.fidelity.drag" &&
+    // A velocity that no force changes has no drag, nor has a shot without air, which feels no wind either.
+    if ((setting.setting == "shot.fidelity.drag" || setting.setting == "shot.fidelity.wind") &&
         (first.setting == "shot.fidelity.motion" || first.setting == "shot.fidelity.air" ||
          first.setting == "environment.atmosphere.model"))
       return true;

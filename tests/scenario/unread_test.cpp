@@ -363,6 +363,9 @@ TEST(Unread, settings_of_emitters) {
   expect_unread("emitter.inherit_velocity", ": the emitter does not move",
                 emitter("inherit_velocity = 1\nmotion = { angular_velocity = [0, 1, 0] }"),
                 emitter("inherit_velocity = 1\nmotion = { velocity = [1, 0, 0] }"));
+  expect_unread("emitter.bursts.interval", " without emitter.bursts.cycles: the burst comes once",
+                emitter("bursts = [{ count = 3, interval = 0.2 }]"),
+                emitter("bursts = [{ count = 3, interval = 0.2, cycles = 2 }]"));
   expect_unread("emitter.bursts.time",
                 ": burst 1 is due at 0.1 s, and the cycle ends before, see emitter.cycle.duration = 0.05 s",
                 emitter("bursts = [{ time = 0.1, count = 3 }]\ncycle = { duration = 0.05 }"),
