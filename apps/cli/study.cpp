@@ -18,6 +18,8 @@
 #include "report/study_pictures.hpp"
 #include "report/study_shot.hpp"
 #include "report/table.hpp"
+#include "scenario/mistakes.hpp"
+#include "scenario/study_text.hpp"
 #include "scenario/units.hpp"
 #include "study_columns.hpp"
 #include "study_part_files.hpp"
@@ -223,10 +225,13 @@ Result<AskedStudy> ask_study(const StudyCommand& command) {
   Result<AskedShot> asked = ask(question);
   if (!asked) return asked.error();
   if (Status status = add_options(command, asked->scenario); !status) return status.error();
-  auto study = study_of(asked->scenario, asked->shot());
-  if (!study) return about_study(*asked, study.error());
-  if (Status status = add_width(command, *study); !status) return status.error();
-  return AskedStudy{*std::move(asked), *std::move(study)};
+  std::vector<Error> errors;
+  Study study = read_study(asked->scenario, asked->shot(), errors);
+  Mistakes mistakes;
+  for (const Error& error : errors) mistakes.take(about_study(*asked, error));
+  if (Status status = mistakes.status(); !status) return status.error();
+  if (Status status = add_width(command, study); !status) return status.error();
+  return AskedStudy{*std::move(asked), std::move(study)};
 }
 
 /// What other ranks of a job do: they fly what the first tells them to.
@@ -286,6 +291,13 @@ Result<PlanePoint> hold(Study& study) {
   return PlanePoint{-off.right, -off.up};
 }
 
+/// A table over range has the plane of impact, and the spread about the centre of the impacts.
+void warn_of_what_ranges_leave_out(const ScenarioStudy& texts) {
+  for (const GivenSetting& given : texts.places)
+    if (given.path == "aim" || given.path == "quantities")
+      print_warning(given.place + ": study." + given.path + ": has no effect with --ranges");
+}
+
 /// The study at each range. A shot that is zeroed is zeroed there, as a shooter does who knows the range.
 Result<int> run_over_ranges(const StudyCommand& command, const AskedShot& asked, Study study, TaskRunner& threads,
                             Ranks& ranks) {
@@ -298,6 +310,8 @@ Result<int> run_over_ranges(const StudyCommand& command, const AskedShot& asked,
   if (asked.scenario.study.over_inputs > 0)
     return Error{"hits are told over range or over inputs", "--ranges",
                  "leave --ranges out, or study.over_inputs and --over-inputs"};
+  if (study.indices) return Error{"indices are told of one study", "--ranges", "leave --ranges out, or study.indices"};
+  warn_of_what_ranges_leave_out(asked.scenario.study);
   std::vector<StudyAtRange> list;
   StudyCommand alone;
   alone.log_seconds = command.log_seconds;
@@ -335,6 +349,8 @@ Status check_command(const StudyCommand& command) {
   const bool in_parts = !command.resume.empty() || !command.merge.empty() || !command.shards.empty();
   if (command.fly && (in_parts || !(command.csv + command.kml + command.plot + command.hdf5 + command.ranges).empty()))
     return Error{"one shot is flown again and told alone", "--fly", "leave out files, --ranges and what joins parts"};
+  if (!command.ranges.empty() && !command.range.empty())
+    return Error{"given together with --ranges", "--range", "give one of them"};
   if (!command.ranges.empty() && in_parts)
     return Error{"a study over ranges is not flown in parts", "--ranges", "give --range, and fly one after the other"};
   if (!command.ranges.empty() && !command.question.json.empty())

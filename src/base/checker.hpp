@@ -6,6 +6,7 @@
 #include <string>
 #include <string_view>
 #include <utility>
+#include <vector>
 
 #include "base/assert.hpp"
 #include "base/enumerators.hpp"
@@ -44,11 +45,14 @@ class InputPlace {
   Text member_{};
 };
 
-/// Runs its checks in order and keeps the first that fails. Places and texts are put together only then, out of line:
-/// checks run for every flight and every shot of a batch.
+/// Runs its checks in order and keeps the first that fails; all of them in a list where there is one for them. Places
+/// and texts are put together only then, out of line: checks run for every flight and every shot of a batch.
 class Checker {
  public:
   using Text = std::string_view;
+
+  Checker() = default;
+  explicit Checker(std::vector<Error>* all) : all_(all) {}
 
   PHYSIM_INLINE Checker& require(bool good, const auto& place, Text message, Text hint = "") {
     if (!good) fail(place, std::string(message), hint);
@@ -76,6 +80,7 @@ class Checker {
   }
   /// What another check said.
   Checker& also(Status other) {
+    if (!other && all_ != nullptr) all_->push_back(other.error());
     if (status_) status_ = std::move(other);
     return *this;
   }
@@ -85,8 +90,11 @@ class Checker {
  private:
   [[gnu::noinline]] void fail(const InputPlace& place, const std::string& message, Text hint) {
     PHYSIM_ASSERT(!place.empty());
+    constexpr std::size_t kMost = 100;  // more than anybody reads
+    if (all_ != nullptr && all_->size() < kMost) all_->push_back({message, place.text(), std::string(hint)});
     if (status_) status_ = Error{message, place.text(), std::string(hint)};
   }
+  std::vector<Error>* all_ = nullptr;
   Status status_;
 };
 

@@ -191,8 +191,8 @@ PHYSIM_COLD void check_magnus(Checker& c, const MagnusDef& m) {
             "give every speed with every spin, once");
 }
 
-Status check_projectile(const ProjectileDef& p, bool curve_too) {
-  Checker c;
+Status check_projectile(const ProjectileDef& p, bool curve_too, std::vector<Error>* all) {
+  Checker c(all);
   c.positive(p.mass, "projectile.mass", "in kg");
   c.positive(p.diameter, "projectile.diameter", "in m");
   c.not_negative(p.length, "projectile.length", "0 where it is not known").is_number(p.twist, "projectile.twist");
@@ -223,8 +223,8 @@ Status check_projectile(const ProjectileDef& p, bool curve_too) {
 
 }  // namespace
 
-Status check(const ProjectileDef& p) { return check_projectile(p, true); }
-Status check_but_curve(const ProjectileDef& p) { return check_projectile(p, false); }
+Status check(const ProjectileDef& p, std::vector<Error>* all) { return check_projectile(p, true, all); }
+Status check_but_curve(const ProjectileDef& p) { return check_projectile(p, false, nullptr); }
 
 Status check(const ProjectileDef& p, const Launch& l) {
   if (!has_motor(p)) return {};
@@ -254,9 +254,9 @@ bool is_surely_right(const Launch& l) {
 
 }  // namespace
 
-PHYSIM_COLD Status check(const Launch& l) {
+PHYSIM_COLD Status check(const Launch& l, std::vector<Error>* all) {
   if (is_surely_right(l)) return {};
-  Checker c;
+  Checker c(all);
   c.is_vector(l.position, "launch.position").not_negative(l.speed, "launch.speed", "in m/s");
   c.is_number(l.spin.backspin, "launch.spin.backspin").is_number(l.spin.sidespin, "launch.spin.sidespin");
   c.is_number(l.spin.gyrospin, "launch.spin.gyrospin");
@@ -296,7 +296,7 @@ PHYSIM_COLD void check_levels(const Atmosphere& a, Checker& c) {
   c.require(!a.temperature && !a.pressure && !a.humidity && !a.station_altitude, place,
             "gives the air by levels, and a station gives it, too",
             "leave temperature, pressure, humidity and station_altitude out, or the profile");
-  for (std::size_t i = 0; i < a.profile.size() && c.status_so_far(); ++i) {
+  for (std::size_t i = 0; i < a.profile.size(); ++i) {
     const AirPoint& level = a.profile[i];
     const InputPlace there("environment.atmosphere.profile", i);
     c.require(level.altitude >= kLowestAltitude && level.altitude <= kHighestAltitude, there,
@@ -344,8 +344,8 @@ PHYSIM_COLD void check_levels(const Atmosphere& a, Checker& c) {
 
 }  // namespace
 
-PHYSIM_COLD Status check(const Environment& e) {
-  Checker c;
+PHYSIM_COLD Status check(const Environment& e, std::vector<Error>* all) {
+  Checker c(all);
   c.require(e.altitude >= kLowestAltitude && e.altitude <= 1e9, "environment.altitude",
             "must lie between -5000 m and 1e9 m", "");
   c.named(e.gravity.model, "environment.gravity.model");

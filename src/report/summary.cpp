@@ -144,7 +144,7 @@ std::string shot_text(const FlownShot& flown, const Scenario& scenario, const St
   out += line("fidelity", within ? "cheapest within " + significant(*within, 4) + " m of " + preset : preset);
   out += line("granted", in_words(in_use.fidelity));
   for (const FidelityNote& note : in_use.notes) out += line(style.warn("note"), note_text(note));
-  for (const std::string& note : curve_notes(flight)) out += line(style.warn("note"), note);
+  for (const std::string& note : flight_notes(flown)) out += line(style.warn("note"), note);
   out += range_card(flown, ranges_of_card(scenario, flight));
   out += line(std::string(name(flight.outcome())), "at " + end_text(flight));
   const MotorDef& motor = flown.shot->projectile.motor;
@@ -188,6 +188,20 @@ std::vector<std::string> curve_notes(const Flight& flight) {
   std::vector<std::string> notes;
   for (const std::string& text : {above.text(true), below.text(false)})
     if (!text.empty()) notes.push_back(text);
+  return notes;
+}
+
+std::vector<std::string> flight_notes(const FlownShot& flown) {
+  PHYSIM_ASSERT(flown.shot != nullptr);
+  std::vector<std::string> notes = curve_notes(flown.flight);
+  const double rail = flown.shot->launch.rail_length;
+  const Sample end = flown.flight.end();
+  const double moved = length(end.position - flown.flight.at(0).position);
+  const bool has_left =
+      std::ranges::any_of(flown.flight.events(), [](const Event& event) { return event.kind == EventKind::rail_exit; });
+  if (!has_left && end.speed == 0 && moved > 0 && moved < rail)
+    notes.push_back("it never leaves its rail of " + as_typed(rail) + " m: it stops " + readable(moved, 4) +
+                    " m along it, and stays there");
   return notes;
 }
 

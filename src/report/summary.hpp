@@ -26,6 +26,8 @@ namespace physim::report {
 
 /// Notes on the distance by which a flight leaves its own drag curve, and the place; empty if it stays on the curve.
 [[nodiscard]] std::vector<std::string> curve_notes(const Flight& flight);
+/// ... and that it never leaves its rail: all that `run` notes on a flight.
+[[nodiscard]] std::vector<std::string> flight_notes(const FlownShot& flown);
 /// Whether a projectile has a drag curve of its own, which a flight may leave.
 [[nodiscard]] bool has_own_curve(const ProjectileDef& projectile);
 

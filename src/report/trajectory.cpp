@@ -219,7 +219,9 @@ Content flights_json(const Flights& flights) {
       const FlownShot& from = flown.shots[i];
       out.object();
       out.add({{"name", from.name}});
-      out.add(flight_json(from.flight, from.shot->projectile.fidelity));
+      auto flight = flight_json(from.flight, from.shot->projectile.fidelity);
+      flight["notes"] = flight_notes(from);
+      out.add(flight);
       out.add({{"assumed", assumed_json(flown, i)}});
       out.add({{"range_card", range_card_json(from.flight, ranges_of_card(flown.scenario, from.flight))}});
       out.object("trajectory");

@@ -156,8 +156,7 @@ class Logger {
   Status save(std::uint64_t step) {
     if (options_.save.empty() || is_saved_) return {};
     const double dt = run_->scenario().world.def.step;
-    const double end = static_cast<double>(std::max(log_.steps, run_->world().counters().steps));
-    const double at = options_.save_at ? std::ceil(*options_.save_at / dt - 1e-9) : end;
+    const double at = options_.save_at ? std::ceil(*options_.save_at / dt - 1e-9) : static_cast<double>(log_.steps);
     if (static_cast<double>(step) > at)
       return Error{"the run that was loaded is later already", "save_at",
                    "it is at " + significant(run_->world().time(), 6) + " s"};
@@ -502,6 +501,12 @@ Result<WorldLog> run_world(const Scenario& scenario, const LogOptions& options, 
     return error;
   }
   WorldRun& run = *made;
+  if (const std::uint64_t steps = options.steps.value_or(run.steps()); run.world().counters().steps > steps)
+    return Error{.message = "the run is at " + significant(run.world().time(), 6) +
+                            " s, behind the end of this one at " +
+                            significant(static_cast<double>(steps) * scenario.world.def.step, 6) + " s",
+                 .place = options.load,
+                 .hint = "lengthen world.duration, or take more --steps"};
   std::optional<WorldRun> past;  // what happened before a save is flown again, if something tells of it
   if (!options.load.empty() && tells_of_past(options.parts, scenario)) {
     Result<WorldRun> again = WorldRun::create(scenario);

@@ -57,17 +57,32 @@ Status check_drag(const DragDef& drag, const Value& shot) {
   return check_bands(drag, shot);
 }
 
-/// A motor and a rail are checked by the library; if it objects, the error names the table.
 Status check_motor(const ScenarioShot& shot, const Value& table) {
   const Value* given = table.find("motor");
-  if (given == nullptr || shot.projectile.motor == MotorDef{}) return {};
-  const std::string place = given->place.text();
-  if (!has_motor(shot.projectile)) return Error{"shot.motor: there is no thrust", place, "give file or thrust"};
-  Status status = check(shot.projectile);
-  if (status) status = check(shot.projectile, shot.launch);
-  if (status) return {};
-  const Error& bad = status.error();
-  return Error{"shot.motor (" + bad.place + "): " + bad.message, place, bad.hint};
+  if (given == nullptr || shot.projectile.motor == MotorDef{} || has_motor(shot.projectile)) return {};
+  return Error{"shot.motor: there is no thrust", given->place.text(), "give file or thrust"};
+}
+
+/// What the library objects to in a part of a scenario, where the part's table has it, or else where the nearest table
+/// around it stands. `member`: of the library, "projectile."; `head`: of the file, "shot.".
+void take_in_place(const std::vector<Error>& all, std::string_view member, const std::string& head, const Value& table,
+                   Mistakes& mistakes) {
+  for (const Error& bad : all) {
+    const std::string path = bad.place.substr(bad.place.starts_with(member) ? member.size() : 0);
+    const std::string place = follow(table, path).nearest.place.text();
+    if (!mistakes.has(place)) mistakes.take(Error{head + path + ": " + bad.message, place, bad.hint});
+  }
+}
+
+/// What the library objects to in a shot, beyond the ranges of its settings; of its launch where nothing else does.
+void check_flown(const ScenarioShot& shot, const Value& table, bool with_launch, Mistakes& mistakes) {
+  std::vector<Error> of_projectile, of_launch;
+  Status status = check(shot.projectile, &of_projectile);
+  if (with_launch) status = check(shot.launch, &of_launch);
+  if (of_projectile.empty() && of_launch.empty())
+    if (status = check(shot.projectile, shot.launch); !status) of_launch.push_back(status.error());
+  take_in_place(of_projectile, "projectile.", "shot.", table, mistakes);
+  take_in_place(of_launch, "launch.", "shot.", table, mistakes);
 }
 
 /// Names go into overrides ("shot.NAME.mass=...") and into columns of files.
@@ -90,20 +105,20 @@ void check_shots(const Scenario& scenario, const ScenarioNames& names, const Val
       mistakes.take(Error{"shot.name: two shots are named " + in_quotes(shot.projectile.name),
                           place_of(table, {"name"}),
                           "the first is at " + place_of(element(document, "shot", first), {"name"})});
-    mistakes.take(check_direction(shot.launch, table));
+    const bool is_directed = mistakes.take(check_direction(shot.launch, table));
     mistakes.take(check_drag(shot.projectile.drag, table));
     mistakes.take(check_motor(shot, table));
+    check_flown(shot, table, is_directed, mistakes);
   }
 }
 
-/// What the library objects to first in an environment, where the file gives it. What flies there reports all else.
-Status check_places(const Environment& environment, const Value& document) {
-  const Status status = check(environment);
-  if (status) return {};
-  const Error& bad = status.error();
-  const PathInFile at = follow(document, bad.place);
-  if (!at.is_there) return {};
-  return Error{bad.place + ": " + bad.message, at.nearest.place.text(), bad.hint};
+/// What the library objects to in an environment, where the file gives it. What flies there reports all else.
+void check_environment(const Environment& environment, const Value& document, Mistakes& mistakes) {
+  std::vector<Error> all;
+  const Status status = check(environment, &all);
+  PHYSIM_ASSERT(status.ok() == all.empty());
+  std::erase_if(all, [&](const Error& bad) { return !follow(document, bad.place).is_there; });
+  take_in_place(all, "", "", document, mistakes);
 }
 
 /// Flights have figures of their own, and where there are things, those of hits.
@@ -144,16 +159,10 @@ Status check_scenario(const Scenario& scenario, const Value& document) {
   const ScenarioNames names(scenario);
   Mistakes mistakes;
   check_shots(scenario, names, document, mistakes);
-  if (!check(scenario.environment)) {
-    Environment without_wind = scenario.environment, without_air = scenario.environment;
-    without_wind.wind = {};
-    without_air.atmosphere = {};
-    mistakes.take(check_places(without_wind, document));
-    mistakes.take(check_places(without_air, document));
-  }
+  check_environment(scenario.environment, document, mistakes);
   check_world(scenario, names, document, mistakes);
   if (!scenario.world.given) check_expectations(scenario, names, document, mistakes);
-  if (mistakes.empty()) mistakes.take(check_study(scenario, document));  // it is made of all of them
+  if (mistakes.empty()) check_study(scenario, document, mistakes);  // it is made of all of them
   return mistakes.status();
 }
 

@@ -15,7 +15,7 @@ class Mistakes;
 /// Notes where the texts of a [study] stand.
 void note_study_places(ScenarioStudy& study, const Value& document);
 /// What is wrong with a [study], whichever of the shots it is of.
-[[nodiscard]] Status check_study(const Scenario& scenario, const Value& document);
+void check_study(const Scenario& scenario, const Value& document, Mistakes& mistakes);
 
 /// Contradictions of a [world], or of what there is without one.
 void check_world(const Scenario& scenario, const ScenarioNames& names, const Value& document, Mistakes& mistakes);

@@ -3,19 +3,22 @@
 
 #include "base/assert.hpp"
 #include "scenario/checks.hpp"
+#include "scenario/mistakes.hpp"
+#include "scenario/study_text.hpp"
 #include "study/check_study.hpp"
 
 namespace physim {
 namespace {
 
 constexpr std::string_view kOfStudy = "study.";
-constexpr std::string_view kSays = ": error: ";
-
 /// What a study of a shot objects to. Inputs may still come from options.
-Status check_study_of(const Scenario& scenario, const ScenarioShot& shot) {
-  const Result<Study> study = study_of(scenario, shot);
-  if (!study) return study.error();
-  return study->inputs.empty() ? Status() : check(*study, true);
+std::vector<Error> mistakes_of_study(const Scenario& scenario, const ScenarioShot& shot) {
+  std::vector<Error> errors;
+  const Study study = read_study(scenario, shot, errors);
+  if (!errors.empty() || study.inputs.empty()) return errors;
+  const Status status = check(study, true, &errors);
+  PHYSIM_ASSERT(status.ok() == errors.empty());
+  return errors;
 }
 
 /// A path leads to a text, or to something in it.
@@ -24,20 +27,6 @@ bool leads_to(std::string_view path, std::string_view text) {
   if (!path.starts_with(text)) return false;
   path.remove_prefix(text.size());
   return path.empty() || path.front() == '.' || path.front() == '[';
-}
-
-/// "inputs[1].path: error: ..." in the place of its text; unchanged if that is not known.
-std::string put_in_place(const ScenarioStudy& study, const std::string& line) {
-  const std::size_t end = line.find(kSays);
-  if (end == line.npos) return line;
-  std::string_view path = std::string_view(line).substr(0, end);
-  if (path.starts_with(kOfStudy)) path.remove_prefix(kOfStudy.size());
-  const GivenSetting* nearest = nullptr;
-  for (const GivenSetting& each : study.places)
-    if (leads_to(path, each.path) && (nearest == nullptr || each.path.size() > nearest->path.size())) nearest = &each;
-  if (nearest == nullptr) return line;
-  return nearest->place + std::string(kSays) + std::string(kOfStudy) + std::string(path) + ": " +
-         line.substr(end + kSays.size());
 }
 
 }  // namespace
@@ -56,35 +45,31 @@ void note_study_places(ScenarioStudy& study, const Value& document) {
 }
 
 Error in_study(const ScenarioStudy& study, Error error) {
-  const std::string first = put_in_place(study, error.place + std::string(kSays) + error.message);
-  const std::size_t end = first.find(kSays);
-  error.place = first.substr(0, end);
-  error.message = first.substr(end + kSays.size());
-  std::string& last = error.hint.empty() ? error.message : error.hint;
-  std::string all;
-  for (std::size_t from = 0; from <= last.size();) {  // other mistakes, each on a line of its own
-    const std::size_t to = std::min(last.find('\n', from), last.size());
-    const std::string line = last.substr(from, to - from);
-    all += from == 0 ? line : '\n' + put_in_place(study, line);
-    from = to + 1;
-  }
-  last = all;
+  std::string_view path = error.place;
+  if (path.starts_with(kOfStudy)) path.remove_prefix(kOfStudy.size());
+  const GivenSetting* nearest = nullptr;
+  for (const GivenSetting& each : study.places)
+    if (leads_to(path, each.path) && (nearest == nullptr || each.path.size() > nearest->path.size())) nearest = &each;
+  if (nearest == nullptr) return error;
+  error.message = std::string(kOfStudy) + std::string(path) + ": " + error.message;
+  error.place = nearest->place;
   return error;
 }
 
-Status check_study(const Scenario& scenario, const Value& document) {
+void check_study(const Scenario& scenario, const Value& document, Mistakes& mistakes) {
   const Value* table = document.find("study");
-  if (table == nullptr || scenario.world.given) return {};  // a study flies shots alone
-  Status first;
+  if (table == nullptr || scenario.world.given) return;  // a study flies shots alone
+  std::vector<Error> first;
   for (const ScenarioShot& shot : scenario.shots) {
-    const Status status = check_study_of(scenario, shot);
-    if (status) return {};  // a study is of one shot
-    if (first) first = status;
+    std::vector<Error> errors = mistakes_of_study(scenario, shot);
+    if (errors.empty()) return;  // a study is of one shot
+    if (first.empty()) first = std::move(errors);
   }
-  if (first) return {};
-  Error error = in_study(scenario.study, first.error());
-  if (error.place == first.error().place) error = {error.place + ": " + error.message, table->place.text(), error.hint};
-  return error;
+  for (const Error& each : first) {
+    Error error = in_study(scenario.study, each);
+    if (error.place == each.place) error = {each.place + ": " + each.message, table->place.text(), each.hint};
+    mistakes.take(error);
+  }
 }
 
 }  // namespace physim

@@ -213,7 +213,8 @@ void check_world(const Scenario& scenario, const ScenarioNames& names, const Val
   if (!scenario.world.given) {
     mistakes.take(check_absence(scenario, document));
     mistakes.take(check_bodies(scenario, document));
-    return mistakes.take(check_scene(scenario, document));
+    mistakes.take(check_scene(scenario, document));
+    return;
   }
   mistakes.take(check_unused(document));
   if (const Status status = check(scenario.world.def); !status)

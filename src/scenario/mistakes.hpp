@@ -20,14 +20,20 @@ class Mistakes {
   explicit Mistakes(bool needs_all = true) : needs_all_(needs_all) {}
   [[nodiscard]] bool needs_all() const { return needs_all_; }
 
-  /// An error that is there already, as of a setting of several shots, is one.
-  void take(const Status& status) {
-    if (status) return;
+  /// Whether there was none. An error that is there already, as of a setting of several shots, is one.
+  bool take(const Status& status) {
+    if (status) return true;
+    if (is_full()) return false;  // its report has no room
     const Error& error = status.error();
     const auto is_same = [&](const Error& other) {
       return other.place == error.place && other.message == error.message && other.hint == error.hint;
     };
     if (std::ranges::none_of(all_, is_same)) all_.push_back(error);
+    return false;
+  }
+  /// Whether something that stands there is told already.
+  [[nodiscard]] bool has(const std::string& place) const {
+    return std::ranges::find(all_, place, &Error::place) != all_.end();
   }
   [[nodiscard]] bool empty() const { return all_.empty(); }
   [[nodiscard]] std::size_t count() const { return all_.size(); }

@@ -30,27 +30,31 @@ Status check_keys(std::string_view path, const Value& table, KeyNames names) {
 
 /// Reads { value, to, curve, to_curve } by handing each key that exists to the reader of its kind.
 template <class ReadEnd, class ReadCurve>
-Status read_keys(std::string_view path, const Value& table, KeyNames names, const ReadEnd& end,
-                 const ReadCurve& curve) {
+void read_keys(std::string_view path, const Value& table, KeyNames names, const ReadEnd& end, const ReadCurve& curve,
+               Mistakes& mistakes) {
   PHYSIM_ASSERT(names.size() == 4);
-  if (Status status = check_keys(path, table, names); !status) return status;
+  mistakes.take(check_keys(path, table, names));
   for (std::size_t i = 0; i < names.size(); ++i) {
     const Value* value = table.find(names[i]);
     if (value == nullptr) continue;
-    if (Status status = i < 2 ? end(*value, i == 1) : curve(*value, i == 3); !status) return status;
+    if (i < 2)
+      mistakes.take(end(*value, i == 1));
+    else
+      curve(*value, i == 3);
   }
-  return {};
 }
 
 /// The two bounds of a list, or the one value.
 template <class ReadEnd>
-Status read_ends(std::string_view path, const Value& value, const std::string& wanted, const ReadEnd& end) {
+void read_ends(std::string_view path, const Value& value, const std::string& wanted, const ReadEnd& end,
+               Mistakes& mistakes) {
   const Array* array = value.get<Array>();
-  if (array == nullptr) return end(value, false);
-  if (array->size() != 2)
-    return fault(path, value, "found " + std::to_string(array->size()) + " entries", "expected " + wanted);
-  if (Status status = end((*array)[0], false); !status) return status;
-  return end((*array)[1], true);
+  if (array != nullptr && array->size() != 2) {
+    mistakes.take(fault(path, value, "found " + std::to_string(array->size()) + " entries", "expected " + wanted));
+    return;
+  }
+  mistakes.take(end(array ? (*array)[0] : value, false));
+  if (array != nullptr) mistakes.take(end((*array)[1], true));
 }
 
 Status read_colour(std::string_view path, const Value& value, std::uint32_t& target) {
@@ -74,7 +78,8 @@ Status read_colour(std::string_view path, const Value& value, std::uint32_t& tar
 
 }  // namespace
 
-Status read_drawn(const Wanted& wanted, const Value& value, DrawnNumber& target) {
+void read_drawn(const Wanted& wanted, const Value& value, DrawnNumber& target, Mistakes& mistakes) {
+  const std::size_t before = mistakes.count();
   DrawnNumber read;
   const auto end = [&](const Value& from, bool is_to) {
     return read_number(wanted, from, is_to ? read.to.emplace() : read.value);
@@ -82,49 +87,54 @@ Status read_drawn(const Wanted& wanted, const Value& value, DrawnNumber& target)
   const auto curve = [&](const Value& from, bool is_to) {
     const Entry entry{{.path = wanted.path, .range = kCurveKeys}};
     const ValueRef points = points_of(is_to ? read.to_curve : read.curve);
-    return read_points(entry, from, std::get<Points>(points));
+    read_points(entry, from, std::get<Points>(points), mistakes);
   };
-  const Status status = value.get<Table>() != nullptr
-                            ? read_keys(wanted.path, value, kNumberKeys, end, curve)
-                            : read_ends(wanted.path, value, "a value, or two to draw from: [low, high]", end);
-  if (status) target = std::move(read);
-  return status;
+  if (value.get<Table>() != nullptr)
+    read_keys(wanted.path, value, kNumberKeys, end, curve, mistakes);
+  else
+    read_ends(wanted.path, value, "a value, or two to draw from: [low, high]", end, mistakes);
+  if (mistakes.count() == before) target = std::move(read);
 }
 
-Status read_drawn(std::string_view path, const Value& value, DrawnColour& target) {
+void read_drawn(std::string_view path, const Value& value, DrawnColour& target, Mistakes& mistakes) {
+  const std::size_t before = mistakes.count();
   DrawnColour read;
   const auto end = [&](const Value& from, bool is_to) {
     return read_colour(path, from, is_to ? read.to.emplace() : read.colour);
   };
   const auto gradient = [&](const Value& from, bool is_to) {
-    return read_gradient(path, from, is_to ? read.to_gradient : read.gradient);
+    read_gradient(path, from, is_to ? read.to_gradient : read.gradient, mistakes);
   };
-  const Status status = value.get<Table>() != nullptr ? read_keys(path, value, kColourKeys, end, gradient)
-                                                      : read_ends(path, value, "a colour, or two to draw from", end);
-  if (status) target = std::move(read);
-  return status;
+  if (value.get<Table>() != nullptr)
+    read_keys(path, value, kColourKeys, end, gradient, mistakes);
+  else
+    read_ends(path, value, "a colour, or two to draw from", end, mistakes);
+  if (mistakes.count() == before) target = std::move(read);
 }
 
-Status read_gradient(std::string_view path, const Value& value, Gradient& target) {
+void read_gradient(std::string_view path, const Value& value, Gradient& target, Mistakes& mistakes) {
   const std::string wanted = "colours [[part of the span, \"#rrggbb\"], ...]";
+  const std::size_t before = mistakes.count();
   const Array* array = value.get<Array>();
-  if (array == nullptr) return wrong_kind(path, value, wanted);
-  if (Status status = check_length(path, value, array->size(), kCurveKeys); !status) return status;
+  if (!mistakes.take(array ? check_length(path, value, array->size(), kCurveKeys) : wrong_kind(path, value, wanted)))
+    return;
   Gradient read;
   for (const Value& key : *array) {
     const Array* pair = key.get<Array>();
-    if (pair == nullptr || pair->size() != 2) return fault(path, key, "this is no key", "expected " + wanted);
+    if (pair == nullptr || pair->size() != 2) {
+      mistakes.take(fault(path, key, "this is no key", "expected " + wanted));
+      continue;
+    }
     ColourKey next;
-    if (Status status = read_number({path, Quantity::number, kFraction}, (*pair)[0], next.at); !status) return status;
-    if (Status status = read_colour(path, (*pair)[1], next.colour); !status) return status;
+    mistakes.take(read_colour(path, (*pair)[1], next.colour));
+    if (!mistakes.take(read_number({path, Quantity::number, kFraction}, (*pair)[0], next.at))) continue;
     if (!read.empty() && next.at <= read.back().at)
-      return fault(path, (*pair)[0],
-                   "part of the span " + number_text(next.at) + " after " + number_text(read.back().at),
-                   "they must rise");
+      mistakes.take(fault(path, (*pair)[0],
+                          "part of the span " + number_text(next.at) + " after " + number_text(read.back().at),
+                          "they must rise"));
     read.push_back(next);
   }
-  target = std::move(read);
-  return {};
+  if (mistakes.count() == before) target = std::move(read);
 }
 
 }  // namespace physim

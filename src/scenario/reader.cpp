@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <utility>
 
 #include "base/assert.hpp"
@@ -60,17 +61,18 @@ Status read_number(const Wanted& wanted, const Value& value, double& target) {
 
 namespace {
 
-Status read_vector(const Wanted& wanted, const Value& value, Vec3d& target) {
+void read_vector(const Wanted& wanted, const Value& value, Vec3d& target, Mistakes& mistakes) {
   const Array* array = value.get<Array>();
-  if (array == nullptr) return wrong_kind(wanted.path, value, "three components [x, y, z]");
-  if (array->size() != 3)
-    return fault(wanted.path, value, "found " + std::to_string(array->size()) + " components",
-                 "expected three components [x, y, z]");
+  if (array == nullptr || array->size() != 3) {
+    mistakes.take(array == nullptr ? wrong_kind(wanted.path, value, "three components [x, y, z]")
+                                   : fault(wanted.path, value, "found " + std::to_string(array->size()) + " components",
+                                           "expected three components [x, y, z]"));
+    return;
+  }
+  const std::size_t before = mistakes.count();
   double v[3];
-  for (std::size_t i = 0; i < 3; ++i)
-    if (Status status = read_number(wanted, (*array)[i], v[i]); !status) return status;
-  target = {v[0], v[1], v[2]};
-  return {};
+  for (std::size_t i = 0; i < 3; ++i) mistakes.take(read_number(wanted, (*array)[i], v[i]));
+  if (mistakes.count() == before) target = {v[0], v[1], v[2]};
 }
 
 Status read_integer(const Entry& entry, const Value& value, std::int64_t& target) {
@@ -165,75 +167,97 @@ namespace {
 /// Thrust may jump: two points at one time are a step.
 bool may_step(const Points& points) { return points.quantities[1] == Quantity::force; }
 
-/// True if a point may follow those before it.
-bool may_follow(const Points& points, const Points::Pairs& before, double at) {
-  if (before.empty() || at > before.back().first) return true;
-  const bool is_third = before.size() > 1 && before[before.size() - 2].first == at;
-  return at == before.back().first && may_step(points) && !is_third;
+/// A point comes behind the one before it; `points`: those before.
+Status check_order(const Entry& entry, const Value& at, const Points& points, const Points::Pairs& pairs, double next) {
+  if (pairs.empty() || next > pairs.back().first) return {};
+  const bool is_third = pairs.size() > 1 && pairs[pairs.size() - 2].first == next;
+  if (next == pairs.back().first && may_step(points) && !is_third) return {};
+  return fault(entry.path, at,
+               std::string(points.names[0]) + " " + number_text(next) + " after " + number_text(pairs.back().first),
+               may_step(points) ? "they must rise; two points at one time are a step" : "they must rise");
+}
+
+/// A list that may have so many entries; null, and a mistake, for what is none.
+const Array* list_of(std::string_view path, const Value& value, const Range& length, const std::string& wanted,
+                     Mistakes& mistakes) {
+  const Array* array = value.get<Array>();
+  const Status status =
+      array == nullptr ? wrong_kind(path, value, wanted) : check_length(path, value, array->size(), length);
+  return mistakes.take(status) ? array : nullptr;
 }
 
 }  // namespace
 
-Status read_points(const Entry& entry, const Value& value, const Points& points) {
-  const std::string first(points.names[0]), second(points.names[1]);
-  const std::string wanted = "points [[" + first + ", " + second + "], ...]";
-  const Array* array = value.get<Array>();
-  if (array == nullptr) return wrong_kind(entry.path, value, wanted);
-  if (Status status = check_length(entry.path, value, array->size(), entry.range); !status) return status;
+void read_points(const Entry& entry, const Value& value, const Points& points, Mistakes& mistakes) {
+  const std::string wanted =
+      "points [[" + std::string(points.names[0]) + ", " + std::string(points.names[1]) + "], ...]";
+  const std::size_t before = mistakes.count();
+  const Array* array = list_of(entry.path, value, entry.range, wanted, mistakes);
+  if (array == nullptr) return;
   Points::Pairs pairs;
   for (const Value& point : *array) {
     const Array* pair = point.get<Array>();
-    if (pair == nullptr || pair->size() != 2) return fault(entry.path, point, "this is no point", "expected " + wanted);
-    double xy[2];
-    for (std::size_t i = 0; i < 2; ++i) {
-      const Wanted coordinate{entry.path, points.quantities[i], points.ranges[i]};
-      if (Status status = read_number(coordinate, (*pair)[i], xy[i]); !status) return status;
+    if (pair == nullptr || pair->size() != 2) {
+      mistakes.take(fault(entry.path, point, "this is no point", "expected " + wanted));
+      continue;
     }
-    if (!may_follow(points, pairs, xy[0]))
-      return fault(entry.path, (*pair)[0],
-                   first + " " + number_text(xy[0]) + " after " + number_text(pairs.back().first),
-                   may_step(points) ? "they must rise; two points at one time are a step" : "they must rise");
+    double xy[2] = {};
+    bool good[2];
+    for (std::size_t i = 0; i < 2; ++i)
+      good[i] = mistakes.take(read_number({entry.path, points.quantities[i], points.ranges[i]}, (*pair)[i], xy[i]));
+    if (!good[0]) continue;
+    mistakes.take(check_order(entry, (*pair)[0], points, pairs, xy[0]));
     pairs.emplace_back(xy[0], xy[1]);
   }
-  points.set(pairs);
-  return {};
+  if (mistakes.count() == before) points.set(pairs);
 }
 
 namespace {
 
-/// A number, or points at rising Mach numbers; the angle in square degrees.
-Status read_aero(const Entry& entry, const Value& value, AeroCoefficient& coefficient) {
-  const std::string wanted = "a number, [[Mach number, value], ...] or [[Mach number, angle^2 in deg^2, value], ...]";
+/// The point of a list of two or three numbers; the angle in square degrees.
+std::optional<AeroPoint> read_aero_point(const Entry& entry, const Value& point, const std::string& wanted,
+                                         Mistakes& mistakes) {
   const Wanted plain{entry.path, Quantity::number, {}}, place{entry.path, Quantity::number, {.low = 0}};
+  const Array* numbers = point.get<Array>();
+  if (numbers == nullptr || numbers->size() < 2 || numbers->size() > 3) {
+    mistakes.take(fault(entry.path, point, "this is no point", "expected " + wanted));
+    return std::nullopt;
+  }
+  const std::size_t before = mistakes.count();
+  double number[3] = {};
+  for (std::size_t i = 0; i < numbers->size(); ++i) {
+    const bool last = i + 1 == numbers->size();
+    mistakes.take(read_number(last ? plain : place, (*numbers)[i], number[last ? 2 : i]));
+  }
+  if (mistakes.count() > before) return std::nullopt;
+  PHYSIM_ASSERT(number[1] >= 0);  // an angle, and never the value of a point of two numbers
+  return AeroPoint{number[0], number[1] * kSquareDegree, number[2]};
+}
+
+/// A number, or points at rising Mach numbers.
+void read_aero(const Entry& entry, const Value& value, AeroCoefficient& coefficient, Mistakes& mistakes) {
+  const std::string wanted = "a number, [[Mach number, value], ...] or [[Mach number, angle^2 in deg^2, value], ...]";
   const Array* array = value.get<Array>();
   if (array == nullptr) {
     double constant = 0;
-    if (!read_number(plain, value, constant))
-      return fault(entry.path, value, "found " + std::string(kind_of(value)), "expected " + wanted);
-    coefficient = {{0, 0, constant}};
-    return {};
+    if (read_number({entry.path, Quantity::number, {}}, value, constant))
+      coefficient = {{0, 0, constant}};
+    else
+      mistakes.take(fault(entry.path, value, "found " + std::string(kind_of(value)), "expected " + wanted));
+    return;
   }
   coefficient.clear();
   for (const Value& point : *array) {
-    const Array* numbers = point.get<Array>();
-    if (numbers == nullptr || numbers->size() < 2 || numbers->size() > 3)
-      return fault(entry.path, point, "this is no point", "expected " + wanted);
-    double number[3] = {};
-    for (std::size_t i = 0; i < numbers->size(); ++i) {
-      const bool last = i + 1 == numbers->size();
-      const Wanted& of_place = last ? plain : place;
-      if (Status status = read_number(of_place, (*numbers)[i], number[last ? 2 : i]); !status) return status;
-    }
-    PHYSIM_ASSERT(number[1] >= 0);  // an angle, and never the value of a point of two numbers
-    const AeroPoint next{number[0], number[1] * kSquareDegree, number[2]};
-    const bool rises = coefficient.empty() || next.mach > coefficient.back().mach ||
-                       (next.mach == coefficient.back().mach && next.angle_squared > coefficient.back().angle_squared);
+    const auto next = read_aero_point(entry, point, wanted, mistakes);
+    if (!next) continue;
+    const bool rises =
+        coefficient.empty() || next->mach > coefficient.back().mach ||
+        (next->mach == coefficient.back().mach && next->angle_squared > coefficient.back().angle_squared);
     if (!rises)
-      return fault(entry.path, point, "this point comes after a later one",
-                   "Mach numbers must rise, and angles at each");
-    coefficient.push_back(next);
+      mistakes.take(
+          fault(entry.path, point, "this point comes after a later one", "Mach numbers must rise, and angles at each"));
+    coefficient.push_back(*next);
   }
-  return {};
 }
 
 Status read_reference(const Entry& entry, const Value& value, const Reference& reference) {
@@ -296,71 +320,64 @@ Status read_steps_text(const Wanted& wanted, const Value& value, std::vector<dou
   return fill_steps(wanted, value, numbers, list);
 }
 
-Status read_numbers(const Wanted& wanted, const Value& value, std::vector<double>& list) {
+void read_numbers(const Wanted& wanted, const Value& value, std::vector<double>& list, Mistakes& mistakes) {
   list.clear();
-  if (value.get<Table>()) return read_steps_table(wanted, value, list);
-  if (value.get<std::string>()) return read_steps_text(wanted, value, list);
-  const Array* array = value.get<Array>();
-  if (array == nullptr) return wrong_kind(wanted.path, value, "a list such as [\"100 m\", \"200 m\"]");
-  if (Status status = check_length(wanted.path, value, array->size(), {.low = 0, .high = double{kMostRanges}}); !status)
-    return status;
-  for (const Value& element : *array)
-    if (Status status = read_number(wanted, element, list.emplace_back()); !status) return status;
-  return {};
+  if (value.get<Table>()) {
+    mistakes.take(read_steps_table(wanted, value, list));
+  } else if (value.get<std::string>()) {
+    mistakes.take(read_steps_text(wanted, value, list));
+  } else if (const Array* array = list_of(wanted.path, value, {.low = 0, .high = double{kMostRanges}},
+                                          "a list such as [\"100 m\", \"200 m\"]", mistakes)) {
+    for (const Value& element : *array) mistakes.take(read_number(wanted, element, list.emplace_back()));
+  }
 }
 
 /// ["a", "b"], or one text alone.
-Status read_texts(const Entry& entry, const Value& value, std::vector<std::string>& list) {
+void read_texts(const Entry& entry, const Value& value, std::vector<std::string>& list, Mistakes& mistakes) {
   list.clear();
-  const Array* array = value.get<Array>();
-  if (array == nullptr && value.get<std::string>() == nullptr)
-    return wrong_kind(entry.path, value, "a list of texts such as [\"a\", \"b\"]");
-  for (std::size_t i = 0; i < (array ? array->size() : 1); ++i)
-    if (Status status = read_text(entry, array ? (*array)[i] : value, list.emplace_back()); !status) return status;
-  return {};
+  if (value.get<std::string>() != nullptr) {
+    mistakes.take(read_text(entry, value, list.emplace_back()));
+  } else if (const Array* array = list_of(entry.path, value, {}, "a list of texts such as [\"a\", \"b\"]", mistakes)) {
+    for (const Value& each : *array) mistakes.take(read_text(entry, each, list.emplace_back()));
+  }
 }
 
 /// [[x, y, z], ...]
-Status read_vectors(const Wanted& wanted, const Value& value, std::vector<Vec3d>& list) {
+void read_vectors(const Wanted& wanted, const Value& value, std::vector<Vec3d>& list, Mistakes& mistakes) {
   list.clear();
-  const Array* array = value.get<Array>();
-  if (array == nullptr) return wrong_kind(wanted.path, value, "a list of places [[x, y, z], ...]");
-  if (Status status = check_length(wanted.path, value, array->size(), wanted.range); !status) return status;
-  for (const Value& each : *array)
-    if (Status status = read_vector({wanted.path, wanted.quantity, {}}, each, list.emplace_back()); !status)
-      return status;
-  return {};
+  if (const Array* array = list_of(wanted.path, value, wanted.range, "a list of places [[x, y, z], ...]", mistakes))
+    for (const Value& each : *array)
+      read_vector({wanted.path, wanted.quantity, {}}, each, list.emplace_back(), mistakes);
+}
+
+/// [a, b, c]; false where it is none.
+bool read_triangle(const Value& value, Triangle& triangle) {
+  const Array* corners = value.get<Array>();
+  if (corners == nullptr || corners->size() != 3) return false;
+  for (std::size_t i = 0; i < 3; ++i) {
+    const auto* index = (*corners)[i].get<std::int64_t>();
+    if (index == nullptr || !std::in_range<std::uint32_t>(*index)) return false;
+    triangle[i] = static_cast<std::uint32_t>(*index);
+  }
+  return true;
 }
 
 /// [[a, b, c], ...]
-Status read_triangles(const Entry& entry, const Value& value, std::vector<Triangle>& list) {
-  constexpr std::string_view kWanted = "triangles [[a, b, c], ...] of numbers of vertices, from 0";
+void read_triangles(const Entry& entry, const Value& value, std::vector<Triangle>& list, Mistakes& mistakes) {
+  const std::string wanted = "triangles [[a, b, c], ...] of numbers of vertices, from 0";
   list.clear();
-  const Array* array = value.get<Array>();
-  if (array == nullptr) return wrong_kind(entry.path, value, std::string(kWanted));
-  if (Status status = check_length(entry.path, value, array->size(), entry.range); !status) return status;
-  for (const Value& each : *array) {
-    const Array* corners = each.get<Array>();
-    const auto* first = corners && corners->size() == 3 ? &corners->front() : nullptr;
-    for (std::size_t i = 0; i < 3; ++i) {
-      const auto* index = first ? first[i].get<std::int64_t>() : nullptr;
-      if (index == nullptr || !std::in_range<std::uint32_t>(*index))
-        return fault(entry.path, each, "this is no triangle", "expected " + std::string(kWanted));
-    }
-    Triangle& triangle = list.emplace_back();
-    for (std::size_t i = 0; i < 3; ++i) triangle[i] = static_cast<std::uint32_t>(*first[i].get<std::int64_t>());
-  }
-  return {};
+  if (const Array* array = list_of(entry.path, value, entry.range, wanted, mistakes))
+    for (const Value& each : *array)
+      if (!read_triangle(each, list.emplace_back()))
+        mistakes.take(fault(entry.path, each, "this is no triangle", "expected " + wanted));
 }
 
 void read_table_into(const SchemaNode& node, const Scope& scope, const Value& value, Mistakes& mistakes);
 
 void read_records(const SchemaNode& node, const Records& records, const Value& value, Mistakes& mistakes) {
-  const Array* array = value.get<Array>();
-  if (array == nullptr)
-    return mistakes.take(wrong_kind(node.path, value, "a list of tables; write [[" + node.path + "]]"));
-  if (Status status = check_length(node.path, value, array->size(), node.entry->range); !status)
-    return mistakes.take(status);
+  const std::string wanted = "a list of tables; write [[" + node.path + "]]";
+  const Array* array = list_of(node.path, value, node.entry->range, wanted, mistakes);
+  if (array == nullptr) return;
   records.resize(0);  // old elements go, so that new ones start from defaults
   records.resize(array->size());
   PHYSIM_ASSERT(records.size() == array->size());
@@ -374,59 +391,62 @@ bool is_none(const Entry& entry, const Value& value) {
   return text != nullptr && *text == entry.none;
 }
 
+Status read_optional(const Wanted& wanted, const Entry& entry, const Value& value, const OptionalNumber& target) {
+  if (is_none(entry, value)) return target.set(std::nullopt), Status();
+  double number = 0;
+  if (Status status = read_number(wanted, value, number); !status) return status;
+  return target.set(number), Status();
+}
+Status read_optional(const Entry& entry, const Value& value, const OptionalInteger& target) {
+  if (is_none(entry, value)) return target.set(std::nullopt), Status();
+  std::int64_t number = 0;
+  if (Status status = read_integer(entry, value, number); !status) return status;
+  return target.set(number), Status();
+}
+Status read_boolean(const Entry& entry, const Value& value, bool& target) {
+  if (value.get<bool>() == nullptr) return wrong_kind(entry.path, value, "true or false");
+  return target = *value.get<bool>(), Status();
+}
+
 /// A setting that is no list of tables.
-Status read_value(const Entry& entry, const Scope& scope, const Value& value, const ValueRef& into) {
+void read_value(const Entry& entry, const Scope& scope, const Value& value, const ValueRef& into, Mistakes& all) {
   const Wanted wanted{entry.path, entry.quantity_in(scope), entry.range};
-  return std::visit(Overloaded{
-                        [&](double* target) { return read_number(wanted, value, *target); },
-                        [&](const OptionalNumber& target) -> Status {
-                          if (is_none(entry, value)) return target.set(std::nullopt), Status();
-                          double number = 0;
-                          if (Status status = read_number(wanted, value, number); !status) return status;
-                          return target.set(number), Status();
-                        },
-                        [&](Vec3d* target) { return read_vector(wanted, value, *target); },
-                        [&](std::optional<Vec3d>* target) -> Status {
-                          if (is_none(entry, value)) return target->reset(), Status();
-                          return read_vector(wanted, value, target->emplace());
-                        },
-                        [&](const Integer& target) -> Status {
-                          std::int64_t number = 0;
-                          if (Status status = read_integer(entry, value, number); !status) return status;
-                          return target.set(number), Status();
-                        },
-                        [&](const OptionalInteger& target) -> Status {
-                          if (is_none(entry, value)) return target.set(std::nullopt), Status();
-                          std::int64_t number = 0;
-                          if (Status status = read_integer(entry, value, number); !status) return status;
-                          return target.set(number), Status();
-                        },
-                        [&](bool* target) -> Status {
-                          if (value.get<bool>() == nullptr) return wrong_kind(entry.path, value, "true or false");
-                          return *target = *value.get<bool>(), Status();
-                        },
-                        [&](std::string* target) { return read_text(entry, value, *target); },
-                        [&](const Choice& choice) { return read_choice(entry, value, choice, *scope.scenario); },
-                        [&](const Reference& reference) { return read_reference(entry, value, reference); },
-                        [&](const Points& points) { return read_points(entry, value, points); },
-                        [&](AeroCoefficient* coefficient) { return read_aero(entry, value, *coefficient); },
-                        [&](DrawnNumber* number) { return read_drawn(wanted, value, *number); },
-                        [&](DrawnColour* colour) { return read_drawn(entry.path, value, *colour); },
-                        [&](Gradient* gradient) { return read_gradient(entry.path, value, *gradient); },
-                        [&](std::vector<double>* list) { return read_numbers(wanted, value, *list); },
-                        [&](std::vector<std::string>* list) { return read_texts(entry, value, *list); },
-                        [&](std::vector<Vec3d>* list) { return read_vectors(wanted, value, *list); },
-                        [&](std::vector<Triangle>* list) { return read_triangles(entry, value, *list); },
-                        [&](const Records&) -> Status { PHYSIM_UNREACHABLE(); },
-                    },
-                    into);
+  const Overloaded readers{
+      [&](double* target) { all.take(read_number(wanted, value, *target)); },
+      [&](const OptionalNumber& target) { all.take(read_optional(wanted, entry, value, target)); },
+      [&](Vec3d* target) { read_vector(wanted, value, *target, all); },
+      [&](std::optional<Vec3d>* target) {
+        target->reset();
+        if (!is_none(entry, value)) read_vector(wanted, value, target->emplace(), all);
+      },
+      [&](const Integer& target) {
+        std::int64_t number = 0;
+        if (all.take(read_integer(entry, value, number))) target.set(number);
+      },
+      [&](const OptionalInteger& target) { all.take(read_optional(entry, value, target)); },
+      [&](bool* target) { all.take(read_boolean(entry, value, *target)); },
+      [&](std::string* target) { all.take(read_text(entry, value, *target)); },
+      [&](const Choice& choice) { all.take(read_choice(entry, value, choice, *scope.scenario)); },
+      [&](const Reference& reference) { all.take(read_reference(entry, value, reference)); },
+      [&](const Points& points) { read_points(entry, value, points, all); },
+      [&](AeroCoefficient* coefficient) { read_aero(entry, value, *coefficient, all); },
+      [&](DrawnNumber* number) { read_drawn(wanted, value, *number, all); },
+      [&](DrawnColour* colour) { read_drawn(entry.path, value, *colour, all); },
+      [&](Gradient* gradient) { read_gradient(entry.path, value, *gradient, all); },
+      [&](std::vector<double>* list) { read_numbers(wanted, value, *list, all); },
+      [&](std::vector<std::string>* list) { read_texts(entry, value, *list, all); },
+      [&](std::vector<Vec3d>* list) { read_vectors(wanted, value, *list, all); },
+      [&](std::vector<Triangle>* list) { read_triangles(entry, value, *list, all); },
+      [&](const Records&) { PHYSIM_UNREACHABLE(); },
+  };
+  std::visit(readers, into);
 }
 
 void read_setting_into(const SchemaNode& node, const Scope& scope, const Value& value, Mistakes& mistakes) {
   PHYSIM_ASSERT(node.entry != nullptr);
   const ValueRef into = node.entry->slot(scope);
   if (const auto* records = std::get_if<Records>(&into)) return read_records(node, *records, value, mistakes);
-  mistakes.take(read_value(*node.entry, scope, value, into));
+  read_value(*node.entry, scope, value, into, mistakes);
 }
 
 }  // namespace
@@ -500,7 +520,10 @@ bool has_all_choices(const SchemaNode& node, const Scope& scope, const Value& ta
 
 void read_table_into(const SchemaNode& node, const Scope& scope, const Value& value, Mistakes& mistakes) {
   const Table* table = value.get<Table>();
-  if (table == nullptr) return mistakes.take(not_a_table(node, value));
+  if (table == nullptr) {
+    mistakes.take(not_a_table(node, value));
+    return;
+  }
   // In the order of the list: presets come before what changes them, kinds before their values.
   std::vector<std::pair<const SchemaNode*, const Value*>> given;
   given.reserve(table->size());

@@ -314,48 +314,95 @@ std::optional<std::string> input_for(const std::string& text, const ShotOfScenar
   return number == text.size() ? text : *own + ' ' + text.substr(number);
 }
 
-Status add_inputs(const Scenario& scenario, const ScenarioShot& shot, Study& study) {
+using Errors = std::vector<Error>;
+
+Error as_one(const Errors& errors) {
+  Mistakes mistakes;
+  for (const Error& error : errors) mistakes.take(error);
+  return mistakes.status().error();
+}
+
+std::string numbered(const char* list, std::size_t i) { return std::string(list) + '[' + std::to_string(i) + ']'; }
+
+void add_inputs(const Scenario& scenario, const ScenarioShot& shot, Study& study, Errors& errors) {
   const std::string folder = std::filesystem::path(scenario.file).parent_path().string();
   for (std::size_t i = 0; i < scenario.study.inputs.size(); ++i) {
     const auto text = input_for(scenario.study.inputs[i], {scenario, shot});
     if (!text) continue;
     auto input = parse_study_input_in(folder, *text, &shot);
-    if (!input) return placed(input.error(), "study.inputs[" + std::to_string(i) + ']');
-    study.inputs.push_back(*std::move(input));
+    if (input)
+      study.inputs.push_back(*std::move(input));
+    else
+      errors.push_back(placed(input.error(), numbered("study.inputs", i)));
   }
-  return {};
 }
 
-Status add_texts(const Scenario& scenario, const ScenarioShot& shot, Study& study) {
+/// Correlates inputs, where all of them are there.
+void add_correlations(const Scenario& scenario, const ScenarioShot& shot, Study& study, Errors& errors) {
   const ScenarioStudy& texts = scenario.study;
-  const auto numbered = [](const char* list, std::size_t i) {
-    return std::string(list) + '[' + std::to_string(i) + ']';
-  };
   std::vector<PairOfInputs> pairs;
   for (std::size_t i = 0; i < texts.correlated.size(); ++i) {
     const auto told = pairs_of(study, {scenario, shot}, texts.correlated[i]);
-    if (!told) return placed(told.error(), numbered("study.correlated", i));
+    if (!told) {
+      errors.push_back(placed(told.error(), numbered("study.correlated", i)));
+      continue;
+    }
     const auto is_known = [&](const PairOfInputs& pair) {
       return std::ranges::any_of(
           pairs, [&](const PairOfInputs& p) { return std::minmax(p.a, p.b) == std::minmax(pair.a, pair.b); });
     };
     if (std::ranges::any_of(*told, is_known))
-      return Error{"\"" + texts.correlated[i] + "\" names a pair that has a correlation already",
-                   numbered("study.correlated", i), "give it once"};
-    pairs.insert(pairs.end(), told->begin(), told->end());
+      errors.push_back({"\"" + texts.correlated[i] + "\" names a pair that has a correlation already",
+                        numbered("study.correlated", i), "give it once"});
+    else
+      pairs.insert(pairs.end(), told->begin(), told->end());
   }
   add_groups(study, std::move(pairs));
-  Mistakes mistakes;
+}
+
+void add_targets(const ScenarioStudy& texts, Study& study, Errors& errors) {
   for (std::size_t i = 0; i < texts.targets.size(); ++i) {
     auto target = parse_study_target(texts.targets[i]);
     if (!target) {
-      mistakes.take(placed(target.error(), numbered("study.targets", i)));
+      errors.push_back(placed(target.error(), numbered("study.targets", i)));
       continue;
     }
     if (target->name.empty()) target->name = "target-" + std::to_string(i + 1);
     study.targets.push_back(*std::move(target));
   }
-  return mistakes.status();
+}
+
+void add_quantities(const ScenarioStudy& texts, Study& study, Errors& errors) {
+  for (std::size_t i = 0; i < texts.quantities.size(); ++i) {
+    const std::string& text = texts.quantities[i];
+    if (const auto quantity = value_of<StudyQuantity>(text))
+      study.quantities.push_back(*quantity);
+    else
+      errors.push_back({"no quantity of the end of a flight is called " + in_quotes(text),
+                        numbered("study.quantities", i), suggestion(text, names_of<StudyQuantity>(), "they are")});
+  }
+}
+
+void add_places(const ScenarioStudy& texts, std::vector<StudyPlace>& places, Errors& errors) {
+  for (std::size_t i = 0; i < texts.at.size(); ++i) {
+    auto place = parse_study_place(texts.at[i]);
+    if (place)
+      places.push_back(*std::move(place));
+    else
+      errors.push_back(placed(place.error(), numbered("study.at", i)));
+  }
+}
+
+void add_aim(const ScenarioStudy& texts, Study& study, Errors& errors) {
+  if (texts.aim.empty()) return;
+  NumberReader read(Quantity::length);
+  const auto aim = point_of(texts.aim, read);
+  if (read.error())
+    errors.push_back(placed(*read.error(), "study.aim"));
+  else if (!aim)
+    errors.push_back({"\"" + texts.aim + "\" is no point", "study.aim", "write it as \"0 m, 1 m\""});
+  else
+    study.aim = *aim;
 }
 
 bool is_target(const Study& study, const std::string& thing) {
@@ -386,11 +433,9 @@ Status add_scene(const Scenario& scenario, const ScenarioShot& shot, Study& stud
 
 Result<std::vector<StudyPlace>> study_places_of(const ScenarioStudy& texts) {
   std::vector<StudyPlace> places;
-  for (std::size_t i = 0; i < texts.at.size(); ++i) {
-    auto place = parse_study_place(texts.at[i]);
-    if (!place) return placed(place.error(), "study.at[" + std::to_string(i) + ']');
-    places.push_back(*std::move(place));
-  }
+  Errors errors;
+  add_places(texts, places, errors);
+  if (!errors.empty()) return as_one(errors);
   return places;
 }
 
@@ -449,7 +494,7 @@ Result<StudyTarget> parse_study_target(std::string_view text) {
   return target;
 }
 
-Result<Study> study_of(const Scenario& scenario, const ScenarioShot& shot) {
+Study read_study(const Scenario& scenario, const ScenarioShot& shot, std::vector<Error>& errors) {
   const ScenarioStudy& texts = scenario.study;
   Study study{.projectile = projectile_of(shot),
               .launch = shot.launch,
@@ -466,29 +511,23 @@ Result<Study> study_of(const Scenario& scenario, const ScenarioShot& shot) {
   study.shard_shots -= study.shard_shots % study.rounds;  // whole occasions
   std::erase_if(study.until.events, [](const EventSpec& event) { return !event.terminal; });
   if (texts.histograms != 0 && (texts.histograms < 3 || texts.histograms > 1000))
-    return Error{"must be from 3 to 1000 bars", "study.histograms", "0 for none"};
+    errors.push_back({"must be from 3 to 1000 bars", "study.histograms", "0 for none"});
   if (texts.over_inputs > 0) study.over_inputs = static_cast<std::uint32_t>(texts.over_inputs);
-  if (Status status = add_inputs(scenario, shot, study); !status) return status.error();
-  if (Status status = add_texts(scenario, shot, study); !status) return status.error();
-  if (Status status = add_scene(scenario, shot, study); !status) return status.error();
-  for (std::size_t i = 0; i < texts.quantities.size(); ++i) {
-    const auto quantity = value_of<StudyQuantity>(texts.quantities[i]);
-    if (!quantity)
-      return Error{"no quantity of the end of a flight is called " + in_quotes(texts.quantities[i]),
-                   "study.quantities[" + std::to_string(i) + ']',
-                   suggestion(texts.quantities[i], names_of<StudyQuantity>(), "they are")};
-    study.quantities.push_back(*quantity);
-  }
-  auto at = study_places_of(texts);
-  if (!at) return at.error();
-  study.at = *std::move(at);
-  if (!texts.aim.empty()) {
-    NumberReader read(Quantity::length);
-    const auto aim = point_of(texts.aim, read);
-    if (read.error()) return placed(*read.error(), "study.aim");
-    if (!aim) return Error{"\"" + texts.aim + "\" is no point", "study.aim", "write it as \"0 m, 1 m\""};
-    study.aim = *aim;
-  }
+  const std::size_t before = errors.size();
+  add_inputs(scenario, shot, study, errors);
+  if (errors.size() == before) add_correlations(scenario, shot, study, errors);
+  add_targets(texts, study, errors);
+  if (Status status = add_scene(scenario, shot, study); !status) errors.push_back(status.error());
+  add_quantities(texts, study, errors);
+  add_places(texts, study.at, errors);
+  add_aim(texts, study, errors);
+  return study;
+}
+
+Result<Study> study_of(const Scenario& scenario, const ScenarioShot& shot) {
+  Errors errors;
+  Study study = read_study(scenario, shot, errors);
+  if (!errors.empty()) return as_one(errors);
   return study;
 }
 

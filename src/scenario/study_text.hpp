@@ -15,6 +15,9 @@ struct ScenarioShot;
 /// that depend on another of its settings.
 [[nodiscard]] Result<StudyInput> parse_study_input_in(const std::string& folder, std::string_view text,
                                                       const ScenarioShot* shot = nullptr);
+/// study_of() as far as its texts can be read. What is wrong with them goes into `errors`, in places such as
+/// "study.inputs[1]".
+[[nodiscard]] Study read_study(const Scenario& scenario, const ScenarioShot& shot, std::vector<Error>& errors);
 /// The places of a study; an error names the text that is no place.
 [[nodiscard]] Result<std::vector<StudyPlace>> study_places_of(const ScenarioStudy& texts);
 

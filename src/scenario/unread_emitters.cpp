@@ -79,6 +79,11 @@ constexpr UnreadRule kPlaceRules[] = {
      }},
     {"emitter.inherit_velocity", why_it_is_still},
     {"emitter.per_metre", why_it_is_still},
+    {"emitter.bursts.interval",
+     [](R r) {
+       PHYSIM_ASSERT(r.scope.burst != nullptr);
+       return read_with(r.scope.burst->cycles != 1, "emitter.bursts.cycles: the burst comes once");
+     }},
     {"emitter.bursts.time",
      [](R r) {
        const EmitterDef& e = def(r);

@@ -69,19 +69,21 @@ bool feels_wind(Rung f, bool is_drawn) {
   const bool by_numbers = f.granted.drag == DragModel::linear_quadratic && (drag.k1 != 0 || drag.k2 != 0);
   return is_flown && (is_in_air(f) || by_numbers);
 }
+bool feels_direction(Rung f) { return row(f.granted.earth).turning && !is_unmoved(f.shot->body); }
+/// Weight has a part of the turning, over a flat Earth, too; it points down whichever way x does.
 bool feels_turning(Rung f) {
   const bool is_in_weight = row(f.granted.gravity).field == GravityField::flattened;
-  return (row(f.granted.earth).turning || is_in_weight) && !is_unmoved(f.shot->body);
+  return feels_direction(f) || (is_in_weight && !is_unmoved(f.shot->body));
 }
 /// Fired along a meridian, a shot is turned aside by the Earth, and by nothing else where the Earth's axis lies in the
 /// plane of fire.
-std::string why_no_turning(R r) {
+std::string why_no_turning(R r, bool (*feels)(Rung)) {
   const auto leaves_plane_alone = [&](Rung f) {
     const double azimuth = r.scenario.environment.earth.azimuth + f.shot->launch.azimuth;
     return f.granted.planar && !f.shot->launch.velocity && sincos(azimuth).sin == 0;
   };
-  if (!r.any(feels_turning)) return ": only shots over an Earth that turns read it";
-  return read_unless(!r.any([&](Rung f) { return feels_turning(f) && !leaves_plane_alone(f); }),
+  if (!r.any(feels)) return ": only shots over an Earth that turns read it";
+  return read_unless(!r.any([&](Rung f) { return feels(f) && !leaves_plane_alone(f); }),
                      "shot.fidelity.planar: fired along a meridian, a shot is turned out of its plane alone");
 }
 bool is_over_round_earth(Rung f) { return row(f.granted.earth).shape != EarthShape::flat; }
@@ -97,9 +99,9 @@ bool has_places(R r) {
 std::string why_no_place(R r) {
   return read_by(has_places(r) || r.any(is_over_round_earth), "shots over a round Earth read");
 }
-std::string why_no_direction(R r) {
+std::string why_no_direction(R r, bool (*feels)(Rung)) {
   if (has_places(r) || r.any(is_over_round_earth)) return {};
-  return why_no_turning(r);
+  return why_no_turning(r, feels);
 }
 /// Air that differs with the altitude of the origin, and the weight of what falls with height.
 std::string why_no_altitude(R r) {
@@ -191,8 +193,7 @@ constexpr UnreadRule kEnvironmentRules[] = {
      }},
     {"environment.atmosphere.sound_speed",
      [](R r) {
-       // The Mach numbers of a world are those of the environment, in shots that fly in no air, too.
-       const auto reads = [&](Rung f) { return (is_in_air(f) || r.scenario.world.given) && !computes_air(f); };
+       const auto reads = [](Rung f) { return is_in_air(f) && !computes_air(f); };
        return read_by(r.any(reads), "air \"constant\" and \"exponential\" read");
      }},
     {"environment.atmosphere.scale_height",
@@ -219,13 +220,13 @@ constexpr UnreadRule kEnvironmentRules[] = {
      [](R r) { return read_with(r.any(flies_profile), "environment.wind.profile and wind \"profile\""); }},
     {"environment.wind.interpolation",
      [](R r) { return read_with(r.any(flies_profile), "environment.wind.profile and wind \"profile\""); }},
-    {"environment.earth.rotation_rate", why_no_turning},
-    {"environment.earth.latitude", why_no_direction},
+    {"environment.earth.rotation_rate", [](R r) { return why_no_turning(r, feels_turning); }},
+    {"environment.earth.latitude", [](R r) { return why_no_direction(r, feels_turning); }},
     {"environment.earth.longitude", why_no_place, true},
     {"environment.earth.azimuth",
      [](R r) {
        if (r.is_drawn("environment.wind.from")) return std::string();  // it is a direction of the compass
-       return why_no_direction(r);
+       return why_no_direction(r, feels_direction);
      },
      true},
     {"environment.altitude", why_no_altitude, true},
@@ -392,12 +393,12 @@ constexpr UnreadRule kProjectileRules[] = {
     {"shot.aero.damping_frame",
      [](R r) {
        if (std::string why = why_no_attitude(r); !why.empty()) return why;
-       return why_no_turning(r);
+       return why_no_turning(r, feels_direction);
      }},
     {"shot.aero.pitch_damping", why_no_attitude},
     {"shot.aero.yaw_damping", why_no_attitude},
     {"shot.attitude", why_no_attitude},
-    {"shot.attitude.rate_frame", why_no_turning},
+    {"shot.attitude.rate_frame", [](R r) { return why_no_turning(r, feels_direction); }},
 };
 
 std::string why_chosen(R r) {

@@ -102,17 +102,16 @@ Status check_path(const Study& study, std::size_t i) {
   return {};
 }
 
-Status check_inputs(const Study& study, bool of_flights) {
+void check_inputs(Checker& c, const Study& study, bool of_flights) {
   const std::size_t count = study.inputs.size();
-  Checker c;
   c.require(count >= 1, "inputs", "are none: nothing is uncertain", "name a number, and how it is distributed");
   c.require(count <= 64, "inputs", "are more than 64");
   const std::size_t dimensions = count * (study.indices ? 2 : 1);
   c.require(study.sampling != Sampling::sobol || dimensions <= kSobolDimensions, "sampling",
             "Sobol's sequence has 64 dimensions here; with indices each input takes two", "draw Latin hypercubes");
-  for (std::size_t i = 0; i < count && c.status_so_far(); ++i) {
+  for (std::size_t i = 0; i < count; ++i) {
     if (const Status status = check(study.inputs[i].distribution); !status)
-      return placed(status.error(), numbered("inputs", i) + ".distribution");
+      c.also(placed(status.error(), numbered("inputs", i) + ".distribution"));
     c.require(static_cast<unsigned>(study.inputs[i].drawn_for) <= 1, numbered("inputs", i) + ".drawn_for",
               "is none of the named values");
     c.require(study.inputs[i].drawn_for != DrawnFor::occasion || study.rounds > 1, "rounds",
@@ -120,7 +119,6 @@ Status check_inputs(const Study& study, bool of_flights) {
               "say how many shots an occasion has");
     if (of_flights) c.also(check_path(study, i));
   }
-  return c.status();
 }
 
 void check_sizes(Checker& c, const Study& study) {
@@ -193,10 +191,10 @@ void check_quantities(Checker& c, const Study& study, bool of_flights) {
 
 }  // namespace
 
-Status check(const Study& study, bool of_flights) {
-  Checker c;
+Status check(const Study& study, bool of_flights, std::vector<Error>* all) {
+  Checker c(all);
   check_sizes(c, study);
-  if (c.status_so_far()) c.also(check_inputs(study, of_flights));
+  check_inputs(c, study, of_flights);
   check_plane(c, study);
   if (c.status_so_far()) c.also(check_things(study, of_flights));
   check_quantities(c, study, of_flights);

@@ -117,6 +117,21 @@ TEST(FirstUsers, ACrowdTellsWhatItNeedsBeforeItStarts) {
   EXPECT_TRUE(has(ran.err, "9000000 launches will take about 3.2 GB")) << ran.err << ran.out;
 }
 
+/// Straight up at 2 m/s a shot in a vacuum comes 2^2 / (2 g) = 0.2039 m far, and a rail holds it there.
+TEST(FirstUsers, WhatStopsOnItsRailIsTold) {
+  const Folder folder;
+  const std::string shot =
+      folder.write("r.toml",
+                   "physim = 1\n[[shot]]\nmass = 1\nspeed = 2\nelevation = \"90 deg\"\nrail_length = 1\n"
+                   "fidelity = { air = \"vacuum\", drag = \"off\" }\n[until]\ntime = 5\n");
+  const std::string note = "it never leaves its rail of 1 m: it stops 0.2039 m along it";
+  const Ran stopped = physim({"run", shot});
+  EXPECT_TRUE(has(stopped.out, note)) << stopped.out;
+  EXPECT_TRUE(has(physim({"run", shot, "--json", "-"}).out, note));
+  for (const char* off : {"shot.rail_length=0.2", "shot.speed=5", "until.time=0.1"})
+    EXPECT_FALSE(has(physim({"run", shot, "--set", off}).out, "never leaves")) << off;
+}
+
 TEST(FirstUsers, AMotorOfACollectionIsReadThoughOthersAreFaulty) {
   const Folder folder;
   std::ofstream(folder / "all.eng") << "BAD 18 70 0 .0108 .0231 E\n0.2 5\n0.1 4\n1 0\n"

@@ -382,6 +382,18 @@ TEST(StudyCli, histograms) {
   EXPECT_FALSE(has(physim({"study", file}).out, "along from"));
 }
 
+TEST(StudyCli, what_a_table_over_range_leaves_out_is_told) {
+  const Folder folder;
+  const std::string file = folder.write("throw.toml", throw_study(4096));
+  for (const std::string given : {"study.aim=1 m, 0 m", "study.quantities=[\"right\", \"up\", \"time\"]"}) {
+    const Ran ran = physim({"study", file, "--ranges", "20 m", "--set", given});
+    EXPECT_EQ(ran.code, 0) << ran.err;
+    EXPECT_TRUE(
+        has(ran.err, "--set " + given + ": " + given.substr(0, given.find('=')) + ": has no effect with --ranges"))
+        << ran.err;
+  }
+}
+
 TEST(StudyCli, bad_input_says_what_is_wrong) {
   const Folder folder;
   const std::string file = folder.write("throw.toml", throw_study(30000));
@@ -412,6 +424,11 @@ TEST(StudyCli, bad_input_says_what_is_wrong) {
   EXPECT_TRUE(has(refusal({"--set", "study.histograms=2"}), "3 to 1000"));
   EXPECT_TRUE(has(refusal({"--histograms", "9", "--ranges", "20 m"}), "leave --ranges out"));
   EXPECT_TRUE(has(refusal({"--set", "study.histograms=9", "--ranges", "20 m"}), "leave --ranges out"));
+  EXPECT_TRUE(has(refusal({"--ranges", "20 m", "--range", "20 m"}), "--range: error: given together with --ranges"));
+  EXPECT_TRUE(
+      has(refusal({"--ranges", "20 m", "--set", "study.indices=true"}), "leave --ranges out, or study.indices"));
+  const std::string both = refusal({"--target", "square 1 m", "--target", "circle 1", "--target", "oval 1 m"});
+  EXPECT_TRUE(has(both, "square 1 m") && has(both, "oval 1 m")) << both;
   EXPECT_TRUE(has(refusal({"--at", "apxe"}), "study.at[0]"));
   EXPECT_TRUE(has(refusal({"--at", "apex: hight"}), "no quantity of a place"));
   EXPECT_TRUE(has(refusal({"--at", "1 km"}), "0 arrived there"));

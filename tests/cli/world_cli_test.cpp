@@ -58,6 +58,12 @@ TEST(CliWorld, ASavedRunGoesOn) {
   expect_complaint(physim({"run", scenario, "--save-at", "1 s"}), "--save FILE");
   expect_complaint(physim({"run", scenario, "--save", save, "--save-at", "7 s"}), "within the run");
   expect_complaint(physim({"run", scenario, "--load", save, "--save", save, "--save-at", "1 s"}), "later already");
+  for (const std::vector<std::string>& shorter :
+       {std::vector<std::string>{"--set", "world.duration=1 s"}, {"--steps", "10"}}) {
+    std::vector<std::string> command = {"run", scenario, "--load", save};
+    command.insert(command.end(), shorter.begin(), shorter.end());
+    expect_complaint(physim(command), "the run is at 2.5 s, behind the end of this one at ");
+  }
 }
 
 /// A gun, a wall that its rounds hit and sparks: what happened before the save is told, too.

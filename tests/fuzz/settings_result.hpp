@@ -233,7 +233,7 @@ class ResultHash {
     result_.moved += length(row.position() - row.previous_position());
     add_place(row.fidelity_in_use().fidelity.earth, row.position(), row.velocity());
     add(row.position()), add(row.velocity()), add(row.mass()), add(row.angular_velocity());
-    if (row.fidelity_in_use().fidelity.air != AirModel::vacuum) add(row.mach());
+    add(row.mach());
     const Quatd q = row.orientation();
     for (const double x : {q.w, q.x, q.y, q.z}) add(x);
     hash_.add(row.colour(), row.layers());

@@ -1,6 +1,8 @@
 // Bad scenarios: every one gets a place, a reason and, where there is one, a way out.
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "scenario/scenario.hpp"
 
 namespace physim {
@@ -358,6 +360,132 @@ INSTANTIATE_TEST_SUITE_P(
         Bad{"shot.name=x",
             "--set shot.name=x: error: shot.name: two shots are named \"x\"; the first is at --set shot.name=x"},
         Bad{"title=\xFF", "--set title=\xFF: error: title: the text is not UTF-8"}));
+
+// --------------------------------------------------------------------------------------------------------------- lists
+/// The lines of an error, each with the place of its mistake in front, in the order of the file.
+std::vector<std::string> errors_of(const std::string& text) {
+  const Result<Scenario> scenario = parse_scenario("physim = 1\n" + text, "f.toml");
+  std::vector<std::string> lines;
+  const std::string all = scenario ? "" : scenario.error().text();
+  for (std::size_t from = 0; from < all.size();) {
+    const std::size_t end = std::min(all.find('\n', from), all.size());
+    lines.push_back(all.substr(from, end - from));
+    from = end + 1;
+  }
+  return lines;
+}
+
+void expect_errors(const std::string& text, const std::vector<std::string>& begins) {
+  const std::vector<std::string> lines = errors_of(text);
+  ASSERT_EQ(lines.size(), begins.size()) << testing::PrintToString(lines);
+  for (std::size_t i = 0; i < lines.size(); ++i) EXPECT_TRUE(lines[i].starts_with(begins[i])) << lines[i];
+}
+
+const std::string kShot = "[[shot]]\nmass = 1\ndiameter = 0.1\nspeed = 300\n";  // four lines
+
+TEST(ListErrors, levels_of_a_sounding_and_of_its_wind) {
+  expect_errors(
+      "environment.atmosphere.profile = [\n"
+      "  { altitude = 0, temperature = 288 },\n"
+      "  { altitude = 1000, temperature = 281 },\n"
+      "  { altitude = 900, temperature = 280 },\n"  // 5
+      "  { altitude = 2000, temperature = 275 },\n"
+      "  { altitude = 1900, temperature = 275 },\n"  // 7
+      "]\n"
+      "environment.wind.profile = [\n"
+      "  { at = 0, velocity = [0, 0, 1] },\n"
+      "  { at = 50, velocity = [0, 0, 1] },\n"
+      "  { at = 40, velocity = [0, 0, 1] },\n"  // 12
+      "  { at = 30, velocity = [0, 0, 1] },\n"  // 13
+      "]\n" +
+          kShot,
+      {"f.toml:5:3: error: environment.atmosphere.profile[2]: must lie higher than the one below",
+       "f.toml:7:3: error: environment.atmosphere.profile[4]: must lie higher than the one below",
+       "f.toml:12:3: error: environment.wind.profile[2]: places must rise",
+       "f.toml:13:3: error: environment.wind.profile[3]: places must rise"});
+}
+
+TEST(ListErrors, points_of_curves) {
+  expect_errors(kShot +
+                    "[shot.drag]\ntable = \"custom\"\n"
+                    "curve = [[0, 0.2],\n [1, 0.4],\n [0.9, 0.5],\n [2, -1],\n [1.5, \"x\"],\n [3]]\n"
+                    "[shot.motor]\nthrust = [[0, 5],\n [1, 3],\n [0.5, 3],\n [2, -5],\n [3, 0]]\n",
+                {"f.toml:10:3: error: shot.drag.curve: Mach number 0.9 after 1; they must rise",
+                 "f.toml:11:6: error: shot.drag.curve: -1 is out of range",
+                 "f.toml:12:3: error: shot.drag.curve: Mach number 1.5 after 2; they must rise",
+                 "f.toml:12:8: error: shot.drag.curve: \"x\" is not a number",
+                 "f.toml:13:2: error: shot.drag.curve: this is no point",
+                 "f.toml:17:3: error: shot.motor.thrust: time 0.5 after 1",
+                 "f.toml:18:6: error: shot.motor.thrust: -5 is out of range"});
+}
+
+TEST(ListErrors, coefficients_vectors_ranges_and_gradients) {
+  expect_errors(kShot +
+                    "[shot.aero]\nlift = [[0, 2],\n [1, \"a\"],\n [0.5, 3],\n [0.4, 3]]\n"
+                    "[output]\nranges = [\"100 m\",\n \"2 s\",\n \"3 s\"]\n",
+                {"f.toml:8:6: error: shot.aero.lift: \"a\" is not a number",
+                 "f.toml:10:2: error: shot.aero.lift: this point comes after a later one",
+                 "f.toml:13:2: error: output.ranges: \"2 s\" is a time", "f.toml:14:2: error: output.ranges: \"3 s\""});
+  expect_errors("[world]\n" + kShot +
+                    "[[shape]]\nname = \"h\"\nhull = { points = [[0, 0, 0],\n [1, \"x\", \"y\"],\n [1, 2]] }\n"
+                    "[[emitter]]\nshot = \"shot-1\"\n"
+                    "start = { colour = { colour = \"#ff0000\", gradient = [[0, \"#12\"],\n [0.5, \"#000000\"],\n "
+                    "[0.4, \"#000000\"]] } }\n",
+                {"f.toml:10:6: error: shape.hull.points: \"x\" is not a number",
+                 "f.toml:10:11: error: shape.hull.points: \"y\" is not a number",
+                 "f.toml:11:2: error: shape.hull.points: found 2 components",
+                 "f.toml:14:58: error: emitter.start.colour: \"#12\" is no colour",
+                 "f.toml:16:3: error: emitter.start.colour: part of the span 0.4 after 0.5"});
+}
+
+/// What single settings cannot say of themselves, beside another mistake of the file.
+TEST(ListErrors, what_the_library_objects_to_in_shots) {
+  expect_errors(
+      kShot +
+          "inertia = { moments = [1, 1, 5] }\n"
+          "drag = { table = \"custom\", curve = [[0, 0.2], [1, 0.4],\n [1.00000000001, 0.5], [2, 1],\n "
+          "[2.00000000001, 3]] }\n"
+          "[[shot]]\nmagnus = { table = [{ speed = 10, spin = 10 },\n { speed = 20, spin = 20 }] }\n"
+          "[[shot]]\n[shot.motor]\nthrust = [[0, 5], [1, 5],\n [1.0000000001, 3], [2, 0]]\npropellant_mass = 2\n"
+          "[environment.wind]\nprofile = [{ at = 1 },\n { at = 1 }]\n",
+      {"f.toml:6:11: error: shot.inertia: is no inertia that a body can have",
+       "f.toml:8:2: error: shot.drag.curve[2]: Mach numbers must rise",
+       "f.toml:9:2: error: shot.drag.curve[4]: Mach numbers must rise",
+       "f.toml:11:20: error: shot.magnus.table: is no full grid",
+       "f.toml:16:2: error: shot.motor.thrust[2]: times must rise",
+       "f.toml:17:19: error: shot.motor.propellant_mass: is not less than the projectile's mass",
+       "f.toml:20:2: error: environment.wind.profile[1]: places must rise"});
+}
+
+TEST(ListErrors, texts_of_a_study) {
+  expect_errors(kShot +
+                    "[until]\nrange = 100\n[study]\ninputs = [\"shot.speeed = 1 m/s +- 3 m/s\",\n"
+                    " \"shot.mass = 10 m +- 1 m\",\n \"shot.speed = +- 3 m/s\"]\n"
+                    "targets = [\"circle 1 m\",\n \"cicle 1 m\"]\nquantities = [\"right\",\n \"upp\"]\n"
+                    "at = [\"apox\",\n \"50 m\",\n \"50 s\"]\n",
+                {"f.toml:9:11: error: study.inputs[0]: no number of a shot that may be uncertain is called",
+                 "f.toml:10:2: error: study.inputs[1]: \"10 m\" is a length",
+                 "f.toml:13:2: error: study.targets[1]: \"cicle 1 m\" is no target",
+                 "f.toml:15:2: error: study.quantities[1]: no quantity", "f.toml:16:7: error: study.at[0]: no place",
+                 "f.toml:18:2: error: study.at[2]: \"50 s\" is a time"});
+  expect_errors(kShot +
+                    "[until]\nrange = 100\n[study]\ninputs = [\"shot.speed = 9 m/s +- -3 m/s\",\n"
+                    " \"shot.drag.curve.2 = 0.1 +- 0.01\"]\ntargets = [\"a: circle 1 m\",\n \"a: circle -2 m\"]\n",
+                {"f.toml:9:11: error: study.inputs[0].distribution.deviation: must be a positive number",
+                 "f.toml:10:2: error: study.inputs[1].path: the projectile has no drag curve of its own",
+                 "f.toml:12:2: error: study.targets[1].radius: must be a positive number",
+                 "f.toml:12:2: error: study.targets[1]: has the name \"a\" of targets[0]"});
+}
+
+/// A file that is wrong throughout is refused at once, however long it is.
+TEST(ListErrors, twenty_are_told_of_very_many) {
+  std::string text = "environment.wind.profile = [\n";
+  for (int i = 0; i < 50000; ++i) text += "  { at = " + std::to_string(-i) + ", velocity = [0, 0, \"x\"] },\n";
+  const std::vector<std::string> lines = errors_of(text + "]\n" + kShot);
+  ASSERT_EQ(lines.size(), 21u);
+  EXPECT_EQ(lines.back(), "error: there are more mistakes");
+  EXPECT_TRUE(lines.front().starts_with("f.toml:3:")) << lines.front();
+}
 
 }  // namespace scenario_errors_test
 }  // namespace physim

@@ -57,6 +57,9 @@ TEST(Unread, settings_of_the_air_and_the_earth) {
                 air("station_altitude = 500", "isa"), air("station_altitude = 500\ntemperature = 280", "isa"));
   expect_unread("environment.atmosphere.temperature", ": no shot flies in air", air("temperature = 280", "vacuum"),
                 air("temperature = 280", "isa"));
+  for (const char* world : {"", "[world]\n"})
+    expect_unread("environment.atmosphere.sound_speed", ": only air \"constant\"",
+                  world + air("sound_speed = 300", "vacuum"), world + air("sound_speed = 300", "constant"));
   const auto earth = [](const std::string& model) {
     return "[environment.earth]\nrotation_rate = 1e-4\n" + kShot + "fidelity = { earth = \"" + model + "\" }\n";
   };
@@ -85,6 +88,13 @@ TEST(Unread, places_on_an_earth_that_is_flat_and_still) {
   const std::string longitude = "environment.earth.longitude=0.5", azimuth = "environment.earth.azimuth=0.5";
   EXPECT_NE(unread_override(flat, azimuth).find(": only shots over an Earth that turns read it"), std::string::npos);
   EXPECT_EQ(unread_override(turning, azimuth), "");
+  const std::string weighed =
+      kShot +
+      "speed = 9\nfidelity = { earth = \"flat\", gravity = \"wgs84\" }\n[environment.gravity]\nmodel = \"wgs84\"\n";
+  EXPECT_NE(unread_override(weighed, azimuth).find(": only shots over an Earth that turns read it"), std::string::npos)
+      << "weight points down whichever way x does";
+  for (const char* of_weight : {"environment.earth.latitude=0.5", "environment.earth.rotation_rate=1e-4"})
+    EXPECT_EQ(unread_override(weighed, of_weight), "");
   EXPECT_NE(unread_override(turning, longitude).find(": only shots over a round Earth read it"), std::string::npos);
   EXPECT_EQ(unread_override(round, longitude), "");
   EXPECT_FALSE(says(earth("longitude = 0.5\nazimuth = 0.5", "flat"), "has no effect")) << "in a file they describe";
@@ -353,6 +363,9 @@ TEST(Unread, settings_of_emitters) {
   expect_unread("emitter.inherit_velocity", ": the emitter does not move",
                 emitter("inherit_velocity = 1\nmotion = { angular_velocity = [0, 1, 0] }"),
                 emitter("inherit_velocity = 1\nmotion = { velocity = [1, 0, 0] }"));
+  expect_unread("emitter.bursts.interval", " without emitter.bursts.cycles: the burst comes once",
+                emitter("bursts = [{ count = 3, interval = 0.2 }]"),
+                emitter("bursts = [{ count = 3, interval = 0.2, cycles = 2 }]"));
   expect_unread("emitter.bursts.time",
                 ": burst 1 is due at 0.1 s, and the cycle ends before, see emitter.cycle.duration = 0.05 s",
                 emitter("bursts = [{ time = 0.1, count = 3 }]\ncycle = { duration = 0.05 }"),

@@ -208,6 +208,7 @@ double ProjectileView::mach() const {
   const Slot* slot = world_->find(id_);
   if (!slot) return 0;
   const Conditions<double>& c = world_->registry.cohort(slot->cohort).conditions;
+  if (c.fidelity.air == AirModel::vacuum) return 0;
   const BodyState now = world_->state.state_of(*slot);
   const State<double> s{now.position, now.velocity};
   const Body<double> body = world_->placement.body_of(*slot);

@@ -95,6 +95,18 @@ TEST(FieldWorld, is_the_flight_bit_for_bit_whenever_it_starts) {
       }
 }
 
+TEST(FieldWorld, what_flies_in_a_vacuum_has_no_mach_number_as_in_its_flight) {
+  for (const AirModel air : {AirModel::vacuum, AirModel::constant}) {
+    ProjectileDef p = on(Fidelity::simulation(), Integrator::rk4);
+    p.fidelity.air = air;
+    World world = make_world(WorldDef{});
+    const ProjectileId id = *world.spawn(p, kLaunch);
+    const Flight flight = fly(p, kLaunch, Environment{}, p.fidelity, {}, {.ground = {}, .time = 1});
+    EXPECT_EQ(flight.at(0).mach > 0, air == AirModel::constant);
+    EXPECT_TRUE(near(world[id].mach(), flight.at(0).mach, 1e-15)) << world[id].mach();
+  }
+}
+
 TEST(FieldWorld, adaptive_frames_and_bodies_follow_their_flights) {
   for (const RotationModel rotation : {RotationModel::none, RotationModel::modified_point_mass}) {
     ProjectileDef p = on(Fidelity::simulation(), Integrator::tsit5);
