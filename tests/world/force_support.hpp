@@ -1,15 +1,12 @@
 // Worlds with nothing but the forces that a test brings along.
 #pragma once
 
-#include "../support.hpp"
+#include "scene_support.hpp"
+#include "support.hpp"
 
 namespace physim {
 
-inline Fidelity rung(Integrator integrator, Precision precision = Precision::float64) {
-  Fidelity f = test::vacuum(integrator);
-  f.precision = precision;
-  return f;
-}
+using test_scene::rung;
 
 inline ProjectileDef ball(const Fidelity& fidelity, double mass = 1) {
   ProjectileDef p;

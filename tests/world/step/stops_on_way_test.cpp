@@ -121,9 +121,8 @@ TEST(OnItsWay, sensors_report_when_a_way_over_a_floor_goes_in_and_out) {
             {.shape = *scene.add_shape(BoxShape{{0.4, 1, 1}}), .transform = {.position = {1, 0, 0}}, .sensor = true}));
         ASSERT_TRUE(world.set_scene(scene));
         const double speed = kSpeed;
-        const ProjectileId id = *world.spawn(
-            puck(), {.position = {0, on_ground ? 0 : 1e-10, 0}, .velocity = Vec3d{speed, 0, 0}}, mover.body);
-
+        ASSERT_TRUE(world.spawn(puck(), {.position = {0, on_ground ? 0 : 1e-10, 0}, .velocity = Vec3d{speed, 0, 0}},
+                                mover.body));
         std::vector<Event> in, out;
         while (world.time() < 1) {
           world.step(1 / rate);
