@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <limits>
 #include <optional>
 #include <utility>
@@ -445,7 +446,8 @@ class SceneContacts {
   }
   /// It meets several surfaces at one moment and leaves all of them: their impulses are found together, so that none
   /// comes first. Nothing if it meets one, or stays on some.
-  [[nodiscard]] std::optional<After> leaves_together(State<double>& s, const SceneHit& first, double passed) {
+  [[nodiscard]] PHYSIM_COLD std::optional<After> leaves_together(State<double>& s, const SceneHit& first,
+                                                                 double passed) {
     std::vector<SceneHit> all = met_at_once(s, first, passed);
     if (all.size() == 1) return std::nullopt;
     std::vector<Surface> on;
@@ -523,8 +525,8 @@ class SceneContacts {
     bool leaves = false;  // it is too fast to turn
   };
   /// The way is cut to where it turns by little; where the ball leaves, to less.
-  [[nodiscard]] Turn find_turn(const Vec3d& x, const BallMotion& motion, const Pull& a, const SceneHit& hit,
-                               const Surface& on, double passed, BallWay& way) const {
+  [[nodiscard]] PHYSIM_COLD Turn find_turn(const Vec3d& x, const BallMotion& motion, const Pull& a, const SceneHit& hit,
+                                           const Surface& on, double passed, BallWay& way) const {
     const Vec3d over = runs(hit, passed);
     constexpr double kLittle = 0.02, kFine = 1e-3;  // of the radius
     const double radius = collision().radius, flat = 8 * gap_at(x);
@@ -557,8 +559,8 @@ class SceneContacts {
 
   /// Another thing than the one below that a way goes into at once, as it begins inside of it: by a micrometre at most,
   /// as rounding, a net or a call leaves it. What is deeper was put there, and goes on as if nothing were.
-  [[nodiscard]] SceneHit stands_here(State<double> s, const SceneHit& below, SceneHit wall, const Vec3d& way,
-                                     double passed) const {
+  [[nodiscard]] PHYSIM_COLD SceneHit stands_here(State<double> s, const SceneHit& below, SceneHit wall,
+                                                 const Vec3d& way, double passed) const {
     const Vec3d was = s.x;
     if (!is_ball()) return point_stands_here(within(was, passed), was, below, wall, way);
     push_out(in_way(*scene_, solids_, below.instance, s.x, way, collision().radius, r_.scene_time() + passed), s, wall,
@@ -622,8 +624,8 @@ class SceneContacts {
     return ahead;
   }
   /// When a way comes to the ground from above; at once if the ground holds it already.
-  template <class Place>
-  [[nodiscard]] std::optional<double> comes_to_ground(const Vec3d& from, double time, const Place& place) const {
+  [[nodiscard]] PHYSIM_COLD std::optional<double> comes_to_ground(const Vec3d& from, double time,
+                                                                  const std::function<Vec3d(double)>& place) const {
     const auto above = [&](double at) { return r_.ground_below(place(at)).height; };
     const double before = r_.ground_below(from).height, after = above(time);
     if (!(after < 0)) return std::nullopt;
@@ -692,8 +694,8 @@ class SceneContacts {
 
   /// The projectile lies on one thing, and another one obstructs it at once: it moves along the line between both, with
   /// the velocity that both impose.
-  [[nodiscard]] After lies_between(State<double> s, const SceneHit& one, SceneHit other, double passed,
-                                   const Vec3d& a) {
+  [[nodiscard]] PHYSIM_COLD After lies_between(State<double> s, const SceneHit& one, SceneHit other, double passed,
+                                               const Vec3d& a) {
     constrain(other);
     const Vec3d line = r_.kept(cross(one.normal, other.normal)), middle = one.normal + other.normal;
     if (length(line) < 1e-6 || length(middle) < 1e-6) return rests(s.x, one.velocity, passed);
