@@ -261,7 +261,7 @@ class ProjectileView {
   [[nodiscard]] Quatd orientation() const;       ///< takes body axes into W [-]
   [[nodiscard]] Vec3d angular_velocity() const;  ///< [rad/s]
   [[nodiscard]] double age() const;              ///< since launch [s]
-  [[nodiscard]] double mach() const;             ///< [-]
+  [[nodiscard]] double mach() const;             ///< 0 where it flies in no air, as Sample::mach [-]
   [[nodiscard]] double mass() const;             ///< infinite where nothing moves it [kg]
   [[nodiscard]] double inverse_mass() const;     ///< [1/kg]
   /// Mass times acceleration now: of all models and generators, as accelerations() [N].
