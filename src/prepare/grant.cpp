@@ -290,6 +290,16 @@ double launch_mach(const Launch& launch, const Environment& environment) {
 
 }  // namespace
 
+FidelityInUse grant_in_world(const Fidelity& asked, const ProjectileDef& projectile, const Environment& environment) {
+  FidelityInUse in_use = grant(by_steps(asked, true), projectile, environment);
+  if (in_use.fidelity.rotation == RotationModel::spin_drift) {
+    in_use.fidelity.rotation = RotationModel::none;
+    in_use.fidelity.aerodynamic_jump = false;
+    in_use.notes.push_back({"rotation", "spin_drift", "none", "it is added to whole flights; worlds show what flew"});
+  }
+  return in_use;
+}
+
 FidelityInUse grant(const Fidelity& asked, const ProjectileDef& projectile, const Environment& environment,
                     const Launch& launch) {
   FidelityInUse in_use = grant(asked, projectile, environment);

@@ -30,6 +30,10 @@ inline constexpr Integrator kBodyIntegrator = Integrator::tsit5;
 [[nodiscard]] FidelityInUse grant(const Fidelity& asked, const ProjectileDef& projectile,
                                   const Environment& environment, const Launch& launch);
 
+/// In a world, whose steps are its frames and which shows what flew: drift by a formula is added to whole flights.
+[[nodiscard]] FidelityInUse grant_in_world(const Fidelity& asked, const ProjectileDef& projectile,
+                                           const Environment& environment);
+
 /// Whether a fidelity may be granted a rotation that is flown.
 [[nodiscard]] inline bool may_turn(const Fidelity& asked) {
   const RotationModel r = asked.rotation;

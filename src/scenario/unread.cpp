@@ -42,11 +42,12 @@ void add_cheaper(const Fidelity& asked, const auto& add) {
 /// All rungs that shots of a scenario may fly at: those of a world's detail if it rules them, else their own.
 std::vector<FlownRung> rungs_of(const Scenario& scenario) {
   std::vector<FlownRung> rungs;
-  const bool is_world = scenario.world.given;
   for (const ScenarioShot& shot : scenario.shots) {
     const auto add = [&](const Fidelity& asked) {
-      const Fidelity stepped = by_steps(asked, is_world || scenario.tolerance.step > 0);
-      rungs.push_back({&shot, asked, grant(stepped, shot.projectile, scenario.environment).fidelity});
+      const FidelityInUse in_use = scenario.world.given ? grant_in_world(asked, shot.projectile, scenario.environment)
+                                                        : grant(by_steps(asked, scenario.tolerance.step > 0),
+                                                                shot.projectile, scenario.environment);
+      rungs.push_back({&shot, asked, in_use.fidelity});
     };
     if (is_ruled_by_detail(scenario, shot)) {
       for (const DetailRung& rung : scenario.world.def.detail.rungs) add(rung.fidelity);

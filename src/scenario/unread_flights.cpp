@@ -482,6 +482,10 @@ std::string why_no_own_steps(R r) {
   return read_or(!r.scenario.world.given, ": the steps of a [world] are world.step");
 }
 
+bool may_find_step(Rung f) {
+  return takes_fixed_steps(f) && (f.granted.integrator == Integrator::heun || f.granted.integrator == Integrator::rk4);
+}
+
 constexpr UnreadRule kToleranceRules[] = {
     {"tolerance.relative", why_no_adaptive_steps},
     {"tolerance.absolute", why_no_adaptive_steps},
@@ -493,16 +497,14 @@ constexpr UnreadRule kToleranceRules[] = {
     {"tolerance.position_error",
      [](R r) {
        if (std::string why = why_no_own_steps(r); !why.empty()) return why;
-       const bool is_found = r.any([](Rung f) {
-         return takes_fixed_steps(f) &&
-                (f.granted.integrator == Integrator::heun || f.granted.integrator == Integrator::rk4);
-       });
-       if (!is_found) return std::string(": only integrators \"heun\" and \"rk4\" read it");
+       if (!r.any(may_find_step)) return std::string(": only integrators \"heun\" and \"rk4\" read it");
        return read_unless(r.scenario.tolerance.step > 0, "tolerance.step");
      }},
     {"tolerance.max_step",
      [](R r) {
        if (std::string why = why_no_own_steps(r); !why.empty()) return why;
+       // The flight by which a step is found is an adaptive one.
+       if (r.scenario.tolerance.step == 0 && r.any(may_find_step)) return std::string();
        return why_no_adaptive_steps(r);
      }},
     {"tolerance.max_steps", why_no_own_steps},

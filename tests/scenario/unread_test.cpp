@@ -266,6 +266,8 @@ TEST(Unread, numbers_of_models_that_do_not_fly) {
   expect_unread("shot.force_duration", " without shot.force", shot("force_duration = 1"),
                 shot("force = [1, 0, 0]\nforce_duration = 1"));
   expect_unread("shot.length", " without shot.twist", shot("length = 0.3"), shot("length = 0.3\ntwist = 2"));
+  for (const char* setting : {"shot.length", "shot.twist"})  // drift by a formula is added to whole flights
+    expect_unread(setting, ": ", "[world]\n" + shot("length = 0.3\ntwist = 2"), shot("length = 0.3\ntwist = 2"));
   expect_unread("shot.sight.dial", " without shot.sight.zero_range", shot("sight = { dial = \"3 mil\" }"),
                 shot("sight = { dial = \"3 mil\", zero_range = 5 }\nspeed = 60"));
   expect_unread("shot.sight.zero_in_calm_air", " without shot.sight.zero_range",
@@ -286,6 +288,10 @@ TEST(Unread, errors_of_steps) {
                 steps("position_error = 1", "rk4"));
   expect_unread("tolerance.max_step", ": the steps of a [world] are world.step",
                 "[world]\n" + steps("max_step = 0.01", "tsit5"), steps("max_step = 0.01", "tsit5"));
+  // The flight by which the step of heun and rk4 is found takes steps of its own.
+  for (const char* integrator : {"heun", "rk4"})
+    expect_unread("tolerance.max_step", ": only adaptive integrators",
+                  steps("max_step = 0.01\nstep = 0.01", integrator), steps("max_step = 0.01", integrator));
 }
 
 TEST(Unread, settings_of_worlds) {

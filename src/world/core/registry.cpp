@@ -130,12 +130,7 @@ std::optional<std::uint16_t> Registry::rung(std::uint32_t index, const Fidelity&
 
 void Registry::prepare(Kind& k, Prepared& r) {
   const Environment& environment = environments_[k.body.environment];
-  r.in_use = grant(by_steps(r.asked, true), k.flown, environment);
-  if (r.in_use.fidelity.rotation == RotationModel::spin_drift) {
-    r.in_use.fidelity.rotation = RotationModel::none;
-    r.in_use.fidelity.aerodynamic_jump = false;
-    r.in_use.notes.push_back({"rotation", "spin_drift", "none", "it is added to whole flights; worlds show what flew"});
-  }
+  r.in_use = grant_in_world(r.asked, k.flown, environment);
   if (r.chosen) r.in_use.notes.push_back(*r.chosen);
   const Fidelity& granted = r.in_use.fidelity;
   ProfileTables profiles;
