@@ -46,7 +46,7 @@ double error_of(std::span<const double> parts) {
 /// Replicates that all have as many hits tell nothing of the error: the interval of as many independent shots, or of
 /// independent occasions where shots have one in common.
 Interval interval_of_equal_replicates(const StudyPlanRecord& plan, const HitCount& count) {
-  const std::uint64_t each = plan.study.rounds;
+  const std::uint64_t each = plan.shots_in_common();
   PHYSIM_ASSERT(each >= 1 && count.hits <= count.shots);
   return wilson_interval(count.hits / each, count.shots / each);
 }

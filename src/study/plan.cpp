@@ -157,6 +157,14 @@ void note_targets_at_muzzle(StudyPlanRecord& plan) {
   }
 }
 
+/// Adds a note for rounds that no figure depends on: spreads of groups are those of random shots.
+void note_rounds(StudyPlanRecord& plan) {
+  const Study& study = plan.study;
+  if (study.rounds > 1 && study.sampling == Sampling::latin_hypercube && plan.shots_in_common() == 1)
+    plan.notes.push_back(
+        "study.rounds: has no effect: no input is drawn for an occasion, and Latin hypercubes have no groups of shots");
+}
+
 /// A study that ends at a place.
 StudyPlanRecord place_of(const StudyPlanRecord& whole, std::size_t i) {
   StudyPlanRecord place;
@@ -184,6 +192,7 @@ Result<StudyPlan> finish(StudyPlanRecord&& plan) {
   for (std::size_t i = 0; i < plan.study.at.size(); ++i) plan.places.push_back(place_of(plan, i));
   if (const Status status = fly_pilot(plan); !status) return status.error();
   note_targets_at_muzzle(plan);
+  note_rounds(plan);
   return StudyPlanRecord::plan_of(std::move(plan));
 }
 
@@ -193,6 +202,10 @@ std::size_t StudyPlanRecord::columns() const {
   std::size_t count = study.quantities.size();
   for (const StudyPlace& place : study.at) count += place.quantities.size();
   return count;
+}
+
+std::uint32_t StudyPlanRecord::shots_in_common() const {
+  return std::ranges::count(study.inputs, DrawnFor::occasion, &StudyInput::drawn_for) > 0 ? study.rounds : 1;
 }
 
 std::uint64_t StudyPlanRecord::shards_at_once() const { return is_plain() && !study.indices ? 1 : kReplicates; }

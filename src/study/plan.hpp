@@ -48,6 +48,8 @@ struct StudyPlanRecord {
   [[nodiscard]] bool has_plane() const { return takes_plane && study.quantities.size() >= 2; }
   /// Random shots that know nothing of each other.
   [[nodiscard]] bool is_plain() const { return study.sampling == Sampling::random && study.rounds == 1; }
+  /// How many shots of an occasion have a number in common; 1: none, as all of them draw each input.
+  [[nodiscard]] std::uint32_t shots_in_common() const;
   /// A study ends at a multiple of this number of shards: at one of them, or where each replicate has as many.
   [[nodiscard]] std::uint64_t shards_at_once() const;
 };

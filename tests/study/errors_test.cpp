@@ -107,6 +107,25 @@ TEST(StudyErrors, hits_that_were_not_seen_are_not_impossible) {
     }
 }
 
+/// Shots of an occasion that have no number in common are independent, whatever the number of rounds.
+TEST(StudyErrors, of_hits_count_occasions_only_where_shots_have_something_in_common) {
+  Study study = scatter();
+  study.sampling = Sampling::latin_hypercube;
+  study.shard_shots = 64;
+  study.shots = 64 * 64;
+  study.targets = {{"all", CircleTarget{{}, 100}}};
+  study.rounds = 16;
+  const StudyResult alone = result_of(study, scattered);
+  EXPECT_NEAR(alone.hits[0].high - alone.hits[0].low, 3.84 / 4096, 1e-5);
+  const auto notes = plan_study(study, scattered)->notes();
+  ASSERT_EQ(notes.size(), 1U);
+  EXPECT_TRUE(notes[0].starts_with("study.rounds: has no effect: ")) << notes[0];
+  study.inputs[0].drawn_for = DrawnFor::occasion;
+  EXPECT_TRUE(plan_study(study, scattered)->notes().empty());
+  const StudyResult common = result_of(study, scattered);
+  EXPECT_NEAR(common.hits[0].high - common.hits[0].low, 3.84 / 256, 1e-3);
+}
+
 /// Of two replicates Student's t has one degree of freedom: 95 % of intervals hold the truth of stopped studies, too.
 TEST(StudyErrors, of_few_replicates_are_wide_enough) {
   for (const std::uint64_t shards : {2u, 4u}) {
