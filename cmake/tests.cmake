@@ -45,9 +45,9 @@ physim_add_random_check(fuzz physim_fuzz tests/fuzz/aim_fuzz.cpp 500)  # questio
 physim_add_random_check(world_fuzz physim_world_fuzz tests/fuzz/world_fuzz.cpp 100)  # calls of the whole interface
 physim_add_random_check(extreme_fuzz physim_extreme_fuzz tests/fuzz/extreme_fuzz.cpp 300)  # one number far from usual
 physim_add_random_check(energy_fuzz physim_energy_fuzz tests/fuzz/energy_fuzz.cpp 3000)  # worlds that make no energy
-# Worlds that once made some: on Euler's steps, of one that slid, of two that met in flight, and of one that slid down
-# a thing through the ground.
-foreach(world "901 52513" "901 880744" "77 270582" "730131 193247" "20261130 450293")
+# Worlds that once made some: on Euler's steps, of one that slid, of two that met in flight, of one that slid down a thing
+# through the ground, and of one that began to roll in thick air.
+foreach(world "901 52513" "901 880744" "77 270582" "730131 193247" "20261130 450293" "31126113 12423")
   separate_arguments(seed_and_number UNIX_COMMAND "${world}")
   string(REPLACE " " "_" name "energy_fuzz_${world}")
   add_test(NAME ${name} COMMAND physim_energy_fuzz 1 ${seed_and_number})

@@ -317,6 +317,12 @@ template <class Host>
   return braked(a, own - slide.normal * dot(own, slide.normal), ending, slide.v_t, slide.time);
 }
 
+/// What a host's acceleration changes by from one state to another, of one time [m/s^2].
+template <class Host>
+[[nodiscard]] Vec3d changed_by(const Host& host, const State<double>& from, const State<double>& to, double passed) {
+  return host.acceleration_at(to, passed) - host.acceleration_at(from, passed);
+}
+
 /// What stands in the way of a ball that touches it already: the deepest but `below`; none if nothing does.
 [[nodiscard]] inline SceneNearest in_way(const Scene& scene, const SceneFilter& solids, InstanceId below,
                                          const Vec3d& x, const Vec3d& way, double radius, double time) {

@@ -469,8 +469,7 @@ class SceneContacts {
     return After{Then::flies_on, s, passed};
   }
 
-  /// Bounces, or lies on what it met. All in the frame of the surface that rubs. `own`: with that velocity, by whoever
-  /// said so.
+  /// Bounces, or lies on what it met, in the frame of the surface that rubs. `own`: with the velocity of an answer.
   [[nodiscard]] std::optional<After> rebound(State<double>& s, SceneHit& hit, double& passed,
                                              const std::optional<Vec3d>& own) {
     const Vec3d n = hit.normal, u = running(hit, passed), over = runs(hit, passed);
@@ -505,7 +504,7 @@ class SceneContacts {
     if (is_strike(before, dot(a, n), frame()))
       r_.tell(EventKind::bounced, Reason::none, passed, s, hit, 0, energy_of(came) - energy_of(motion));
     if (over != Vec3d{}) motion.velocity += over;
-    return moves_along(s, hit, passed, motion, a);
+    return moves_along(s, hit, passed, motion, a + changed_by(r_, {s.x, came.velocity + u}, s, passed));
   }
 
   /// A way along a plane surface.
@@ -657,7 +656,8 @@ class SceneContacts {
     if (part == 1 && lands) return After{Then::lands, s, passed};
     if (part == 1 && turn.leaves) return After{Then::flies_on, s, passed};
     if (part == 1 && turn.about) hit.normal = turn.about.away, constrain(hit);
-    if (part == 1 && way.time < left && ++hits_ <= kMostHits) return moves_along(s, hit, passed, way.motion, a);
+    if (part == 1 && way.time < left && ++hits_ <= kMostHits)
+      return moves_along(s, hit, passed, way.motion, a + changed_by(r_, began, s, begin));
     if (part == 1) return After{passed < r_.step_length() ? Then::flies_on : Then::lies, s, passed};
     const bool goes_on = !is_at_once(next, began.x, to - began.x, way.time);
     const SceneHit below = std::exchange(hit, next);

@@ -22,7 +22,7 @@ namespace {
 /// What this version of the library must print. A change of the physics or the numerics changes it: say so in the
 /// commit.
 using Sums = std::array<std::uint64_t, 5>;
-constexpr Sums kExpectedSums = {0xdd0226c231836f79, 0xb5e930c6c5f3a388, 0x4e00955f69f0347b, 0xf20a86fab78491fa,
+constexpr Sums kExpectedSums = {0xdd0226c231836f79, 0xf27941f44a528925, 0x4e00955f69f0347b, 0xb4a49614cb25e027,
                                 0x2d4faa1d663824e8};
 
 void print(std::FILE* file, const Sums& sums) {

@@ -47,7 +47,8 @@ Laid laid(const Slide& slide, double k1, double k2, double friction, const Vec3d
   if (slide.on_thing) {
     Scene scene;
     const ShapeId box = scene.add_shape(BoxShape{{500, 1, 500}}).value();
-    made.thing = scene.add({.shape = box, .transform = {.position = {0, -1, 0}}}).value();
+    const MaterialId rough = scene.add_material({.friction = 1}).value();
+    made.thing = scene.add({.shape = box, .transform = {.position = {0, -1, 0}}, .material = rough}).value();
     EXPECT_TRUE(world.set_scene(scene));
   }
   ProjectileDef p;
@@ -70,7 +71,7 @@ Laid laid(const Slide& slide, double k1, double k2, double friction, const Vec3d
 
 TEST(RollingDrag, strong_drag_slows_what_lies_and_never_turns_it_around) {
   for (const Slide& slide : slides())
-    for (const double friction : {0.0, 0.4}) {
+    for (const double friction : {0.0, 0.05, 0.126, 0.4, 0.6}) {  // a ball begins to roll within a step, or before it
       auto [world, id, thing] = laid(slide, 98, 18, friction, {40, 0, -20});
       double before = length(world[id].velocity());
       for (int i = 0; i < 60; ++i) {
