@@ -53,19 +53,12 @@ constexpr auto kEmitShapeTable = [] {
       EmitShapeRow{.shape = terrain, .name = "terrain", .reads = kFromSurface | kFromPatch},
   };
 }();
-static_assert(kEmitShapeTable.size() == kEnumerators<EmitShape>, "the last shapes have no row");
-static_assert(
-    [] {
-      for (std::size_t i = 0; i < kEmitShapeTable.size(); ++i)
-        if (static_cast<std::size_t>(kEmitShapeTable[i].shape) != i) return false;
-      return true;
-    }(),
-    "rows stand in the order of their shapes");
+static_assert(has_row_for_each(kEmitShapeTable, &EmitShapeRow::shape), "a shape has no row");
 
 [[nodiscard]] PHYSIM_INLINE constexpr const EmitShapeRow& row_of(EmitShape shape) {
   return kEmitShapeTable[static_cast<std::size_t>(shape)];
 }
-/// Whether a shape reads a member of EmitFrom.
+/// True if a shape reads a member of EmitFrom.
 [[nodiscard]] PHYSIM_INLINE constexpr bool reads(EmitShape shape, FromMember member) {
   return (row_of(shape).reads & member) != 0;
 }

@@ -2,6 +2,7 @@
 // the order of events of one moment.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>
@@ -109,20 +110,9 @@ constexpr auto kEventTable = [] {
 }();
 constexpr std::size_t kEventKinds = kEventTable.size();
 
-/// Rows stand in the order of their kinds, and those that an EventSpec may request come first.
-constexpr bool is_in_order() {
-  bool asked_before = true;
-  for (std::size_t i = 0; i < kEventKinds; ++i) {
-    if (static_cast<std::size_t>(kEventTable[i].kind) != i) return false;
-    const bool may_be_asked = kEventTable[i].watch != Watch::none;
-    if (may_be_asked && !asked_before) return false;
-    asked_before = may_be_asked;
-  }
-  return true;
-}
-static_assert(is_in_order());
-
-static_assert(kEnumerators<EventKind> == kEventKinds, "the last kinds of events have no row");
+static_assert(has_row_for_each(kEventTable, &EventRow::kind), "a kind has no row");
+static_assert(std::ranges::is_partitioned(kEventTable, [](const EventRow& row) { return row.watch != Watch::none; }),
+              "kinds that an EventSpec may request come first");
 
 /// Number of kinds that an EventSpec may request: the first ones.
 constexpr std::size_t watchable_kinds() {

@@ -22,18 +22,11 @@ constexpr auto kJointTable = std::array{
     JointRow{.kind = JointKind::cable, .name = "cable", .pulls = true},
     JointRow{.kind = JointKind::spring, .name = "spring"},
 };
-static_assert(kJointTable.size() == kEnumerators<JointKind>, "the last kinds have no row");
-static_assert(
-    [] {
-      for (std::size_t i = 0; i < kJointTable.size(); ++i)
-        if (static_cast<std::size_t>(kJointTable[i].kind) != i) return false;
-      return true;
-    }(),
-    "rows stand in the order of their kinds");
+static_assert(has_row_for_each(kJointTable, &JointRow::kind), "a kind has no row");
 
 [[nodiscard]] constexpr const JointRow& row_of(JointKind kind) { return kJointTable[static_cast<std::size_t>(kind)]; }
-/// Whether ends that are so much farther apart than its length (negative: nearer) break what a joint keeps. `slack`:
-/// what does not count. All in m.
+/// True if a joint does not allow its present length. `more`: present length less the joint's own [m]; `slack`: the
+/// difference that rounding explains [m].
 [[nodiscard]] constexpr bool breaks(JointKind kind, double more, double slack) {
   return (row_of(kind).pulls && more > slack) || (row_of(kind).pushes && more < -slack);
 }

@@ -52,15 +52,10 @@ PHYSIM_NAMES(JointEventKind, "came_taut", "ended")
 #undef PHYSIM_NAMES
 
 // Names that stand in tables of rows.
-#define PHYSIM_NAMES_IN(Enum, table)                                         \
-  template <>                                                                \
-  std::span<const std::string_view> names_of<Enum>() {                       \
-    static constexpr auto names = [] {                                       \
-      std::array<std::string_view, kEnumerators<Enum>> list;                 \
-      for (std::size_t i = 0; i < list.size(); ++i) list[i] = table[i].name; \
-      return list;                                                           \
-    }();                                                                     \
-    return names;                                                            \
+#define PHYSIM_NAMES_IN(Enum, table)                   \
+  template <>                                          \
+  std::span<const std::string_view> names_of<Enum>() { \
+    return kNamesIn<table>;                            \
   }
 
 PHYSIM_NAMES_IN(EmitShape, kEmitShapeTable)

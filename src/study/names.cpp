@@ -15,12 +15,7 @@ std::span<const std::string_view> names_of<DrawnFor>() {
 }
 template <>
 std::span<const std::string_view> names_of<StudyQuantity>() {
-  static constexpr auto names = [] {
-    std::array<std::string_view, kStudyQuantities.size()> list;
-    for (std::size_t i = 0; i < list.size(); ++i) list[i] = kStudyQuantities[i].name;
-    return list;
-  }();
-  return names;
+  return kNamesIn<kStudyQuantities>;
 }
 
 }  // namespace physim

@@ -35,14 +35,7 @@ constexpr auto kStudyQuantities = [] {
       QuantityRow{impact_energy, "impact_energy", "J", true},
   };
 }();
-static_assert(kStudyQuantities.size() == kEnumerators<StudyQuantity>, "the last quantities have no row");
-static_assert(
-    [] {
-      for (std::size_t i = 0; i < kStudyQuantities.size(); ++i)
-        if (static_cast<std::size_t>(kStudyQuantities[i].quantity) != i) return false;
-      return true;
-    }(),
-    "rows stand in the order of their quantities");
+static_assert(has_row_for_each(kStudyQuantities, &QuantityRow::quantity), "a quantity has no row");
 
 [[nodiscard]] constexpr const QuantityRow& row_of(StudyQuantity quantity) {
   return kStudyQuantities[static_cast<std::size_t>(quantity)];
