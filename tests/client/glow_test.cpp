@@ -29,6 +29,15 @@ int red_at(const GlowMap& map, double x, double y) {
   return map.light[static_cast<std::size_t>(row * map.columns + column) * 3];
 }
 
+/// The picture after a script.
+Scene shown_after(Client& client, const std::string& script) {
+  client.camera.set_viewport(960, 712);
+  EXPECT_TRUE(run(client, script));
+  Scene scene;
+  build_scene(client, 1, scene);
+  return scene;
+}
+
 TEST(Glow, ColoursOfFireAreHot) {
   for (const Colour fire : {0xE69F00FFU, 0xD55E00FFU, 0xFF8020FFU, 0xFFE080FFU}) EXPECT_GT(heat(fire), 0.5);
   for (const Colour cold : {0x0072B2FFU, 0x56B4E9FFU, 0x009E73FFU, 0x606060FFU, 0xFFFFFFFFU, 0x000000FFU})
@@ -118,10 +127,7 @@ TEST(Glow, WhatAThingHidesHasNone) {
 /// Rounds hit its wall from in front; from behind it they are hidden.
 TEST(Glow, SparksBehindAWallDoNotShineThroughIt) {
   Client client = client_of("emit_machine_gun");
-  client.camera.set_viewport(960, 712);
-  ASSERT_TRUE(run(client, "seek 1.5; wait 3"));
-  Scene scene;
-  build_scene(client, 1, scene);
+  const Scene scene = shown_after(client, "seek 1.5; wait 3");
   const auto of_sparks = [&] {
     GlowMap map;
     GlowMaker maker(client.camera, 1, 1e9, scene.scenery);
@@ -141,10 +147,7 @@ TEST(Glow, SparksBehindAWallDoNotShineThroughIt) {
 TEST(Glow, SparksShineButForOnWhite) {
   for (const std::string theme : {"day", "dusk", "night", "chart"}) {
     Client client = client_of("world_sparks");
-    client.camera.set_viewport(900, 700);
-    ASSERT_TRUE(run(client, "theme " + theme + "; wait 40"));
-    Scene scene;
-    build_scene(client, 1, scene);
+    const Scene scene = shown_after(client, "theme " + theme + "; wait 40");
     EXPECT_EQ(scene.glow.columns > 0, theme != "chart") << theme;
   }
 }
@@ -152,10 +155,7 @@ TEST(Glow, SparksShineButForOnWhite) {
 /// The picture of the machine gun by script.
 TEST(Glow, ATracerIsAStreakOfLight) {
   Client client = client_of("emit_machine_gun");
-  client.camera.set_viewport(960, 712);
-  ASSERT_TRUE(run(client, "seek 1.96; wait 3"));
-  Scene scene;
-  build_scene(client, 1, scene);
+  const Scene scene = shown_after(client, "seek 1.96; wait 3");
   const auto is_tracer = [](const Light& light) { return length(light.to - light.from) > 20; };
   EXPECT_EQ(std::ranges::count_if(scene.lights, is_tracer), 1);
 }

@@ -3,24 +3,13 @@
 
 #include "physim/names.hpp"
 #include "physim/world.hpp"
+#include "world/known_rungs.hpp"
 
 namespace physim {
 namespace world_known_rung_test {
 
 std::vector<Fidelity> known_rungs() {
-  std::vector<Fidelity> list;
-  for (const DragModel drag : {DragModel::off, DragModel::damping, DragModel::linear_quadratic, DragModel::equation}) {
-    for (const WindModel wind : {WindModel::off, WindModel::constant}) {
-      for (const Precision precision : {Precision::float32, Precision::float64}) {
-        Fidelity f = Fidelity::game();
-        f.drag = drag;
-        f.wind = wind;
-        f.air = AirModel::isa;
-        f.precision = precision;
-        list.push_back(f);
-      }
-    }
-  }
+  std::vector<Fidelity> list = test::known_rungs();
   for (const Precision precision : {Precision::float32, Precision::float64}) {
     list.push_back(Fidelity::arcade());
     list.back().precision = precision;

@@ -4,6 +4,7 @@
 #include <random>
 
 #include "physim/names.hpp"
+#include "world/known_rungs.hpp"
 #include "world/step/kernels.hpp"
 #include "world/world_support.hpp"
 
@@ -16,21 +17,6 @@ struct Crowd {
   double dt;
   bool rules;  // some are despawned where they are low, slow or asleep
 };
-
-std::vector<Fidelity> known_rungs() {
-  std::vector<Fidelity> list;
-  for (const DragModel drag : {DragModel::off, DragModel::damping, DragModel::linear_quadratic, DragModel::equation})
-    for (const WindModel wind : {WindModel::off, WindModel::constant})
-      for (const Precision precision : {Precision::float32, Precision::float64}) {
-        Fidelity f = Fidelity::game();
-        f.drag = drag;
-        f.wind = wind;
-        f.air = AirModel::isa;
-        f.precision = precision;
-        list.push_back(f);
-      }
-  return list;
-}
 
 /// Bodies of several kinds: dead, springy, smooth and rough ones.
 BodyDef body(int i, bool rules) {
