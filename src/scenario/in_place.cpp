@@ -20,11 +20,10 @@ bool looks_uncertain(const Value& value) {
   if (value.get<Table>() != nullptr) return true;
   const auto* text = value.get<std::string>();
   if (text == nullptr) return false;
-  if (text->find("+-") != text->npos || text->find("..") != text->npos) return true;
   const std::string_view begin = trimmed(*text);
-  if (begin.empty() || begin.front() < 'a') return false;  // most begin with a digit
-  constexpr std::string_view kWords[] = {"lognormal ", "one of ", "column ", "added "};
-  return std::ranges::any_of(kWords, [begin](std::string_view word) { return begin.starts_with(word); });
+  for (const std::string_view word : {"lognormal ", "one of ", "column ", "added "})
+    if (begin.starts_with(word)) return true;
+  return text->find("+-") != text->npos || text->find("..") != text->npos;
 }
 
 namespace {
