@@ -90,7 +90,7 @@ class Checker {
  private:
   [[gnu::noinline]] void fail(const InputPlace& place, const std::string& message, Text hint) {
     PHYSIM_ASSERT(!place.empty());
-    constexpr std::size_t kMost = 100;  // more than anybody reads
+    constexpr std::size_t kMost = 100;  // a report shows 20
     if (all_ != nullptr && all_->size() < kMost) all_->push_back({message, place.text(), std::string(hint)});
     if (status_) status_ = Error{message, place.text(), std::string(hint)};
   }

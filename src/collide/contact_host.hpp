@@ -1,4 +1,5 @@
-// What flies, as its contacts with things of a scene see it. Worlds and flights meet things alike: as ContactHosts.
+// The interface by which contacts with things of a scene read and change a projectile: rows of worlds and lanes of
+// flights implement it.
 #pragma once
 
 #include <limits>
@@ -13,8 +14,9 @@ namespace physim {
 
 /// The ground below a place.
 struct GroundBelow {
-  double height = std::numeric_limits<double>::infinity();  // of the place above it; infinite: there is none [m]
-  Vec3d up{};                                               // [-]
+  double height =
+      std::numeric_limits<double>::infinity();  // of the place above the ground; infinite without a ground [m]
+  Vec3d up{};                                   // [-]
 };
 
 /// A projectile in its step, as contacts see it. `passed`: time since the step began [s].

@@ -192,8 +192,14 @@ inline void enter_here(const State<double>& s, SceneHit& hit) {
   return {};
 }
 
-/// A straight way from one state to another in some time, over which the velocity changes evenly; what comes to rest
-/// before stays there. Where the velocities at both ends are not those of such a way, it goes steadily.
+/// A straight way from one state to another in some time with a constant acceleration along it; a projectile that comes
+/// to rest before the end of the time stays there.
+///
+/// Symbols: T time of the motion [s], L length of the way [m], v0, v1 speeds along it at its ends [m/s], tau = t / T,
+///   sigma = s / L, f = 2 v0 / (v0 + v1).
+/// Equation: sigma = tau (f + (1 - f) tau), T = 2 L / (v0 + v1); its inverse tau = 2 sigma / (f + sqrt(f^2 + 4 (1 - f)
+///   sigma)) loses no digits where f is near 1.
+/// When wrong: if the speeds at the ends contradict length and time, the way is steady, f = 1.
 class EvenWay {
  public:
   EvenWay(const State<double>& from, const State<double>& to, double time) : from_(from), to_(to), time_(time) {
@@ -239,8 +245,8 @@ class EvenWay {
   }
   State<double> from_, to_;
   double time_;
-  double first_ = 1;  // its speed at first, where the mean one is 1
-  double lasts_ = 1;  // the part of the time in which it goes
+  double first_ = 1;  // f [-]
+  double lasts_ = 1;  // T of the time that was given [-]
 };
 
 /// The sensors that tell who stays in them, of some layers, that hold two places, each at its time.
@@ -317,7 +323,7 @@ template <class Host>
   return braked(a, own - slide.normal * dot(own, slide.normal), ending, slide.v_t, slide.time);
 }
 
-/// What a host's acceleration changes by from one state to another, of one time [m/s^2].
+/// The difference between a host's accelerations in two states at one time, to - from [m/s^2].
 template <class Host>
 [[nodiscard]] Vec3d changed_by(const Host& host, const State<double>& from, const State<double>& to, double passed) {
   return host.acceleration_at(to, passed) - host.acceleration_at(from, passed);

@@ -1,11 +1,12 @@
-// The surface that a projectile goes through that is in something by a rounding, or came out of one thing in another.
+// Projectiles that begin inside a thing: by rounding, or because they left another thing there. Each function finds the
+// surface that they meet.
 #pragma once
 
 #include "collide/contact_rules.hpp"
 
 namespace physim {
 
-/// A projectile that may be inside of something.
+/// A projectile that may be inside a thing.
 struct Within {
   const Scene& scene;
   const SceneFilter& solids;
@@ -15,8 +16,8 @@ struct Within {
   bool goes_through;  // what it meets
 };
 
-/// What is inside by no more than a rounding goes in, or out, where it is; a ball also if it moves along the surface.
-/// So does a ball that came out of one thing into what stands behind it at once.
+/// Sets `hit` to the surface of a thing that the projectile is inside of by no more than rounding, and the projectile
+/// on that surface; a ball also if it moves along the surface, or left another thing that touches this one.
 inline void look_for_surface(const Within& w, State<double>& s, SceneHit& hit) {
   const Vec3d relative = s.v - hit.velocity;
   const double speed = length(relative);

@@ -328,7 +328,7 @@ class SceneContacts {
     s.x += held_back.normal * ((radius - near.distance * side) / part);
   }
 
-  /// Who came out of a body inside of another one, since they touch or overlap, meets that at once.
+  /// A projectile that left a body inside another one, since they touch or overlap, meets that one at once.
   [[nodiscard]] std::optional<After> into_next(const After& after, State<double>& s, SceneHit& hit, double passed) {
     if (after.then != Then::flies_on || !came_through_) return after;
     SceneHit next = cast(after.state.x, after.state.x, passed, 0);

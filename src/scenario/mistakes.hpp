@@ -31,7 +31,7 @@ class Mistakes {
     if (std::ranges::none_of(all_, is_same)) all_.push_back(error);
     return false;
   }
-  /// Whether something that stands there is told already.
+  /// True if there is a mistake at a place already.
   [[nodiscard]] bool has(const std::string& place) const {
     return std::ranges::find(all_, place, &Error::place) != all_.end();
   }

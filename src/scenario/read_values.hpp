@@ -22,7 +22,7 @@ struct Wanted {
                           const std::string& hint);
 [[nodiscard]] Error wrong_kind(std::string_view path, const Value& value, const std::string& wanted);
 
-// A target is changed only where its value is good. All mistakes of a list are told.
+// A target is changed only where its value is good. All mistakes of a list are noted.
 [[nodiscard]] Status read_number(const Wanted& wanted, const Value& value, double& target);
 /// [[first, second], ...] with rising first numbers.
 void read_points(const Entry& entry, const Value& value, const Points& points, Mistakes& mistakes);

@@ -177,7 +177,7 @@ Status check_order(const Entry& entry, const Value& at, const Points& points, co
                may_step(points) ? "they must rise; two points at one time are a step" : "they must rise");
 }
 
-/// A list that may have so many entries; null, and a mistake, for what is none.
+/// The list of a value, if its length is allowed; else null, and a mistake is noted.
 const Array* list_of(std::string_view path, const Value& value, const Range& length, const std::string& wanted,
                      Mistakes& mistakes) {
   const Array* array = value.get<Array>();
@@ -350,7 +350,7 @@ void read_vectors(const Wanted& wanted, const Value& value, std::vector<Vec3d>& 
       read_vector({wanted.path, wanted.quantity, {}}, each, list.emplace_back(), mistakes);
 }
 
-/// [a, b, c]; false where it is none.
+/// [a, b, c]; false if the value is no triangle.
 bool read_triangle(const Value& value, Triangle& triangle) {
   const Array* corners = value.get<Array>();
   if (corners == nullptr || corners->size() != 3) return false;

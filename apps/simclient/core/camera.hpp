@@ -32,7 +32,7 @@ using Mat4 = std::array<float, 16>;
 class Projector {
  public:
   [[nodiscard]] std::optional<Pixel> project(const Vec3d& point) const;
-  /// How far before the eye a point is drawn, along the view [m].
+  /// Distance of a drawn point from the eye along the view [m].
   [[nodiscard]] double depth(const Vec3d& point) const { return dot(from_eye(point), forward_); }
 
  private:

@@ -262,7 +262,7 @@ const std::vector<ComparedRung>& Client::comparison() {
   return rungs_;
 }
 
-/// Whether a computation that took `seconds` the last time runs on a thread. The first one of a scenario never does.
+/// True if a computation whose last run took `seconds` runs on a thread; the first one of a scenario never does.
 bool Client::comes_beside(double seconds, bool is_first) const {
   return computes_beside && !is_first && seconds > kOfAFrame;
 }

@@ -1,4 +1,4 @@
-// What things hide from the eye: a coarse picture of how near they are.
+// A coarse depth buffer of the things of a scene: it says which lights they hide from the eye.
 #pragma once
 
 #include <vector>
@@ -15,7 +15,7 @@ class HidingMap {
  public:
   HidingMap(const Camera& camera, double cell);
   void add(const Scenery& scenery);
-  /// What is seen at a pixel [pixels] with this nearness [1/m].
+  /// True if a thing covers a point at a pixel [pixels] with this nearness [1/m].
   [[nodiscard]] bool hides(const Pixel& at, double nearness) const;
 
  private:
