@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 #include <malloc.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "cli/program.hpp"
@@ -104,6 +105,19 @@ TEST(Session, StepsBackToTheSameBits) {
     EXPECT_EQ(session.world().hash(), hashes[i]) << i;
   }
   EXPECT_EQ(session.tracks().size(), 2U) << "what was fired by hand comes again";
+}
+
+/// A rocket and five shells at once are six tracks; of a crowd that comes within a step, some are enough.
+TEST(Session, FollowsASalvoWhole) {
+  const auto followed = [](double count) {
+    Scenario scenario = load_scenario(PHYSIM_SOURCE_DIR "/scenarios/emit_fireworks.toml").value();
+    scenario.emitters[0].def.bursts[0].count = DrawnNumber{count};
+    Session session = std::move(Session::create(scenario).value());
+    for (int i = 0; i < 30; ++i) session.single_step();
+    return std::ranges::count(session.tracks(), "shell", &Track::name);
+  };
+  EXPECT_EQ(followed(5), 5);
+  EXPECT_EQ(followed(50), 4) << "five tracks, one of them the rocket's";
 }
 
 /// Against what the allocator says, where it says something.

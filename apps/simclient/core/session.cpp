@@ -12,6 +12,7 @@ namespace {
 
 constexpr std::size_t kMaxTracks = 64;
 constexpr std::size_t kMaxTracksOfRun = 24, kMaxTracksOfCrowd = 5;  // of what the scenario fires by itself
+constexpr std::size_t kMaxTracksOfSalvo = 8;                        // of a crowd, if its last ones came at once
 constexpr double kMostAtOnce = 8.0 / 60;                            // of the screen's time [s]
 constexpr double kPaceTime = 0.5;                                   // over which the pace is averaged [s]
 constexpr double kInstant = 1e-9;                                   // times nearer than this are the same [s]
@@ -186,7 +187,7 @@ bool Session::replay_step() {
     time = world().time();
     if (replay_->report().steps != steps) return true;
     for (const Event& event : world().events())
-      if (event.kind == EventKind::spawned) follow_new(event.id);
+      if (event.kind == EventKind::spawned) follow_new({&event.id, 1});
   }
   return false;
 }
@@ -401,7 +402,7 @@ void Session::look() {
     add_later(track, now);
   }
   if (tracks_.size() >= most_tracks_of_run_ || world().size() > 4096) return;
-  for (const ProjectileId id : world().ids()) follow_new(id);
+  follow_new(world().ids());
 }
 
 double Session::presence_of(const Track& track) const {
@@ -410,13 +411,21 @@ double Session::presence_of(const Track& track) const {
   return std::clamp(1 - (time() - track.end()) / kFades, 0.0, 1.0);
 }
 
-/// Begins the track of what nobody fired by hand, where it is new and there is room for one more.
-void Session::follow_new(ProjectileId id) {
-  const bool has_room = tracks_.size() < most_tracks_of_run_;
-  if (!has_room || world()[id].status() != LifeStatus::in_flight || track(id) != nullptr) return;
-  const Colour own = world()[id].colour();
-  const ProjectileDef* what = world()[id].definition();
-  begin_track(id, what ? what->name : "", own != kNoColour ? own : palette(fired_), false);
+/// Begins the tracks of those that nobody fired by hand and that are new, as far as there is room. What came at once is
+/// followed whole if that is not too much: four balls and a speck are no salvo of five.
+void Session::follow_new(std::span<const ProjectileId> ids) {
+  std::vector<ProjectileId> fresh;
+  std::ranges::copy_if(ids, std::back_inserter(fresh), [this](ProjectileId id) {
+    return world()[id].status() == LifeStatus::in_flight && track(id) == nullptr;
+  });
+  const std::size_t room = most_tracks_of_run_ - std::min(most_tracks_of_run_, tracks_.size());
+  if (room == 0 || tracks_.size() + fresh.size() > std::max(most_tracks_of_run_, kMaxTracksOfSalvo))
+    fresh.resize(std::min(room, fresh.size()));
+  for (const ProjectileId id : fresh) {
+    const Colour own = world()[id].colour();
+    const ProjectileDef* what = world()[id].definition();
+    begin_track(id, what ? what->name : "", own != kNoColour ? own : palette(fired_), false);
+  }
 }
 
 void Session::look_at_events(std::span<const Event> events) {

@@ -185,7 +185,7 @@ class Session {
   void take_step();
   bool replay_step();
   void look();
-  void follow_new(ProjectileId id);
+  void follow_new(std::span<const ProjectileId> ids);
   void look_at_events(std::span<const Event> events);
   void look_at_wall();
   void look_at_hits();
