@@ -2,6 +2,7 @@
 """The C interface out of its headers: the bindings of C#, and the record of its ABI.
 
   c_interface.py csharp [--check]           writes bindings/csharp/PhySim.cs, or says whether it is up to date
+  c_interface.py layouts                    writes a C program that prints where members of structs lie
   c_interface.py abi [--record] LIBRARY     compares the ABI with tests/capi/abi.xml, or records it
 
 The ABI is that of a library of empty functions that a C compiler makes of the headers: types and signatures are theirs,
@@ -62,14 +63,29 @@ class Interface:
 
 
 def values_of(body):
-    """Names, numbers and comments of enumerators."""
-    return re.findall(r"(\w+) = (\d+),?[ \t]*(?://[ \t]*([^\n]*))?", body)
+    """Names, numbers and comments of enumerators; one without a number has that of the one before it and 1."""
+    rows = []
+    for name, number, words in re.findall(r"(PHYSIM_\w+)(?: = (\d+))?,?[ \t]*(?://(?:/<)?[ \t]*([^\n]*))?", body):
+        rows.append((name, int(number) if number else int(rows[-1][1]) + 1 if rows else 0, words))
+    return rows
 
 
 def members_of(body):
-    """Type, name, length (0: no array) and comment of members."""
-    rows = re.findall(r"([\w \*]+?)(\w+)(?:\[(\d+)\])?;[ \t]*///<[ \t]*([^\n]*)", body)
-    return [(type_.strip(), name, int(length or 0), words) for type_, name, length, words in rows]
+    """Type, name, length (0: no array) and comment of members. The type of a function is what it returns and takes."""
+    rows = []
+    plain = r"(?P<type>[\w \*]+?)(?P<name>\w+)(?:\[(?P<length>\d+)\])?"
+    function = r"(?P<result>\w+) \(\*(?P<function>\w+)\)\((?P<args>[^)]*)\)"
+    row = re.compile(rf"\s*(?P<doc>(?:///(?!<)[^\n]*\n\s*)*)(?:{function}|{plain});(?:[ \t]*///<[ \t]*(?P<words>[^\n]*))?")
+    at = 0
+    while body[at:].strip():
+        m = row.match(body, at)
+        if not m:
+            raise SystemExit(f"a member that is not understood: {body[at:].strip().splitlines()[0]}")
+        words = m["words"] or " ".join(line.strip().removeprefix("///").strip() for line in m["doc"].splitlines())
+        type_ = (m["result"], args_of(m["args"])) if m["function"] else m["type"].strip()
+        rows.append((type_, m["function"] or m["name"], int(m["length"] or 0), words))
+        at = m.end()
+    return rows
 
 
 def args_of(text):
@@ -111,6 +127,29 @@ class CSharp:
         words = words.replace("&", "&amp;").replace("<", "&lt;").replace(">", "&gt;")
         return [f"{indent}/// <summary>{words}</summary>"] if words else []
 
+    def delegate(self, name, words, result, args):
+        yield from self.summary(words, "")
+        yield "[UnmanagedFunctionPointer(CallingConvention.Cdecl)]"
+        yield f"public unsafe delegate {result} {name}({', '.join(self.parameter(*arg) for arg in args)});"
+
+    def struct(self, name, words, members):
+        callbacks = {name for name, *_ in self.c.callbacks}
+        yield from self.summary(words, "")
+        yield "[StructLayout(LayoutKind.Sequential)]"
+        yield f"public unsafe struct {name} {{"
+        for c_type, member, length, about in members:
+            is_function = isinstance(c_type, tuple)
+            core = "" if is_function else c_type.replace("const", "").replace("*", "").strip()
+            yield from self.summary(f"a {name}_{member}" if is_function else about, "  ")
+            member = "@" + member if member in KEYWORDS else member
+            if length:
+                yield f"  public fixed {PLAIN[core]} {member}[{length}];"
+            elif is_function or core in callbacks:
+                yield f"  public IntPtr{'' if is_function else '*' * c_type.count('*')} {member};"
+            else:
+                yield f"  public {self.type_of(c_type)} {member};"
+        yield "}"
+
     def lines(self):
         yield "// The C interface of PhySim for C#, made of its headers by tools/c_interface.py: change those. docs/c.md is its guide."
         yield "// Pointers are pointers: structs of one's own are read and written in place. Delegates that a call keeps must stay."
@@ -126,25 +165,12 @@ class CSharp:
                 yield f"  {value} = {number},"
             yield "}"
         for name, words, result, args in self.c.callbacks:
-            yield from self.summary(words, "")
-            yield "[UnmanagedFunctionPointer(CallingConvention.Cdecl)]"
-            yield f"public unsafe delegate {result} {name}({', '.join(self.parameter(*arg) for arg in args)});"
-        callbacks = {name for name, *_ in self.c.callbacks}
+            yield from self.delegate(name, words, result, args)
         for name, words, members in self.c.structs:
-            yield from self.summary(words, "")
-            yield "[StructLayout(LayoutKind.Sequential)]"
-            yield f"public unsafe struct {name} {{"
-            for c_type, member, length, about in members:
-                yield from self.summary(about, "  ")
-                core = c_type.replace("const", "").replace("*", "").strip()
-                member = "@" + member if member in KEYWORDS else member
-                if length:
-                    yield f"  public fixed {PLAIN[core]} {member}[{length}];"
-                elif core in callbacks:
-                    yield f"  public IntPtr{'*' * c_type.count('*')} {member};"
-                else:
-                    yield f"  public {self.type_of(c_type)} {member};"
-            yield "}"
+            for c_type, member, _, about in members:
+                if isinstance(c_type, tuple):
+                    yield from self.delegate(f"{name}_{member}", about, *c_type)
+            yield from self.struct(name, words, members)
         yield "public static unsafe class C {"
         yield '  const string Library = "physim_c";'
         for name, words, result, args in self.c.functions:
@@ -165,6 +191,17 @@ def csharp(check):
         return 0
     print("bindings/csharp/PhySim.cs is not that of the headers; run python3 tools/c_interface.py csharp")
     return 1
+
+
+def layouts():
+    """bindings/csharp/Test.cs prints the same of its structs."""
+    print('#include <stdio.h>\n#include "physim/physim.h"\nint main(void) {')
+    for name, _, members in sorted(Interface().structs):
+        print(f'  printf("{name} %d\\n", (int)sizeof({name}));')
+        for _, member, *_ in members:
+            print(f'  printf("{name}.{member} %d\\n", (int)offsetof({name}, {member}));')
+    print("  return 0;\n}")
+    return 0
 
 
 # ----------------------------------------------------------------------------------------------------------------- ABI
@@ -231,6 +268,8 @@ def main():
     args = sys.argv[1:]
     if args[:1] == ["csharp"] and args[1:] in ([], ["--check"]):
         return csharp(len(args) == 2)
+    if args == ["layouts"]:
+        return layouts()
     names = [arg for arg in args[1:] if arg != "--record"]
     if args[:1] == ["abi"] and len(names) == 1:
         return abi(names[0], "--record" in args)

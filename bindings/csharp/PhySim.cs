@@ -82,6 +82,26 @@ public enum physim_on_hit {
 }
 /// <summary>The meaning of a drawn element; colours are the caller's.</summary>
 public enum physim_ink {
+  /// <summary>a thing that is hit</summary>
+  PHYSIM_INK_SOLID = 0,
+  /// <summary>a thing that only reports</summary>
+  PHYSIM_INK_SENSOR = 1,
+  /// <summary>the path of a thing</summary>
+  PHYSIM_INK_PATH = 2,
+  /// <summary>of the trees of things</summary>
+  PHYSIM_INK_BOX = 3,
+  /// <summary>a projectile that moves</summary>
+  PHYSIM_INK_FLYING = 4,
+  /// <summary>a projectile that sleeps</summary>
+  PHYSIM_INK_ASLEEP = 5,
+  /// <summary>a projectile that calls move, or that nothing moves</summary>
+  PHYSIM_INK_HELD = 6,
+  /// <summary>how far a projectile moves in a time</summary>
+  PHYSIM_INK_VELOCITY = 7,
+  /// <summary>the normal of what was hit in the last step, there</summary>
+  PHYSIM_INK_CONTACT = 8,
+  /// <summary>between its ends</summary>
+  PHYSIM_INK_JOINT = 9,
 }
 public enum physim_emitter_action {
   PHYSIM_PLAY = 0,
@@ -833,6 +853,19 @@ public unsafe struct physim_replay_info {
   /// <summary>the first; empty: none</summary>
   public fixed byte difference[256];
 }
+/// <summary>Before a projectile is drawn.</summary>
+[UnmanagedFunctionPointer(CallingConvention.Cdecl)]
+public unsafe delegate void physim_canvas_begin(IntPtr user, physim_id projectile);
+[UnmanagedFunctionPointer(CallingConvention.Cdecl)]
+public unsafe delegate void physim_canvas_line(IntPtr user, double* a, double* b, int ink);
+/// <summary>Counterclockwise as seen from outside.</summary>
+[UnmanagedFunctionPointer(CallingConvention.Cdecl)]
+public unsafe delegate void physim_canvas_triangle(IntPtr user, double* a, double* b, double* c, int ink);
+/// <summary>Null: three circles of lines.</summary>
+[UnmanagedFunctionPointer(CallingConvention.Cdecl)]
+public unsafe delegate void physim_canvas_ball(IntPtr user, double* middle, double radius, int ink);
+[UnmanagedFunctionPointer(CallingConvention.Cdecl)]
+public unsafe delegate void physim_canvas_text(IntPtr user, double* place, string text);
 /// <summary>A canvas: a table of functions, each of which may be null. Places have three numbers, x, y and z in W [m].</summary>
 [StructLayout(LayoutKind.Sequential)]
 public unsafe struct physim_canvas {
@@ -841,6 +874,16 @@ public unsafe struct physim_canvas {
   public uint reserved;
   /// <summary>handed to each function</summary>
   public IntPtr user;
+  /// <summary>a physim_canvas_begin</summary>
+  public IntPtr begin;
+  /// <summary>a physim_canvas_line</summary>
+  public IntPtr line;
+  /// <summary>a physim_canvas_triangle</summary>
+  public IntPtr triangle;
+  /// <summary>a physim_canvas_ball</summary>
+  public IntPtr ball;
+  /// <summary>a physim_canvas_text</summary>
+  public IntPtr text;
 }
 [StructLayout(LayoutKind.Sequential)]
 public unsafe struct physim_drawing {

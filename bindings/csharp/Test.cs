@@ -1,6 +1,7 @@
 // Ten thousand projectiles, read in bulk into an engine's own structs: `./dev csharp` runs it under Mono. It says what
 // fails and ends with 1.
 using System;
+using System.Collections.Generic;
 using System.Diagnostics;
 using System.Runtime.InteropServices;
 using PhySim;
@@ -28,7 +29,43 @@ static unsafe class Test {
     for (ulong i = 0; i < (ulong)batch->count; ++i) force[3 * i + 1] = 9.80665 * batch->mass[i];
   }
 
-  static void Main() {
+  /// Where members of structs lie, as a program of C prints it (tools/c_interface.py layouts).
+  static void PrintLayouts() {
+    var types = new List<Type>(Array.FindAll(typeof(C).Assembly.GetTypes(), IsOfInterface));
+    types.Sort((a, b) => String.CompareOrdinal(a.Name, b.Name));
+    foreach (var type in types) {
+      Console.WriteLine("{0} {1}", type.Name, Marshal.SizeOf(type));
+      foreach (var member in type.GetFields())
+        Console.WriteLine("{0}.{1} {2}", type.Name, member.Name, Marshal.OffsetOf(type, member.Name));
+    }
+  }
+  static bool IsOfInterface(Type type) {
+    return type.Namespace == "PhySim" && type.IsValueType && !type.IsEnum && !type.IsNested;
+  }
+
+  static int begun, lines;
+  static void Begin(IntPtr user, physim_id projectile) { ++begun; }
+  static void Line(IntPtr user, double* a, double* b, int ink) {
+    if (ink == (int)physim_ink.PHYSIM_INK_VELOCITY && b[0] > a[0]) ++lines;
+  }
+  static void Draw(IntPtr world) {
+    physim_canvas_begin begin = Begin;
+    physim_canvas_line line = Line;
+    var canvas = new physim_canvas { size = (uint)sizeof(physim_canvas) };
+    canvas.begin = Marshal.GetFunctionPointerForDelegate(begin);
+    canvas.line = Marshal.GetFunctionPointerForDelegate(line);
+    var what = new physim_drawing { size = (uint)sizeof(physim_drawing), layers = ~0u, ahead = 0.1 };
+    Ok(C.physim_world_draw(world, &what, &canvas), "drawing");
+    Check(begun == Count && lines == Count, "each projectile is drawn with its velocity");
+    GC.KeepAlive(begin);
+    GC.KeepAlive(line);
+  }
+
+  static void Main(string[] arguments) {
+    if (arguments.Length == 1 && arguments[0] == "layouts") {
+      PrintLayouts();
+      return;
+    }
     IntPtr def, world, flight;
     Ok(C.physim_def_create(null, null, out def), "a def");
     foreach (var setting in new[] { "mass=1 kg", "diameter=10 cm", "fidelity=game", "speed=20 m/s", "elevation=45 deg",
@@ -57,6 +94,7 @@ static unsafe class Test {
     }
     Check((int)spawned == Count, "all are spawned");
     ReadInBulk(world);
+    Draw(world);
 
     // A force in C#: with it they fly straight on.
     int calls = 0;

@@ -5,6 +5,7 @@
 #include <chrono>
 
 #include "report/study_figures.hpp"
+#include "study/quantities.hpp"
 #include "report_table.hpp"
 #include "setup.hpp"
 
@@ -294,7 +295,7 @@ void add_study(nb::module_& m) {
       .def_prop_ro("units",
                    [](const PyStudy& s) {
                      std::vector<std::string> units;
-                     for (const StudyQuantity q : s.plan.study().quantities) units.emplace_back(report::unit_of(q));
+                     for (const StudyQuantity q : s.plan.study().quantities) units.emplace_back(unit_of(q));
                      return units;
                    })
       .def_prop_ro("targets", [](const PyStudy& s) { return tables_of(s.plan.study().targets, target_table); })

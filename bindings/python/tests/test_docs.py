@@ -13,11 +13,13 @@ def test_blocks_run(page, monkeypatch, tmp_path):
     pytest.importorskip("matplotlib").use("Agg")
     monkeypatch.chdir(ROOT)
     text = (ROOT / page).read_text(encoding="utf-8").replace("/tmp/", f"{tmp_path}/")
+    text = text.replace('"shot.png"', f'"{tmp_path}/shot.png"')
     blocks = re.findall(r"```python\n(.*?)```", text, re.S)
     assert blocks
     names: dict[str, object] = {}
     for i, block in enumerate(blocks):
         exec(compile(block, f"{page}, block {i + 1}", "exec"), names)
+    assert (tmp_path / "shot.png").stat().st_size > 20_000
 
 
 def test_the_guide_is_short():
