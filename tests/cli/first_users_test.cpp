@@ -72,6 +72,15 @@ ranges = [1019.8, 2000]
   EXPECT_TRUE(has(ran.out, "2000  not reached: landed at 1020 m")) << ran.out;
 }
 
+TEST(FirstUsers, ARowOfAPresetsTableIsNotSetAlone) {
+  const Folder folder;
+  const std::string file = folder.write("g.toml", "physim = 1\n[[shot]]\npreset = \"golf_ball\"\n");
+  const Ran ran = physim({"run", file, "--set", "shot.magnus.table.1.speed=7"});
+  EXPECT_EQ(ran.code, 2) << "it would be the whole table: " << ran.out;
+  EXPECT_TRUE(has(ran.err, "shot.magnus.table is that of the preset \"golf_ball\"")) << ran.err;
+  EXPECT_EQ(physim({"run", file, "--set", "shot.mass=0.046"}).code, 0);
+}
+
 TEST(FirstUsers, CardsInCsvKeepAllDigits) {
   const Folder folder;
   const std::string file = folder.write("b.toml", kBullet);
