@@ -315,9 +315,14 @@ class SettingsFuzz {
          first.setting == "environment.atmosphere.model"))
       return true;
     // Beside a ballistic coefficient only what a shot meets reads its size.
-    if (setting.setting == "shot.diameter" && first.setting == "shot.drag.bands") return true;
-    // Particles go elsewhere, and meet nothing there.
-    if (setting.setting.starts_with("emitter.sub.") && first.setting.starts_with("emitter.flight.")) return true;
+    if (setting.setting == "shot.diameter" &&
+        (first.setting == "shot.drag.bands" || first.setting == "shot.drag.ballistic_coefficient"))
+      return true;
+    // Particles go elsewhere, and meet nothing there; fast ones have one colour; few are near nothing.
+    if (setting.setting.starts_with("emitter.sub.") &&
+        (first.setting.starts_with("emitter.flight.") || first.setting == "environment.wind.velocity"))
+      return true;
+    if (setting.setting == "emitter.rain.shelter" && first.setting == "emitter.rain.density") return true;
     // A straight way meets the line of sight at all ranges or at none.
     if (first.setting == "environment.gravity.model" && setting.setting == "shot.sight.zero_range") return true;
     constexpr double kLittle = 0.1;  // of the way
