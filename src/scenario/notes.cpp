@@ -171,7 +171,9 @@ class Notes {
   /// Adds notes on what is due when the run has ended.
   void of_end() {
     for (std::size_t i = 0; i < scenario_.volleys.size(); ++i)
-      of_launches(scenario_.volleys[i], element(document_, "volley", i));
+      if (const double start = scenario_.volleys[i].start; start >= scenario_.world.duration)
+        too_late(element(document_, "volley", i), "volley", {"start"}, quantity_text(start, Quantity::time),
+                 "it never fires");
     for (std::size_t i = 0; i < scenario_.emitters.size(); ++i)
       of_births(scenario_.emitters[i].def, element(document_, "emitter", i));
     for (std::size_t i = 0; i < scenario_.forces.size(); ++i)
@@ -182,17 +184,6 @@ class Notes {
   void too_late(const Value& table, std::string_view head, Path path, const std::string& due, const std::string& so) {
     note(table, head, path,
          due + ", and world.duration = " + quantity_text(scenario_.world.duration, Quantity::time) + ": " + so);
-  }
-  void of_launches(const Volley& volley, const Value& table) {
-    const double left = scenario_.world.duration - volley.start;
-    if (left <= 0)
-      return too_late(table, "volley", {"start"}, quantity_text(volley.start, Quantity::time), "it never fires");
-    const double due = volley.interval > 0 ? std::ceil(left / volley.interval * (1 - kRounding)) : kInfinity;
-    if (const auto count = static_cast<double>(volley.count); due < count)
-      too_late(table, "volley", {"count"},
-               number_text(count) + " launches, the last one due after " +
-                   quantity_text(volley.start + (count - 1) * volley.interval, Quantity::time),
-               "it fires " + number_text(due) + " of them");
   }
   void of_births(const EmitterDef& def, const Value& table) {
     const EmitterCycle& cycle = def.cycle;
@@ -337,8 +328,6 @@ class Notes {
                " is not below shape.height_field.high = " + quantity_text(shape.high, Quantity::length) + ": " +
                (shape.low == shape.high ? "the field is flat" : "black is high ground and white is low"));
   }
-
-  static constexpr double kRounding = 1e-12;  // of times that are multiples of an interval
 
   Scenario& scenario_;
   const Value& document_;

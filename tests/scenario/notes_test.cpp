@@ -107,11 +107,7 @@ TEST(Notes, what_is_due_when_the_run_has_ended) {
   const std::string world = "[world]\nduration = 2\n[[shot]]\nname = \"a\"\nspeed = 1\nposition = [0, 99, 0]\n";
   const auto volley = [&](const std::string& more) { return world + "[[volley]]\nshot = \"a\"\n" + more; };
   expect_note(volley("start = 2\n"), "f.toml:10:9", "volley.start: 2 s, and world.duration = 2 s: it never fires");
-  expect_note(volley("count = 10\ninterval = 0.5\nstart = 1\n"), "f.toml:10:9",
-              "volley.count: 10 launches, the last one due after 5.5 s, and world.duration = 2 s: it fires 2 of them");
-  EXPECT_TRUE(notes_of(volley("count = 20\ninterval = 0.1\n")).empty()) << "at 0, 0.1, ... 1.9 s";
-  expect_note(volley("count = 21\ninterval = 0.1\n"), "f.toml:10:9", "it fires 20 of them");
-  EXPECT_TRUE(notes_of(volley("count = 21\n")).empty()) << "all at once";
+  EXPECT_TRUE(notes_of(volley("count = 21\ninterval = 0.1\n")).empty()) << "the table says how many it fires";
   expect_note(world + "[[force]]\nconstant_force = { force = [1, 0, 0] }\ndelay = 2\n", "f.toml:10:9",
               "force.delay: 2 s, and world.duration = 2 s: it never acts");
   const auto emitter = [](const std::string& more) {
