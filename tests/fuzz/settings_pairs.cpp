@@ -304,10 +304,11 @@ class SettingsFuzz {
     if (first.setting == "shot.body.frozen") return true;               // others may push along that axis alone
     if (setting.setting.starts_with("joint.") &&
         (first.setting == "shot.body.use_gravity" || first.setting == "environment.gravity.model"))
-      return true;                                                    // nothing pulls on joints
-    if (first.setting == "shot.rail_length") return true;             // longer than the flight, nothing turns it
-    if (first.setting == "world.detail.rungs.fidelity") return true;  // all rungs may be one
-    if (first.setting == "target.velocity") return true;              // too fast for any shot
+      return true;                                         // nothing pulls on joints
+    if (first.setting == "shot.rail_length") return true;  // longer than the flight, nothing turns it
+    // All rungs may be one, or the first is never left.
+    if (first.setting == "world.detail.rungs" || first.setting == "world.detail.rungs.fidelity") return true;
+    if (first.setting == "target.velocity") return true;  // too fast for any shot
     if (first.setting == "force.bungee.rest_length" || first.setting == "force.bungee.other") return true;  // slack
     // A velocity that no force changes has no drag, nor has a shot without air, which feels no wind either.
     if ((setting.setting == "shot.fidelity.drag" || setting.setting == "shot.fidelity.wind") &&
