@@ -21,6 +21,7 @@
 #include "scenario/mistakes.hpp"
 #include "scenario/study_text.hpp"
 #include "scenario/units.hpp"
+#include "study/quantities.hpp"
 #include "study_columns.hpp"
 #include "study_part_files.hpp"
 #include "study_progress.hpp"
@@ -99,8 +100,12 @@ Status add_options(const StudyCommand& command, Scenario& scenario) {
 Status add_width(const StudyCommand& command, Study& study) {
   if (command.width.empty()) return {};
   const bool hits = !study.targets.empty();
-  const auto width = option_value("--until-width", command.width, hits ? Quantity::number : Quantity::length);
+  const StudyQuantity first = study.quantities.empty() ? StudyQuantity::right : study.quantities.front();
+  const Quantity quantity = hits ? Quantity::number : quantity_of_si_unit(unit_of(first));
+  const auto width = option_value("--until-width", command.width, quantity);
   if (!width) return width.error();
+  if (hits && !(**width < 1))
+    return Error{"an interval of a hit probability is less than 1 wide", "--until-width", "as in \"1 %\""};
   study.until_width = StudyWidth{.width = **width};
   if (hits) study.until_width->target = 0;
   return {};
@@ -311,6 +316,8 @@ Result<int> run_over_ranges(const StudyCommand& command, const AskedShot& asked,
     return Error{"hits are told over range or over inputs", "--ranges",
                  "leave --ranges out, or study.over_inputs and --over-inputs"};
   if (study.indices) return Error{"indices are told of one study", "--ranges", "leave --ranges out, or study.indices"};
+  if (!std::ranges::all_of(asked.scenario.ranges, [](double range) { return range > 0; }))
+    return Error{"a study is flown to ranges above 0", "--ranges", "as in \"100 m .. 1000 m step 100 m\""};
   warn_of_what_ranges_leave_out(asked.scenario.study);
   std::vector<StudyAtRange> list;
   StudyCommand alone;

@@ -319,7 +319,14 @@ class Aimer {
         if (!ways.second || found->time > ways.second->time) ways.second = found;
       }
     }
+    if (ways.first && are_one(*ways.first, *ways.second))
+      ways.first = ways.second = ways.first->miss < ways.second->miss ? ways.first : ways.second;
     return ways;
+  }
+  /// Whether two descents came to one way, each from its side: it is as exact as the tolerance asks.
+  [[nodiscard]] static bool are_one(const AimSolution& a, const AimSolution& b) {
+    constexpr double kAlike = 1e-3;  // of the time, and of the speed at the target [-]
+    return abs(a.time - b.time) <= kAlike * b.time && length(a.velocity - b.velocity) <= kAlike * b.speed;
   }
 
   /// Flights to some sides of the target and at some elevations [deg], the nearest first.
@@ -330,7 +337,7 @@ class Aimer {
         const Vec3d velocity = toward(side, elevation);
         const Flight flight = fly_towards(velocity, options_.time, 0);
         if (error_) return {};
-        starts.push_back(start_at(flight, velocity, nearest_step(flight)));
+        starts.push_back(start_at(flight, velocity, nearest_time_along(flight)));
       }
     std::erase_if(starts, [](const Start& start) { return !(start.miss < kInfinity); });
     std::sort(starts.begin(), starts.end(), [](const Start& a, const Start& b) { return a.miss < b.miss; });
@@ -349,17 +356,26 @@ class Aimer {
   [[nodiscard]] double distance_at(const Flight& flight, double time) const {
     return length(target_.at(time) - flight.at(time).position);
   }
-  [[nodiscard]] double nearest_step(const Flight& flight) const {
+  /// Ends of steps, and times between: where little happens, one step may go from the muzzle to behind the target.
+  [[nodiscard]] static std::vector<double> times_along(const Flight& flight) {
+    constexpr int kTimes = 128;
+    std::vector<double> times = flight.step_times();
+    const double end = times.back();
+    for (int i = 1; i < kTimes; ++i) times.push_back(end * i / kTimes);
+    std::sort(times.begin(), times.end());
+    return times;
+  }
+  [[nodiscard]] double nearest_time_along(const Flight& flight) const {
     double nearest = 0, least = kInfinity;
-    for (const double time : flight.step_times()) {
+    for (const double time : times_along(flight)) {
       const double distance = distance_at(flight, time);
       if (distance < least) least = distance, nearest = time;
     }
     return nearest;
   }
-  /// Ends of steps that lie nearer than those before and after; the last, where there is no such.
+  /// Times at which it is nearer than before and after; the last, where there is no such.
   [[nodiscard]] std::vector<double> approaches(const Flight& flight) const {
-    const std::vector<double> times = flight.step_times();
+    const std::vector<double> times = times_along(flight);
     std::vector<double> found;
     for (std::size_t i = 1; i + 1 < times.size(); ++i) {
       const double here = distance_at(flight, times[i]);
@@ -477,7 +493,7 @@ Status check(const ProjectileDef& projectile, const Launch& launch, const Target
   if (options.ground) c.is_number(*options.ground, "options.ground");
   if (options.scene) c.also(check(options.contact, "options.contact"));
   c.require(length(target.position - launch.position) > options.tolerance, "target.position", "is at the muzzle",
-            "a target lies further away than options.tolerance");
+            "a target lies further away than the tolerance");
   return c.status();
 }
 

@@ -315,9 +315,10 @@ Result<Sample> Flight::at_range(double range) const {
   if (r.outcome == Outcome::refused) return never("anything", r);
   if (const auto time = first_crossing(r, Crossing::any, {.kind = EventKind::range, .value = range}, past))
     return at(*time);
-  // A range in yards, converted to metres, may exceed the end of the flight by one rounding.
+  // A range in yards, converted to metres, or that of a wall or a landing, may exceed the end of the flight by one
+  // rounding.
   constexpr double kRounding = 1e-12;
-  if (r.outcome == Outcome::reached_range && abs(past(r.duration)) <= kRounding * abs(range)) return at(r.duration);
+  if (abs(past(r.duration)) <= kRounding * abs(range)) return at(r.duration);
   return never("a range of " + short_text(range) + " m", r);
 }
 

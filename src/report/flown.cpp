@@ -28,12 +28,16 @@ Result<std::size_t> find_shot(const Scenario& scenario, const std::string& wante
 
 namespace {
 
-/// Where what the library calls "launch.sight.zero_range" is given for a shot; empty if it is not.
-std::string given_place(const Scenario& scenario, const ScenarioShot& shot, std::string_view member) {
-  std::string path(member);
+/// What the library calls "launch.sight.zero_range" is "shot.sight.zero_range" in files; `shot` may be "shot.NAME".
+std::string in_files(std::string_view member, const std::string& shot = "shot") {
   for (const std::string_view of_shot : {"launch.", "projectile."})
-    if (member.starts_with(of_shot))
-      path = "shot." + shot.projectile.name + "." + std::string(member.substr(of_shot.size()));
+    if (member.starts_with(of_shot)) return shot + "." + std::string(member.substr(of_shot.size()));
+  return std::string(member);
+}
+
+/// Where a member of the library is given for a shot; empty if it is not.
+std::string given_place(const Scenario& scenario, const ScenarioShot& shot, std::string_view member) {
+  const std::string path = in_files(member, "shot." + shot.projectile.name);
   for (std::size_t end = path.size(); end != path.npos && end > 0; end = path.find_last_of(".[", end - 1)) {
     const auto at = std::ranges::lower_bound(scenario.given, path.substr(0, end), {}, &GivenSetting::path);
     if (at != scenario.given.end() && at->path == path.substr(0, end)) return at->place;
@@ -45,11 +49,11 @@ std::string given_place(const Scenario& scenario, const ScenarioShot& shot, std:
 
 Error about(const Scenario& scenario, const ScenarioShot& shot, Error error) {
   if (const std::string place = given_place(scenario, shot, error.place); !place.empty()) {
-    error.message = "shot \"" + shot.projectile.name + "\": " + error.place + ": " + error.message;
+    error.message = "shot \"" + shot.projectile.name + "\": " + in_files(error.place) + ": " + error.message;
     error.place = place;
     return error;
   }
-  const std::string field = error.place.empty() ? "" : ": " + error.place;
+  const std::string field = error.place.empty() ? "" : ": " + in_files(error.place);
   error.place = scenario.file + ": shot \"" + shot.projectile.name + "\"" + field;
   return error;
 }

@@ -130,7 +130,8 @@ Table table_of(const Card& card) {
     std::vector<std::string> row = {as_typed(*figures_of_row.front())};
     for (std::size_t i = 1; i < figures_of_row.size(); ++i)
       row.push_back(figures_of_row[i] ? fixed(*figures_of_row[i], figures.columns[i].decimals) : "-");
-    if (row.size() == 1) row.push_back(not_reached(card.flight, card.units.range.name, card.units.range.size));
+    const ShownUnit& unit = card.units.range;
+    if (row.size() == 1) row.push_back(not_reached(card.flight, *figures_of_row.front(), unit.name, unit.size));
     table.add_row(std::move(row));
   }
   return table;

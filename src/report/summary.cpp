@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdlib>
 
 #include "base/assert.hpp"
 #include "base/event_table.hpp"
@@ -44,7 +45,7 @@ std::string range_card(const FlownShot& flown, const std::vector<double>& ranges
   for (const double range : ranges) {
     const Result<Sample> found = flown.flight.at_range(range);
     if (!found) {
-      table.add_row({as_typed(range), not_reached(flown.flight)});
+      table.add_row({as_typed(range), not_reached(flown.flight, range)});
       continue;
     }
     const Sample& s = *found;
@@ -216,9 +217,12 @@ bool has_sight(const Launch& launch) {
   return sight.zero_range > 0 || sight.look_angle != 0 || sight.height != 0;
 }
 
-std::string not_reached(const Flight& flight, const std::string& unit, double size) {
-  const std::string end = readable(flight.end().range / size, 4) + " " + unit;
-  return "not reached: " + std::string(name(flight.outcome())) + " at " + end;
+std::string not_reached(const Flight& flight, double asked, const std::string& unit, double size) {
+  const double end = flight.end().range / size;
+  constexpr int kFewest = 4, kMost = 12;
+  int digits = kFewest;  // as many as tell the end from what it did not reach
+  while (digits < kMost && end < asked && std::atof(readable(end, digits).c_str()) >= asked) ++digits;
+  return "not reached: " + std::string(name(flight.outcome())) + " at " + readable(end, digits) + " " + unit;
 }
 
 std::vector<double> default_ranges(double end_range) {

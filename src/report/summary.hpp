@@ -17,8 +17,9 @@ namespace physim::report {
 
 /// Whether a shot is measured against a line of sight of its own; one without is shown by its height, not its drop.
 [[nodiscard]] bool has_sight(const Launch& launch);
-/// Why a flight is not on a card at a range: how it ended before.
-[[nodiscard]] std::string not_reached(const Flight& flight, const std::string& unit = "m", double size = 1);
+/// Why a flight is not on a card at a range, in a unit: how it ended before, in as many digits as tell the two apart.
+[[nodiscard]] std::string not_reached(const Flight& flight, double asked, const std::string& unit = "m",
+                                      double size = 1);
 /// The stability of what spins, at the muzzle, and at the end where the attitude is flown; empty for what does not
 /// spin.
 [[nodiscard]] std::string stability_text(const ScenarioShot& shot, const Flight& flight,

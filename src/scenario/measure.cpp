@@ -24,9 +24,12 @@ Result<Sample> sample_at(const Flight& flight, const Expectation& expectation) {
     case ExpectAt::apex: return sample_at_event(flight, EventKind::apex);
     case ExpectAt::rail_exit: return sample_at_event(flight, EventKind::rail_exit);
     case ExpectAt::burnout: return sample_at_event(flight, EventKind::burnout);
-    case ExpectAt::time:
-      if (expectation.at_value <= flight.duration()) return flight.at(expectation.at_value);
+    case ExpectAt::time: {
+      // A flight that ends at until.time = 10 s may last 9.999999999999998 s: its end is found in its last step.
+      constexpr double kRounding = 1e-12;
+      if (expectation.at_value <= flight.duration() * (1 + kRounding)) return flight.at(expectation.at_value);
       return Error{"the flight ends after " + quantity_text(flight.duration(), Quantity::time), "", ""};
+    }
     case ExpectAt::range: return flight.at_range(expectation.at_value);
     case ExpectAt::height: return flight.at_height(expectation.at_value);
   }

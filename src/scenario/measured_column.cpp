@@ -59,8 +59,7 @@ Result<std::vector<double>> read_measured_column(const std::string& file, std::s
   std::vector<double> numbers;
   std::optional<CsvColumn> wanted;
   int line_number = 0;
-  constexpr std::string_view kByteOrderMark = "\xef\xbb\xbf";  // as spreadsheets write it
-  for (std::size_t from = text->starts_with(kByteOrderMark) ? kByteOrderMark.size() : 0; from < text->size();) {
+  for (std::size_t from = 0; from < text->size();) {
     const std::size_t at = std::min(text->find('\n', from), text->size());
     const std::string_view line = trimmed(std::string_view(*text).substr(from, at - from));
     from = at + 1;

@@ -28,6 +28,8 @@ class MotorReader {
   explicit MotorReader(const std::string& file) : file_(file) {}
 
   Result<std::vector<MotorFileEntry>> read(std::string_view text) {
+    if (text.starts_with('<'))
+      return Error{"this is XML, as RockSim writes it", place(1), "only RASP files (.eng) are read"};
     while (!text.empty()) {
       ++line_;
       if (Status status = read_line(take_line(text)); !status) {

@@ -32,6 +32,7 @@ class Notes {
       note(element(document_, "joint", remark.joint), "joint", {"length"}, remark.what);
     for (std::size_t i = 0; i < scenario_.emitters.size(); ++i)
       of_emitter(scenario_.emitters[i], element(document_, "emitter", i));
+    if (scenario_.world.given) of_end();
     for (std::size_t i = 0; i < scenario_.shapes.size(); ++i)
       of_shape(scenario_.shapes[i], element(document_, "shape", i));
     for (std::size_t i = 0; i < scenario_.expect.size(); ++i)
@@ -165,6 +166,39 @@ class Notes {
     note(table, "shot", {"motor", "ignition_delay"},
          quantity_text(motor.ignition_delay, Quantity::time) + ", and " + (is_world ? "world.duration" : "until.time") +
              " = " + quantity_text(end, Quantity::time) + ": the motor never burns");
+  }
+
+  /// Adds notes on what is due when the run has ended.
+  void of_end() {
+    for (std::size_t i = 0; i < scenario_.volleys.size(); ++i)
+      if (const double start = scenario_.volleys[i].start; start >= scenario_.world.duration)
+        too_late(element(document_, "volley", i), "volley", {"start"}, quantity_text(start, Quantity::time),
+                 "it never fires");
+    for (std::size_t i = 0; i < scenario_.emitters.size(); ++i)
+      of_births(scenario_.emitters[i].def, element(document_, "emitter", i));
+    for (std::size_t i = 0; i < scenario_.forces.size(); ++i)
+      if (const double delay = scenario_.forces[i].delay; delay >= scenario_.world.duration)
+        too_late(element(document_, "force", i), "force", {"delay"}, quantity_text(delay, Quantity::time),
+                 "it never acts");
+  }
+  void too_late(const Value& table, std::string_view head, Path path, const std::string& due, const std::string& so) {
+    note(table, head, path,
+         due + ", and world.duration = " + quantity_text(scenario_.world.duration, Quantity::time) + ": " + so);
+  }
+  void of_births(const EmitterDef& def, const Value& table) {
+    const EmitterCycle& cycle = def.cycle;
+    if (!cycle.plays || cycle.prewarm) return;
+    const double least = std::min(cycle.delay.value, cycle.delay.to.value_or(kInfinity));
+    const double end = scenario_.world.duration, delay = std::min(least, least / cycle.rate);
+    if (delay >= end && def.bursts.empty())
+      return too_late(table, "emitter", {"cycle", "delay"}, quantity_text(delay, Quantity::time), "it fires nothing");
+    for (std::size_t i = 0; i < def.bursts.size(); ++i) {
+      const double time = def.bursts[i].time, due = delay + time / cycle.rate;
+      if (due > end && time < cycle.duration)
+        too_late(table, "emitter", {"bursts"},
+                 "burst " + std::to_string(i + 1) + " is due at " + quantity_text(due, Quantity::time),
+                 "it never comes");
+    }
   }
 
   void of_sight(const ScenarioShot& shot, const Value& table) {

@@ -4,7 +4,9 @@
 #include <optional>
 
 #include "base/assert.hpp"
+#include "physim/body.hpp"
 #include "scenario/reader.hpp"
+#include "scenario/suggest.hpp"
 #include "scenario/units.hpp"
 
 namespace physim {
@@ -31,7 +33,18 @@ Status make_table(const SchemaNode& node, Value& value) {
 struct Way {
   const Addressed& target;
   std::size_t list = 0;
+  const Value* shot = nullptr;  // that it goes through
 };
+
+/// A list that a shot has of its preset has no elements in the document, and a first one would be all of it.
+Status check_new_list(const SchemaNode& list, const Value* shot, const Place& place) {
+  const Value* name = shot ? shot->find("preset") : nullptr;
+  const std::string* text = name ? name->get<std::string>() : nullptr;
+  const auto preset = text ? projectile_preset(*text) : std::nullopt;
+  if (list.path != "shot.magnus.table" || !preset || preset->projectile.magnus.table.empty()) return {};
+  return Error{list.path + " is that of the preset " + in_quotes(*text) + ", whose rows are not set one by one",
+               place.text(), "set the table as a whole, or shot.drag and shot.magnus.lift without a preset"};
+}
 
 Status put(Value& here, const SchemaNode& node, Way way, Value&& value);
 
@@ -71,6 +84,7 @@ Status put_into_list(Value& list, const SchemaNode& node, Way way, Value&& value
 /// Walks from a table to the target. What is missing on the way is made apart, so that an error leaves nothing behind.
 Status put(Value& here, const SchemaNode& node, Way way, Value&& value) {
   if (Status status = make_table(node, here); !status) return status;
+  if (node.path == "shot") way.shot = &here;
   const SchemaNode& child = node.child_towards(*way.target.node);
   Value* member = here.find(child.name);
   const bool is_last = &child == way.target.node, is_list = !is_last && child.is_list_of_tables();
@@ -84,7 +98,10 @@ Status put(Value& here, const SchemaNode& node, Way way, Value&& value) {
   const Place place = value.place;
   if (is_last) return table.push_back({child.name, place, std::move(value)}), Status();
   Value made{Table{}, place, {}, {}};
-  if (is_list) made.content = Array{};
+  if (is_list) {
+    if (Status status = check_new_list(child, way.shot, place); !status) return status;
+    made.content = Array{};
+  }
   if (Status status = put_into(made); !status) return status;
   table.push_back({child.name, place, std::move(made)});
   return {};

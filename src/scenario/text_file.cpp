@@ -102,7 +102,10 @@ Result<Bytes> read(const std::string& file, std::uintmax_t most_bytes, const std
 }  // namespace
 
 Result<std::string> read_text_file(const std::string& file, std::uintmax_t most_bytes, const std::string& kind) {
-  return read<std::string>(file, most_bytes, kind);
+  auto text = read<std::string>(file, most_bytes, kind);
+  constexpr std::string_view kByteOrderMark = "\xef\xbb\xbf";  // as spreadsheets and editors write it
+  if (text && text->starts_with(kByteOrderMark)) text->erase(0, kByteOrderMark.size());
+  return text;
 }
 
 Result<std::vector<std::byte>> read_byte_file(const std::string& file, std::uintmax_t most_bytes,

@@ -13,9 +13,9 @@
 
 namespace physim {
 
-/// The text of a file of at most `most_bytes`; `kind` names in errors what it should be: "scenario file". A pipe is
-/// read to its end within the same limit; it is refused if it has no writer, or if nothing comes for a minute.
-/// Folders, devices and sockets are refused.
+/// The text of a file of at most `most_bytes`, without a byte order mark; `kind` names in errors what it should be:
+/// "scenario file". A pipe is read to its end within the same limit; it is refused if it has no writer, or if nothing
+/// comes for a minute. Folders, devices and sockets are refused.
 [[nodiscard]] Result<std::string> read_text_file(const std::string& file, std::uintmax_t most_bytes,
                                                  const std::string& kind);
 /// The bytes of a file, read as read_text_file() reads.

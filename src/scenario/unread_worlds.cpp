@@ -50,7 +50,14 @@ constexpr UnreadRule kWorldRules[] = {
     {"world.ground.combine", why_no_bounce},
     {"world.ground.conveyor", why_no_bounce},
     {"world.detail.hysteresis", why_no_detail},
-    {"world.detail.layers", why_no_detail},
+    {"world.detail.layers",
+     [](R r) {
+       if (std::string why = why_no_detail(r); !why.empty()) return why;
+       const std::uint32_t layers = world(r).detail.layers;
+       const bool has_others = std::ranges::any_of(
+           r.scenario.shots, [&](const ScenarioShot& shot) { return (shot.body.layers & layers) == 0; });
+       return read_or(has_others, ": every shot.body.layers has one of them");
+     }},
     {"world.observer",
      [](R r) {
        if (std::string why = why_no_detail(r); !why.empty()) return why;

@@ -141,17 +141,19 @@ Status fly_pilot(StudyPlanRecord& plan) {
   return {};
 }
 
-/// Adds a note for a target at the muzzle, where a plane on the ground begins.
+/// Adds a note for a target at the muzzle, where a plane on the ground begins, if hardly a shot comes down on it.
 void note_targets_at_muzzle(StudyPlanRecord& plan) {
   const Study& study = plan.study;
   if (!plan.has_plane() || study.quantities[1] != StudyQuantity::along || study.aim.up != 0) return;
-  const bool far = plan.centre.up > 10 * plan.radius_scale;
+  constexpr double kHardlyAny = 4;  // times the middle distance of shots from their centre
+  const double nearest = plan.centre.up - kHardlyAny * plan.radius_scale;
   for (const StudyTarget& target : study.targets) {
-    const auto is_at_muzzle = [](const auto& shape) {
-      if constexpr (requires { shape.centre; }) return shape.centre.up == 0;
+    const auto is_at_muzzle = [nearest](const auto& shape) {
+      if constexpr (requires { shape.radius; }) return shape.centre.up == 0 && shape.radius < nearest;
+      if constexpr (requires { shape.height; }) return shape.centre.up == 0 && 0.5 * shape.height < nearest;
       return false;
     };
-    if (far && std::visit(is_at_muzzle, target.shape))
+    if (std::visit(is_at_muzzle, target.shape))
       plan.notes.push_back("target \"" + target.name + "\" stands at the muzzle: without until.range the plane lies " +
                            "on the ground, and shots come down about " + rounded_text(plan.centre.up) + " m along it");
   }

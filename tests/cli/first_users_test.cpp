@@ -53,6 +53,34 @@ TEST(FirstUsers, ACardSaysWhyARangeIsNotReached) {
   }
 }
 
+/// A flight that lands at 1019.716 m does not reach 1019.8 m: "landed at 1020 m" would be beyond it.
+TEST(FirstUsers, ACardTellsTheEndInDigitsThatShowIt) {
+  const Folder folder;
+  const std::string file = folder.write("v.toml", R"(physim = 1
+[environment]
+gravity = { model = "constant", acceleration = 9.80665 }
+atmosphere = "vacuum"
+[[shot]]
+speed = 100
+elevation = "45 deg"
+fidelity = { preset = "simulation", drag = "off", air = "vacuum", gravity = "constant", earth = "flat" }
+[output]
+ranges = [1019.8, 2000]
+)");
+  const Ran ran = physim({"run", file});
+  EXPECT_TRUE(has(ran.out, "not reached: landed at 1019.7 m")) << ran.out;
+  EXPECT_TRUE(has(ran.out, "2000  not reached: landed at 1020 m")) << ran.out;
+}
+
+TEST(FirstUsers, ARowOfAPresetsTableIsNotSetAlone) {
+  const Folder folder;
+  const std::string file = folder.write("g.toml", "physim = 1\n[[shot]]\npreset = \"golf_ball\"\n");
+  const Ran ran = physim({"run", file, "--set", "shot.magnus.table.1.speed=7"});
+  EXPECT_EQ(ran.code, 2) << "it would be the whole table: " << ran.out;
+  EXPECT_TRUE(has(ran.err, "shot.magnus.table is that of the preset \"golf_ball\"")) << ran.err;
+  EXPECT_EQ(physim({"run", file, "--set", "shot.mass=0.046"}).code, 0);
+}
+
 TEST(FirstUsers, CardsInCsvKeepAllDigits) {
   const Folder folder;
   const std::string file = folder.write("b.toml", kBullet);

@@ -165,6 +165,15 @@ TEST(StudyCli, over_range_and_until_a_width) {
   const Ran narrow = physim({"study", file, "--until-width", "0.01 %"});
   EXPECT_EQ(narrow.code, 1) << "not known so well by so few shots";
   EXPECT_TRUE(has(narrow.err, "--until-width is not reached")) << narrow.err;
+  const std::vector<std::string> times = {
+      "study", file, "--set", "study.quantities=[\"time\", \"speed\"]", "--set", "study.targets=[]", "--until-width"};
+  const auto until = [&](const char* given) {
+    std::vector<std::string> command = times;
+    command.emplace_back(given);
+    return physim(command);
+  };
+  EXPECT_EQ(until("1 s").code, 0) << "the first quantity is a time";
+  EXPECT_EQ(until("1 mm").code, 2) << "and no length";
 }
 
 TEST(StudyCli, a_zeroed_shot_is_held_off_for_what_is_known) {
@@ -413,6 +422,8 @@ TEST(StudyCli, bad_input_says_what_is_wrong) {
   EXPECT_TRUE(has(refusal({"--merge", folder / "nothing"}), "there is no such file"));
   EXPECT_TRUE(has(refusal({"--ranges", "20 m", "--resume", folder / "x"}), "--ranges"));
   EXPECT_TRUE(has(refusal({"--until-width", "1 kg"}), "--until-width"));
+  EXPECT_TRUE(has(refusal({"--until-width", "5"}), "--until-width: error: an interval of a hit probability"));
+  EXPECT_TRUE(has(refusal({"--ranges", "[\"0 m\", \"20 m\"]"}), "--ranges: error: a study is flown to ranges above 0"));
   EXPECT_TRUE(has(refusal({"--until-time", "1 kg"}), "--until-time"));
   EXPECT_TRUE(has(refusal({"--until-time", "-1 s"}), "above 0"));
   EXPECT_TRUE(has(refusal({"--over-inputs", "1"}), "2 to 100"));

@@ -376,6 +376,31 @@ TEST(AimRocket, from_rest_hits_where_flown_rockets_came_by) {
       }
 }
 
+/// In a vacuum a flight takes a few long steps: the ways up and down are found between their ends. The steep way is
+/// that of a bisection over flights to the ground.
+TEST(AimRocket, the_steep_way_is_found_between_long_steps) {
+  ProjectileDef p = rocket_from_rest();
+  p.motor.thrust = {{0, 40}, {1.8, 40}, {1.8, 0}};
+  Environment e;
+  e.atmosphere.model = AirModel::vacuum;
+  const Fidelity f = Fidelity::constant_air();
+  const auto carry = [&](double elevation) {
+    return fly(p, {.elevation = elevation, .rail_length = 1}, e, f).end().position.x;
+  };
+  for (const double range : {100.0, 200.0, 500.0}) {
+    double low = 80 * test::kDegree, high = 90 * test::kDegree;
+    for (int i = 0; i < 60; ++i) (carry((low + high) / 2) > range ? low : high) = (low + high) / 2;
+    const Target target{{range, 0, 0}};
+    const Aim answer = aimed(p, {.rail_length = 1}, e, f, target, {});
+    ASSERT_TRUE(answer.low && answer.high) << range;
+    EXPECT_NEAR(answer.high->launch.elevation, low, 1e-4) << range;
+    EXPECT_LT(answer.low->launch.elevation, 0.7) << range;
+    const Aim soon = aimed(p, {.rail_length = 1}, e, f, target, {.time = 6});
+    ASSERT_TRUE(soon.low && soon.high) << range;
+    EXPECT_EQ(soon.low->launch.elevation, soon.high->launch.elevation) << "one way is told once";
+  }
+}
+
 TEST(AimRocket, what_is_too_far_is_told_and_balls_still_need_a_speed) {
   const ProjectileDef p = rocket_from_rest();
   const Fidelity f = Fidelity::constant_air();

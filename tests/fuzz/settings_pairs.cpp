@@ -304,10 +304,11 @@ class SettingsFuzz {
     if (first.setting == "shot.body.frozen") return true;               // others may push along that axis alone
     if (setting.setting.starts_with("joint.") &&
         (first.setting == "shot.body.use_gravity" || first.setting == "environment.gravity.model"))
-      return true;                                                    // nothing pulls on joints
-    if (first.setting == "shot.rail_length") return true;             // longer than the flight, nothing turns it
-    if (first.setting == "world.detail.rungs.fidelity") return true;  // all rungs may be one
-    if (first.setting == "target.velocity") return true;              // too fast for any shot
+      return true;                                         // nothing pulls on joints
+    if (first.setting == "shot.rail_length") return true;  // longer than the flight, nothing turns it
+    // All rungs may be one, or the first is never left.
+    if (first.setting == "world.detail.rungs" || first.setting == "world.detail.rungs.fidelity") return true;
+    if (first.setting == "target.velocity") return true;  // too fast for any shot
     if (first.setting == "force.bungee.rest_length" || first.setting == "force.bungee.other") return true;  // slack
     // A velocity that no force changes has no drag, nor has a shot without air, which feels no wind either.
     if ((setting.setting == "shot.fidelity.drag" || setting.setting == "shot.fidelity.wind") &&
@@ -315,9 +316,14 @@ class SettingsFuzz {
          first.setting == "environment.atmosphere.model"))
       return true;
     // Beside a ballistic coefficient only what a shot meets reads its size.
-    if (setting.setting == "shot.diameter" && first.setting == "shot.drag.bands") return true;
-    // Particles go elsewhere, and meet nothing there.
-    if (setting.setting.starts_with("emitter.sub.") && first.setting.starts_with("emitter.flight.")) return true;
+    if (setting.setting == "shot.diameter" &&
+        (first.setting == "shot.drag.bands" || first.setting == "shot.drag.ballistic_coefficient"))
+      return true;
+    // Particles go elsewhere, and meet nothing there; fast ones have one colour; few are near nothing.
+    if (setting.setting.starts_with("emitter.sub.") &&
+        (first.setting.starts_with("emitter.flight.") || first.setting == "environment.wind.velocity"))
+      return true;
+    if (setting.setting == "emitter.rain.shelter" && first.setting == "emitter.rain.density") return true;
     // A straight way meets the line of sight at all ranges or at none.
     if (first.setting == "environment.gravity.model" && setting.setting == "shot.sight.zero_range") return true;
     constexpr double kLittle = 0.1;  // of the way

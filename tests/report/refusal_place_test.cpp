@@ -18,13 +18,13 @@ Error told(const Error& error, const std::vector<std::string>& overrides = {}) {
 
 TEST(RefusalPlace, is_that_of_the_setting) {
   const Error zero = told({"is out of reach", "launch.sight.zero_range", "shorten it"});
-  EXPECT_EQ(zero.text(), "f.toml:5:41: error: shot \"a.b\": launch.sight.zero_range: is out of reach; shorten it");
+  EXPECT_EQ(zero.text(), "f.toml:5:41: error: shot \"a.b\": shot.sight.zero_range: is out of reach; shorten it");
   EXPECT_EQ(told({"is bad", "launch.speed[2].x", ""}).place, "f.toml:4:9");
   EXPECT_EQ(told({"is bad", "launch.speed", ""}, {"shot.speed=900 m/s"}).place, "--set shot.speed=900 m/s");
 }
 
 TEST(RefusalPlace, of_what_no_file_says_is_the_shot) {
-  EXPECT_EQ(told({"is bad", "launch.elevation", ""}).place, "f.toml: shot \"a.b\": launch.elevation");
+  EXPECT_EQ(told({"is bad", "launch.elevation", ""}).place, "f.toml: shot \"a.b\": shot.elevation");
   EXPECT_EQ(told({"is bad", "", ""}).place, "f.toml: shot \"a.b\"");
 }
 

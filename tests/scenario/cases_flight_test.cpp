@@ -7,6 +7,7 @@
 #include "rifles.hpp"
 #include "scenario/run_support.hpp"
 #include "scenario/scenario.hpp"
+#include "settings/units.hpp"
 #include "support.hpp"
 
 namespace physim {
@@ -97,6 +98,17 @@ TEST(CasesOfRockets, odd_motors_of_one_file_are_read_each_for_itself) {
   const auto refused = pick_motor(*parse_motor_file(odd, "f.eng"), "ODD-E", "f.eng");
   ASSERT_FALSE(refused);
   EXPECT_EQ(refused.error().place, "f.eng:24");
+}
+
+/// Two points at one time are a step of the thrust, in a scenario as in a file. Right: 60 N for exactly 2 s; 120 N s of
+/// 0.1 kg give v = (120 / 0.1) ln(2 / 1.9) without gravity and drag (Tsiolkovsky).
+TEST(CasesOfRockets, two_points_of_thrust_at_one_time_are_a_step) {
+  const std::string rocket =
+      "[environment]\ngravity = \"off\"\natmosphere = \"vacuum\"\n[[shot]]\nmass = 2\nelevation = \"90 deg\"\n"
+      "rail_length = 1\nmotor = { propellant_mass = 0.1, thrust = [[0, 60], [2, 60], [2, 0], [3, 0]] }\n"
+      "fidelity = { preset = \"simulation\", gravity = \"off\", air = \"vacuum\", earth = \"flat\" }\n[until]\ntime = "
+      "4\n";
+  EXPECT_NEAR(flown(rocket).end().speed, 1200 * std::log(2 / 1.9), 1e-5);
 }
 
 // ----------------------------------------------------------------------------------------------------------- descents
@@ -321,6 +333,43 @@ TEST(CasesOfGuns, the_last_yard_of_a_card_is_on_it) {
   EXPECT_NEAR(last->time, 1.900113, 2e-6);
   EXPECT_NEAR(last->drop, -12.1342, 1e-4);
   EXPECT_NEAR(last->speed, 312.546, 1e-3);
+}
+
+/// A shot in a vacuum lands after v^2 / g sin(2 e); a wall stands at a range, too. Both are rows of a card, though the
+/// end of the flight is found but for rounding.
+TEST(CasesOfGuns, the_range_of_a_landing_or_a_wall_is_on_the_card) {
+  for (const double degrees : {45.0, 30.0, 15.0, 71.0, 3.0})
+    for (const double speed : {100.0, 333.3, 70.0}) {
+      const double range = speed * speed / kG * std::sin(2 * degrees * kDegree);
+      const std::string text =
+          kGravity + "atmosphere = \"vacuum\"\n[[shot]]\nmass = 1\nspeed = " + std::to_string(speed) +
+          "\nelevation = \"" + std::to_string(degrees) + " deg\"\n" + kSimple + "drag = \"off\", air = \"vacuum\" }\n";
+      const auto row = flown(text).at_range(range);
+      ASSERT_TRUE(row) << degrees << " deg, " << speed << " m/s: " << row.error().text();
+      EXPECT_NEAR(row->time, 2 * speed * std::sin(degrees * kDegree) / kG, 1e-9);
+      EXPECT_FALSE(flown(text).at_range(range * (1 + 1e-9)));
+    }
+}
+
+/// A flight to until.time is there at that time: the end of its last step is found but for rounding.
+TEST(CasesOfGuns, an_expectation_at_the_end_of_the_time_is_met) {
+  int off = 0;
+  for (const double end : {10.0, 0.7, 1.86, 3.3, 7.7, 12.1, 0.1}) {
+    const std::string time = number_text(end);
+    const Scenario scenario =
+        parsed(kGravity + "atmosphere = \"vacuum\"\n[[shot]]\nmass = 1\nspeed = 100\nelevation = \"30 deg\"\n" +
+               kSimple + "drag = \"off\", air = \"vacuum\" }\n[until]\nground = \"off\"\ntime = " + time +
+               "\n[[expect]]\nat = { time = " + time + " }\nquantity = \"x\"\nequals = 0\nwithin = 1\n");
+    const Flight flight = flown(scenario);
+    off += flight.duration() != end;
+    const auto x = measure(flight, scenario.expect[0]);
+    ASSERT_TRUE(x) << end << ": " << x.error().text();
+    EXPECT_NEAR(*x, 100 * std::cos(30 * kDegree) * end, 1e-9);
+    Expectation later = scenario.expect[0];
+    later.at_value = end * (1 + 1e-9);
+    EXPECT_FALSE(measure(flight, later));
+  }
+  EXPECT_GT(off, 0) << "some ends are off by a rounding, or this tests nothing";
 }
 
 // ------------------------------------------------------------------------------------------------ steps, balls, globes

@@ -3,6 +3,9 @@
 
 #include <gtest/gtest.h>
 
+#include <cstdio>
+#include <fstream>
+
 #include "scenario/scenario.hpp"
 
 namespace physim {
@@ -20,6 +23,20 @@ C6 18 70 0-3-5-7 .0108 0.0231 Estes
 1.8 4.4
 1.86 0
 )";
+
+TEST(MotorFile, a_byte_order_mark_is_no_part_of_a_name_and_xml_is_told_as_such) {
+  const std::string file = testing::TempDir() + "physim_mark.eng";
+  std::ofstream(file) << "\xef\xbb\xbf"
+                      << "C6 18 70 0-3-5-7 .0108 0.0231 Estes\n0.2 14.1\n1.8 4.4\n1.86 0\n";
+  const auto motors = read_motor_file(file);
+  std::remove(file.c_str());
+  ASSERT_TRUE(motors) << motors.error().text();
+  EXPECT_EQ(motors->front().motor.name, "C6");
+  EXPECT_TRUE(pick_motor(*motors, "C6", file));
+  const auto xml = parse_motor_file("<engine-database>\n", "f.rse");
+  ASSERT_FALSE(xml);
+  EXPECT_EQ(xml.error().text(), "f.rse:1: error: this is XML, as RockSim writes it; only RASP files (.eng) are read");
+}
 
 TEST(MotorFile, reads_motors_with_their_thrust_from_zero) {
   const auto motors = parse_motor_file(kTwo, "two.eng");

@@ -103,6 +103,24 @@ TEST(Notes, motors_that_never_burn) {
   EXPECT_TRUE(notes_of(rocket("[world]\nduration = 14\n[[volley]]\nshot = \"shot-1\"\nstart = 4\n")).empty());
 }
 
+TEST(Notes, what_is_due_when_the_run_has_ended) {
+  const std::string world = "[world]\nduration = 2\n[[shot]]\nname = \"a\"\nspeed = 1\nposition = [0, 99, 0]\n";
+  const auto volley = [&](const std::string& more) { return world + "[[volley]]\nshot = \"a\"\n" + more; };
+  expect_note(volley("start = 2\n"), "f.toml:10:9", "volley.start: 2 s, and world.duration = 2 s: it never fires");
+  EXPECT_TRUE(notes_of(volley("count = 21\ninterval = 0.1\n")).empty()) << "the table says how many it fires";
+  expect_note(world + "[[force]]\nconstant_force = { force = [1, 0, 0] }\ndelay = 2\n", "f.toml:10:9",
+              "force.delay: 2 s, and world.duration = 2 s: it never acts");
+  const auto emitter = [](const std::string& more) {
+    return "[world]\nduration = 2\n[[shot]]\nname = \"a\"\n[[emitter]]\nshot = \"a\"\n" + more;
+  };
+  expect_note(emitter("cycle = { delay = 3 }\n"), "f.toml:8:19",
+              "emitter.cycle.delay: 3 s, and world.duration = 2 s: it fires nothing");
+  expect_note(emitter("bursts = [{ time = 0.5, count = 2 }, { time = 3, count = 2 }]\n"), "f.toml:8:10",
+              "emitter.bursts: burst 2 is due at 3 s, and world.duration = 2 s: it never comes");
+  EXPECT_TRUE(notes_of(emitter("bursts = [{ time = 2, count = 2 }]\n")).empty()) << "it comes at the end";
+  EXPECT_TRUE(notes_of(emitter("cycle = { delay = 1.5 }\n")).empty());
+}
+
 TEST(Notes, rifles_in_units_of_another_kind) {
   const auto rifle = [](const std::string& speed, const std::string& coefficient, const std::string& height) {
     return "[[shot]]\nmass = \"168 gr\"\ndiameter = \"0.308 in\"\nspeed = " + speed +

@@ -382,6 +382,8 @@ TEST(Unread, settings_of_emitters) {
       kShot + "fidelity = \"small_arms\"\n";
   expect_unread("shot.fidelity", ": in the world its rung is one of world.detail.rungs", rungs,
                 rungs + "body = { layers = 2 }\n");
+  expect_unread("world.detail.layers", ": every shot.body.layers has one of them", rungs,
+                rungs + "body = { layers = 2 }\n");
   const std::string puffs =
       "per_second = 30\nsub = [{ on = \"death\", emitter = \"puff\" }]\n[[emitter]]\nname = \"puff\"\nshot = "
       "\"shot-1\"\n";

@@ -278,6 +278,20 @@ TEST(BadStudies, targets_at_the_muzzle_are_told) {
   EXPECT_NE(plan->notes()[0].find("\"plate\" stands at the muzzle"), std::string::npos) << plan->notes()[0];
   study.aim = {0, 75};
   EXPECT_TRUE(plan_study(study)->notes().empty());
+  study.aim = {};
+  study.targets = {{"plate", RectangleTarget{{}, 500, 10}}};
+  EXPECT_EQ(plan_study(study)->notes().size(), 1U);
+  study.targets = {{"field", CircleTarget{{}, 500}}, {"strip", RectangleTarget{{}, 10, 500}}};
+  EXPECT_TRUE(plan_study(study)->notes().empty()) << "these reach to where shots come down";
+}
+
+TEST(BadStudies, targets_at_the_muzzle_are_told_where_shots_scatter_widely) {
+  Study study = throw_of(NormalDistribution{30, 3});
+  study.targets = {{"plate", CircleTarget{{}, 1}}};
+  const auto result = run_study(study);
+  ASSERT_TRUE(result);
+  EXPECT_EQ(result->hits[0].probability.value, 0);
+  EXPECT_EQ(plan_study(study)->notes().size(), 1U) << "no shot hits, and something says why";
 }
 
 TEST(BadStudies, shots_that_cannot_be_are_no_misses) {

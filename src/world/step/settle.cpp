@@ -99,13 +99,14 @@ class Settling {
     r_.write();
     if (r_.meets()) look_around();
   }
-  /// Tells of the sensors that held it at the start of the step and hold it at the end.
+  /// Tells of the sensors that held it at the start of the step and hold it at the end. What left one at the end has
+  /// told so: its last place is in it but for rounding.
   void tell_stays() {
     const Scene* scene = r_.scene();
     if (scene == nullptr || !scene->tells_stay()) return;
     const double start = r_.scene_time(), end = start + r_.step_length();
     for (const SceneHit& in : sensors_around(*scene, r_.collision().layers, r_.at_start().x, start, r_.here().x, end))
-      r_.tell(EventKind::stayed, Reason::none, r_.step_length(), r_.here(), in);
+      if (!r_.has_left(in.instance)) r_.tell(EventKind::stayed, Reason::none, r_.step_length(), r_.here(), in);
   }
   /// What is clear about where it is now.
   void look_around() {

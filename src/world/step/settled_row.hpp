@@ -248,6 +248,15 @@ class SettledRow final : public ContactHost {
     event.id = {slot_index_, slot().generation};
     event.time = context_.time + passed;
   }
+  /// Whether it has told last of a sensor that it left it: the events of its step are the last ones of the chunk.
+  [[nodiscard]] bool has_left(const InstanceId& sensor) const {
+    for (std::size_t i = chunk_.events.size(); i > 0; --i) {
+      const Event& told = chunk_.events[i - 1];
+      if (told.id != ProjectileId{slot_index_, slot().generation}) break;
+      if (told.instance == sensor) return told.kind == EventKind::left;
+    }
+    return false;
+  }
   void change(Change::Kind kind, LifeStatus status, Reason reason) {
     chunk_.changes.push_back({slot_index_, kind, status, reason, {}});
   }

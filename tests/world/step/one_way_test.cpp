@@ -231,5 +231,27 @@ TEST(SensorStays, are_told_between_in_and_out) {
     }
 }
 
+/// What leaves a sensor within rounding of a step's end has left it: nothing tells of a stay behind that.
+TEST(SensorStays, end_before_the_way_out_at_the_end_of_a_step) {
+  for (const double rate : {10.0, 20.0, 30.0, 60.0, 120.0, 240.0})
+    for (const double speed : {1.0, 4.0, 8.0, 10.0, 20.0}) {
+      Scene scene;
+      ASSERT_TRUE(scene.add({.shape = *scene.add_shape(SphereShape{1}),
+                             .transform = {.position = {10, 0, 0}},
+                             .sensor = true,
+                             .passage = {.tells_stay = true}}));
+      World world = make_world(space(0));
+      ASSERT_TRUE(world.set_scene(scene));
+      ASSERT_TRUE(world.spawn(stone_of(), {.velocity = Vec3d{speed, 0, 0}}, landing()));
+      const auto all = run_for(world, 12 / speed, 1 / rate);
+      const auto in = of_kind(all, EventKind::sensed), stays = of_kind(all, EventKind::stayed),
+                 out = of_kind(all, EventKind::left);
+      ASSERT_EQ(in.size(), 1u) << rate << " Hz, " << speed << " m/s";
+      ASSERT_EQ(out.size(), 1u) << rate << " Hz, " << speed << " m/s";
+      EXPECT_NEAR(out[0].time, 11 / speed, 1e-9);
+      for (const Event& stay : stays) EXPECT_LT(stay.time, out[0].time) << rate << " Hz, " << speed << " m/s";
+    }
+}
+
 }  // namespace world_one_way_test
 }  // namespace physim
