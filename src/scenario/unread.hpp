@@ -18,7 +18,7 @@ namespace physim {
 struct UnreadSetting {
   std::string place{};  // file:line:column
   std::string path{};   // "shot.magnus.lift"
-  std::string why{};    // what follows "has no effect": " beside shot.magnus.table"
+  std::string why{};    // what follows "has no effect": " beside shot.magnus.table"; " but ..." says what it has
 };
 
 /// All of a sound scenario, in the order of the list of settings. `document` is what it was read from.
