@@ -30,6 +30,9 @@ struct UnreadSetting {
   return scenario.world.given && !detail.rungs.empty() && (detail.layers & shot.body.layers) != 0;
 }
 
+/// Whether an emitter has something to fire by itself, if it plays.
+[[nodiscard]] bool has_own_fire(const EmitterDef& emitter);
+
 /// A fidelity that a shot may fly at.
 struct FlownRung {
   const ScenarioShot* shot;

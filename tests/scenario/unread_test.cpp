@@ -405,6 +405,12 @@ TEST(Unread, settings_of_emitters) {
       {"emitter.position", "position = [1, 2, 3]"},
       {"emitter.motion.velocity", "motion = { velocity = [1, 0, 0] }"},
       {"emitter.motion.keys.position", "motion = { keys = [{ position = [0, 1, 0] }, { time = 1 }] }"}};
+  const auto sub_on = [&](const std::string& on) {
+    return emitter("sub = [{ on = \"" + on +
+                   "\", emitter = \"puff\" }]\n[[emitter]]\nname = \"puff\"\nshot = \"shot-1\"\n");
+  };
+  expect_unread("emitter.sub.on", " but in programs: nothing triggers subs in a run", sub_on("trigger"),
+                sub_on("death"));
   for (const auto& [path, own] : places)
     expect_unread(path, ": the emitter fires only as the sub of others", emitter(puffs + "per_second = 0\n" + own),
                   emitter(puffs + "per_second = 5\n" + own));
