@@ -42,7 +42,7 @@ Status check_subs(const Scenario& scenario, const ScenarioNames& names, const Sc
       return Error{"emitter.sub.emitter: no emitter is named " + in_quotes(sub.emitter), place_of(of_sub, {"emitter"}),
                    suggestion(sub.emitter, names.emitters.all(), "emitters")};
     if (sub.def.on == SubEvent::apex && !scenario.world.def.apex_events)
-      return Error{"emitter.sub.on: nobody tells when a particle is at its apex", place_of(of_sub, {"on"}),
+      return Error{"emitter.sub.on: no event says when a particle is at its apex", place_of(of_sub, {"on"}),
                    "write apex_events = true into [world]"};
   }
   return {};

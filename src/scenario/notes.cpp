@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
+#include <set>
 
 #include "emit/emission.hpp"
 #include "math/angles.hpp"
@@ -174,12 +176,40 @@ class Notes {
       if (const double start = scenario_.volleys[i].start; start >= scenario_.world.duration)
         too_late(element(document_, "volley", i), "volley", {"start"}, quantity_text(start, Quantity::time),
                  "it never fires");
-    for (std::size_t i = 0; i < scenario_.emitters.size(); ++i)
-      of_births(scenario_.emitters[i].def, element(document_, "emitter", i));
+    const std::set<std::string_view> firing = emitters_that_fire();
+    for (std::size_t i = 0; i < scenario_.emitters.size(); ++i) {
+      const EmitterDef& def = scenario_.emitters[i].def;
+      const Value& table = element(document_, "emitter", i);
+      if (firing.count(def.name) > 0)
+        of_births(def, table);
+      else
+        note(table, "emitter", {},
+             std::string("nothing fires it: it ") +
+                 (has_own_fire(def) ? "does not play" : "has no rate, burst, gun or rain") +
+                 ", and is the sub of no emitter that fires");
+    }
     for (std::size_t i = 0; i < scenario_.forces.size(); ++i)
       if (const double delay = scenario_.forces[i].delay; delay >= scenario_.world.duration)
         too_late(element(document_, "force", i), "force", {"delay"}, quantity_text(delay, Quantity::time),
                  "it never acts");
+  }
+  /// Names of emitters that fire by themselves, and of their subs.
+  [[nodiscard]] std::set<std::string_view> emitters_that_fire() const {
+    std::map<std::string_view, const ScenarioEmitter*> by_name;
+    std::vector<const ScenarioEmitter*> firing;
+    for (const ScenarioEmitter& emitter : scenario_.emitters) {
+      by_name[emitter.def.name] = &emitter;
+      if (emitter.def.cycle.plays && has_own_fire(emitter.def)) firing.push_back(&emitter);
+    }
+    std::set<std::string_view> names;
+    while (!firing.empty()) {
+      const ScenarioEmitter& next = *firing.back();
+      firing.pop_back();
+      if (!names.insert(next.def.name).second) continue;
+      for (const ScenarioSub& sub : next.subs)
+        if (const auto found = by_name.find(sub.emitter); found != by_name.end()) firing.push_back(found->second);
+    }
+    return names;
   }
   void too_late(const Value& table, std::string_view head, Path path, const std::string& due, const std::string& so) {
     note(table, head, path,

@@ -18,7 +18,7 @@ namespace physim {
 struct UnreadSetting {
   std::string place{};  // file:line:column
   std::string path{};   // "shot.magnus.lift"
-  std::string why{};    // what follows "has no effect": " beside shot.magnus.table"
+  std::string why{};    // what follows "has no effect": " beside shot.magnus.table"; " but ..." says what it has
 };
 
 /// All of a sound scenario, in the order of the list of settings. `document` is what it was read from.
@@ -29,6 +29,9 @@ struct UnreadSetting {
   const DetailRule& detail = scenario.world.def.detail;
   return scenario.world.given && !detail.rungs.empty() && (detail.layers & shot.body.layers) != 0;
 }
+
+/// Whether an emitter has something to fire by itself, if it plays.
+[[nodiscard]] bool has_own_fire(const EmitterDef& emitter);
 
 /// A fidelity that a shot may fly at.
 struct FlownRung {

@@ -10,6 +10,12 @@
 #include "scenario/unread.hpp"
 
 namespace physim {
+
+bool has_own_fire(const EmitterDef& e) {
+  const bool has_rate = e.per_second.value != 0 || e.per_second.to || e.per_metre != 0;
+  return has_rate || !e.bursts.empty() || e.gun.rounds_per_minute > 0 || e.rain.density > 0;
+}
+
 namespace rules_of_emitters {
 namespace {
 
@@ -27,14 +33,8 @@ bool moves(R r) {
   return !motion.keys.empty() || motion.velocity != Vec3d{} || !emitter(r).follows.empty();
 }
 bool varies(const DrawnNumber& number) { return !number.curve.empty() || !number.to_curve.empty(); }
-/// Whether it has something to fire by itself, if it plays.
-bool has_own_fire(R r) {
-  const EmitterDef& e = def(r);
-  const bool has_rate = e.per_second.value != 0 || e.per_second.to || e.per_metre != 0;
-  return has_rate || !e.bursts.empty() || e.gun.rounds_per_minute > 0 || e.rain.density > 0;
-}
 /// Whether it fires by itself, not only as the sub of others.
-bool fires(R r) { return def(r).cycle.plays && has_own_fire(r); }
+bool fires(R r) { return def(r).cycle.plays && has_own_fire(def(r)); }
 /// An emitter that fires only as a sub of others fires at the places of their particles.
 std::string why_not_its_own_place(R r) {
   const auto names_it = [&](const ScenarioEmitter& other) {
@@ -95,7 +95,9 @@ constexpr UnreadRule kPlaceRules[] = {
                                                          quantity_text(e.cycle.duration, Quantity::time));
      }},
     {"emitter.cycle.plays",
-     [](R r) { return read_or(has_own_fire(r), ": the emitter has no rate, burst, gun or rain to fire by itself"); }},
+     [](R r) {
+       return read_or(has_own_fire(def(r)), ": the emitter has no rate, burst, gun or rain to fire by itself");
+     }},
     {"emitter.cycle.duration",
      [](R r) {
        return read_or(reads_cycle(r), ": cycles that loop without bursts and curves are one like the other");
@@ -223,6 +225,10 @@ constexpr UnreadRule kParticleRules[] = {
      }},
     {"emitter.trail.time", why_no_trail},
     {"emitter.trail.distance", why_no_trail},
+    {"emitter.sub.on",
+     [](R r) {
+       return read_or(r.scope.sub->def.on != SubEvent::trigger, " but in programs: nothing triggers subs in a run");
+     }},
     {"emitter.sub.age",
      [](R r) { return read_with(r.scope.sub->def.on == SubEvent::age, "emitter.sub.on = \"age\""); }},
 };

@@ -182,7 +182,12 @@ constexpr UnreadRule kEnvironmentRules[] = {
        return read_with(air.temperature || air.pressure || air.humidity,
                         "environment.atmosphere.temperature, pressure or humidity");
      }},
-    {"environment.atmosphere.profile", why_no_sound},
+    {"environment.atmosphere.profile",
+     [](R r) {
+       if (std::string why = why_no_sound(r); !why.empty()) return why;
+       const bool is_read = r.any(computes_air) || r.scenario.environment.atmosphere.profile.size() == 1;
+       return read_or(is_read, " but at the origin: no shot flies air \"isa\"");
+     }},
     {"environment.atmosphere.density",
      [](R r) {
        const auto is_constant = [](Rung f) { return is_in_air(f) && !computes_air(f); };
@@ -213,8 +218,10 @@ constexpr UnreadRule kEnvironmentRules[] = {
      }},
     {"environment.wind.profile",
      [](R r) {
-       const bool is_read = r.any(flies_profile) || r.scenario.environment.wind.velocity == Vec3d{};
-       return read_unless(!is_read, "environment.wind.velocity where wind is \"constant\"");
+       const Wind& wind = r.scenario.environment.wind;
+       if (r.any(flies_profile)) return std::string();
+       if (wind.velocity != Vec3d{}) return read_unless(true, "environment.wind.velocity where wind is \"constant\"");
+       return read_or(wind.profile.size() == 1, " but at the origin: no shot flies wind \"profile\"");
      }},
     {"environment.wind.by",
      [](R r) { return read_with(r.any(flies_profile), "environment.wind.profile and wind \"profile\""); }},

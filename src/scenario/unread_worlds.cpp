@@ -56,7 +56,7 @@ constexpr UnreadRule kWorldRules[] = {
        const std::uint32_t layers = world(r).detail.layers;
        const bool has_others = std::ranges::any_of(
            r.scenario.shots, [&](const ScenarioShot& shot) { return (shot.body.layers & layers) == 0; });
-       return read_or(has_others, ": every shot.body.layers has one of them");
+       return read_or(has_others, " but that of all layers: every shot.body.layers has one of them");
      }},
     {"world.observer",
      [](R r) {

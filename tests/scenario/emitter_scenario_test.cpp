@@ -433,7 +433,8 @@ INSTANTIATE_TEST_SUITE_P(
         Bad{"name = \"sparks\"\nsub = [{ emitter = \"spark\" }]",
             "f.toml:7:20: error: emitter.sub.emitter: no emitter is named \"spark\"; did you mean \"sparks\"?"},
         Bad{"name = \"a\"\nsub = [{ emitter = \"a\", on = \"apex\" }]",
-            "f.toml:7:30: error: emitter.sub.on: nobody tells when a particle is at its apex; write apex_events = true "
+            "f.toml:7:30: error: emitter.sub.on: no event says when a particle is at its apex; write apex_events = "
+            "true "
             "into [world]"},
         Bad{"name = \"a\"\nsub = [{ emitter = \"b\" }]\n[[emitter]]\nshot = \"shot-1\"\nname = \"b\"\nsub = [{ "
             "emitter = \"a\" }]",

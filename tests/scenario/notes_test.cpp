@@ -103,6 +103,21 @@ TEST(Notes, motors_that_never_burn) {
   EXPECT_TRUE(notes_of(rocket("[world]\nduration = 14\n[[volley]]\nshot = \"shot-1\"\nstart = 4\n")).empty());
 }
 
+TEST(Notes, emitters_that_nothing_fires) {
+  const auto emitters = [](const std::string& first, const std::string& second) {
+    return "[world]\nduration = 2\n[[shot]]\nname = \"a\"\n[[emitter]]\nname = \"x\"\nshot = \"a\"\n" + first +
+           "[[emitter]]\nname = \"y\"\nshot = \"a\"\n" + second;
+  };
+  const std::string idle = "per_second = 0\n", sub = "sub = [{ emitter = \"y\" }]\n";
+  EXPECT_TRUE(notes_of(emitters(sub, idle)).empty());
+  expect_note(emitters("", idle), "f.toml:9:1",
+              "emitter: nothing fires it: it has no rate, burst, gun or rain, and is the sub of no emitter that fires");
+  expect_note(emitters("", "cycle = { plays = false }\n"), "f.toml:9:1", "emitter: nothing fires it: it does not play");
+  const std::vector<std::string> both = notes_of(emitters(idle + sub, idle));
+  ASSERT_EQ(both.size(), 2U) << "a sub of what never fires";
+  EXPECT_EQ(both[0].substr(0, 11), "f.toml:6:1:");
+}
+
 TEST(Notes, what_is_due_when_the_run_has_ended) {
   const std::string world = "[world]\nduration = 2\n[[shot]]\nname = \"a\"\nspeed = 1\nposition = [0, 99, 0]\n";
   const auto volley = [&](const std::string& more) { return world + "[[volley]]\nshot = \"a\"\n" + more; };

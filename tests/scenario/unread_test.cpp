@@ -235,8 +235,22 @@ TEST(Unread, wind_that_no_shot_feels) {
                 wind("velocity = [0, 0, 4]", "constant"));
   expect_unread("environment.wind.by", " without environment.wind.profile",
                 wind("velocity = [0, 0, 4]\nby = \"range\"", "profile"), wind(profile + "by = \"range\"", "profile"));
+  const std::string wind_levels =
+      "[environment.wind]\nprofile = [{ at = 0, velocity = [1, 0, 0] }, { at = 9, velocity = [5, 0, 0] }]\n";
+  const std::string air_levels =
+      "[environment.atmosphere]\nprofile = [{ altitude = 0, temperature = 300 }, { altitude = 900, temperature = 280 "
+      "}]\n";
+  for (const char* preset : {"game", "constant_air"}) {
+    const std::string cheap = kShot + "fidelity = \"" + preset + "\"\n";
+    expect_unread("environment.wind.profile", " but at the origin: no shot flies wind \"profile\"", wind_levels + cheap,
+                  wind_levels + kShot + "fidelity = \"simulation\"\n");
+    expect_unread("environment.atmosphere.profile", " but at the origin: no shot flies air \"isa\"", air_levels + cheap,
+                  air_levels + kShot + "fidelity = \"simulation\"\n");
+    EXPECT_FALSE(says("[environment.wind]\nprofile = [{ at = 0, velocity = [1, 0, 0] }]\n" + cheap, "has no effect"))
+        << "one level is the wind everywhere";
+  }
   expect_unread("environment.wind.profile", " beside environment.wind.velocity",
-                wind(profile + "velocity = [0, 0, 4]", "constant"), wind(profile, "constant"));
+                wind(profile + "velocity = [0, 0, 4]", "constant"), wind(profile, "profile"));
   expect_unread("shot.fidelity.wind", " without environment.wind", kShot + "fidelity = { wind = \"constant\" }\n",
                 kShot +
                     "fidelity = { wind = \"constant\" }\n[study]\n"
@@ -382,7 +396,7 @@ TEST(Unread, settings_of_emitters) {
       kShot + "fidelity = \"small_arms\"\n";
   expect_unread("shot.fidelity", ": in the world its rung is one of world.detail.rungs", rungs,
                 rungs + "body = { layers = 2 }\n");
-  expect_unread("world.detail.layers", ": every shot.body.layers has one of them", rungs,
+  expect_unread("world.detail.layers", " but that of all layers: every shot.body.layers has one of them", rungs,
                 rungs + "body = { layers = 2 }\n");
   const std::string puffs =
       "per_second = 30\nsub = [{ on = \"death\", emitter = \"puff\" }]\n[[emitter]]\nname = \"puff\"\nshot = "
@@ -391,6 +405,12 @@ TEST(Unread, settings_of_emitters) {
       {"emitter.position", "position = [1, 2, 3]"},
       {"emitter.motion.velocity", "motion = { velocity = [1, 0, 0] }"},
       {"emitter.motion.keys.position", "motion = { keys = [{ position = [0, 1, 0] }, { time = 1 }] }"}};
+  const auto sub_on = [&](const std::string& on) {
+    return emitter("sub = [{ on = \"" + on +
+                   "\", emitter = \"puff\" }]\n[[emitter]]\nname = \"puff\"\nshot = \"shot-1\"\n");
+  };
+  expect_unread("emitter.sub.on", " but in programs: nothing triggers subs in a run", sub_on("trigger"),
+                sub_on("death"));
   for (const auto& [path, own] : places)
     expect_unread(path, ": the emitter fires only as the sub of others", emitter(puffs + "per_second = 0\n" + own),
                   emitter(puffs + "per_second = 5\n" + own));
