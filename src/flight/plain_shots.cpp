@@ -6,6 +6,7 @@
 #include "base/assert.hpp"
 #include "math/pack.hpp"
 #include "model/standard_atmosphere.hpp"
+#include "prepare/conditions.hpp"
 #include "prepare/projectile.hpp"
 
 namespace physim {

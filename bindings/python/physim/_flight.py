@@ -268,6 +268,8 @@ def numbers(values: ArrayLike, name: str) -> NDArray[np.float64]:
     column of real numbers."""
     from ._errors import Error  # noqa: PLC0415
 
+    if np.ma.is_masked(values):
+        raise Error("has masked numbers", name, "leave those rows out, or fill them")
     array = np.asarray(values)
     if array.dtype.kind not in "fiu":
         raise Error(f"has numbers of type {array.dtype}", name, "give floats or whole numbers")

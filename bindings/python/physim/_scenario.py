@@ -545,7 +545,7 @@ def _column(value: Any, name: str) -> NDArray[np.float64]:
         unit = _core.units_of(_COLUMN_PATHS[name])[0] or "dimensionless"
         value = value.to(unit).magnitude
     array = np.asarray(value)
-    return numbers(array.reshape(1), name)[0:1].reshape(()) if array.ndim == 0 else numbers(array, name)
+    return numbers(array.reshape(1), name)[0:1].reshape(()) if array.ndim == 0 else numbers(value, name)
 
 
 def _check_apart(inputs: Mapping[str, Any], outputs: Mapping[str, Any]) -> None:

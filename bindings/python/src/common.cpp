@@ -4,6 +4,7 @@
 
 #include <atomic>
 #include <chrono>
+#include <cstdlib>
 #include <map>
 #include <mutex>
 #include <thread>
@@ -27,6 +28,9 @@ AnyArray writable(nb::handle object, const std::string& name) {
   return array;
 }
 
+constexpr const char* kOnEachOther = "has numbers that lie on each other";
+constexpr const char* kOfItsOwn = "give an array with a place for each number";
+
 bool is_double(const AnyArray& array, const std::string& name) {
   if (array.dtype() == nb::dtype<double>()) return true;
   if (array.dtype() == nb::dtype<float>()) return false;
@@ -42,6 +46,7 @@ Output::Output(nb::handle object, const std::string& name) : kept_(nb::borrow(ob
   data_ = array.data();
   size_ = array.shape(0);
   stride_ = array.stride(0);
+  if (stride_ == 0 && size_ > 1) fail(kOnEachOther, name, kOfItsOwn);
   if (!is_direct()) buffer_.resize(size_);
 }
 
@@ -62,6 +67,13 @@ OutputRows::OutputRows(nb::handle object, const std::string& name) : kept_(nb::b
   data_ = array.data();
   size_ = array.shape(0);
   strides_[0] = array.stride(0), strides_[1] = array.stride(1);
+  // Number `across` of a row is where a number of an other row is, or of this one.
+  for (std::int64_t across = 0; across < 3; ++across) {
+    const std::int64_t along = strides_[0], at = across * strides_[1];
+    const bool is_met = along == 0 ? at == 0 && (across > 0 || size_ > 1)
+                                   : at % along == 0 && std::abs(at / along) < std::int64_t(size_) && across > 0;
+    if (is_met) fail(kOnEachOther, name, kOfItsOwn);
+  }
 }
 
 // ------------------------------------------------------------------------------------------------------------- threads
@@ -69,7 +81,7 @@ namespace {
 
 struct Ending {
   std::atomic<bool> has_begun{false};
-  std::atomic<int> acquiring{0};  // threads that wait for the interpreter, or have just got it
+  std::atomic<int> acquiring{0};  // threads that wait for the interpreter, have just got it, or call a function
   std::atomic<std::thread::id> by{};
 };
 Ending& ending() {
@@ -81,21 +93,30 @@ Ending& ending() {
 
 bool Released::is_over() { return ending().has_begun && ending().by.load() != std::this_thread::get_id(); }
 
-Released::~Released() {
+Visit::Visit() {
   ++ending().acquiring;
-  if (is_over()) {
-    --ending().acquiring;
+  may_ = Py_IsInitialized() != 0 && !Released::is_over();
+  if (!may_) --ending().acquiring;
+}
+
+Visit::~Visit() {
+  if (may_) --ending().acquiring;
+}
+
+Released::~Released() {
+  const Visit visit;
+  if (!visit)
     for (;;) std::this_thread::sleep_for(std::chrono::hours(1));
-  }
   PyEval_RestoreThread(state_);
-  --ending().acquiring;
 }
 
 void Released::wait_for_the_end(nb::module_& module) {
   module.def("_end", [] {
     ending().by = std::this_thread::get_id();
     ending().has_begun = true;
-    while (ending().acquiring > 0) {  // those that are past their question get the interpreter now
+    // Those that are past their question get the interpreter now. A function that does not return is not waited for.
+    const auto until = std::chrono::steady_clock::now() + std::chrono::seconds(2);
+    while (ending().acquiring > 0 && std::chrono::steady_clock::now() < until) {
       PyThreadState* const state = PyEval_SaveThread();
       std::this_thread::sleep_for(std::chrono::milliseconds(1));
       PyEval_RestoreThread(state);
@@ -106,7 +127,7 @@ void Released::wait_for_the_end(nb::module_& module) {
 
 // ---------------------------------------------------------------------------------------------------------- functions
 Function::Function(nb::object function)
-    : shared_(new Shared{std::move(function), nullptr}, [](Shared* shared) {
+    : shared_(new Shared{std::move(function), nullptr, {}}, [](Shared* shared) {
         if (!Py_IsInitialized()) {  // the interpreter took the object with it
           shared->function.release();
           static_cast<void>(shared->raised.release());
@@ -123,6 +144,7 @@ nb::object Function::get() const { return shared_->function; }
 void Function::raise_kept() const {
   if (!shared_->raised) return;
   const std::unique_ptr<nb::python_error> raised = std::move(shared_->raised);
+  shared_->has_raised = false;
   throw nb::python_error(std::move(*raised));
 }
 
@@ -132,7 +154,15 @@ nb::object array_of(std::span<const Vec3d> rows) {
 
 void copy_rows(nb::handle from, std::span<Vec3d> into, const char* what) {
   const nb::object numpy = nb::module_::import_("numpy");
-  const nb::object dense = numpy.attr("ascontiguousarray")(from, "dtype"_a = "float64");
+  const nb::object given = numpy.attr("asarray")(from);
+  const bool is_masked = nb::hasattr(from, "mask") && nb::cast<bool>(numpy.attr("ma").attr("is_masked")(from));
+  if (is_masked || nb::cast<std::string_view>(given.attr("dtype").attr("kind")) == "c") {
+    const std::string message =
+        std::string(what) + " must return real numbers, not " + (is_masked ? "masked" : "complex");
+    PyErr_SetString(PyExc_ValueError, message.c_str());
+    throw nb::python_error();
+  }
+  const nb::object dense = numpy.attr("ascontiguousarray")(given, "dtype"_a = "float64");
   Triples rows;
   if (!nb::try_cast<Triples>(dense, rows, false) || rows.shape(0) != into.size()) {
     const std::string message = std::string(what) + " must return rows of three numbers, one for each of its " +

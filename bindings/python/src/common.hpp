@@ -10,6 +10,7 @@
 #include <nanobind/stl/unique_ptr.h>
 #include <nanobind/stl/vector.h>
 
+#include <atomic>
 #include <cstdint>
 #include <memory>
 #include <span>
@@ -184,6 +185,19 @@ class Released {
   PyThreadState* state_;
 };
 
+/// A thread of the library that is to call Python: the interpreter's end waits for it, or it may not.
+class Visit {
+ public:
+  Visit();
+  ~Visit();
+  Visit(const Visit&) = delete;
+  Visit& operator=(const Visit&) = delete;
+  explicit operator bool() const { return may_; }
+
+ private:
+  bool may_;
+};
+
 // ---------------------------------------------------------------------------------------------------------- functions
 /// A function of Python that the library calls, from any thread. What it raises is kept, and raised again when the call
 /// of the library is over.
@@ -192,10 +206,18 @@ class Function {
   explicit Function(nb::object function);
 
   [[nodiscard]] nb::object get() const;
-  /// Calls `work` with the interpreter's lock; an exception is kept, and the library gets a C++ exception.
+  /// For the garbage collector of Python: what is held here, and letting go of it.
+  [[nodiscard]] nb::handle held() const { return shared_->function; }
+  void let_go() const {
+    const nb::object gone = std::move(shared_->function);
+    shared_->function = nb::none();
+  }
+  /// Calls `work` with the interpreter's lock; an exception is kept, and the library gets a C++ exception, as in all
+  /// calls from then on until it is raised.
   template <class Work>
   void call(const Work& work) const {
-    if (!Py_IsInitialized() || Released::is_over()) throw Stopped();
+    const Visit visit;
+    if (!visit || shared_->has_raised) throw Stopped();
     const nb::gil_scoped_acquire lock;
     try {
       work(shared_->function);
@@ -213,16 +235,18 @@ class Function {
   }
   /// Raises what was kept. The interpreter's lock is held.
   void raise_kept() const;
-  [[nodiscard]] bool has_raised() const { return shared_->raised != nullptr; }
+  [[nodiscard]] bool has_raised() const { return shared_->has_raised; }
 
  private:
   struct Stopped {};
   void keep(nb::python_error&& error) const {
     if (!shared_->raised) shared_->raised = std::make_unique<nb::python_error>(std::move(error));
+    shared_->has_raised = true;
   }
   struct Shared {
     nb::object function;
     std::unique_ptr<nb::python_error> raised;
+    std::atomic<bool> has_raised{false};
   };
   std::shared_ptr<Shared> shared_;
 };

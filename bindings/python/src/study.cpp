@@ -5,9 +5,9 @@
 #include <chrono>
 
 #include "report/study_figures.hpp"
-#include "study/quantities.hpp"
 #include "report_table.hpp"
 #include "setup.hpp"
+#include "study/quantities.hpp"
 
 namespace physim::python {
 namespace {

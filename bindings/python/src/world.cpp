@@ -842,13 +842,28 @@ void add_moments(nb::class_<PyWorld>& c) {
       .def("stop_recording", [](PyWorld& w) { taken(w.get().stop_recording()); });
 }
 
+// A function of a world often holds that world, as a method of what holds both: the garbage collector sees the way.
+int visit_functions(PyObject* self, visitproc visit, void* arg) {
+  Py_VISIT(Py_TYPE(self));
+  if (!nb::inst_ready(self)) return 0;
+  for (const Function& each : nb::inst_ptr<PyWorld>(self)->functions()) Py_VISIT(each.held().ptr());
+  return 0;
+}
+int let_functions_go(PyObject* self) {
+  if (!nb::inst_ready(self)) return 0;
+  for (const Function& each : nb::inst_ptr<PyWorld>(self)->functions()) each.let_go();
+  return 0;
+}
+PyType_Slot kCollected[] = {
+    {Py_tp_traverse, (void*)visit_functions}, {Py_tp_clear, (void*)let_functions_go}, {0, nullptr}};
+
 }  // namespace
 
 void add_world(nb::module_& m) {
   nb::class_<PySnapshot>(m, "Snapshot", "A frozen moment of a world.").def_prop_ro("time", [](const PySnapshot& s) {
     return s.run ? s.run.time() : s.own.time();
   });
-  nb::class_<PyWorld> c(m, "World", "Many projectiles, stepped by frame.");
+  nb::class_<PyWorld> c(m, "World", nb::type_slots(kCollected), "Many projectiles, stepped by frame.");
   c.def_static("make", &make_world, "setup"_a, "A world of its own.")
       .def_static("run", &run_world, "setup"_a, "recording"_a, "The world of a scenario.")
       .def_static("load", &load_world, "setup"_a, "save"_a, "is_run"_a, "forces"_a, "wind_fields"_a, "force_fields"_a,

@@ -50,6 +50,7 @@ class PyWorld {
   bool moved_by(const std::function<bool(physim::Replay&)>& move);
   void forget() { events_.clear(), hits_.clear(), wall_hits_.clear(); }
 
+  [[nodiscard]] const std::vector<Function>& functions() const { return functions_; }
   /// Keeps a function of Python, so that what it raises comes out of step().
   const Function& keep(nb::object function, const char* name);
   /// The index of an environment of this world; it is added where it is new.

@@ -213,6 +213,7 @@ def refused_outputs():
     yield "long", np.empty(N + 1)
     yield "rows", np.empty((N, 1))
     yield "flat", np.empty(())
+    yield "on each other", np.lib.stride_tricks.as_strided(np.zeros(1), (N,), (0,))
 
 
 @pytest.mark.parametrize(("what", "array"), list(refused_outputs()), ids=[what for what, _ in refused_outputs()])
@@ -285,3 +286,23 @@ def test_functions_of_place_are_called_by_batches(level):
 
     with pytest.raises(RuntimeError, match="hole"):
         level.replace(wind_field=broken).batch(speed=np.full(50, 800.0), threads=2)
+
+
+def test_masked_numbers_are_not_flown(level):
+    assert len(level.batch(speed=np.ma.array([800.0, 810.0])).speed) == 2
+    with pytest.raises(physim.Error, match="masked"):
+        level.batch(speed=np.ma.array([800.0, 810.0], mask=[False, True]))
+
+
+def test_a_wind_field_that_raises_is_called_no_more(level):
+    calls = []
+
+    def wind(time, position):
+        calls.append(len(time))
+        raise LookupError("no wind here")
+
+    shot = level.replace(wind_field=wind)
+    for expected in (1, 2):  # and again in the next call
+        with pytest.raises(LookupError, match="no wind here"):
+            shot.batch(speed=np.full(1000, 800.0), threads=1)
+        assert len(calls) == expected

@@ -9,6 +9,7 @@ import pickle
 import subprocess
 import sys
 import textwrap
+import weakref
 
 import numpy as np
 import pytest
@@ -173,6 +174,55 @@ def test_a_thread_that_flies_when_the_interpreter_ends():
         """
     )
     assert done.returncode == 0, (done.returncode, done.stderr)
+
+
+@pytest.mark.parametrize(
+    "work",
+    ["shot.batch(speed=np.full(2000, 20.0), threads=2)", "shot.fly()", "world.step(1000)", "study.run()"],
+)
+def test_a_thread_whose_functions_are_called_when_the_interpreter_ends(work):
+    """Python ends such threads wherever they wait for it: in the middle of functions of C++, which aborts."""
+    program = f"""
+        import numpy as np, physim, threading, time
+        shot = physim.Shot(mass=0.5, diameter=0.1, speed=20, elevation="45 deg", fidelity="small_arms",
+                           wind_field=lambda t, x: np.zeros_like(x))
+        world = physim.World()
+        world.spawn(shot, 10)
+        world.add_force(lambda time, ids, position, velocity, mass: -0.01 * velocity)
+        study = shot.study(inputs={{"speed": "+- 1 m/s"}}, range=20, shots=100_000)
+        def go():
+            while True:
+                {work}
+        for _ in range(3):
+            threading.Thread(target=go, daemon=True).start()
+        time.sleep(0.3)
+        """
+    for _ in range(4):
+        done = run(program)
+        assert done.returncode == 0, (done.returncode, done.stderr)
+
+
+def test_worlds_that_hold_themselves_by_their_functions_are_collected():
+    class Game:
+        def __init__(self) -> None:
+            self.world = physim.World(threads=1)
+            self.world.on_hit(self.hit)
+            self.world.add_force(self.force)
+            self.world.spawn(physim.Shot(**SHORT), 3, asks=True)
+
+        def force(self, time, ids, position, velocity, mass):
+            return 0 * position
+
+        def hit(self, questions):
+            return ["stop"] * len(questions)
+
+    games = [Game() for _ in range(20)]
+    for game in games:
+        game.world.step(2)
+    left = [weakref.ref(game) for game in games]
+    del games, game
+    gc.collect()
+    assert not any(each() for each in left)
 
 
 def test_a_key_ends_many_steps():

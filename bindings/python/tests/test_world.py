@@ -11,6 +11,7 @@ import weakref
 import numpy as np
 import pytest
 from conftest import SCENARIOS, run_program, same_bits
+from numpy.lib.stride_tricks import as_strided
 
 import physim
 
@@ -108,14 +109,25 @@ def test_reads_into_the_callers_memory(world, ball, kind):
 
 @pytest.mark.parametrize(
     "out", [np.empty((5, 3), dtype=np.int64), np.empty((5, 3), dtype=">f8"), np.empty((5, 2)), np.empty(15),
-            np.empty((4, 3)), [[0.0] * 3] * 5, np.broadcast_to(np.empty(3), (5, 3)), np.empty((5, 3), dtype=complex)],
-    ids=["int", "big-endian", "columns", "flat", "short", "list", "read-only", "complex"],
+            np.empty((4, 3)), [[0.0] * 3] * 5, np.broadcast_to(np.empty(3), (5, 3)), np.empty((5, 3), dtype=complex),
+            *(as_strided(np.zeros(20), (5, 3), strides) for strides in ((0, 8), (8, 8), (16, 8), (24, 0)))],
+    ids=["int", "big-endian", "columns", "flat", "short", "list", "read-only", "complex", "one row", "rows on each other",
+         "ends on beginnings", "one number"],
 )  # fmt: skip
 def test_reads_into_what_cannot_be_written_are_errors(world, ball, out):
     world.spawn(ball, 5)
     with pytest.raises(physim.Error) as raised:
         world.positions(out=out)
     assert raised.value.place == "out"
+
+
+@pytest.mark.parametrize("what", ["complex", "masked"])
+def test_forces_are_real_numbers(world, ball, what):
+    zero = np.zeros((5, 3), dtype=complex) if what == "complex" else np.ma.array(np.zeros((5, 3)), mask=np.eye(5, 3))
+    world.spawn(ball, 5)
+    world.add_force(lambda time, ids, position, velocity, mass: zero)
+    with pytest.raises(ValueError, match=what):
+        world.step()
 
 
 def test_bad_input_is_an_error(world, ball):
