@@ -323,7 +323,7 @@ class Aimer {
       ways.first = ways.second = ways.first->miss < ways.second->miss ? ways.first : ways.second;
     return ways;
   }
-  /// Whether two descents came to one way, each from its side: it is as exact as the tolerance asks.
+  /// True if two descents ended at the same solution, from opposite sides of it, to within the tolerance.
   [[nodiscard]] static bool are_one(const AimSolution& a, const AimSolution& b) {
     constexpr double kAlike = 1e-3;  // of the time, and of the speed at the target [-]
     return abs(a.time - b.time) <= kAlike * b.time && length(a.velocity - b.velocity) <= kAlike * b.speed;

@@ -28,14 +28,14 @@ Result<std::size_t> find_shot(const Scenario& scenario, const std::string& wante
 
 namespace {
 
-/// What the library calls "launch.sight.zero_range" is "shot.sight.zero_range" in files; `shot` may be "shot.NAME".
+/// The path in files of a member of the library: "launch.sight.zero_range" becomes `shot` + ".sight.zero_range".
 std::string in_files(std::string_view member, const std::string& shot = "shot") {
   for (const std::string_view of_shot : {"launch.", "projectile."})
     if (member.starts_with(of_shot)) return shot + "." + std::string(member.substr(of_shot.size()));
   return std::string(member);
 }
 
-/// Where a member of the library is given for a shot; empty if it is not.
+/// The place in a file at which a member of the library is set for a shot; empty if no file sets it.
 std::string given_place(const Scenario& scenario, const ScenarioShot& shot, std::string_view member) {
   const std::string path = in_files(member, "shot." + shot.projectile.name);
   for (std::size_t end = path.size(); end != path.npos && end > 0; end = path.find_last_of(".[", end - 1)) {

@@ -220,7 +220,7 @@ bool has_sight(const Launch& launch) {
 std::string not_reached(const Flight& flight, double asked, const std::string& unit, double size) {
   const double end = flight.end().range / size;
   constexpr int kFewest = 4, kMost = 12;
-  int digits = kFewest;  // as many as tell the end from what it did not reach
+  int digits = kFewest;  // enough for the rounded end to stay below the range that was asked for
   while (digits < kMost && end < asked && std::atof(readable(end, digits).c_str()) >= asked) ++digits;
   return "not reached: " + std::string(name(flight.outcome())) + " at " + readable(end, digits) + " " + unit;
 }

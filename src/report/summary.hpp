@@ -17,7 +17,7 @@ namespace physim::report {
 
 /// Whether a shot is measured against a line of sight of its own; one without is shown by its height, not its drop.
 [[nodiscard]] bool has_sight(const Launch& launch);
-/// Why a flight is not on a card at a range, in a unit: how it ended before, in as many digits as tell the two apart.
+/// The entry of a card for a range that a flight does not reach: its outcome, and its last range below the one asked.
 [[nodiscard]] std::string not_reached(const Flight& flight, double asked, const std::string& unit = "m",
                                       double size = 1);
 /// The stability of what spins, at the muzzle, and at the end where the attitude is flown; empty for what does not

@@ -30,7 +30,7 @@ struct UnreadSetting {
   return scenario.world.given && !detail.rungs.empty() && (detail.layers & shot.body.layers) != 0;
 }
 
-/// Whether an emitter has something to fire by itself, if it plays.
+/// True if an emitter has a rate, bursts, a gun or rain: it fires without being the sub of another one.
 [[nodiscard]] bool has_own_fire(const EmitterDef& emitter);
 
 /// A fidelity that a shot may fly at.

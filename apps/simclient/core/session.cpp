@@ -411,8 +411,8 @@ double Session::presence_of(const Track& track) const {
   return std::clamp(1 - (time() - track.end()) / kFades, 0.0, 1.0);
 }
 
-/// Begins the tracks of those that nobody fired by hand and that are new, as far as there is room. What came at once is
-/// followed whole if that is not too much: four balls and a speck are no salvo of five.
+/// Begins tracks of new projectiles that the run fired, within the limit of tracks. A salvo of a few projectiles gets
+/// all its tracks or keeps to that limit: with a limit of five its sixth projectile would be a speck beside five balls.
 void Session::follow_new(std::span<const ProjectileId> ids) {
   std::vector<ProjectileId> fresh;
   std::ranges::copy_if(ids, std::back_inserter(fresh), [this](ProjectileId id) {

@@ -99,8 +99,8 @@ class Settling {
     r_.write();
     if (r_.meets()) look_around();
   }
-  /// Tells of the sensors that held it at the start of the step and hold it at the end. What left one at the end has
-  /// told so: its last place is in it but for rounding.
+  /// Reports `stayed` for each sensor that contains the projectile at the start and at the end of the step, except one
+  /// that it left at the end: rounding may put its last place inside that sensor again.
   void tell_stays() {
     const Scene* scene = r_.scene();
     if (scene == nullptr || !scene->tells_stay()) return;

@@ -248,7 +248,7 @@ class SettledRow final : public ContactHost {
     event.id = {slot_index_, slot().generation};
     event.time = context_.time + passed;
   }
-  /// Whether it has told last of a sensor that it left it: the events of its step are the last ones of the chunk.
+  /// True if the projectile's last event in this step at a sensor is `left`; its events are the last of the chunk.
   [[nodiscard]] bool has_left(const InstanceId& sensor) const {
     for (std::size_t i = chunk_.events.size(); i > 0; --i) {
       const Event& told = chunk_.events[i - 1];
