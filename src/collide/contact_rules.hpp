@@ -6,6 +6,7 @@
 #include <span>
 #include <vector>
 
+#include "collide/even_way.hpp"
 #include "collide/path_cast.hpp"
 #include "collide/scene_by_motion.hpp"
 #include "collide/seen_hit.hpp"
@@ -191,63 +192,6 @@ inline void enter_here(const State<double>& s, SceneHit& hit) {
           return each;
   return {};
 }
-
-/// A straight way from one state to another in some time with a constant acceleration along it; a projectile that comes
-/// to rest before the end of the time stays there.
-///
-/// Symbols: T time of the motion [s], L length of the way [m], v0, v1 speeds along it at its ends [m/s], tau = t / T,
-///   sigma = s / L, f = 2 v0 / (v0 + v1).
-/// Equation: sigma = tau (f + (1 - f) tau), T = 2 L / (v0 + v1); its inverse tau = 2 sigma / (f + sqrt(f^2 + 4 (1 - f)
-///   sigma)) loses no digits where f is near 1.
-/// When wrong: if the speeds at the ends contradict length and time, the way is steady, f = 1.
-class EvenWay {
- public:
-  EvenWay(const State<double>& from, const State<double>& to, double time) : from_(from), to_(to), time_(time) {
-    PHYSIM_ASSERT(time >= 0);
-    constexpr double kEven = 1e-3;  // velocities and ways are rounded [-]
-    const Vec3d chord = to.x - from.x, towards = normalized(chord);
-    const double first = dot(from.v, towards), last = dot(to.v, towards), lasts = 2 * length(chord) / (first + last);
-    if (!(first >= 0 && last >= 0 && lasts > 0 && lasts <= time * (1 + kEven))) return;
-    first_ = 2 * (first / (first + last));
-    if (last <= kEven * first) lasts_ = min(lasts / time, 1.0);
-  }
-
-  /// A moment of it.
-  struct Moment {
-    State<double> state;
-    double time;     // since it began [s]
-    double of_time;  // the part of the time that it goes [-]
-
-    /// A number that changes evenly, too.
-    [[nodiscard]] Vec3d mixed(const Vec3d& from, const Vec3d& to) const {
-      return of_time < 1 ? from + (to - from) * of_time : to;
-    }
-  };
-  /// After a part of the way: where something stands.
-  [[nodiscard]] Moment after_way(double part) const {
-    if (!(part > 0)) return {from_, 0, 0};
-    if (part >= 1) return {to_, time_, 1};
-    const double of_time = 2 * part / (first_ + std::sqrt(first_ * first_ + 4 * (1 - first_) * part));
-    return {at(of_time, part), of_time * lasts_ * time_, of_time};
-  }
-  /// After a part of the time, as if it went steadily: what moves meets it there.
-  [[nodiscard]] Moment steadily(double part) const { return {at(part, part), part * time_, part}; }
-  /// After a part of the time.
-  [[nodiscard]] State<double> operator()(double part) const {
-    const double of_time = min(part / lasts_, 1.0);
-    return at(of_time, of_time * (first_ + (1 - first_) * of_time));
-  }
-
- private:
-  [[nodiscard]] State<double> at(double of_time, double of_way) const {
-    if (of_time >= 1) return to_;
-    return {from_.x + (to_.x - from_.x) * of_way, from_.v + (to_.v - from_.v) * of_time};
-  }
-  State<double> from_, to_;
-  double time_;
-  double first_ = 1;  // f [-]
-  double lasts_ = 1;  // T of the time that was given [-]
-};
 
 /// The sensors that tell who stays in them, of some layers, that hold two places, each at its time.
 [[nodiscard]] inline std::vector<SceneHit> sensors_around(const Scene& scene, std::uint32_t layers, const Vec3d& start,

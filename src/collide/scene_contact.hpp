@@ -11,6 +11,7 @@
 
 #include "collide/contact_host.hpp"
 #include "collide/contact_rules.hpp"
+#include "collide/contact_view.hpp"
 #include "collide/contact_within.hpp"
 #include "collide/path_cast.hpp"
 #include "collide/scene_by_motion.hpp"
@@ -24,11 +25,10 @@
 namespace physim {
 
 /// The contacts of one step.
-class SceneContacts {
+class SceneContacts : private ContactView {
  public:
   explicit SceneContacts(ContactHost& host)
-      : r_(host),
-        scene_(host.scene()),
+      : ContactView(host),
         solids_{.layers = scene_ ? collision().layers : 0, .sensors = false, .from_front = true},
         casts_(scene_, solids_) {}
   explicit operator bool() const { return scene_ != nullptr; }
@@ -200,27 +200,8 @@ class SceneContacts {
     tell_passages(EvenWay(from, to, end - begin), 1, begin, end - begin);
   }
 
-  [[nodiscard]] const CollisionDef& collision() const { return r_.collision(); }
-  [[nodiscard]] double frame() const { return frame_of_contact(r_.step_length()); }
-  /// How long it may go on along what it touched [s].
-  [[nodiscard]] double longest_way(double passed) const { return std::min(r_.step_length() - passed, kLongestPart); }
-  [[nodiscard]] Ball ball() const { return {collision().radius, collision().inertia, r_.turns()}; }
-  [[nodiscard]] Vec3d spin(double passed) const { return component_product(r_.turns(), r_.spin(passed)); }
-  [[nodiscard]] bool is_ball() const { return collision().radius > 0; }
-
-  [[nodiscard]] bool is_float32() const { return r_.precision() == Precision::float32; }
-  /// A vector rounded to the precision of the projectile's state.
-  [[nodiscard]] Vec3d held(const Vec3d& x) const { return is_float32() ? vec_cast<double>(vec_cast<float>(x)) : x; }
-  [[nodiscard]] double spacing(const Vec3d& x) const {
-    return is_float32() ? spacing_at<float>(x) : spacing_at<double>(x);
-  }
-
   [[nodiscard]] SceneHit cast(const Vec3d& from, const Vec3d& to, double passed, double duration) const {
     return with_facing_normal(casts_.first_hit({from, to, collision().radius, r_.scene_time() + passed, duration}));
-  }
-
-  [[nodiscard]] double gap_at(const Vec3d& x) const {
-    return is_float32() ? physim::gap_at<float>(x) : physim::gap_at<double>(x);
   }
 
   /// A place that its numbers can hold, from which what touches something at `x` can go on: outside of it, and of what
@@ -291,20 +272,6 @@ class SceneContacts {
     return false;
   }
 
-  /// Constraints take up what would push it to where it is not free to go: it meets the line in which the surface cuts
-  /// the plane that it is held in, and that line moves as the surface does there.
-  void constrain(SceneHit& hit) const {
-    const Vec3d along = r_.kept(hit.normal);
-    if (along == hit.normal && r_.kept(hit.velocity) == hit.velocity) return;
-    const double part = length(along);
-    const double speed = dot(hit.velocity, hit.normal);
-    hit.velocity = r_.kept(hit.velocity);
-    if (!(part > 1e-9)) return;
-    PHYSIM_ASSERT(part <= 1 + 1e-6);
-    hit.normal = along * (1 / part);
-    hit.velocity += hit.normal * (speed / part - dot(hit.velocity, hit.normal));
-  }
-
   /// A ball that touches something where the step begins, as its middle is outside.
   void push_out(const SceneNearest& near, State<double>& s, SceneHit& hit, double passed) const {
     const double radius = collision().radius, time = r_.scene_time() + passed, rounding = 4 * gap_at(s.x);
@@ -345,15 +312,6 @@ class SceneContacts {
     const bool goes_through = collision().on_hit == OnHit::impact || came_through_;
     return {*scene_, solids_, collision().radius, gap_at(x), r_.scene_time() + passed, goes_through};
   }
-  [[nodiscard]] State<double> carried(const SceneHit& hit, const Vec3d& x, const Vec3d& along, double passed,
-                                      double time) const {
-    return carried_by(*scene_, hit.instance, x, along, r_.scene_time() + passed, time);
-  }
-  /// True if the thing moves; the motion of an engine's thing is not known ahead.
-  [[nodiscard]] bool moves(const SceneHit& hit) const {
-    return !is_engines(hit) && !SceneByMotion(*scene_).rests(hit.instance.index);
-  }
-  [[nodiscard]] static bool is_engines(const SceneHit& hit) { return hit.instance.generation == kEngineGeneration; }
   /// True if the projectile lay on an engine's surface before: it fell no farther than a part of the skin, to which the
   /// surface is known.
   [[nodiscard]] bool lay_there(const State<double>& s, const SceneHit& hit, double passed) const {
@@ -368,61 +326,11 @@ class SceneContacts {
     return std::ranges::find(touched_, hit.instance) != touched_.end() &&
            dot(s.v - hit.velocity, hit.normal) >= -pressure * frame() - 1e-9 * length(s.v);
   }
-  /// Mean acceleration by all effects but the contact, in the frame of the thing, over a time that follows [m/s^2].
-  [[nodiscard]] Vec3d acceleration_on(const State<double>& s, const SceneHit& hit, double passed, double time) const {
-    const Vec3d a = r_.acceleration_at(s, passed);
-    if (!moves(hit) || !(time > 0)) return a;
-    return a - (carried(hit, s.x, {}, passed, time).v - hit.velocity) * (1 / time);
-  }
-  /// Acceleration that presses the projectile onto a thing that carries it, some time later [m/s^2].
-  [[nodiscard]] double pressure_on(const State<double>& s, const SceneHit& hit, double passed, double later) const {
-    constexpr double kShort = 1e-5;  // [s]
-    const double own = -dot(r_.acceleration_at(s, passed), hit.normal);
-    if (!moves(hit)) return own;
-    const Vec3d now = carried(hit, s.x, {}, passed, later).v, then = carried(hit, s.x, {}, passed, later + kShort).v;
-    return own + dot(then - now, hit.normal) / kShort;
-  }
-  /// The part of the time that follows in which a moving thing presses the projectile on [s].
-  [[nodiscard]] double pressed_for(const State<double>& s, const SceneHit& hit, double passed) const {
-    const double longest = longest_way(passed);
-    if (!moves(hit)) return longest;
-    // A thing whose velocity jumps may press again later; the projectile has left it before.
-    const Vec3d a = r_.acceleration_at(s, passed);
-    const double own = -dot(a, hit.normal), rounding = 1e-9 * length(a);
-    PHYSIM_ASSERT(!is_engines(hit));
-    const auto presses = [&](double later) {
-      const double ahead = dot(carried(hit, s.x, {}, passed, later).v - hit.velocity, hit.normal) + own * later;
-      return pressure_on(s, hit, passed, later) >= -rounding && ahead >= -rounding * later;
-    };
-    if (presses(longest)) return longest;
-    double pressed = 0, free = longest;
-    constexpr int kHalvings = 40;
-    for (int i = 0; i < kHalvings; ++i) {
-      const double middle = 0.5 * (pressed + free);
-      (presses(middle) ? pressed : free) = middle;
-    }
-    return free;
-  }
 
   /// Whether something stands in a way at once: it is as near as what is put beside a surface lies off it.
   [[nodiscard]] bool is_at_once(const SceneHit& next, const Vec3d& x, const Vec3d& way, double time) const {
     if (!next || next.starts_inside || next.part * time <= 1e-6 * frame()) return bool(next);
     return next.part * std::abs(dot(way - next.velocity * time, next.normal)) <= 4 * gap_at(x);
-  }
-
-  [[nodiscard]] Surface surface(const SceneHit& hit) const {
-    return surface_between(scene_->material(hit.material), r_.surface());
-  }
-
-  /// Velocity with which a conveyor's surface runs over its thing, as far as constraints of motion leave it [m/s].
-  [[nodiscard]] Vec3d runs(const SceneHit& hit, double passed) const {
-    const Vec3d v = scene_->conveyor_velocity(hit.instance, hit.normal, r_.scene_time() + passed);
-    return v == Vec3d{} ? v : r_.kept(v);
-  }
-  /// Velocity of the surface that rubs [m/s].
-  [[nodiscard]] Vec3d running(const SceneHit& hit, double passed) const {
-    const Vec3d over = runs(hit, passed);
-    return over == Vec3d{} ? hit.velocity : hit.velocity + over;
   }
 
   /// Further surfaces that it meets at the moment at which it meets one: what stands in the rest of its way at once.
@@ -507,16 +415,6 @@ class SceneContacts {
     return moves_along(s, hit, passed, motion, a + changed_by(r_, {s.x, came.velocity + u}, s, passed));
   }
 
-  /// A way along a plane surface.
-  [[nodiscard]] BallWay ball_way(const BallMotion& motion, const Pull& a, const SceneHit& hit, const Surface& on,
-                                 const Vec3d& over, double time) const {
-    BallWay way = way_on(motion, over, [&](const BallMotion& from) {
-      return slid_or_rolled(from, a, hit.normal, ball(), {on.friction, on.rolling_resistance}, time);
-    });
-    way.way = r_.kept(way.way);
-    way.motion.velocity = r_.kept(way.motion.velocity);
-    return way;
-  }
   /// What a ball turns about at the end of its way, if the surface falls away there from the plane on which it goes: an
   /// edge, or what is round.
   struct Turn {
@@ -624,7 +522,7 @@ class SceneContacts {
   }
   /// When a way comes to the ground from above; at once if the ground holds it already.
   [[nodiscard]] PHYSIM_COLD std::optional<double> comes_to_ground(const Vec3d& from, double time,
-                                                                  const std::function<Vec3d(double)>& place) const {
+                                                                  FunctionRef<Vec3d(double)> place) const {
     const auto above = [&](double at) { return r_.ground_below(place(at)).height; };
     const double before = r_.ground_below(from).height, after = above(time);
     if (!(after < 0)) return std::nullopt;
@@ -806,8 +704,6 @@ class SceneContacts {
     return through.thickness > 0 ? outside(x, off, passed) : held(x + off * (8 * gap_at(x)));
   }
 
-  ContactHost& r_;
-  const Scene* scene_;
   SceneFilter solids_;
   collide::TubeCasts casts_;  // about the way that was looked at last
   int hits_ = 0;

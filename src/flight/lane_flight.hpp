@@ -372,7 +372,7 @@ class LaneFlight {
   }
 
   /// Met something inside a step.
-  void strike(const collide::PathHit& met) {
+  PHYSIM_COLD void strike(const collide::PathHit& met) {
     met_ = true;
     const double clock = j_->at.time(met.theta);
     const double passed = std::min(clock + into_step_, parts_.end());
@@ -400,7 +400,7 @@ class LaneFlight {
     leave_thing(contacts_->goes_along(s, *on, passed));
     return true;
   }
-  void leave_thing(const SceneContacts::After& after) {
+  PHYSIM_COLD void leave_thing(const SceneContacts::After& after) {
     keep_slides();
     if (ended_) return;
     using Then = SceneContacts::Then;
