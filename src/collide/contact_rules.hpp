@@ -6,6 +6,7 @@
 #include <span>
 #include <vector>
 
+#include "base/function_ref.hpp"
 #include "collide/even_way.hpp"
 #include "collide/path_cast.hpp"
 #include "collide/scene_by_motion.hpp"
@@ -169,18 +170,6 @@ inline void enter_here(const State<double>& s, SceneHit& hit) {
   return s.x + off;
 }
 
-/// The state after a time of a place on a thing, moved by `along` in the thing's frame meanwhile.
-[[nodiscard]] inline State<double> carried_by(const Scene& scene, InstanceId thing, const Vec3d& x, const Vec3d& along,
-                                              double now, double time) {
-  const auto from = scene.state(thing, now), to = scene.state(thing, now + time);
-  PHYSIM_ASSERT(from && to);
-  if (from->rotation == to->rotation && from->angular_velocity == Vec3d{})
-    return {x + along + (to->position - from->position), to->velocity};
-  const Quatd turn = to->rotation * conjugate(from->rotation);
-  const Vec3d place = to->position + rotate(turn, x - from->position) + rotate(turn, along);
-  return {place, velocity_at(*to, place)};
-}
-
 /// The surface of the body that a hit is of and that a place lies in by no more than `rounding`, in whichever direction
 /// that is, or outside of by a quarter of it; none: the place lies deeper.
 [[nodiscard]] inline SceneHit surface_beside(const Scene& scene, const SceneFilter& solids, const SceneHit& inside_of,
@@ -258,13 +247,18 @@ struct AlongSurface {
   double time;    // that it lasts [s]
 };
 /// The pull on a host that slides; `a` is its acceleration as the surface has it, which may be accelerated itself.
-/// Nothing but drag depends on how fast the host slides, but for what acts across its way.
+/// Nothing but drag depends on how fast the host slides, but for what acts across its way. `end(pull)`: its velocity
+/// over the surface when the time has passed.
 template <class Host>
-[[nodiscard]] Pull pull_along(const Host& host, const Vec3d& a, const State<double>& s, const AlongSurface& slide) {
+[[nodiscard]] Pull pull_along(const Host& host, const Vec3d& a, const State<double>& s, const AlongSurface& slide,
+                              FunctionRef<Vec3d(const Pull&)> end) {
   if (slide.v_t == Vec3d{}) return a;
   const Vec3d own = host.acceleration_at(s, slide.passed);
   const Vec3d ending = host.acceleration_at({s.x, s.v - slide.v_t}, slide.passed) - own;
-  return braked(a, own - slide.normal * dot(own, slide.normal), ending, slide.v_t, slide.time);
+  const Vec3d pull_t = own - slide.normal * dot(own, slide.normal);
+  const auto pulls = [&](double kept) { return braked(a, pull_t, ending, slide.v_t, slide.time, kept); };
+  const Pull alone = pulls(1);
+  return alone.has_drag() ? pulls(dot(end(alone), slide.v_t) / length_squared(slide.v_t)) : alone;
 }
 
 /// The difference between a host's accelerations in two states at one time, to - from [m/s^2].

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 
+#include "collide/carried.hpp"
 #include "collide/contact_host.hpp"
 #include "collide/contact_rules.hpp"
 #include "collide/scene_by_motion.hpp"
@@ -48,9 +49,22 @@ class ContactView {
     hit.normal = along * (1 / part);
     hit.velocity += hit.normal * (speed / part - dot(hit.velocity, hit.normal));
   }
+  [[nodiscard]] SceneByMotion::Ride ride(const SceneHit& hit, double passed) const {
+    return SceneByMotion(*scene_).ride(hit.instance.index, r_.scene_time() + passed);
+  }
+  [[nodiscard]] OnThing on(const SceneHit& hit, const Vec3d& x, double passed) const {
+    return {x, hit.normal, collision().radius, r_.scene_time() + passed};
+  }
   [[nodiscard]] State<double> carried(const SceneHit& hit, const Vec3d& x, const Vec3d& along, double passed,
                                       double time) const {
-    return carried_by(*scene_, hit.instance, x, along, r_.scene_time() + passed, time);
+    const SceneByMotion::Ride by = ride(hit, passed);
+    return by.by->carried(*by.piece, on(hit, x, passed), along, time);
+  }
+  /// What carries a place of a thing, if the thing moves.
+  [[nodiscard]] Carrier carrier_of(const SceneHit& hit, const Vec3d& x, double passed) const {
+    if (moves(hit)) return [this, hit, x, passed](double time) { return carried(hit, x, {}, passed, time); };
+    if (hit.velocity == Vec3d{}) return {};
+    return [u = hit.velocity, x](double time) { return State<double>{x + u * time, u}; };
   }
   /// True if the thing moves; the motion of an engine's thing is not known ahead.
   [[nodiscard]] bool moves(const SceneHit& hit) const {
@@ -73,8 +87,8 @@ class ContactView {
   }
   /// The part of the time that follows in which a moving thing presses the projectile on [s].
   [[nodiscard]] double pressed_for(const State<double>& s, const SceneHit& hit, double passed) const {
-    const double longest = longest_way(passed);
-    if (!moves(hit)) return longest;
+    if (!moves(hit)) return longest_way(passed);
+    const double longest = min(longest_way(passed), ride(hit, passed).lasts);
     // A thing whose velocity jumps may press again later; the projectile has left it before.
     const Vec3d a = r_.acceleration_at(s, passed);
     const double own = -dot(a, hit.normal), rounding = 1e-9 * length(a);
@@ -114,6 +128,46 @@ class ContactView {
     way.way = r_.kept(way.way);
     way.motion.velocity = r_.kept(way.motion.velocity);
     return way;
+  }
+  /// A way along a thing as the surface below it sees it.
+  [[nodiscard]] BallWay way_along(const SceneHit& hit, const BallMotion& motion, const Vec3d& over, const Pull& pull,
+                                  double time) const {
+    return is_ball() ? ball_way(motion, pull, hit, surface(hit), over, time)
+                     : point_way(motion, over, pull, hit.normal, surface(hit), time);
+  }
+  /// What pulls it along a thing over a time, beside the thing.
+  [[nodiscard]] Pull pull_on(const State<double>& s, const SceneHit& hit, const BallMotion& motion, const Vec3d& a,
+                             double passed, double time) const {
+    const Vec3d over = runs(hit, passed), w = s.v - hit.velocity - over, v_t = w - hit.normal * dot(w, hit.normal);
+    const auto way = [&](const Pull& pull) { return way_along(hit, motion, over, pull, time); };
+    const auto pulls = [&](const Vec3d& on_it) {
+      return pull_along(r_, on_it, s, {v_t, hit.normal, passed, time},
+                        [&](const Pull& pull) { return way(pull).motion.velocity - over; });
+    };
+    Pull pull = pulls(a);
+    if (!moves(hit) || !(time > 0)) return pull;
+    const SceneByMotion::Ride by = ride(hit, passed);
+    constexpr int kRounds = 8;  // each brings it a hundred times nearer
+    for (int round = 0; by.turns() && round < kRounds; ++round) {
+      const BallWay it = way(pull);
+      pull = pulls(by.by->seen_from_turning(*by.piece, on(hit, s.x, passed), a, motion.velocity,
+                                            {over, it.way * (time / it.time), time}));
+    }
+    return pull;
+  }
+  /// The motion at the end of a way along a thing that moves.
+  void turn_with(const SceneHit& hit, const Vec3d& x, const Vec3d& over, double passed, BallWay& way) const {
+    const SceneByMotion::Ride by = ride(hit, passed);
+    if (!by.turns()) return;
+    way.motion = by.by->turned(*by.piece, on(hit, x, passed), way.motion, ball(), {over, way.way, way.time});
+    way.motion.velocity = r_.kept(way.motion.velocity);
+  }
+  /// When a way meets what moves, or what a thing carries it to.
+  [[nodiscard]] EvenWay::Moment moment_met(const EvenWay& way, const SceneHit& carries, const SceneHit& next,
+                                           const Vec3d& over, double passed) const {
+    const Carriage* by = ride(next, passed).by;
+    if (!by) by = ride(carries, passed).by;
+    return by ? by->moment_met(way, next, over) : way.steadily(next.part);  // an engine's motion is not known
   }
 
   ContactHost& r_;

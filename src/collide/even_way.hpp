@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cmath>
+#include <functional>
 
 #include "base/assert.hpp"
 #include "math/vec3.hpp"
@@ -9,8 +10,11 @@
 
 namespace physim {
 
+/// Where what moves carries a place, and how fast, some time later [s]; empty if it stands still.
+using Carrier = std::function<State<double>(double)>;
+
 /// A straight way from one state to another in some time with a constant acceleration along it; a projectile that comes
-/// to rest before the end of the time stays there.
+/// to rest before the end of the time stays there. What is carried goes such a way over what carries it.
 ///
 /// Symbols: T time of the motion [s], L length of the way [m], v0, v1 speeds along it at its ends [m/s], tau = t / T,
 ///   sigma = s / L, f = 2 v0 / (v0 + v1).
@@ -19,11 +23,13 @@ namespace physim {
 /// When wrong: if the speeds at the ends contradict length and time, the way is steady, f = 1.
 class EvenWay {
  public:
-  EvenWay(const State<double>& from, const State<double>& to, double time) : from_(from), to_(to), time_(time) {
+  PHYSIM_COLD EvenWay(const State<double>& from, const State<double>& to, double time, Carrier carrier = {})
+      : from_(from), to_(to), end_(to), time_(time), carrier_(std::move(carrier)) {
     PHYSIM_ASSERT(time >= 0);
     constexpr double kEven = 1e-3;  // velocities and ways are rounded [-]
-    const Vec3d chord = to.x - from.x, towards = normalized(chord);
-    const double first = dot(from.v, towards), last = dot(to.v, towards), lasts = 2 * length(chord) / (first + last);
+    if (carrier_) leave_carrier();
+    const Vec3d chord = to_.x - from_.x, towards = normalized(chord);
+    const double first = dot(from_.v, towards), last = dot(to_.v, towards), lasts = 2 * length(chord) / (first + last);
     if (!(first >= 0 && last >= 0 && lasts > 0 && lasts <= time * (1 + kEven))) return;
     first_ = 2 * (first / (first + last));
     if (last <= kEven * first) lasts_ = min(lasts / time, 1.0);
@@ -42,26 +48,43 @@ class EvenWay {
   };
   /// After a part of the way: where something stands.
   [[nodiscard]] Moment after_way(double part) const {
-    if (!(part > 0)) return {from_, 0, 0};
-    if (part >= 1) return {to_, time_, 1};
+    if (!(part > 0)) return {carrier_ ? (*this)(0) : from_, 0, 0};
+    if (part >= 1) return {end_, time_, 1};
     const double of_time = 2 * part / (first_ + std::sqrt(first_ * first_ + 4 * (1 - first_) * part));
     return {at(of_time, part), of_time * lasts_ * time_, of_time};
   }
-  /// After a part of the time, as if it went steadily: what moves meets it there.
-  [[nodiscard]] Moment steadily(double part) const { return {at(part, part), part * time_, part}; }
+  /// After a part of the time, as if it went steadily: along its chord.
+  [[nodiscard]] Moment steadily(double part) const {
+    return {carrier_ ? (*this)(part) : at(part, part), part * time_, part};
+  }
   /// After a part of the time.
+  [[nodiscard]] Moment after_time(double part) const { return {(*this)(part), part * time_, part}; }
+  [[nodiscard]] double time() const { return time_; }
   [[nodiscard]] State<double> operator()(double part) const {
     const double of_time = min(part / lasts_, 1.0);
-    return at(of_time, of_time * (first_ + (1 - first_) * of_time));
+    if (part < 1 && carrier_) return carried(part, of_time);
+    return at(of_time, of_way(of_time));
   }
 
  private:
+  [[nodiscard]] double of_way(double of_time) const { return of_time * (first_ + (1 - first_) * of_time); }
   [[nodiscard]] State<double> at(double of_time, double of_way) const {
-    if (of_time >= 1) return to_;
+    if (of_time >= 1) return end_;
     return {from_.x + (to_.x - from_.x) * of_way, from_.v + (to_.v - from_.v) * of_time};
   }
-  State<double> from_, to_;
+  /// The states at the ends as what carries it has them.
+  PHYSIM_COLD void leave_carrier() {
+    const State<double> first = carrier_(0), last = carrier_(time_);
+    from_.v -= first.v, to_ = {from_.x + (to_.x - last.x), to_.v - last.v};
+  }
+  [[nodiscard]] PHYSIM_COLD State<double> carried(double part, double of_time) const {
+    const State<double> by = carrier_(part * time_);
+    return {by.x + (to_.x - from_.x) * of_way(of_time), by.v + from_.v + (to_.v - from_.v) * of_time};
+  }
+  State<double> from_, to_;  // as what carries it has them
+  State<double> end_;
   double time_;
+  Carrier carrier_;
   double first_ = 1;  // f [-]
   double lasts_ = 1;  // T of the time that was given [-]
 };

@@ -28,6 +28,7 @@ struct Knot {
 /// The cubic between two moments of a path.
 struct Leg {
   Knot begin, end;
+  double placed = 1e-9;  // as much as places are rounded by, and put beside surfaces [m]
 
   [[nodiscard]] double span() const { return end.time - begin.time; }
   [[nodiscard]] Knot at(double time) const {
@@ -39,8 +40,16 @@ struct Leg {
     const Vec3d early = begin.v * h - way, late = way - end.v * h;  // 0 on a straight and steady path
     const double r = 1 - s;
     const Vec3d bend = early * r + late * s;
-    const Vec3d v = (way + (early * r + late * s) * (r - s) + (late - early) * (s * r)) * (1 / h);
-    return {time, begin.x + way * s + bend * (s * r), v};
+    return {time, begin.x + way * s + bend * (s * r), velocity(s, early, late)};
+  }
+
+ private:
+  /// What was put somewhere, or bounced within a leg that places do not resolve, did not go there by that velocity.
+  [[nodiscard]] Vec3d velocity(double s, const Vec3d& early, const Vec3d& late) const {
+    const double h = span(), r = 1 - s, off = 0.5 * length(early - late);
+    if (h * (length(begin.v) + length(end.v)) <= placed) return end.v;
+    if (off <= placed && 3 * off > h * length(end.v - begin.v)) return begin.v * r + end.v * s;
+    return (end.x - begin.x + (early * r + late * s) * (r - s) + (late - early) * (s * r)) * (1 / h);
   }
 };
 

@@ -4,7 +4,10 @@
 
 #include "base/checker.hpp"
 #include "base/ieee_mode.hpp"
+#include "collide/carried.hpp"
 #include "math/elementary.hpp"
+#include "math/quat.hpp"
+#include "math/root.hpp"
 
 namespace physim::collide {
 namespace {
@@ -91,6 +94,7 @@ Result<Path> Path::make(const SceneMotion& motion, const Transform& at) {
   PHYSIM_ASSERT(at.scale > 0 && !std::holds_alternative<AtRest>(motion));
   Path path;
   path.scale_ = at.scale;
+  path.carriage_ = &kCarriage;
   if (const auto* steady = std::get_if<SteadyMotion>(&motion)) {
     if (auto status = check_path(*steady); !status) return status.error();
     Piece& piece = path.pieces_.emplace_back(resting({steady->start, at.position, at.rotation, {}}, -kInfinity));
@@ -191,5 +195,60 @@ Vec3d velocity_at(const MotionState& state, const Vec3d& place) {
   const IeeeMode mode;
   return state.velocity + cross(state.angular_velocity, place - state.position);
 }
+
+namespace {
+
+Quatd turn_of(const collide::Path::Piece& by, double since, double time) {
+  return by.at(since + time).rotation * conjugate(by.at(since).rotation);
+}
+
+State<double> carried(const collide::Path::Piece& by, const OnThing& on, const Vec3d& along, double time) {
+  const MotionState from = by.at(on.since), to = by.at(on.since + time);
+  if (by.rate == 0) return {on.x + along + (to.position - from.position), to.velocity};
+  const Quatd turn = to.rotation * conjugate(from.rotation);
+  const Vec3d gone = along - cross(from.angular_velocity, on.normal) * (on.radius * time);
+  // All of it tilts with the surface; about the normal, what was gone first turned farthest.
+  Vec3d way = gone + rotate(turn, gone);
+  const Vec3d then = rotate(turn, on.normal);
+  way -= then * dot(way, then);
+  if (const double chord = length(way); chord > 0) way *= length(gone) / chord;
+  const Vec3d place = to.position + rotate(turn, on.x - from.position) + way;
+  return {place, velocity_at(to, place - then * on.radius)};
+}
+
+Vec3d seen_from_turning(const collide::Path::Piece& by, const OnThing& on, const Vec3d& a, const Vec3d& v,
+                        const AlongThing& along) {
+  PHYSIM_ASSERT(along.time > 0);
+  const Vec3d n = on.normal, omega = by.axis * by.rate, tilt = omega - n * dot(omega, n);
+  const Vec3d more = carried(by, on, along.way, along.time).v - carried(by, on, {}, along.time).v;
+  const Vec3d seen = a - more * (1 / along.time);
+  return seen - cross(tilt, seen) * (0.5 * along.time) + n * dot(v, cross(tilt, n));
+}
+
+BallMotion turned(const collide::Path::Piece& by, const OnThing& on, const BallMotion& motion, const Ball& ball,
+                  const AlongThing& along) {
+  constexpr double kNoSlip = 1e-9;  // [m/s]
+  const Vec3d n = on.normal, then = rotate(turn_of(by, on.since, along.time), n);
+  const Vec3d v = motion.velocity - (n + then) * (dot(motion.velocity, then) / (1 + dot(n, then)));
+  const bool rolls =
+      on.radius > 0 && length(motion.velocity - along.over - cross(motion.spin, n) * on.radius) <= kNoSlip;
+  if (!rolls) return {v, motion.spin};
+  const Vec3d about = cross(then, v - along.over) * (1 / on.radius) + then * dot(motion.spin, n);
+  return {v, component_product(ball.turns, about)};
+}
+
+EvenWay::Moment moment_met(const EvenWay& way, const SceneHit& met, const Vec3d& over) {
+  const auto gap = [&](double part) {
+    const EvenWay::Moment at = way.after_time(part);
+    const Vec3d there = met.position + met.velocity * (at.time - met.part * way.time());
+    return dot(at.state.x + over - there, met.normal);
+  };
+  const double before = gap(0), after = gap(1);
+  return way.after_time(before > 0 && after < 0 ? find_root(gap, 0, before, 1, after, 0) : met.part);
+}
+
+}  // namespace
+
+const Carriage collide::kCarriage{carried, seen_from_turning, turned, moment_met};
 
 }  // namespace physim

@@ -19,7 +19,14 @@
 #include "physim/result.hpp"
 #include "physim/scene.hpp"
 
+namespace physim {
+struct Carriage;
+}
+
 namespace physim::collide {
+
+/// What all things that move do to what touches them.
+extern const Carriage kCarriage;
 
 class Path {
  public:
@@ -49,6 +56,7 @@ class Path {
   [[nodiscard]] Placement placement(double time) const { return Placement(transform(piece_at(time), time)); }
   [[nodiscard]] Placement placement(const Piece& piece, double time) const { return Placement(transform(piece, time)); }
   [[nodiscard]] double scale() const { return scale_; }
+  [[nodiscard]] const Carriage* carriage() const { return carriage_; }
   [[nodiscard]] std::size_t bytes() const { return pieces_.capacity() * sizeof(Piece); }
 
   /// Calls visit(piece, from, to) for the pieces between two times, in order, at least once; stops where it says false.
@@ -76,6 +84,7 @@ class Path {
 
   std::vector<Piece> pieces_;
   double scale_ = 1;
+  const Carriage* carriage_ = nullptr;  // of a thing
 };
 
 /// Stands at a key, from a time on [s].

@@ -35,6 +35,19 @@ void SceneByMotion::each_beside(const Vec3d& point, double within, const SceneFi
   for (const SceneNearest& near : found) f(near);
 }
 
+SceneByMotion::Ride SceneByMotion::ride(std::uint32_t index, double time) const {
+  if (index >= content_.instances.size() || !content_.instances[index].path) return {};
+  constexpr double kRounding = 16 * std::numeric_limits<double>::epsilon();  // steps end beside a key, not on it
+  Ride ride;
+  const collide::Path& path = *content_.instances[index].path;
+  path.pieces(time + kRounding * std::abs(time), kInfinity, [&](const collide::Path::Piece& piece, double, double to) {
+    ride = {path.carriage(), &piece, to - time};
+    return false;
+  });
+  PHYSIM_ASSERT(ride.piece && ride.lasts > 0);
+  return ride;
+}
+
 bool SceneByMotion::rests(std::uint32_t index) const {
   return index < content_.instances.size() && content_.instances[index].alive && !content_.instances[index].path;
 }

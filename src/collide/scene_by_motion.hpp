@@ -37,6 +37,15 @@ class SceneByMotion {
   /// Adds boxes that hold the ways of all else that moves over the time that is covered.
   void add_boxes_of_movers(std::vector<collide::Bounds>& boxes) const;
 
+  /// What a thing that moves does from a time on, until its motion may change at once.
+  struct Ride {
+    const Carriage* by = nullptr;  // null: it rests, or is gone
+    const collide::Path::Piece* piece = nullptr;
+    double lasts = kInfinity;  // [s]
+
+    [[nodiscard]] bool turns() const { return piece && piece->rate != 0; }
+  };
+  [[nodiscard]] Ride ride(std::uint32_t index, double time) const;
   /// Whether something is there, and rests.
   [[nodiscard]] bool rests(std::uint32_t index) const;
   /// The box of something; none where it moves, is gone, or no box holds it.

@@ -9,6 +9,7 @@
 #include <utility>
 #include <vector>
 
+#include "collide/carried.hpp"
 #include "collide/contact_host.hpp"
 #include "collide/contact_rules.hpp"
 #include "collide/contact_view.hpp"
@@ -94,9 +95,12 @@ class SceneContacts : private ContactView {
     const auto straight = [&](double part) { return way.steadily(part).state.x; };
     std::optional<OnWay> met;
     if (collision().on_hit != OnHit::pass)
-      if (const auto hit =
-              collide::first_meeting(casts_, collision().radius, straight, {r_.scene_time() + passed, time}))
-        met = {hit->hit, hit->hit.velocity == Vec3d{} ? way.after_way(hit->theta) : way.steadily(hit->theta)};
+      if (auto hit = collide::first_meeting(casts_, collision().radius, straight, {r_.scene_time() + passed, time})) {
+        hit->hit.part = hit->theta;
+        met = {hit->hit,
+               hit->hit.velocity == Vec3d{} ? way.after_way(hit->theta) : moment_met(way, {}, hit->hit, {}, passed)};
+        if (hit->hit.velocity != Vec3d{}) met->hit.position = met->at.state.x;
+      }
     tell_passages(way, met && time > 0 ? met->at.time / time : 1, passed, time);
     return met;
   }
@@ -164,6 +168,7 @@ class SceneContacts : private ContactView {
                  .primitive = near.primitive,
                  .material = near.material,
                  .entering = true};
+    if (moves(hit)) hit.velocity = carried(hit, s.x, {}, passed, 0).v;
     constrain(hit);
     const double pressure = pressure_on(s, hit, passed, 0), rate = dot(s.v - hit.velocity, hit.normal);
     const double epsilon =
@@ -195,9 +200,9 @@ class SceneContacts : private ContactView {
     collide::each_passage(*scene_, {.layers = solids_.layers}, place, {r_.scene_time() + start, span}, end, tell);
   }
   /// Went straight along a surface.
-  void went(const State<double>& from, double begin, const State<double>& to, double end) {
+  void went(const State<double>& from, double begin, const State<double>& to, double end, const Carrier& carrier) {
     r_.slid(from, begin, to, end);
-    tell_passages(EvenWay(from, to, end - begin), 1, begin, end - begin);
+    tell_passages(EvenWay(from, to, end - begin, carrier), 1, begin, end - begin);
   }
 
   [[nodiscard]] SceneHit cast(const Vec3d& from, const Vec3d& to, double passed, double duration) const {
@@ -442,6 +447,26 @@ class SceneContacts : private ContactView {
       way = ball_way(motion, a, hit, on, over, way.time * part);
     }
   }
+  /// Whether a point's way goes over an edge, at which it is cut then. `way_in(time)`; `end_of(way)`: where it ends.
+  template <class WayIn, class EndOf>
+  [[nodiscard]] PHYSIM_COLD bool runs_out(const SceneHit& hit, double passed, BallWay& way, const WayIn& way_in,
+                                          const EndOf& end_of) const {
+    const auto is_beyond = [&](const BallWay& at) {
+      const Vec3d x = end_of(at).x;
+      const double flat = 8 * gap_at(x), reach = length(at.way) + flat;
+      const SceneNearest below = scene_->nearest(x, reach, solids_, r_.scene_time() + passed + at.time);
+      return !below || (below.distance > flat && std::abs(dot(below.away, hit.normal)) < 0.5);
+    };
+    if (way.way == Vec3d{} || !is_beyond(way)) return false;
+    double on = 0, off = way.time;
+    constexpr int kHalvings = 48;
+    for (int i = 0; i < kHalvings; ++i) {
+      const double middle = 0.5 * (on + off);
+      (is_beyond(way_in(middle)) ? off : on) = middle;
+    }
+    way = way_in(off);
+    return true;
+  }
   /// Where it is beside the surface that it turns about.
   [[nodiscard]] Vec3d turned_place(const SceneNearest& about, const Vec3d& x) const {
     return held(about.position + about.away * (collision().radius + gap_at(x)));
@@ -479,21 +504,19 @@ class SceneContacts : private ContactView {
   [[nodiscard]] Ahead look_ahead(const State<double>& s, const SceneHit& hit, const BallMotion& motion,
                                  const Pull& pull, double passed, double left) {
     const Vec3d u = hit.velocity, over_it = runs(hit, passed);
-    const Surface on = surface(hit);
-    const auto way_in = [&](double time) {
-      return is_ball() ? ball_way(motion, pull, hit, on, over_it, time)
-                       : point_way(motion, over_it, pull, hit.normal, on, time);
-    };
+    const auto way_in = [&](double time) { return way_along(hit, motion, over_it, pull, time); };
     const auto end_of = [&](const BallWay& way) {
       return moves(hit) ? carried(hit, s.x, way.way, passed, way.time) : State<double>{s.x + way.way + u * way.time, u};
     };
     Ahead ahead{way_in(left), {}, {}, {}, {}};
     BallWay& way = ahead.way;
-    if (is_ball() && !moves(hit)) ahead.turn = find_turn(s.x, motion, pull, hit, on, passed, way);
+    if (is_ball() && !moves(hit)) ahead.turn = find_turn(s.x, motion, pull, hit, surface(hit), passed, way);
+    if (!is_ball()) ahead.turn.leaves = runs_out(hit, passed, way, way_in, end_of);
     const Turn& turn = ahead.turn;
     auto lands = comes_to_ground(s.x, way.time, [&](double time) { return end_of(way_in(time)).x; });
     if (lands && !turn.about) way = way_in(*lands);
     const auto [there, then_at] = end_of(way);
+    if (moves(hit)) turn_with(hit, s.x, over_it, passed, way);
     ahead.to = held(there), ahead.then_at = then_at;
     // A thing that turns bends the way: the cast goes along the chord, above the arc.
     if (moves(hit)) ahead.over = hit.normal * (0.25 * way.time * length(then_at - u));
@@ -534,8 +557,7 @@ class SceneContacts : private ContactView {
                                                  const BallMotion& motion, const Vec3d& a) {
     const Vec3d u = hit.velocity, over_it = runs(hit, passed);
     const double left = pressed_for(s, hit, passed);
-    const Vec3d w = s.v - u - over_it, v_t = w - hit.normal * dot(w, hit.normal);
-    const Pull pull = pull_along(r_, a, s, {v_t, hit.normal, passed, left});
+    const Pull pull = pull_on(s, hit, motion, a, passed, left);
     const auto [way, turn, to, then_at, over, lands] = look_ahead(s, hit, motion, pull, passed, left);
     carried_ = u != Vec3d{} || then_at != Vec3d{} || over_it != Vec3d{};
     if (lands && way.time == 0) return lies_between(s, hit, {.normal = r_.ground_below(s.x).up}, passed, a);
@@ -544,17 +566,18 @@ class SceneContacts : private ContactView {
     const double part = next && !next.starts_inside ? next.part : 1.0;
     const State<double> began = s;
     const double begin = passed;
-    const EvenWay even({s.x, motion.velocity + u}, {to, way.motion.velocity + then_at}, way.time);
-    const bool is_steady = u != Vec3d{} || moves(hit) || next.velocity != Vec3d{};  // as casts see what moves
-    const EvenWay::Moment then = is_steady ? even.steadily(part) : even.after_way(part);
+    const Carrier carrier = carrier_of(hit, s.x, passed);
+    const EvenWay even({s.x, motion.velocity + u}, {to, way.motion.velocity + then_at}, way.time, carrier);
+    const bool moved = part < 1 && (carrier || next.velocity != Vec3d{});
+    const EvenWay::Moment then = moved ? moment_met(even, hit, next, over, passed) : even.after_way(part);
     passed = part < 1 || way.time < r_.step_length() - passed ? passed + then.time : r_.step_length();
-    s = {part < 1 ? next.position - over : to, then.state.v};
+    s = {moved || part == 1 ? then.state.x : next.position - over, then.state.v};
     if (is_ball()) r_.put_spin(then.mixed(motion.spin, way.motion.spin), passed);
-    went(began, begin, s, passed);
+    went(began, begin, s, passed, carrier);
     if (part == 1 && lands) return After{Then::lands, s, passed};
     if (part == 1 && turn.leaves) return After{Then::flies_on, s, passed};
     if (part == 1 && turn.about) hit.normal = turn.about.away, constrain(hit);
-    if (part == 1 && way.time < left && ++hits_ <= kMostHits)
+    if (part == 1 && way.time < left && !moves(hit) && ++hits_ <= kMostHits)
       return moves_along(s, hit, passed, way.motion, a + changed_by(r_, began, s, begin));
     if (part == 1) return After{passed < r_.step_length() ? Then::flies_on : Then::lies, s, passed};
     const bool goes_on = !is_at_once(next, began.x, to - began.x, way.time);
@@ -571,21 +594,25 @@ class SceneContacts : private ContactView {
     const State<double> s{x, velocity};
     const SceneHit next = velocity == Vec3d{} ? SceneHit{} : cast(x, x + velocity * left, passed, left);
     const bool is_held = is_at_once(next, x, velocity * left, left);
-    return along(s, is_held ? Vec3d{} : velocity * left, velocity, is_held ? SceneHit{} : next, passed);
+    return along(s, is_held ? Vec3d{} : velocity * left, velocity, is_held ? SceneHit{} : next, passed, {}, {});
   }
-  /// Moves straight by `way`, to the velocity at its end, up to the next obstacle.
+  /// Moves straight by `way`, to the velocity at its end, up to the next obstacle; a thing carries it with `by`.
   [[nodiscard]] After along(const State<double>& s, const Vec3d& way, const Vec3d& velocity, const SceneHit& next,
-                            double passed) {
+                            double passed, const SceneHit& thing, const Vec3d& by) {
     const double left = longest_way(passed), meets = next ? next.part : 1.0;
     const auto ground = comes_to_ground(s.x, 1, [&](double at) { return s.x + way * at; });
     const bool lands = ground && *ground > 0 && *ground < meets;
     const double part = lands ? *ground : meets;
-    const EvenWay even(s, {s.x + way, velocity}, left);
-    const EvenWay::Moment at = carried_ || next.velocity != Vec3d{} ? even.steadily(part) : even.after_way(part);
+    const Carrier carrier = by == Vec3d{} ? Carrier{} : [&](double time) { return State<double>{s.x + by * time, by}; };
+    const EvenWay even(s, {s.x + way, velocity}, left, carrier);
+    const bool moved = next && !lands && (carrier || next.velocity != Vec3d{});
+    const EvenWay::Moment at = moved     ? moment_met(even, thing, next, {}, passed)
+                               : carrier ? even.after_time(part)
+                                         : even.after_way(part);
     const double then = part < 1 || left < r_.step_length() - passed ? passed + at.time : r_.step_length();
-    const State<double> end{next && !lands ? outside(next.position, next.normal, then) : held(s.x + way * part),
-                            at.state.v};
-    went(s, passed, end, then);
+    const Vec3d met = moved ? at.state.x : next.position;
+    const State<double> end{next && !lands ? outside(met, next.normal, then) : held(s.x + way * part), at.state.v};
+    went(s, passed, end, then, carrier);
     if (lands) return {Then::lands, end, then};
     return {then < r_.step_length() ? Then::flies_on : Then::lies, end, then};
   }
@@ -607,15 +634,18 @@ class SceneContacts : private ContactView {
     Surface rough = surface(one);
     if (is_ball()) rough.friction = 0;  // it rolls
     const Vec3d before = along_it * dot(s.v - u, along_it), over = along_it * dot(runs(one, passed), along_it);
-    const Pull pull = pull_along(r_, a, s, {before - over, n, passed, left});
     const Vec3d on_it = n * dot(a, n);
-    const Pull here{along_it * dot(pull.moving, along_it) + on_it, along_it * dot(pull.at_rest, along_it) + on_it};
-    const BallWay on = point_way({before, {}}, over, here, n, rough, left);
+    const auto way_by = [&](const Pull& pull) {
+      const Pull here{along_it * dot(pull.moving, along_it) + on_it, along_it * dot(pull.at_rest, along_it) + on_it};
+      return point_way({before, {}}, over, here, n, rough, left);
+    };
+    const BallWay on = way_by(pull_along(r_, a, s, {before - over, n, passed, left},
+                                         [&](const Pull& pull) { return way_by(pull).motion.velocity - over; }));
     const Vec3d way = on.way + u * left;
     carried_ = carried_ || u != Vec3d{} || over != Vec3d{};
     const SceneHit next = cast(s.x, s.x + way, passed, left);
     if (is_at_once(next, s.x, way, left)) return rests(s.x, u, passed);
-    return along({s.x, before + u}, way, on.motion.velocity + u, next, passed);
+    return along({s.x, before + u}, way, on.motion.velocity + u, next, passed, one, u);
   }
 
   // ------------------------------------------------------------------------------------------- into and through

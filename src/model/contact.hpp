@@ -13,8 +13,9 @@
 // Equations: v_n' = -e v_n;  v_t' = v_t max(0, 1 - mu (1 + e) |v_n| / |v_t|).
 //   On the ground: dv_t/dt = a_t - c g_n v_t / |v_t|, and nothing moves while it is at rest and |a_t| <= c g_n. Where
 //   a_t turns it around it stops, and goes on from rest, by a_0.
-//   With drag a_t / (1 + k t) stands for a_t over a time t, k = (a_0 - a) . v_t / |v_t|^2: v_t' = v_t / (1 + k t) where
-//   drag is all that acts. That is exact for drag by the square of the speed, and turns no motion around.
+//   With drag a_t m / (1 + k t) stands for a_t over a time t, k = (a_0 - a) . v_t / |v_t|^2: v_t' = v_t / (1 + k t)
+//   where drag is all that acts, m = 1. That is exact for drag by the square of the speed, and turns no motion around.
+//   What friction slows to the part c of that speed feels m = (1 + c + c^2) / 3, the mean of the square.
 // Source: W. J. Stronge, Impact Mechanics (2000), sec. 1.2 and 3.2 (restitution; impulse of dry friction while sliding
 //   continues); I. Millington, Game Physics Engine Development (2010), ch. 7 (resting contact).
 #pragma once
@@ -64,14 +65,18 @@ struct Pull {
 
   Pull(const Vec3d& always) : moving(always), at_rest(always) {}  // NOLINT: no drag
   Pull(const Vec3d& a, const Vec3d& a_0) : moving(a), at_rest(a_0) {}
+  [[nodiscard]] bool has_drag() const { return moving != at_rest; }
 };
 /// The pull over a time on what moves with `v_t` along a surface. `pull_t` is the part of `a` along it that drag acts
-/// against, all but that of a frame which moves with the surface; `ending` is a_0 - a.
-inline Pull braked(const Vec3d& a, const Vec3d& pull_t, const Vec3d& ending, const Vec3d& v_t, double time) {
+/// against, all but that of a frame which moves with the surface; `ending` is a_0 - a; `kept`: the part of v_t that is
+/// left at the end.
+inline Pull braked(const Vec3d& a, const Vec3d& pull_t, const Vec3d& ending, const Vec3d& v_t, double time,
+                   double kept) {
   PHYSIM_ASSERT(time >= 0);
   const double square = length_squared(v_t), rate = square > 0 ? dot(ending, v_t) / square : 0;
   if (!(rate > 0)) return a;
-  return {a - pull_t * (rate * time / (1 + rate * time)), a + ending};
+  const double c = min(max(kept * (1 + rate * time), 0.0), 1.0), mean = (1 + c + c * c) * (1.0 / 3);
+  return {a - pull_t * ((rate * time + (1 - mean)) / (1 + rate * time)), a + ending};
 }
 inline Rolled rolled(const Vec3d& v, const Pull& by, const Vec3d& normal, const Surface& surface, double time) {
   PHYSIM_ASSERT(time >= 0 && surface.rolling_resistance >= 0 && surface.friction >= 0);

@@ -22,8 +22,8 @@ namespace {
 /// What this version of the library must print. A change of the physics or the numerics changes it: say so in the
 /// commit.
 using Sums = std::array<std::uint64_t, 5>;
-constexpr Sums kExpectedSums = {0xdd0226c231836f79, 0xf27941f44a528925, 0x4e00955f69f0347b, 0xb4a49614cb25e027,
-                                0x2d4faa1d663824e8};
+constexpr Sums kExpectedSums = {0xdd0226c231836f79, 0xd0a04a43f68178ed, 0x4e00955f69f0347b, 0xffc1201397de01ac,
+                                0xb04ec730b26d1e44};
 
 void print(std::FILE* file, const Sums& sums) {
   for (std::size_t i = 0; i < sums.size(); ++i)

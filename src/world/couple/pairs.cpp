@@ -177,7 +177,9 @@ class PairStep {
   /// What the numbers of its row are rounded by [-].
   [[nodiscard]] double epsilon_of(const Collider& c) const { return context_.state->rows[c.cohort].layout().epsilon(); }
   [[nodiscard]] static Knot at(const Collider& c, double time) {
-    return collide::leg_of(c.path, collide::leg_at(c.path, time)).at(time);
+    collide::Leg leg = collide::leg_of(c.path, collide::leg_at(c.path, time));
+    leg.placed += 8 * c.spacing;
+    return leg.at(time);
   }
   /// Without others that it lies on.
   [[nodiscard]] Vec3d free_acceleration(const Collider& c, double time) const {

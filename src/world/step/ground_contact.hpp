@@ -79,8 +79,9 @@ class GroundContacts {
       return {parts_.may_bounce() ? Then::flies_on : Then::lies, {s.x, along}};
     if (is_strike(dot(s.v, n), dot(a, n), frame)) r_.tell(EventKind::bounced, Reason::none, passed, {s.x, along});
     const double left = r_.step_length() - passed;
-    const Pull pull = pull_along(r_, a, {s.x, along}, {along - runs, n, passed, left});
-    Rolled on_it = rolled(v - runs, pull, n, on, left);
+    const auto rolls = [&](const Pull& pull) { return rolled(v - runs, pull, n, on, left); };
+    Rolled on_it = rolls(pull_along(r_, a, {s.x, along}, {along - runs, n, passed, left},
+                                    [&](const Pull& pull) { return rolls(pull).velocity; }));
     if (runs != Vec3d{}) on_it = {on_it.way + runs * left, on_it.velocity + runs}, carried_ = true;
     return {Then::rolls, {s.x, along}, {put_on(s.x + on_it.way), on_it.velocity}};
   }

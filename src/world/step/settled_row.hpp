@@ -284,6 +284,12 @@ class SettledRow final : public ContactHost {
     Trace& moment = chunk_.traces.emplace_back(Trace{slot_index_, passed, s, spin(passed), {}, {}});
     if (turning()) cast_numbers(march.lanes.step.turn->start, moment.turn);
   }
+  /// Its way along a surface, with the velocities that it had there: behind its end it may bounce at once.
+  void slid(const State<double>& from, double begin, const State<double>& to, double end) override {
+    if (!(end > begin)) return;
+    trace(begin, from);
+    trace(end, to);
+  }
   /// The moment at which an accepted step ended, with the velocity that it moves with.
   void trace_moving(double passed) {
     trace(passed, here());
@@ -401,8 +407,8 @@ class SettledRow final : public ContactHost {
     const Trace last = chunk_.traces.back();
     const double h = passed - last.passed;
     const Vec3d way = end.x - last.state.x, steady = (last.state.v + end.v) * (0.5 * h);
-    constexpr double kSteady = 1e-3;  // of the way
-    if (length(steady - way) <= kSteady * length(way)) return;
+    constexpr double kSteady = 1e-3;                                                 // of the way
+    if (length(steady - way) <= kSteady * length(way) + touch_at<S>(end.x)) return;  // it was put beside a surface
     trace(last.passed, {last.state.x, way * (1 / h)});
   }
   void fly_unseen(double from, double to) {
