@@ -50,15 +50,25 @@ class ContactView {
     hit.velocity += hit.normal * (speed / part - dot(hit.velocity, hit.normal));
   }
   [[nodiscard]] SceneByMotion::Ride ride(const SceneHit& hit, double passed) const {
+    PHYSIM_ASSERT(!is_engines(hit));
     return SceneByMotion(*scene_).ride(hit.instance.index, r_.scene_time() + passed);
   }
   [[nodiscard]] OnThing on(const SceneHit& hit, const Vec3d& x, double passed) const {
     return {x, hit.normal, collision().radius, r_.scene_time() + passed};
   }
+  /// Where a place of a thing is carried to; `along`: the way on it. Of what may not move along all axes the thing
+  /// carries what the constraint leaves, at the velocity that it leaves of the thing's.
   [[nodiscard]] State<double> carried(const SceneHit& hit, const Vec3d& x, const Vec3d& along, double passed,
                                       double time) const {
     const SceneByMotion::Ride by = ride(hit, passed);
-    return by.by->carried(*by.piece, on(hit, x, passed), along, time);
+    const State<double> free = by.by->carried(*by.piece, on(hit, x, passed), along, time);
+    if (!is_held()) return free;
+    const Vec3d u = by.by->carried(*by.piece, on(hit, x, passed), {}, 0).v, way = along + hit.velocity * time;
+    return {x + way + r_.kept(free.x - x - along - u * time), hit.velocity + r_.kept(free.v - u)};
+  }
+  [[nodiscard]] bool is_held() const {
+    constexpr Vec3d kAny{1, 0.7, 0.4};  // in no plane that a projectile is held in
+    return r_.kept(kAny) != kAny;
   }
   /// What carries a place of a thing, if the thing moves.
   [[nodiscard]] Carrier carrier_of(const SceneHit& hit, const Vec3d& x, double passed) const {
@@ -71,11 +81,17 @@ class ContactView {
     return !is_engines(hit) && !SceneByMotion(*scene_).rests(hit.instance.index);
   }
   [[nodiscard]] static bool is_engines(const SceneHit& hit) { return hit.instance.generation == kEngineGeneration; }
+  /// How much the velocity changes of what a thing carries, over a time that follows [m/s]. Constraints of the
+  /// projectile's motion leave out a part of both velocities.
+  [[nodiscard]] Vec3d speeds_up(const SceneHit& hit, const Vec3d& x, double passed, double time) const {
+    PHYSIM_ASSERT(moves(hit));
+    return carried(hit, x, {}, passed, time).v - carried(hit, x, {}, passed, 0).v;
+  }
   /// Mean acceleration by all effects but the contact, in the frame of the thing, over a time that follows [m/s^2].
   [[nodiscard]] Vec3d acceleration_on(const State<double>& s, const SceneHit& hit, double passed, double time) const {
     const Vec3d a = r_.acceleration_at(s, passed);
     if (!moves(hit) || !(time > 0)) return a;
-    return a - (carried(hit, s.x, {}, passed, time).v - hit.velocity) * (1 / time);
+    return a - speeds_up(hit, s.x, passed, time) * (1 / time);
   }
   /// Acceleration that presses the projectile onto a thing that carries it, some time later [m/s^2].
   [[nodiscard]] double pressure_on(const State<double>& s, const SceneHit& hit, double passed, double later) const {
@@ -94,7 +110,7 @@ class ContactView {
     const double own = -dot(a, hit.normal), rounding = 1e-9 * length(a);
     PHYSIM_ASSERT(!is_engines(hit));
     const auto presses = [&](double later) {
-      const double ahead = dot(carried(hit, s.x, {}, passed, later).v - hit.velocity, hit.normal) + own * later;
+      const double ahead = dot(speeds_up(hit, s.x, passed, later), hit.normal) + own * later;
       return pressure_on(s, hit, passed, later) >= -rounding && ahead >= -rounding * later;
     };
     if (presses(longest)) return longest;
@@ -104,7 +120,8 @@ class ContactView {
       const double middle = 0.5 * (pressed + free);
       (presses(middle) ? pressed : free) = middle;
     }
-    return free;
+    constexpr double kShortest = 1e-7;  // so that a step has not too many parts [s]
+    return max(free, min(longest, kShortest));
   }
   [[nodiscard]] Surface surface(const SceneHit& hit) const {
     return surface_between(scene_->material(hit.material), r_.surface());

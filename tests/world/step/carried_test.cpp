@@ -280,5 +280,31 @@ TEST(Carried, what_slides_through_thick_air_stops_where_the_closed_form_says) {
     }
 }
 
+/// A wedge comes along x below a ball that does not move along x: n (x - U t) = 0 lifts it by U t tan(slope). Its way
+/// had parts of 1e-14 s, as the wedge's velocity was compared with what the constraint leaves of it.
+TEST(Carried, a_wedge_lifts_what_does_not_move_along_its_way) {
+  const double slope = 0.2, speed = 1, half = 0.5;
+  const Vec3d normal{std::sin(slope), std::cos(slope), 0};
+  for (const double radius : {0.0, kRadius})
+    for (const double rate : kRates) {
+      Scene scene;
+      const MaterialId smooth = *scene.add_material({.restitution = 0, .friction = 0});
+      ASSERT_TRUE(scene.add(
+          {.shape = *scene.add_shape(BoxShape{{20, half, 5}}),
+           .transform = {.position = normal * -half, .rotation = quat_from_axis_angle(Vec3d{0, 0, -1}, slope)},
+           .material = smooth,
+           .motion = SteadyMotion{.velocity = {speed, 0, 0}}}));
+      World world = make_world(space());
+      ASSERT_TRUE(world.set_scene(scene));
+      BodyDef body = bouncing(radius, 0, 0);
+      body.frozen = Axes::x;
+      const Vec3d place{0, radius / std::cos(slope) + 1e-10, 0}, rises{0, speed * std::tan(slope), 0};
+      const ProjectileId id = *world.spawn(puck(), {.position = place, .velocity = rises}, body);
+      run_for(world, 2, 1 / rate);
+      EXPECT_LT(length(world[id].position() - place - rises * 2), 1e-8) << radius << ' ' << rate;
+      EXPECT_LT(length(world[id].velocity() - rises), 1e-8) << radius << ' ' << rate;
+    }
+}
+
 }  // namespace world_carried_test
 }  // namespace physim
