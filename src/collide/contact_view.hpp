@@ -93,21 +93,31 @@ class ContactView {
     if (!moves(hit) || !(time > 0)) return a;
     return a - speeds_up(hit, s.x, passed, time) * (1 / time);
   }
+  /// The part of the pressure of a thing that turns which a velocity along it causes, by the Coriolis acceleration:
+  /// 2 n . (w x v_r) [m/s^2].
+  [[nodiscard]] double pressed_by_speed(const Vec3d& v_r, const SceneHit& hit, double passed) const {
+    const SceneByMotion::Ride by = ride(hit, passed);
+    return by.turns() ? 2 * dot(hit.normal, cross(by.piece->axis * by.piece->rate, v_r)) : 0;
+  }
   /// Acceleration that presses the projectile onto a thing that carries it, some time later [m/s^2].
   [[nodiscard]] double pressure_on(const State<double>& s, const SceneHit& hit, double passed, double later) const {
     constexpr double kShort = 1e-5;  // [s]
     const double own = -dot(r_.acceleration_at(s, passed), hit.normal);
     if (!moves(hit)) return own;
     const Vec3d now = carried(hit, s.x, {}, passed, later).v, then = carried(hit, s.x, {}, passed, later + kShort).v;
-    return own + dot(then - now, hit.normal) / kShort;
+    return own + dot(then - now, hit.normal) / kShort + pressed_by_speed(s.v - hit.velocity, hit, passed);
   }
   /// The part of the time that follows in which a moving thing presses the projectile on [s].
   [[nodiscard]] double pressed_for(const State<double>& s, const SceneHit& hit, double passed) const {
     if (!moves(hit)) return longest_way(passed);
-    const double longest = min(longest_way(passed), ride(hit, passed).lasts);
+    const SceneByMotion::Ride by = ride(hit, passed);
+    constexpr double kTurn = 0.1;  // of the thing, in which its surface is near its place at the first moment [rad]
+    const double turned = by.turns() ? kTurn / std::abs(by.piece->rate) : kInfinity;
+    const double longest = min(min(longest_way(passed), by.lasts), turned);
     // A thing whose velocity jumps may press again later; the projectile has left it before.
     const Vec3d a = r_.acceleration_at(s, passed);
-    const double own = -dot(a, hit.normal), rounding = 1e-9 * length(a);
+    const double own = pressed_by_speed(s.v - hit.velocity, hit, passed) - dot(a, hit.normal);
+    const double rounding = 1e-9 * length(a);
     PHYSIM_ASSERT(!is_engines(hit));
     const auto presses = [&](double later) {
       const double ahead = dot(speeds_up(hit, s.x, passed, later), hit.normal) + own * later;

@@ -406,7 +406,8 @@ class SceneContacts : private ContactView {
       if (auto after = leaves_together(s, hit, passed)) return after;
     bounce(grip);
     const Vec3d a = acceleration_on(s, hit, passed, pressed_for(s, hit, passed));
-    if (lifts_off(dot(motion.velocity, n), dot(a, n), frame()) || dot(a, n) > 0) {
+    const double lifts = dot(a, n) - (moves(hit) ? pressed_by_speed(motion.velocity, hit, passed) : 0);
+    if (lifts_off(dot(motion.velocity, n), lifts, frame()) || lifts > 0) {
       s.v = motion.velocity + u;
       r_.tell(EventKind::bounced, Reason::none, passed, s, hit, 0, energy_of(came) - energy_of(motion));
       return After{Then::flies_on, s, passed};
@@ -414,7 +415,7 @@ class SceneContacts : private ContactView {
     if (grip > 0) bounce(0);  // and what stays on the surface does not turn its slip around
     motion.velocity -= n * dot(motion.velocity, n);
     s.v = motion.velocity + u;
-    if (is_strike(before, dot(a, n), frame()))
+    if (is_strike(before, lifts, frame()))
       r_.tell(EventKind::bounced, Reason::none, passed, s, hit, 0, energy_of(came) - energy_of(motion));
     if (over != Vec3d{}) motion.velocity += over;
     return moves_along(s, hit, passed, motion, a + changed_by(r_, {s.x, came.velocity + u}, s, passed));
@@ -447,7 +448,8 @@ class SceneContacts : private ContactView {
       way = ball_way(motion, a, hit, on, over, way.time * part);
     }
   }
-  /// Whether a point's way goes over an edge, at which it is cut then. `way_in(time)`; `end_of(way)`: where it ends.
+  /// Whether a point's way goes over an edge, at which it is cut then; an engine's edges are not known. `way_in(time)`;
+  /// `end_of(way)`: where it ends.
   template <class WayIn, class EndOf>
   [[nodiscard]] PHYSIM_COLD bool runs_out(const SceneHit& hit, double passed, BallWay& way, const WayIn& way_in,
                                           const EndOf& end_of) const {
@@ -511,7 +513,7 @@ class SceneContacts : private ContactView {
     Ahead ahead{way_in(left), {}, {}, {}, {}};
     BallWay& way = ahead.way;
     if (is_ball() && !moves(hit)) ahead.turn = find_turn(s.x, motion, pull, hit, surface(hit), passed, way);
-    if (!is_ball()) ahead.turn.leaves = runs_out(hit, passed, way, way_in, end_of);
+    if (!is_ball() && !is_engines(hit)) ahead.turn.leaves = runs_out(hit, passed, way, way_in, end_of);
     const Turn& turn = ahead.turn;
     auto lands = comes_to_ground(s.x, way.time, [&](double time) { return end_of(way_in(time)).x; });
     if (lands && !turn.about) way = way_in(*lands);

@@ -22,7 +22,7 @@ namespace {
 /// What this version of the library must print. A change of the physics or the numerics changes it: say so in the
 /// commit.
 using Sums = std::array<std::uint64_t, 5>;
-constexpr Sums kExpectedSums = {0xdd0226c231836f79, 0xdb1402c9b3432dc1, 0x4e00955f69f0347b, 0x8b366ab92fba64f4,
+constexpr Sums kExpectedSums = {0xdd0226c231836f79, 0xcb627ab80280aca6, 0x4e00955f69f0347b, 0x8b366ab92fba64f4,
                                 0xb04ec730b26d1e44};
 
 void print(std::FILE* file, const Sums& sums) {

@@ -306,5 +306,31 @@ TEST(Carried, a_wedge_lifts_what_does_not_move_along_its_way) {
     }
 }
 
+/// A plate turns by a radian in a step: s'' = w^2 s - g sin(w t) along it without friction. Its way was one way of the
+/// whole step, and where weight pressed no more the Coriolis acceleration did not either: points went through.
+TEST(Carried, a_plate_that_turns_fast_presses_and_is_followed_in_parts_of_its_turn) {
+  const double w = 60, start = 0.3, speed = 8, seconds = 0.05, a = kG / (2 * w * w), c = speed / w - a;
+  for (const double radius : {0.0, 0.001, kRadius}) {
+    Scene scene;
+    const MaterialId smooth = *scene.add_material({.restitution = 0, .friction = 0});
+    ConvexHullShape plate;
+    for (const double x : {-9.0, 9.0})
+      for (const double y : {-0.3, 0.0})
+        for (const double z : {-9.0, 9.0}) plate.points.push_back({x, y, z});
+    ASSERT_TRUE(scene.add(
+        {.shape = *scene.add_shape(plate), .material = smooth, .motion = SteadyMotion{.angular_velocity = {0, 0, w}}}));
+    World world = make_world(in_the_open());
+    ASSERT_TRUE(world.set_scene(scene));
+    const ProjectileId id = *world.spawn(
+        puck(), {.position = {start, radius + 1e-10, 0}, .velocity = Vec3d{speed - w * radius, w * start, 0}},
+        bouncing(radius, 0, 0));
+    run_for(world, seconds, 1.0 / 60);
+    const double t = world.time(), s = a * std::sin(w * t) + c * std::sinh(w * t) + start * std::cosh(w * t);
+    const Vec3d along{std::cos(w * t), std::sin(w * t), 0}, up{-std::sin(w * t), std::cos(w * t), 0};
+    EXPECT_NEAR(dot(world[id].position(), along), s, 0.01 * s) << radius;
+    EXPECT_NEAR(dot(world[id].position(), up), radius, 1e-6) << radius;
+  }
+}
+
 }  // namespace world_carried_test
 }  // namespace physim
