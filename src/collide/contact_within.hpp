@@ -17,7 +17,7 @@ struct Within {
 };
 
 /// Sets `hit` to the surface of a thing that the projectile is inside of by no more than rounding, and the projectile
-/// on that surface; a ball also if it moves along the surface, or left another thing that touches this one.
+/// on that surface, also if it moves along the surface; a ball also if it left another thing that touches this one.
 inline void look_for_surface(const Within& w, State<double>& s, SceneHit& hit) {
   const Vec3d relative = s.v - hit.velocity;
   const double speed = length(relative);
@@ -33,7 +33,7 @@ inline void look_for_surface(const Within& w, State<double>& s, SceneHit& hit) {
     hit = each;
     s.x = each.position + each.normal * w.radius;
   }
-  if (!hit.starts_inside || !is_ball) return;
+  if (!hit.starts_inside) return;
   if (const SceneHit beside = surface_beside(w.scene, w.solids, hit, s.x, 4 * w.gap, w.time))
     hit = beside, s.x = beside.position + beside.normal * w.radius;
 }

@@ -133,9 +133,11 @@ class SceneContacts : private ContactView {
   [[nodiscard]] After goes_along(const State<double>& at, const Support& on, double passed) {
     PHYSIM_ASSERT(length(on.hit.normal) > 0);
     note_touched(at, passed);
-    above_ = on.above;
     State<double> s = at;
     SceneHit hit = on.hit;
+    // What was left in it by a rounding comes out first: casts that start inside see no wall.
+    if (on.above < 0) s.x = outside(s.x - hit.normal * on.above, hit.normal, passed);
+    above_ = on.above + dot(s.x - at.x, hit.normal);
     const Vec3d n = hit.normal, relative = s.v - hit.velocity;
     const BallMotion motion{relative - n * dot(relative, n), spin(passed)};
     const Vec3d a = acceleration_on(s, hit, passed, pressed_for(s, hit, passed));
@@ -564,7 +566,8 @@ class SceneContacts : private ContactView {
     carried_ = u != Vec3d{} || then_at != Vec3d{} || over_it != Vec3d{};
     if (lands && way.time == 0) return lies_between(s, hit, {.normal = r_.ground_below(s.x).up}, passed, a);
     SceneHit next = cast(s.x + over, to + over, passed, way.time);
-    if (next.starts_inside && over == Vec3d{}) next = stands_here(s, hit, next, to - s.x, passed);
+    const bool inside = next.starts_inside;
+    if (inside && over == Vec3d{}) next = stands_here(s, hit, next, to - s.x, passed);
     const double part = next && !next.starts_inside ? next.part : 1.0;
     const State<double> began = s;
     const double begin = passed;
@@ -582,7 +585,9 @@ class SceneContacts : private ContactView {
     if (part == 1 && way.time < left && !moves(hit) && ++hits_ <= kMostHits)
       return moves_along(s, hit, passed, way.motion, a + changed_by(r_, began, s, begin));
     if (part == 1) return After{passed < r_.step_length() ? Then::flies_on : Then::lies, s, passed};
-    const bool goes_on = !is_at_once(next, began.x, to - began.x, way.time);
+    const double comes = -dot(s.v - next.velocity, next.normal);
+    const bool bounces = !inside && lifts_off(surface(next).restitution * comes, -length(a), frame());
+    const bool goes_on = bounces || !is_at_once(next, began.x, to - began.x, way.time);
     const SceneHit below = std::exchange(hit, next);
     s.x = outside(s.x, hit.normal, passed);
     if (!goes_on) return lies_between(s, below, hit, passed, a);

@@ -52,6 +52,35 @@ TEST(PairsWall, no_ball_at_a_cushion_makes_energy) {
       }
 }
 
+/// It gives what it gets to the cushion and back: it stopped there, and the speed was lost.
+TEST(PairsWall, a_ball_at_a_cushion_gives_its_speed_back) {
+  for (const double gap : {0.0, 1e-10, 1e-6})
+    for (const double rate : kRates) {
+      const std::vector<Vec3d> v = at_cushion(1, gap, rate);
+      EXPECT_LT(length(v[0] - Vec3d{-kSpeed, 0, 0}), 1e-6) << gap << ' ' << rate;
+      EXPECT_LT(length(v[1]), 1e-6) << gap << ' ' << rate;
+    }
+}
+
+/// A net or a call may leave what lies on a floor in it by a rounding: it went through the walls.
+TEST(PairsWall, what_lies_in_a_floor_by_a_rounding_meets_walls) {
+  for (const double depth : {-1e-10, 0.0, 1e-12, 2e-11, 2e-10})
+    for (const double radius : {0.0, kRadius})
+      for (const double rate : kRates) {
+        Scene scene;
+        const MaterialId smooth = *scene.add_material({.restitution = 0, .friction = 0});
+        put(scene, BoxShape{{40, 0.5, 5}}, {0, -0.5, 0}, smooth);
+        put(scene, BoxShape{{0.5, 5, 5}}, {2.5, 0, 0}, smooth);
+        World world = make_world(space());
+        ASSERT_TRUE(world.set_scene(scene));
+        const ProjectileId id = *world.spawn(
+            ball(), {.position = {0.9, radius - depth, 0}, .velocity = Vec3d{kSpeed, 0, 0}}, bouncing(radius, 0, 0));
+        run_for(world, 1, 1 / rate);
+        EXPECT_NEAR(world[id].position().x, 2 - radius, 1e-8) << depth << ' ' << radius << ' ' << rate;
+        EXPECT_NEAR(world[id].position().y, radius, 1e-8) << depth << ' ' << radius << ' ' << rate;
+      }
+}
+
 /// Five balls in a row on a smooth lift: the last one leaves with the speed of the one that came.
 TEST(PairsWall, a_blow_goes_through_a_row_on_a_lift) {
   for (const double rises : {0.0, 0.5})
