@@ -54,6 +54,9 @@ function(physim_flags target)
     target_compile_options(${target} PRIVATE ${PHYSIM_WARNINGS} "${PHYSIM_IEEE}")
     # A program keeps the functions that it calls, and no others: --gc-sections, which users of the library link with.
     target_compile_options(${target} PRIVATE -ffunction-sections -fdata-sections)
+    if(PHYSIM_FOR_SIZE)  # functions that throw nothing are not unwound
+      target_compile_options(${target} PRIVATE -fno-asynchronous-unwind-tables)
+    endif()
     # Asserts name files from the root of the sources, wherever that is.
     target_compile_options(${target} PRIVATE -fmacro-prefix-map=${PROJECT_SOURCE_DIR}/=)
     if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
@@ -83,10 +86,11 @@ endfunction()
 # For packages: what takes no time is compiled small, and so are the kernels of base, in whose place wider ones fly on
 # machines of the last ten years. More than half of a package is kernels, whose functions stand wherever they are called.
 option(PHYSIM_FOR_SIZE "Compile what is not hot for size" OFF)
+set(PHYSIM_SMALLEST $<IF:$<CXX_COMPILER_ID:Clang>,-Oz,-Os>)
 
 # Programs and tests that leave the work to the library: compiled with less effort, in three quarters of the time.
 function(physim_compile_sooner target)
-  target_compile_options(${target} PRIVATE $<$<CONFIG:Release>:$<IF:$<BOOL:${PHYSIM_FOR_SIZE}>,-Os,-O1>$<SEMICOLON>-g0>)
+  target_compile_options(${target} PRIVATE $<$<CONFIG:Release>:$<IF:$<BOOL:${PHYSIM_FOR_SIZE}>,${PHYSIM_SMALLEST},-O1>$<SEMICOLON>-g0>)
 endfunction()
 
 # Tests: they compute a little themselves; and those that compute nothing, without any effort.

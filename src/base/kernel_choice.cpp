@@ -22,7 +22,9 @@ constexpr std::string_view kCopies[] = {
     "avx2",
 #endif
     "base",
+#ifndef PHYSIM_WITHOUT_SCALAR
     "scalar",
+#endif
 };
 
 #if PHYSIM_HAVE_AVX2 || PHYSIM_HAVE_AVX512

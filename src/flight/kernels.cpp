@@ -22,10 +22,12 @@ constexpr BatchKernel kBatchKernels[] = {
     {"avx2", avx2::fly_bodies, avx2::fly_bodies},
 #endif
     {"base", base::fly_bodies, base::fly_bodies},
+#ifndef PHYSIM_WITHOUT_SCALAR
     {"scalar", base::fly_bodies_singly, base::fly_bodies_singly},
+#endif
 };
 
-#if PHYSIM_HAVE_AVX2
+#if PHYSIM_HAVE_AVX2 && !defined(PHYSIM_WITHOUT_SCALAR)
 constexpr BatchKernel kSinglyByAvx2{"scalar", avx2::fly_bodies_singly, avx2::fly_bodies_singly};
 #endif
 
@@ -33,7 +35,7 @@ constexpr BatchKernel kSinglyByAvx2{"scalar", avx2::fly_bodies_singly, avx2::fly
 
 const BatchKernel& batch_kernel() {
   const BatchKernel& kernel = copy_in_use(kBatchKernels);
-#if PHYSIM_HAVE_AVX2
+#if PHYSIM_HAVE_AVX2 && !defined(PHYSIM_WITHOUT_SCALAR)
   static const bool has_avx2 = std::ranges::count(kernel_names(), "avx2") > 0;
   if (has_avx2 && kernel.name == std::string_view("scalar")) return kSinglyByAvx2;
 #endif

@@ -7,6 +7,7 @@
 #pragma once
 
 #include "base/assert.hpp"
+#include "base/knows_rungs.hpp"
 #include "flight/plain_rung.hpp"
 #include "solve/take_step.hpp"
 
@@ -139,7 +140,7 @@ TakeSteps<R, S> steps_by(const Conditions<S>& c) {
 /// What takes the steps of a cohort.
 template <class R, class S>
 TakeSteps<R, S> steps_of(const Conditions<S>& c) {
-  if constexpr (kLanes < R >> 1) {
+  if constexpr (kLanes < R >> 1 && PHYSIM_KNOWS_RUNGS) {
     if (c.fidelity.integrator == Integrator::rk4) return steps_by<Rk4, R>(c);
     if (c.fidelity.integrator == Integrator::rk43) return steps_by<Rk43, R>(c);
     if (c.fidelity.integrator == Integrator::tsit5) return steps_by<Tsit5, R>(c);

@@ -146,22 +146,31 @@ ValueRef slot_of_row(const Scope& scope) {
     return slot_of(scope, value);
 }
 
+template <class List>
+concept ListOfItems = ItemOfScope<typename List::value_type>;
+
+template <auto owner, const auto& rows>
+void add_rows(std::vector<Entry>& list, const std::string& before);
+
+/// Adds the entry of row `i`. It is no lambda of add_rows(): clang 19 does not survive that.
+template <auto owner, const auto& rows, std::size_t i>
+void add_row(std::vector<Entry>& list, const std::string& before) {
+  static std::deque<std::string> paths;  // what the entries refer to
+  const auto& row = std::get<i>(rows);
+  paths.push_back(before + std::string(row.path));
+  Entry& entry = list.emplace_back(Entry{row, slot_of_row<owner, rows, i>});
+  entry.path = paths.back();
+  entry.range = row.in_files.value_or(row.range);
+  using List = std::decay_t<decltype(row.get(owner(Scope{})))>;
+  if constexpr (ListOfItems<List>)
+    add_rows<item_of<typename List::value_type>, kItemRows<rows, i>>(list, paths.back() + ".");
+}
+
 /// Adds entries of rows, and behind each list those of its items where these are tables. `before`: what stands before
 /// the paths of the rows in a file.
 template <auto owner, const auto& rows>
 void add_rows(std::vector<Entry>& list, const std::string& before) {
-  static std::deque<std::string> paths;  // what the entries refer to
-  const auto add = [&]<std::size_t i>(std::integral_constant<std::size_t, i>) {
-    const auto& row = std::get<i>(rows);
-    paths.push_back(before + std::string(row.path));
-    Entry& entry = list.emplace_back(Entry{row, slot_of_row<owner, rows, i>});
-    entry.path = paths.back();
-    entry.range = row.in_files.value_or(row.range);
-    using List = std::decay_t<decltype(row.get(owner(Scope{})))>;
-    if constexpr (requires { requires ItemOfScope<typename List::value_type>; })
-      add_rows<item_of<typename List::value_type>, kItemRows<rows, i>>(list, paths.back() + ".");
-  };
-  [&]<std::size_t... i>(std::index_sequence<i...>) { (add(std::integral_constant<std::size_t, i>()), ...); }
+  [&]<std::size_t... i>(std::index_sequence<i...>) { (add_row<owner, rows, i>(list, before), ...); }
   (std::make_index_sequence<std::tuple_size_v<std::decay_t<decltype(rows)>>>());
 }
 

@@ -332,20 +332,26 @@ class Shot(_Settled):
         *,
         winds: Iterable[float | str] = (),
         units: str = "metric",
+        angle: str | None = None,
     ) -> Columns:
         """A range card: drop, windage, angles, time, speed, energy at ranges [m], as `physim table` has it.
 
-        winds: cross winds from the right, a column each; units: "metric" or "customary" (yd, in, ft/s).
+        winds: cross winds from the right, a column each; units: "metric" or "customary" (yd, in, ft/s); angle: "mil"
+        (milliradians) or "moa", of which None takes that of the units: mil beside metres, MOA beside yards.
         """
         if units not in ("metric", "customary"):
             raise Error(f'unknown units "{units}"', "units", 'known are "metric", "customary"')
+        if angle not in (None, "mil", "moa"):
+            raise Error(f'unknown angle "{angle}"', "angle", 'known are "mil", "moa"')
         wanted = [] if ranges is None else _ranges(ranges)
         if ranges is None and not self._setup.ranges:
             raise Error("the shot has no range to show", "ranges", "give ranges=[100, 200, 300]")
         blown = list(winds)
         labels = [wind if isinstance(wind, str) else f"{wind} m/s" for wind in blown]
         speeds = [_number(wind, "environment.wind.velocity") for wind in blown]
-        return Columns(_core.range_card(self._setup, "", wanted, labels, speeds, units == "customary"))
+        customary = units == "customary"
+        in_moa = customary if angle is None else angle == "moa"
+        return Columns(_core.range_card(self._setup, "", wanted, labels, speeds, customary, in_moa))
 
     def aim(
         self,

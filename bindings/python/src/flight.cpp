@@ -319,7 +319,8 @@ std::vector<std::string> names_in(const Row (&rows)[n]) {
 
 // --------------------------------------------------------------------------------------------------------- range cards
 nb::dict range_card(const Setup& setup, const std::string& name, const std::vector<double>& ranges,
-                    const std::vector<std::string>& labels, const std::vector<double>& winds, bool customary) {
+                    const std::vector<std::string>& labels, const std::vector<double>& winds, bool customary,
+                    bool in_moa) {
   if (labels.size() != winds.size()) fail("has no label for each wind", "winds");
   report::AskedShot asked{setup.scenario, 0};
   asked.scenario.things.clear();
@@ -328,6 +329,7 @@ nb::dict range_card(const Setup& setup, const std::string& name, const std::vect
   asked.index = taken(index);
   report::CardWishes wishes;
   if (customary) wishes.units = report::kCustomary;
+  wishes.units.angle = in_moa ? report::kMoa : report::kMil;
   wishes.scenario_ranges = !customary || !ranges.empty();
   for (std::size_t i = 0; i < winds.size(); ++i) wishes.winds.push_back({labels[i], winds[i]});
   report::Records records;
@@ -449,7 +451,7 @@ void add_flight(nb::module_& m) {
     return names;
   });
   m.def("batch_outputs", [] { return names_in(kEndNames); });
-  m.def("range_card", &range_card, "setup"_a, "shot"_a, "ranges"_a, "labels"_a, "winds"_a, "customary"_a,
+  m.def("range_card", &range_card, "setup"_a, "shot"_a, "ranges"_a, "labels"_a, "winds"_a, "customary"_a, "in_moa"_a,
         "A range card as columns.");
   m.def("names", [](const std::string& of) {
     const auto list = [](auto names) { return std::vector<std::string>(names.begin(), names.end()); };

@@ -55,6 +55,25 @@ def test_shots_of_py_ballisticcalc(case):
         assert at.speed == pytest.approx(speed, abs=0.8)
 
 
+def test_the_first_example_of_py_ballisticcalc_has_the_same_card():
+    """No weight, no diameter, yards and milliradians: its README's shot, by its formatted rows."""
+    ballistics = pytest.importorskip("py_ballisticcalc")
+    unit = ballistics.Unit
+    model = ballistics.DragModel(0.22, ballistics.TableG7)
+    shot = ballistics.Shot(weapon=ballistics.Weapon(unit.Inch(2)), ammo=ballistics.Ammo(model, unit.FPS(2600)))
+    calculator = ballistics.Calculator()
+    calculator.set_weapon_zero(shot, unit.Yard(100))
+    fired = calculator.fire(shot, trajectory_range=unit.Yard(500), trajectory_step=unit.Yard(100))
+    rows = list(getattr(fired, "records", None) or fired.trajectory)[1:]
+    with pytest.warns(UserWarning, match="no weight"):
+        ours = physim.from_py_ballisticcalc(shot)
+    card = ours.table([f"{100 * i} yd" for i in range(1, 6)], units="customary", angle="mil")
+    assert card["drop [in]"] == pytest.approx([row.height >> unit.Inch for row in rows], abs=0.05)
+    assert card["drop [mil]"] == pytest.approx([row.drop_angle >> unit.MRad for row in rows], abs=0.003)
+    assert card["speed [ft/s]"] == pytest.approx([row.velocity >> unit.FPS for row in rows], abs=0.5)
+    assert card["time [s]"] == pytest.approx([row.time for row in rows], abs=1e-4)
+
+
 def test_a_card_of_py_ballisticcalc_is_one_of_physim():
     shot, _ = calculated(CASES["calm"][0])
     card = physim.from_py_ballisticcalc(shot).table(range(100, 1001, 100))

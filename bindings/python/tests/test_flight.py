@@ -241,6 +241,18 @@ def test_range_card_is_that_of_the_command_line(bullet):
         bullet.table([100], units="imperial")
 
 
+def test_angles_of_a_card_are_those_asked_for(bullet):
+    """Yards with milliradians, as scopes have them: 1 MOA is a 10800th of pi."""
+    own = bullet.table(["500 yd"], units="customary")
+    mil = bullet.table(["500 yd"], units="customary", angle="mil")
+    assert mil["drop [in]"] == own["drop [in]"]
+    assert mil["drop [mil]"][0] == pytest.approx(own["drop [MOA]"][0] * np.pi / 10.8, rel=1e-12)
+    assert bullet.table([500], angle="moa")["drop [MOA]"][0] == pytest.approx(
+        bullet.table([500])["drop [mil]"][0] * 10.8 / np.pi, rel=1e-12)  # fmt: skip
+    with pytest.raises(physim.Error, match='"mil", "moa"'):
+        bullet.table([100], angle="degrees")
+
+
 def walk(tree):
     if isinstance(tree, dict):
         for key, value in tree.items():

@@ -9,9 +9,9 @@
 namespace physim {
 namespace {
 
-constexpr double kLongest = 1e9;  // of lengths and times that are drawn
+constexpr double kLongestDrawn = 1e9;  // of lengths and times that are drawn
 
-[[nodiscard]] bool is_drawn(double size) { return size >= 0 && size <= kLongest; }
+[[nodiscard]] bool is_drawn(double size) { return size >= 0 && size <= kLongestDrawn; }
 
 /// Projectiles by what moves them.
 SceneInk ink_of(const ProjectileView& projectile) {

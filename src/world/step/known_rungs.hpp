@@ -1,13 +1,9 @@
 // The rungs that games use most, which the world's kernels know at compile time.
 #pragma once
 
+#include "base/knows_rungs.hpp"
 #include "physim/fidelity.hpp"
 #include "physim/math.hpp"
-
-/// 0: these kernels know no rungs. They are those that a better copy replaces; all other paths give the same bits.
-#ifndef PHYSIM_KNOWS_RUNGS
-#define PHYSIM_KNOWS_RUNGS 1
-#endif
 
 namespace physim {
 
