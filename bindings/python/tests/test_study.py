@@ -161,16 +161,25 @@ def fly_in_child(shot):
     return shot.batch(speed=np.full(5000, 800.0), threads=2).time[0]
 
 
+def end_worker():
+    os.kill(os.getpid(), signal.SIGKILL)
+
+
+class WithAKiller(ProcessPoolExecutor):
+    """One of its workers is killed while it works, not while it sends a result: the pool would wait for the rest of it."""
+
+    tasks = 0
+
+    def submit(self, fn, /, *args, **kwargs):
+        self.tasks += 1
+        return super().submit(end_worker) if self.tasks == 6 else super().submit(fn, *args, **kwargs)
+
+
 def test_a_killed_worker_loses_only_its_own_shards(study):
     expected = figures(study.run())
     study.so_far = b""
-    with ProcessPoolExecutor(2, mp_context=multiprocessing.get_context("spawn")) as executor:
-
-        def kill_one(done, total):
-            next(iter(executor._processes.values())).kill()  # nothing if it has ended
-
-        with pytest.raises(BrokenProcessPool):
-            study.run(executor, progress=kill_one)
+    with WithAKiller(2, mp_context=multiprocessing.get_context("spawn")) as executor, pytest.raises(BrokenProcessPool):
+        study.run(executor)
     kept = _core.shards_in(study.so_far)
     assert 0 < kept < study.shards
     assert figures(study.run()) == expected
