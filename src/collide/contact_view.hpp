@@ -71,7 +71,7 @@ class ContactView {
     return r_.kept(kAny) != kAny;
   }
   /// What carries a place of a thing, if the thing moves.
-  [[nodiscard]] Carrier carrier_of(const SceneHit& hit, const Vec3d& x, double passed) const {
+  [[nodiscard]] PHYSIM_COLD Carrier carrier_of(const SceneHit& hit, const Vec3d& x, double passed) const {
     if (moves(hit)) return [this, hit, x, passed](double time) { return carried(hit, x, {}, passed, time); };
     if (hit.velocity == Vec3d{}) return {};
     return [u = hit.velocity, x](double time) { return State<double>{x + u * time, u}; };
@@ -95,7 +95,7 @@ class ContactView {
   }
   /// The part of the pressure of a thing that turns which a velocity along it causes, by the Coriolis acceleration:
   /// 2 n . (w x v_r) [m/s^2].
-  [[nodiscard]] double pressed_by_speed(const Vec3d& v_r, const SceneHit& hit, double passed) const {
+  [[nodiscard]] PHYSIM_COLD double pressed_by_speed(const Vec3d& v_r, const SceneHit& hit, double passed) const {
     const SceneByMotion::Ride by = ride(hit, passed);
     return by.turns() ? 2 * dot(hit.normal, cross(by.piece->axis * by.piece->rate, v_r)) : 0;
   }
@@ -183,14 +183,14 @@ class ContactView {
     return pull;
   }
   /// The motion at the end of a way along a thing that moves.
-  void turn_with(const SceneHit& hit, const Vec3d& x, const Vec3d& over, double passed, BallWay& way) const {
+  PHYSIM_COLD void turn_with(const SceneHit& hit, const Vec3d& x, const Vec3d& over, double passed, BallWay& way) const {
     const SceneByMotion::Ride by = ride(hit, passed);
     if (!by.turns()) return;
     way.motion = by.by->turned(*by.piece, on(hit, x, passed), way.motion, ball(), {over, way.way, way.time});
     way.motion.velocity = r_.kept(way.motion.velocity);
   }
   /// When a way meets what moves, or what a thing carries it to.
-  [[nodiscard]] EvenWay::Moment moment_met(const EvenWay& way, const SceneHit& carries, const SceneHit& next,
+  [[nodiscard]] PHYSIM_COLD EvenWay::Moment moment_met(const EvenWay& way, const SceneHit& carries, const SceneHit& next,
                                            const Vec3d& over, double passed) const {
     const Carriage* by = ride(next, passed).by;
     if (!by) by = ride(carries, passed).by;

@@ -488,7 +488,7 @@ class LaneFlight {
     }
   }
   /// True where one of them ends the flight.
-  bool find_crossings_of(const Slide& slide) {
+  PHYSIM_COLD bool find_crossings_of(const Slide& slide) {
     const Conditions<double>& c = *course_.conditions_double;
     const Body<double> body = wide_body(lane());
     struct Crossed {
