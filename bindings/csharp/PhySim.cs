@@ -1082,6 +1082,8 @@ public unsafe struct physim_joint {
   public double stiffness;
   /// <summary>of a spring [kg/s]</summary>
   public double damping;
+  /// <summary>it ends if it pulls or pushes with more, on the mean of a step; 0: it never breaks [N]</summary>
+  public double break_force;
 }
 [StructLayout(LayoutKind.Sequential)]
 public unsafe struct physim_joint_info {
@@ -1099,7 +1101,7 @@ public unsafe struct physim_joint_event {
   public int kind;
   public uint reserved;
   public physim_id joint;
-  /// <summary>that left, or the first end</summary>
+  /// <summary>the one that left, else the first end</summary>
   public physim_id projectile;
   /// <summary>[s]</summary>
   public double time;

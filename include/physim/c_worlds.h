@@ -524,6 +524,7 @@ typedef struct physim_joint {
   double restitution;  ///< of a cable, 0 to 1 [-]
   double stiffness;    ///< of a spring [N/m]
   double damping;      ///< of a spring [kg/s]
+  double break_force;  ///< it ends if it pulls or pushes with more, on the mean of a step; 0: it never breaks [N]
 } physim_joint;
 typedef struct physim_joint_info {
   uint32_t size;   ///< sizeof(physim_joint_info) [bytes]
@@ -535,7 +536,7 @@ typedef struct physim_joint_event {
   int32_t kind;          ///< physim_name("joint_event", kind) [-]
   uint32_t reserved;     ///< [-]
   physim_id joint;       ///< [-]
-  physim_id projectile;  ///< that left, or the first end [-]
+  physim_id projectile;  ///< the one that left, else the first end [-]
   double time;           ///< [s]
   double speed;          ///< at which the ends parted [m/s]
 } physim_joint_event;

@@ -164,6 +164,8 @@ struct Joint {
   double restitution = 0;           ///< of a cable: speed kept when it comes taut, 0..1; 0: its ends go on together [-]
   double stiffness = 1;             ///< of a spring [N/m]
   double damping = 0;               ///< of a spring: of the rate at which its length changes [kg/s]
+  std::optional<double> break_force{};  ///< it ends if it pulls or pushes with more, on the mean of a step; above 0;
+                                        ///< none: it never breaks [N]
 
   bool operator==(const Joint&) const = default;
 };
@@ -178,12 +180,13 @@ struct JointState {
 enum class JointEventKind : std::uint8_t {
   came_taut,  ///< a cable that hung loose
   ended,      ///< a projectile at one of its ends left the world
+  broke,      ///< it pulled or pushed with more than its break_force
 };
 
 struct JointEvent {
   JointEventKind kind = JointEventKind::ended;  ///< [-]
   JointId joint{};                              ///< [-]
-  ProjectileId projectile{};                    ///< the one that left; of a cable that came taut: its first end [-]
+  ProjectileId projectile{};                    ///< the one that left, else the first end of the joint [-]
   double time = 0;                              ///< the end of the step in which it was [s]
   double speed = 0;                             ///< at which the ends of a cable parted before [m/s]
 };
@@ -396,7 +399,7 @@ struct RecordOptions {
 
 inline constexpr char kSaveMagic[8] = {'P', 'H', 'Y', 'S', 'I', 'M', 'S', '\n'};
 /// The format of a save's bytes; others are refused.
-inline constexpr std::uint32_t kSaveFormat = 16;
+inline constexpr std::uint32_t kSaveFormat = 17;
 
 /// Parts that a save lacks: functions are no data. They are given again: custom forces in the order they were added;
 /// those of environments in the order of these, each once, however many have it. A scene has one engine, if any.
@@ -704,7 +707,7 @@ class World {
 
 inline constexpr char kRecordingMagic[8] = {'P', 'H', 'Y', 'S', 'I', 'M', 'R', '\n'};
 /// The format of a recording's bytes; others are refused.
-inline constexpr std::uint32_t kRecordingFormat = 16;
+inline constexpr std::uint32_t kRecordingFormat = 17;
 
 /// Keeps a recording in memory: world.record(record_into(bytes)). The bytes must outlive the recording.
 [[nodiscard]] RecordSink record_into(std::vector<std::byte>& bytes);

@@ -320,6 +320,7 @@ physim_result physim_world_add_joint(physim_world* world, const physim_joint* jo
                .length = {},
                .restitution = j.restitution};
     if (j.length != 0) made.length = j.length;
+    if (j.break_force != 0) made.break_force = j.break_force;
     if (made.kind == JointKind::spring) made.stiffness = j.stiffness, made.damping = j.damping;
     const Result<JointId> added = into->world().add_joint(made);
     if (call.take(added)) *id = put_id(*added);

@@ -23,6 +23,8 @@ constexpr Entry kJointSettings[] = {
     PHYSIM_JOINT_DEF(stiffness, "of a spring: force for each metre of stretch", Quantity::stiffness, at_least(0)),
     PHYSIM_JOINT_DEF(damping, "of a spring: of the rate at which its length changes", Quantity::linear_drag,
                      at_least(0)),
+    PHYSIM_JOINT_DEF(break_force, "it ends if it pulls or pushes with more, on the mean of a step; never: it holds",
+                     Quantity::force, Range{.low = 0, .low_open = true}, absent("never")),
 };
 
 }  // namespace

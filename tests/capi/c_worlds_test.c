@@ -297,9 +297,18 @@ static void test_parts(void) {
   CHECK(is_near(state.length, 2, 1e-6) && state.taut);
   OK(physim_world_projectile(world, ball[1], &one));
   CHECK(one.position[2] > 2); /* it is pulled along by the rod */
-  OK(physim_world_remove(world, PHYSIM_A_FORCE, force));
   OK(physim_world_remove(world, PHYSIM_A_JOINT, joint));
   IS(PHYSIM_NOT_FOUND, physim_joint_read(world, joint, &state));
+  rod.break_force = -1;
+  IS(PHYSIM_REFUSED, physim_world_add_joint(world, &rod, &joint));
+  rod.break_force = fabs(state.tension) / 2;
+  OK(physim_world_add_joint(world, &rod, &joint));
+  OK(physim_world_step(world, 1, 0));
+  OK(physim_joint_events(world, events, sizeof events[0], 4, &count));
+  CHECK(count == 1 && strcmp(physim_name("joint_event", events[0].kind), "broke") == 0);
+  IS(PHYSIM_NOT_FOUND, physim_joint_read(world, joint, &state));
+  rod.break_force = 0;
+  OK(physim_world_remove(world, PHYSIM_A_FORCE, force));
   OK(physim_world_add_joint(world, &rod, &joint));
   OK(physim_world_despawn(world, ball, 1, NULL));
   OK(physim_joint_events(world, events, sizeof events[0], 4, &count));

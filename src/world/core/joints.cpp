@@ -84,7 +84,13 @@ std::size_t Joints::bytes() const {
 
 void Joints::add_to(Hash& hash) const {
   if (all_.size() == 1) return;
-  each([&](std::uint32_t index) { hash.add(hash_of(index, all_[index].def)); });
+  each([&](std::uint32_t index) {
+    // What joints had from the first, and all of it only where there is more: a rod keeps its hash.
+    const Joint& j = all_[index].def;
+    const Joint first{j.kind, j.a, j.b, j.point, j.length, j.restitution, j.stiffness, j.damping};
+    hash.add(hash_of(index, j.kind, j.a, j.b, j.point, j.length, j.restitution, j.stiffness, j.damping));
+    if (j != first) hash.add(hash_of(j));
+  });
   for (const HeldJoint& joint : all_) hash.add(std::uint64_t{joint.generation});
   for (const std::uint32_t index : free_) hash.add(std::uint64_t{index});
 }
@@ -104,6 +110,8 @@ Status check(const Joint& joint) {
   c.require(joint.restitution >= 0 && joint.restitution <= 1, "joint.restitution", "must lie between 0 and 1");
   c.require(joint.restitution == 0 || joint.kind == JointKind::cable, "joint.restitution", "is that of a cable",
             "rods and springs have none");
+  if (joint.break_force)
+    c.positive(*joint.break_force, "joint.break_force", "leave it out for a joint that never breaks");
   c.not_negative(joint.stiffness, "joint.stiffness", "in N/m").not_negative(joint.damping, "joint.damping", "in kg/s");
   return c.status();
 }
@@ -167,6 +175,15 @@ Status World::remove_joint(JointId id) {
   wake_ends(w, joint->def);
   w.state.joints.erase(id.index);
   return {};
+}
+
+void break_joint(WorldImpl& w, std::uint32_t index) {
+  PHYSIM_ASSERT(w.state.joints[index].active && w.state.joints[index].def.break_force);
+  const Joint joint = w.state.joints[index].def;
+  w.state.joints.events.push_back(
+      {JointEventKind::broke, w.state.joints.id_of(index), joint.a, w.state.clock.time(), 0});
+  w.state.joints.erase(index);
+  wake_ends(w, joint);
 }
 
 void end_joints_of(WorldImpl& w, std::uint32_t slot) {

@@ -92,6 +92,7 @@ struct HeldBody {
 struct JointScratch {
   std::vector<HeldBody> held;                    // in order of slots
   std::vector<std::vector<std::uint32_t>> nets;  // joints that hold together, neighbours near each other
+  std::vector<std::uint32_t> broken;             // joints that pulled or pushed with more than their break_force
 };
 
 struct WorldImpl;
@@ -101,6 +102,8 @@ struct WorldImpl;
 void begin_joints(WorldImpl& world);
 /// After it: puts held projectiles where joints hold them.
 void hold_joints(WorldImpl& world, double dt);
+/// Ends a joint that broke, with an event, and wakes what it held.
+void break_joint(WorldImpl& world, std::uint32_t index);
 /// Ends the joints of a projectile that leaves, with events.
 void end_joints_of(WorldImpl& world, std::uint32_t slot);
 

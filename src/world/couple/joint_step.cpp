@@ -253,6 +253,8 @@ class NetStep {
       if (row.came_taut)
         state_.joints.events.push_back(
             {JointEventKind::came_taut, state_.joints.id_of(joints_[i]), joint.def.a, state_.clock.time(), row.speed});
+      if (joint.def.break_force && std::abs(joint.tension) > *joint.def.break_force)
+        w_.jointed.broken.push_back(joints_[i]);
     }
   }
 
@@ -317,7 +319,11 @@ void begin_joints(WorldImpl& world) {
 
 void hold_joints(WorldImpl& world, double dt) {
   PHYSIM_ASSERT(dt > 0);
+  std::vector<std::uint32_t>& broken = world.jointed.broken;
+  broken.clear();
   for (const std::vector<std::uint32_t>& net : world.jointed.nets) NetStep(world, net, dt).run();
+  std::ranges::sort(broken);
+  for (const std::uint32_t index : broken) break_joint(world, index);
 }
 
 }  // namespace physim
