@@ -1084,6 +1084,10 @@ public unsafe struct physim_joint {
   public double damping;
   /// <summary>it ends if it pulls or pushes with more, on the mean of a step; 0: it never breaks [N]</summary>
   public double break_force;
+  /// <summary>of its point, if that is no thing's [m/s]</summary>
+  public fixed double velocity[3];
+  /// <summary>that takes the point along; index 0: none</summary>
+  public physim_id thing;
 }
 [StructLayout(LayoutKind.Sequential)]
 public unsafe struct physim_joint_info {
@@ -1427,6 +1431,9 @@ public static unsafe class C {
   public static extern physim_result physim_world_set_hit_function(IntPtr world, physim_hit_function function, IntPtr user);
   [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
   public static extern physim_result physim_world_add_joint(IntPtr world, physim_joint* joint, physim_id* id);
+  /// <summary>Puts the point of a joint at a place now; from there it goes on at a velocity.</summary>
+  [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+  public static extern physim_result physim_joint_move(IntPtr world, physim_id joint, double* position, double* velocity);
   [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
   public static extern physim_result physim_joint_read(IntPtr world, physim_id joint, physim_joint_info* info);
   [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]

@@ -525,6 +525,8 @@ typedef struct physim_joint {
   double stiffness;    ///< of a spring [N/m]
   double damping;      ///< of a spring [kg/s]
   double break_force;  ///< it ends if it pulls or pushes with more, on the mean of a step; 0: it never breaks [N]
+  double velocity[3];  ///< of its point, if that is no thing's [m/s]
+  physim_id thing;     ///< that takes the point along; index 0: none [-]
 } physim_joint;
 typedef struct physim_joint_info {
   uint32_t size;   ///< sizeof(physim_joint_info) [bytes]
@@ -541,6 +543,9 @@ typedef struct physim_joint_event {
   double speed;          ///< at which the ends parted [m/s]
 } physim_joint_event;
 PHYSIM_API physim_result physim_world_add_joint(physim_world* world, const physim_joint* joint, physim_id* id);
+/// Puts the point of a joint at a place now; from there it goes on at a velocity.
+PHYSIM_API physim_result physim_joint_move(physim_world* world, physim_id joint, const double position[3],
+                                           const double velocity[3]);
 PHYSIM_API physim_result physim_joint_read(const physim_world* world, physim_id joint, physim_joint_info* info);
 PHYSIM_API physim_result physim_joint_events(const physim_world* world, physim_joint_event* into, size_t each,
                                              size_t room, size_t* count);

@@ -144,7 +144,8 @@ struct ForceDef {
 };
 
 // ---------------------------------------------------------------------------------------------------------------------
-// Joint: a rod, a cable or a spring that holds a projectile of a world to another one, or to a fixed point.
+// Joint: a rod, a cable or a spring that holds a projectile of a world to another one, or to a point that rests, moves
+// or is fixed to a thing of the scene.
 
 enum class JointKind : std::uint8_t {
   rod,     ///< keeps the distance of its ends: it pulls and pushes
@@ -158,7 +159,7 @@ struct Joint {
   JointKind kind = JointKind::rod;  ///< [-]
   ProjectileId a{};                 ///< one end [-]
   ProjectileId b{};                 ///< the other end; null: `point` [-]
-  Vec3d point{};                    ///< of the world, where there is no b [m]
+  Vec3d point{};                    ///< where there is no b: of the world, or of `thing` in its own frame [m]
   std::optional<double> length{};   ///< of a rod, of a cable that is taut, of a spring at rest; above 0; none: as far
                                     ///< as its ends are apart when it is added [m]
   double restitution = 0;           ///< of a cable: speed kept when it comes taut, 0..1; 0: its ends go on together [-]
@@ -166,6 +167,8 @@ struct Joint {
   double damping = 0;               ///< of a spring: of the rate at which its length changes [kg/s]
   std::optional<double> break_force{};  ///< it ends if it pulls or pushes with more, on the mean of a step; above 0;
                                         ///< none: it never breaks [N]
+  Vec3d velocity{};                     ///< of a point of the world, at most 1e9 [m/s]
+  InstanceId thing{};                   ///< of the scene, where there is no b: it takes the point along [-]
 
   bool operator==(const Joint&) const = default;
 };
@@ -549,8 +552,11 @@ class World {
   Result<JointId> add_joint(const Joint& joint);
   /// Frees the projectiles that it held; those asleep wake.
   Status remove_joint(JointId joint);
-  [[nodiscard]] std::vector<JointId> joints() const;          ///< of all there are, by index
-  [[nodiscard]] const Joint* joint(JointId joint) const;      ///< with its length; null: it is gone
+  [[nodiscard]] std::vector<JointId> joints() const;  ///< of all there are, by index
+  /// Puts the point of a joint at a place now. From there it goes on straight at a velocity, until it is moved again;
+  /// the end of a rod follows it exactly. Refused if the joint holds two projectiles, or its point is that of a thing.
+  Status move_joint(JointId joint, const BodyState& to);
+  [[nodiscard]] const Joint* joint(JointId joint) const;      ///< with its length and present point; null: it is gone
   [[nodiscard]] JointState joint_state(JointId joint) const;  ///< zeros: it is gone
   /// The events of joints in the last step() or advance(), and by calls since, as events() of projectiles.
   [[nodiscard]] std::vector<JointEvent> joint_events() const;

@@ -321,9 +321,24 @@ physim_result physim_world_add_joint(physim_world* world, const physim_joint* jo
                .restitution = j.restitution};
     if (j.length != 0) made.length = j.length;
     if (j.break_force != 0) made.break_force = j.break_force;
+    made.velocity = vector_at(j.velocity);
+    made.thing = id_of<InstanceId>(j.thing);
     if (made.kind == JointKind::spring) made.stiffness = j.stiffness, made.damping = j.damping;
     const Result<JointId> added = into->world().add_joint(made);
     if (call.take(added)) *id = put_id(*added);
+  });
+}
+
+physim_result physim_joint_move(physim_world* world, physim_id joint, const double position[3],
+                                const double velocity[3]) {
+  return guarded([&](Call& call) {
+    const auto into = call.find(world, "world");
+    call.need(position, "position");
+    call.need(velocity, "velocity");
+    if (!call.ok()) return;
+    const auto id = id_of<JointId>(joint);
+    if (into->world().joint(id) == nullptr) return call.fail(PHYSIM_NOT_FOUND, "there is no such joint", "joint");
+    call.take(into->world().move_joint(id, {vector_at(position), vector_at(velocity)}));
   });
 }
 

@@ -37,6 +37,8 @@ class SceneByMotion {
   /// Adds boxes that hold the ways of all else that moves over the time that is covered.
   void add_boxes_of_movers(std::vector<collide::Bounds>& boxes) const;
 
+  /// The scale of a thing that is there [-].
+  [[nodiscard]] double scale(InstanceId thing) const { return content_.instances[thing.index].def.transform.scale; }
   /// Whether something is there, and rests.
   [[nodiscard]] bool rests(std::uint32_t index) const;
   /// The box of something; none where it moves, is gone, or no box holds it.

@@ -25,6 +25,8 @@ constexpr Entry kJointSettings[] = {
                      at_least(0)),
     PHYSIM_JOINT_DEF(break_force, "it ends if it pulls or pushes with more, on the mean of a step; never: it holds",
                      Quantity::force, Range{.low = 0, .low_open = true}, absent("never")),
+    PHYSIM_JOINT_DEF(velocity, "of a point of the world: it goes on straight", Quantity::speed),
+    PHYSIM_JOINT(thing, "name of the thing that takes the point along, which is in its frame then; empty: the world"),
 };
 
 }  // namespace

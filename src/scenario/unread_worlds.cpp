@@ -184,6 +184,8 @@ constexpr UnreadRule kJointRules[] = {
      [](R r) { return read_or(is_moved(r, joint(r).a) || is_moved(r, joint(r).b), ": nothing moves its ends"); }},
     {"joint.stiffness", why_no_spring},
     {"joint.damping", why_no_spring},
+    {"joint.velocity",
+     [](R r) { return read_unless(!joint(r).b.empty() || !joint(r).thing.empty(), "its other end"); }},
     {"joint.restitution",
      [](R r) {
        const JointKind kind = joint(r).def.kind;

@@ -453,6 +453,7 @@ class Extreme {
       if (r_.one_in(3)) joint.b = {}, joint.point = r_.vector3(3);
       if (r_.coin()) joint.length = r_.in(0.1, 3);
       joint.stiffness = r_.in(1, 100), joint.damping = r_.in(0, 3), joint.restitution = r_.unit();
+      if (!joint.b) joint.velocity = r_.vector3(3);
       if (r_.coin()) put_extremes(r_, joint);
       static_cast<void>(w.add_joint(joint));
     }

@@ -66,6 +66,57 @@ TEST(JointScenario, all_that_a_joint_may_say_is_read_and_written_back) {
   EXPECT_EQ(hash_of(parse_scenario(*revised, "f.toml")->joints), hash_of(more.joints));
 }
 
+const std::string kCarried = R"(physim = 1
+[world]
+duration = "2 s"
+ground = "none"
+[[shape]]
+name = "box"
+box = { half = ["10 cm", "10 cm", "10 cm"] }
+[[thing]]
+name = "crane"
+shape = "box"
+position = ["0 m", "5 m", "0 m"]
+scale = 2
+velocity = ["1 m/s", "0 m/s", "0 m/s"]
+angular_velocity = ["0 rad/s", "2 rad/s", "0 rad/s"]
+[[shot]]
+name = "load"
+position = ["1 m", "2 m", "0 m"]
+speed = "0 m/s"
+body = { collision = { on_hit = "pass" } }
+[[joint]]
+a = "load"
+thing = "crane"
+point = ["50 cm", "0 m", "0 m"]
+break_force = "1 kN"
+)";
+
+TEST(JointScenario, points_that_move_are_read_and_written_back) {
+  const Result<Scenario> read = parse_scenario(kCarried, "f.toml");
+  ASSERT_TRUE(read) << read.error().text();
+  EXPECT_TRUE(read->notes.empty()) << read->notes.front();
+  ASSERT_EQ(read->joints.size(), 1u);
+  EXPECT_EQ(read->joints[0].thing, "crane");
+  EXPECT_EQ(read->joints[0].def, (Joint{.point = {0.5, 0, 0}, .break_force = 1000}));
+  const Result<Scenario> again = parse_scenario(scenario_text(*read), "g.toml");
+  ASSERT_TRUE(again) << again.error().text() << scenario_text(*read);
+  EXPECT_EQ(hash_of(again->joints), hash_of(read->joints));
+}
+
+TEST(JointScenario, a_run_carries_its_points) {
+  auto run = WorldRun::create(*parse_scenario(kCarried, "f.toml"));
+  ASSERT_TRUE(run) << run.error().text();
+  const auto ids = run->world().ids();
+  for (std::uint64_t i = 0; i < run->steps(); ++i) {
+    run->step();
+    const double t = run->world().time();
+    // The crane's hook is 1 m from its middle, as its point is scaled with it.
+    const Vec3d hook{t + std::cos(2 * t), 5, -std::sin(2 * t)};
+    ASSERT_NEAR(length(run->world()[ids[0]].position() - hook), 3, 1e-9);
+  }
+}
+
 TEST(JointScenario, a_run_has_its_joints_and_goes_on_from_a_save) {
   Scenario scenario = *parse_scenario(kJoined, "f.toml");
   auto run = WorldRun::create(scenario);
@@ -109,6 +160,9 @@ TEST(JointScenario, bad_joints_are_refused_where_they_stand) {
   EXPECT_EQ(error("a = \"a\"\nrestitution = 2\n").substr(0, 29), "f.toml:11:15: error: joint.re");
   EXPECT_EQ(error("a = \"a\"\nrestitution = 0.5\n"),
             "f.toml:11:15: error: joint.restitution: is that of a cable; rods and springs have none");
+  EXPECT_EQ(error("a = \"a\"\nbreak_force = \"0 N\"\n").substr(0, 30), "f.toml:11:15: error: joint.brea");
+  EXPECT_EQ(error("a = \"a\"\nthing = \"crane\"\n").substr(0, 57),
+            "f.toml:11:9: error: joint.thing: no thing is named \"crane\"");
   EXPECT_EQ(error("a = \"a\"\nlenth = 3\n"),
             "f.toml:11:1: error: unknown key \"lenth\" in [joint]; did you mean \"length\"?");
   const Result<Scenario> no_world =

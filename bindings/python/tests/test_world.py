@@ -335,6 +335,14 @@ def test_joints(ball):
     with pytest.raises(physim.Error):
         world.remove_joint(rod)
     with pytest.raises(physim.Error):
+        world.move_joint(rod, (0, 0, 0))
+    moved = world.add_joint(a[0], point=(0, 12, 0), break_force="1 kN")
+    world.move_joint(moved, (0, 12, 0), (1, 0, 0))
+    world.step(6)
+    assert world.joint_state(moved)[1] > 0
+    with pytest.raises(physim.Error, match="thing"):
+        world.add_joint(b[0], thing=77)
+    with pytest.raises(physim.Error):
         world.add_joint(a[0], a[0])
     with pytest.raises(physim.Error, match="kind"):
         world.add_joint(a[0], b[0], kind="rubber")

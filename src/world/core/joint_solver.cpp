@@ -120,6 +120,9 @@ class Net {
       }
     }
     for (std::size_t i = 0; i < rows_.size(); ++i) {
+      const Carried carried = carried_by(rows_[i], found_[i]);
+      gained -= carried.work;
+      moved += carried.energy;
       if (!rows_[i].is_spring()) continue;
       const auto stored = [&](double l) {
         return rows_[i].stiffness / 2 * (l - rows_[i].length) * (l - rows_[i].length);
@@ -128,6 +131,20 @@ class Net {
       moved += stored(found_[i].l0);
     }
     return !(gained <= kMostGain * moved);  // written so that a NaN counts as a gain
+  }
+
+  /// What a point that is carried gives to the first end of a row.
+  struct Carried {
+    double work = 0;    // [J]
+    double energy = 0;  // of the other end, were it carried along [J]
+  };
+  [[nodiscard]] Carried carried_by(const NetRow& row, const Found& f) const {
+    const NetBody &a = bodies_[row.a], &b = bodies_[row.b];
+    const double mobility = std::max(std::max(a.mobility.x, a.mobility.y), a.mobility.z);
+    if (!b.is_carried || !(mobility > 0)) return {};
+    const Vec3d velocity = (b.x - b.start) * (1 / part_.h);
+    const Vec3d along = f.n0 * (f.q / part_.h) + f.n * (f.p + (row.is_spring() ? f.q / part_.h : 0));
+    return {dot(along, velocity), length_squared(velocity) / (2 * mobility)};
   }
 
   // ------------------------------------------------------------------------------------------- equations

@@ -18,6 +18,8 @@
 // its restitution. What is wrong with lengths before a step (rounding, or ends that a call has put elsewhere) is put
 // right by moves that give no speed.
 //
+// A fixed end may move: its velocity stands in the equations of speeds, and what it does work on gains that energy.
+//
 // The steps of Newton's method are solved directly (J1 M^-1 J0^T, factored within its envelope, rows of a net in the
 // order in which a breadth-first search finds them: Cuthill & McKee 1969), so a long chain costs as much as its rows
 // are many and is as stiff as a short one. Which cables pull follows from block pivoting (Judice & Pires 1994,
@@ -41,12 +43,13 @@ namespace physim {
 
 /// A body that rows end at, or a fixed point.
 struct NetBody {
-  Vec3d start{};           // where it was when the step began [m]
-  Vec3d start_velocity{};  // [m/s]
-  Vec3d x{};               // place after its flight alone; then the held place [m]
-  Vec3d v{};               // velocity after its flight alone; then the held velocity [m/s]
-  Vec3d mobility{};        // one over its mass, along each axis; 0: nothing moves it [1/kg]
-  double spacing = 0;      // of the numbers that keep its place [m]
+  Vec3d start{};            // where it was when the step began [m]
+  Vec3d start_velocity{};   // [m/s]
+  Vec3d x{};                // place after its flight alone; then the held place [m]
+  Vec3d v{};                // velocity after its flight alone; then the held velocity [m/s]
+  Vec3d mobility{};         // one over its mass, along each axis; 0: nothing moves it [1/kg]
+  double spacing = 0;       // of the numbers that keep its place [m]
+  bool is_carried = false;  // a point that goes on its way, whatever it holds
 };
 
 /// What holds two bodies.

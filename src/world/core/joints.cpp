@@ -6,6 +6,8 @@
 #include "base/archive.hpp"
 #include "base/checker.hpp"
 #include "base/ieee_mode.hpp"
+#include "collide/scene_by_motion.hpp"
+#include "math/quat.hpp"
 #include "world/couple/world_impl.hpp"
 
 namespace physim {
@@ -14,6 +16,7 @@ namespace {
 /// Joints of one projectile: this many are solved quickly, as all of them feel each other.
 constexpr std::size_t kMostJointsOfOne = 64;
 constexpr std::size_t kMostJoints = 1u << 22;
+constexpr double kFarthestJoint = 1e15;  // [m]
 
 Error no_joint() { return {"there is no such joint", "joint", "it was removed, or a projectile that it held is gone"}; }
 
@@ -61,6 +64,10 @@ void Joints::erase(std::uint32_t index) {
   --count_;
 }
 
+void Joints::move_point(std::uint32_t index, const Vec3d& to) {
+  if (length(to) <= kFarthestJoint) (*this)[index].def.point = to;
+}
+
 bool Joints::restore(std::vector<HeldJoint> all, std::vector<std::uint32_t> free) {
   if (all.empty() || all[0].active) return false;
   std::vector<bool> seen(all.size());
@@ -96,16 +103,30 @@ void Joints::add_to(Hash& hash) const {
 }
 
 // ------------------------------------------------------------------------------------------- bad input
+namespace {
+
+void check_point(Checker& c, const Joint& joint) {
+  constexpr double kFastest = 1e9;  // as things [m/s]
+  c.is_vector(joint.point, "joint.point");
+  c.require(length(joint.point) <= kFarthestJoint, "joint.point", "must lie within 1e15 m");
+  c.require(!joint.thing || !joint.b, "joint.thing", "is given together with b", "a joint has two ends");
+  c.is_vector(joint.velocity, "joint.velocity");
+  c.require(length(joint.velocity) <= kFastest, "joint.velocity", "must not be above 1e9 m/s");
+  c.require(joint.velocity == Vec3d{} || !(joint.b || joint.thing), "joint.velocity", "is that of a point of the world",
+            joint.b ? "b moves by itself" : "the thing takes its point along");
+}
+
+}  // namespace
+
 Status check(const Joint& joint) {
   Checker c;
   c.named(joint.kind, "joint.kind");
   c.require(bool(joint.a), "joint.a", "is nobody", "a joint holds a projectile to another one, or to a point");
   c.require(joint.a != joint.b, "joint.b", "is joint.a too", "a joint holds two different projectiles");
-  c.is_vector(joint.point, "joint.point");
-  c.require(length(joint.point) <= 1e15, "joint.point", "must lie within 1e15 m");
+  check_point(c, joint);
   if (joint.length) {
     c.positive(*joint.length, "joint.length", "leave it out for the distance at which its ends are now");
-    c.require(*joint.length <= 1e15, "joint.length", "must not be above 1e15 m");
+    c.require(*joint.length <= kFarthestJoint, "joint.length", "must not be above 1e15 m");
   }
   c.require(joint.restitution >= 0 && joint.restitution <= 1, "joint.restitution", "must lie between 0 and 1");
   c.require(joint.restitution == 0 || joint.kind == JointKind::cable, "joint.restitution", "is that of a cable",
@@ -114,6 +135,17 @@ Status check(const Joint& joint) {
     c.positive(*joint.break_force, "joint.break_force", "leave it out for a joint that never breaks");
   c.not_negative(joint.stiffness, "joint.stiffness", "in N/m").not_negative(joint.damping, "joint.damping", "in kg/s");
   return c.status();
+}
+
+// ------------------------------------------------------------------------------------------- where it is
+BodyState point_of(const WorldState& state, const Joint& joint, double time, double ahead) {
+  PHYSIM_ASSERT(!joint.b || !joint.thing);
+  if (!joint.thing) return {joint.point + joint.velocity * ahead, joint.velocity};
+  const double when = std::clamp(time, -collide::kLatest, collide::kLatest);
+  const auto at = state.scene ? state.scene->state(joint.thing, when) : std::nullopt;
+  if (!at) return {.position = joint.point};  // it ends with the call that took the thing away
+  const Vec3d place = at->position + rotate(at->rotation, joint.point * SceneByMotion(*state.scene).scale(joint.thing));
+  return {place, velocity_at(*at, place)};
 }
 
 namespace {
@@ -127,11 +159,10 @@ Status refuses_end(const WorldImpl& w, ProjectileId end, const char* place) {
   return {};
 }
 
-Vec3d end_of(const WorldState& state, const Joint& joint) {
-  return joint.b ? state.state_of(state.slots[joint.b.index]).position : joint.point;
-}
 double distance_of_ends(const WorldState& state, const Joint& joint) {
-  return length(state.state_of(state.slots[joint.a.index]).position - end_of(state, joint));
+  const Vec3d b = joint.b ? state.state_of(state.slots[joint.b.index]).position
+                          : point_of(state, joint, state.clock.time(), 0).position;
+  return length(state.state_of(state.slots[joint.a.index]).position - b);
 }
 
 void wake_ends(WorldImpl& w, const Joint& joint) {
@@ -155,6 +186,8 @@ Result<JointId> World::add_joint(const Joint& joint) {
   if (const Status status = refuses_end(w, joint.a, "joint.a"); !status) return status.error();
   if (const Status status = joint.b ? refuses_end(w, joint.b, "joint.b") : Status(); !status) return status.error();
   if (w.state.joints.count() >= kMostJoints) return Error{"there are too many of them", "joint", "at most 4194304"};
+  if (joint.thing && !(w.state.scene && w.state.scene->state(joint.thing)))
+    return Error{"is not there", "joint.thing", "World::add_instance() gives an id of a thing of the scene"};
   Joint added = joint;
   if (!added.length) {  // what is measured is held to the bounds of what is given: saves are
     added.length = distance_of_ends(w.state, joint);
@@ -175,6 +208,36 @@ Status World::remove_joint(JointId id) {
   wake_ends(w, joint->def);
   w.state.joints.erase(id.index);
   return {};
+}
+
+Status World::move_joint(JointId id, const BodyState& to) {
+  WorldImpl& w = impl();
+  const Recorded<Call::move_joint> call(w, id, to);
+  if (call.is_refused()) return call.refusal();
+  const HeldJoint* joint = w.state.joints.find(id);
+  if (!joint) return no_joint();
+  if (joint->def.b) return Error{"holds two projectiles, and has no point", "joint", "move one of these"};
+  if (joint->def.thing) return Error{"has the point of a thing", "joint", "World::move_instance() moves that"};
+  Joint moved = joint->def;
+  moved.point = to.position, moved.velocity = to.velocity;
+  if (Status status = check(moved); !status) return status;
+  w.state.joints[id.index].def = moved;
+  wake_ends(w, moved);
+  return {};
+}
+
+void end_joints_at_gone_things(WorldImpl& w) {
+  std::vector<std::uint32_t> gone;
+  w.state.joints.each([&](std::uint32_t index) {
+    const InstanceId thing = w.state.joints[index].def.thing;
+    if (thing && !(w.state.scene && w.state.scene->state(thing))) gone.push_back(index);
+  });
+  for (const std::uint32_t index : gone) {
+    const Joint joint = w.state.joints[index].def;
+    tell_end(w.state, index, joint.a);
+    w.state.joints.erase(index);
+    wake_ends(w, joint);
+  }
 }
 
 void break_joint(WorldImpl& w, std::uint32_t index) {

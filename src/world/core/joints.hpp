@@ -53,6 +53,8 @@ class Joints {
 
   JointId add(const Joint& joint);
   void erase(std::uint32_t index);
+  /// At the end of a step; beyond what a save may hold it stays.
+  void move_point(std::uint32_t index, const Vec3d& to);
   /// Calls f with the index of every joint that there is, in order.
   template <class F>
   void each(const F& f) const {
@@ -90,21 +92,27 @@ struct HeldBody {
 
 /// Memory that steps use again and again.
 struct JointScratch {
+  double began = 0;                              // time of the step at hand [s]
   std::vector<HeldBody> held;                    // in order of slots
   std::vector<std::vector<std::uint32_t>> nets;  // joints that hold together, neighbours near each other
   std::vector<std::uint32_t> broken;             // joints that pulled or pushed with more than their break_force
 };
 
 struct WorldImpl;
+class WorldState;
 
 [[nodiscard]] Status check(const Joint& joint);
-/// Before a step: stores the state of held projectiles; nets with a moving member wake as a whole.
-void begin_joints(WorldImpl& world);
+/// Where the point of a joint is at a time of the world, `ahead` after the moment that Joint::point is of [s].
+[[nodiscard]] BodyState point_of(const WorldState& state, const Joint& joint, double time, double ahead);
+/// Before a step: stores the state of held projectiles; nets with a moving member or point wake as a whole.
+void begin_joints(WorldImpl& world, double dt);
 /// After it: puts held projectiles where joints hold them.
 void hold_joints(WorldImpl& world, double dt);
 /// Ends a joint that broke, with an event, and wakes what it held.
 void break_joint(WorldImpl& world, std::uint32_t index);
 /// Ends the joints of a projectile that leaves, with events.
 void end_joints_of(WorldImpl& world, std::uint32_t slot);
+/// Ends the joints at things that are gone, with events.
+void end_joints_at_gone_things(WorldImpl& world);
 
 }  // namespace physim

@@ -70,17 +70,27 @@ void each_end(const WorldState& state, const std::vector<std::uint32_t>& net, co
 [[nodiscard]] bool is_strained(const WorldState& state, const Joint& joint) {
   constexpr double kStrain = 1e-6;  // of its length and of how far out it is: more than float32 rounds [-]
   const Vec3d a = state.state_of(state.slots[joint.a.index]).position;
-  const Vec3d b = joint.b ? state.state_of(state.slots[joint.b.index]).position : joint.point;
+  const Vec3d b = joint.b ? state.state_of(state.slots[joint.b.index]).position
+                          : point_of(state, joint, state.clock.time(), 0).position;
   const double off = length(a - b) - *joint.length;
   const double slack = kStrain * (*joint.length + length(a) + length(b));
   return breaks(joint.kind, off, slack);
 }
 
+/// Whether its point moves in the coming step.
+[[nodiscard]] bool is_carried(const WorldState& state, const Joint& joint, double dt) {
+  if (joint.b || (joint.velocity == Vec3d{} && !joint.thing)) return false;
+  const double now = state.clock.time();
+  return point_of(state, joint, now, 0).position != point_of(state, joint, now + dt, dt).position;
+}
+
 /// Wakes all projectiles of a net if one of it moves.
-void wake_net(WorldImpl& world, const std::vector<std::uint32_t>& net) {
+void wake_net(WorldImpl& world, const std::vector<std::uint32_t>& net, double dt) {
   WorldState& state = world.state;
-  bool moves =
-      std::ranges::any_of(net, [&](std::uint32_t index) { return is_strained(state, state.joints[index].def); });
+  bool moves = std::ranges::any_of(net, [&](std::uint32_t index) {
+    const Joint& joint = state.joints[index].def;
+    return is_strained(state, joint) || is_carried(state, joint, dt);
+  });
   std::vector<std::uint32_t> asleep;
   each_end(state, net, [&](std::uint32_t slot) {
     if (state.slots[slot].is(kAsleep)) asleep.push_back(slot);
@@ -120,11 +130,22 @@ class NetStep {
     row.pulls = row_of(joint.kind).pulls;
     row.pushes = row_of(joint.kind).pushes;
     row.a = body_of(joint.a);
-    row.b = joint.b ? body_of(joint.b) : point(joint.point);
+    row.b = joint.b ? body_of(joint.b) : anchor(joint);
     row.length = *joint.length;
     row.restitution = joint.restitution;
     row.stiffness = joint.stiffness;
     row.damping = joint.damping;
+  }
+  std::uint32_t anchor(const Joint& joint) {
+    const BodyState start = point_of(state_, joint, w_.jointed.began, 0);
+    const BodyState end = point_of(state_, joint, state_.clock.time(), dt_);
+    const std::uint32_t at = point(start.position);
+    bodies_[at].x = end.position;
+    bodies_[at].start_velocity = start.velocity;
+    bodies_[at].v = end.velocity;
+    bodies_[at].is_carried = true;
+    carried_ = carried_ || start.position != end.position;
+    return at;
   }
   std::uint32_t point(const Vec3d& at) {
     PHYSIM_ASSERT(bodies_.size() == slots_.size());
@@ -261,7 +282,7 @@ class NetStep {
   // ------------------------------------------------------------------------------------------- rest
   /// Those of a net rest together: when all have done so for long enough, all sleep.
   void rest() {
-    bool all = true;
+    bool all = !carried_;
     for (std::size_t i = 0; i < bodies_.size(); ++i)
       if (slots_[i] != 0 && !state_.slots[slots_[i]].is(kStill)) all = has_rested(slots_[i], bodies_[i].v) && all;
     if (!all) return;
@@ -290,6 +311,7 @@ class NetStep {
   std::vector<NetBody> bodies_;
   std::vector<std::uint32_t> slots_;  // of bodies; 0: a fixed point
   std::vector<NetRow> rows_;
+  bool carried_ = false;                                     // a point moves
   std::optional<std::uint32_t> origin_;                      // body that planes are relative to
   std::vector<std::uint32_t> joints_;                        // of rows
   std::unordered_map<std::uint32_t, std::uint32_t> places_;  // of slots among the bodies
@@ -297,8 +319,9 @@ class NetStep {
 
 }  // namespace
 
-void begin_joints(WorldImpl& world) {
+void begin_joints(WorldImpl& world, double dt) {
   JointScratch& s = world.jointed;
+  s.began = world.state.clock.time();
   s.held.clear();
   s.nets.clear();
   WorldState& state = world.state;
@@ -307,7 +330,7 @@ void begin_joints(WorldImpl& world) {
   if (state.joints.empty()) return;
   NetSearch(state).run(s.nets);
   for (const std::vector<std::uint32_t>& net : s.nets) {
-    wake_net(world, net);
+    wake_net(world, net, dt);
     each_end(state, net, [&](std::uint32_t slot) {
       if (!state.slots[slot].is(kStill)) s.held.push_back({state.slots.id_of(slot), state.state_of(state.slots[slot])});
     });
@@ -324,6 +347,11 @@ void hold_joints(WorldImpl& world, double dt) {
   for (const std::vector<std::uint32_t>& net : world.jointed.nets) NetStep(world, net, dt).run();
   std::ranges::sort(broken);
   for (const std::uint32_t index : broken) break_joint(world, index);
+  Joints& joints = world.state.joints;
+  joints.each([&](std::uint32_t index) {
+    const Joint& joint = joints[index].def;
+    if (joint.velocity != Vec3d{}) joints.move_point(index, joint.point + joint.velocity * dt);
+  });
 }
 
 }  // namespace physim

@@ -338,8 +338,10 @@ class Loading {
       all.push_back({each.generation, each.active, each.def, each.tension, each.is_taut});
       if (!each.active) continue;
       if (Status status = check(each.def); !status) return status;
-      const bool holds = each.def.length && std::isfinite(each.tension) && world_->find(each.def.a) &&
-                         (!each.def.b || world_->find(each.def.b));
+      const Joint& def = each.def;
+      const bool has_thing = !def.thing || (state().scene && state().scene->state(def.thing));
+      const bool holds = def.length && has_thing && std::isfinite(each.tension) && world_->find(def.a) &&
+                         (!def.b || world_->find(def.b));
       if (!holds) return makes_no_sense("its joints");
     }
     const bool fits = state().joints.restore(std::move(all), saved_.free_joints);
