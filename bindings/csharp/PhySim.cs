@@ -117,6 +117,8 @@ public enum physim_joint_kind {
   PHYSIM_ROD = 0,
   PHYSIM_CABLE = 1,
   PHYSIM_SPRING = 2,
+  PHYSIM_HINGE = 3,
+  PHYSIM_SLIDER = 4,
 }
 public enum physim_what {
   PHYSIM_A_FORCE = 0,
@@ -1088,6 +1090,14 @@ public unsafe struct physim_joint {
   public fixed double velocity[3];
   /// <summary>that takes the point along; index 0: none</summary>
   public physim_id thing;
+  /// <summary>of a hinge or slider, of any length but zero</summary>
+  public fixed double axis[3];
+  /// <summary>of a slider [m], of a hinge -pi to pi [rad]; -INFINITY: none</summary>
+  public double low;
+  /// <summary>above low; INFINITY: none; both 0: no limits [m], [rad]</summary>
+  public double high;
+  /// <summary>of a hinge: direction of angle 0; zero: where a is now</summary>
+  public fixed double reference[3];
 }
 [StructLayout(LayoutKind.Sequential)]
 public unsafe struct physim_joint_info {
@@ -1098,6 +1108,12 @@ public unsafe struct physim_joint_info {
   public double length;
   /// <summary>negative: it pushed [N]</summary>
   public double tension;
+  /// <summary>with which it acted on its ends, on the mean of the last step [N]</summary>
+  public double force;
+  /// <summary>of a hinge [rad]</summary>
+  public double angle;
+  /// <summary>of a slider [m]</summary>
+  public double way;
 }
 [StructLayout(LayoutKind.Sequential)]
 public unsafe struct physim_joint_event {

@@ -144,13 +144,15 @@ struct ForceDef {
 };
 
 // ---------------------------------------------------------------------------------------------------------------------
-// Joint: a rod, a cable or a spring that holds a projectile of a world to another one, or to a point that rests, moves
-// or is fixed to a thing of the scene.
+// Joint: a rod, cable, spring, hinge or slider that holds a projectile of a world to another one, or to a point that
+// rests, moves or is fixed to a thing of the scene.
 
 enum class JointKind : std::uint8_t {
   rod,     ///< keeps the distance of its ends: it pulls and pushes
   cable,   ///< lets them come nearer, and not farther apart: it only pulls
   spring,  ///< Hooke's law with damping; it is stable however stiff it is
+  hinge,   ///< lets an end go round an axis through the other one, in a plane circle
+  slider,  ///< lets an end go along an axis through the other one
 };
 
 /// A link of two projectiles, or of one to a point. It has no mass, is straight, meets nothing, and ends in the middles
@@ -160,15 +162,23 @@ struct Joint {
   ProjectileId a{};                 ///< one end [-]
   ProjectileId b{};                 ///< the other end; null: `point` [-]
   Vec3d point{};                    ///< where there is no b: of the world, or of `thing` in its own frame [m]
-  std::optional<double> length{};   ///< of a rod, of a cable that is taut, of a spring at rest; above 0; none: as far
-                                    ///< as its ends are apart when it is added [m]
-  double restitution = 0;           ///< of a cable: speed kept when it comes taut, 0..1; 0: its ends go on together [-]
-  double stiffness = 1;             ///< of a spring [N/m]
-  double damping = 0;               ///< of a spring: of the rate at which its length changes [kg/s]
+  std::optional<double> length{};  ///< of a rod, of a cable that is taut, of a spring at rest, radius of a hinge; above
+                                   ///< 0; none: as far as its ends are apart when it is added [m]
+  double restitution = 0;          ///< of a cable: speed kept when it comes taut, 0..1; 0: its ends go on together [-]
+  double stiffness = 1;            ///< of a spring [N/m]
+  double damping = 0;              ///< of a spring: of the rate at which its length changes [kg/s]
   std::optional<double> break_force{};  ///< it ends if it pulls or pushes with more, on the mean of a step; above 0;
                                         ///< none: it never breaks [N]
   Vec3d velocity{};                     ///< of a point of the world, at most 1e9 [m/s]
   InstanceId thing{};                   ///< of the scene, where there is no b: it takes the point along [-]
+  Vec3d axis{};                         ///< of a hinge or slider, of any length but zero: in W, or in the frame of
+                                        ///< `thing`, with which it turns [-]
+  Vec3d reference{};                    ///< of a hinge: direction of angle 0, as the axis; zero: where a is when it is
+                                        ///< added [-]
+  std::optional<double> low_angle{};    ///< of a hinge, -pi to pi, about its axis; none: -pi, or no limits [rad]
+  std::optional<double> high_angle{};   ///< above low_angle; none: pi, and without both it turns freely [rad]
+  std::optional<double> low{};          ///< of a slider, from b or the point along its axis; none: it goes freely [m]
+  std::optional<double> high{};         ///< above low [m]
 
   bool operator==(const Joint&) const = default;
 };
@@ -177,7 +187,10 @@ struct Joint {
 struct JointState {
   double length = 0;     ///< distance of its ends [m]
   double tension = 0;    ///< with which it pulled them together, on the mean of the last step; negative: it pushed [N]
-  bool is_taut = false;  ///< rods and springs: always; a cable that is as long as it can be [-]
+  bool is_taut = false;  ///< all but cables: always; a cable that is as long as it can be [-]
+  double force = 0;      ///< with which it acted on its ends, on the mean of the last step [N]
+  double angle = 0;      ///< of a hinge, from its reference about its axis, -pi to pi [rad]
+  double way = 0;        ///< of a slider, from b or its point along its axis [m]
 };
 
 enum class JointEventKind : std::uint8_t {

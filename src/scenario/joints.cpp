@@ -46,17 +46,18 @@ Status check_joint(const ScenarioNames& names, const ScenarioJoint& joint, const
   return check_def(joint, table);
 }
 
-/// Where the point of a joint is at the start [m].
-Vec3d point_at_start(const Scenario& scenario, const ScenarioNames& names, const ScenarioJoint& joint) {
-  if (joint.thing.empty()) return joint.def.point;
+/// Where the point of a joint is at the start, and how its axis is turned.
+MotionState point_at_start(const Scenario& scenario, const ScenarioNames& names, const ScenarioJoint& joint) {
+  if (joint.thing.empty()) return {.position = joint.def.point};
   const ScenarioThing& thing = scenario.things[*names.things.find(joint.thing)];
   Scene scene;
   const auto shape = scene.add_shape(SphereShape{});
   const auto id = scene.add({.shape = *shape,
                              .transform = {thing.position, thing.rotation.quaternion(), thing.scale},
                              .motion = motion_of(thing)});
-  const MotionState at = id ? *scene.state(*id) : MotionState{};  // a scene that cannot be made is refused elsewhere
-  return at.position + rotate(at.rotation, joint.def.point * thing.scale);
+  MotionState at = id ? *scene.state(*id) : MotionState{};  // a scene that cannot be made is refused elsewhere
+  at.position += rotate(at.rotation, joint.def.point * thing.scale);
+  return at;
 }
 
 /// Joints as a net: its knots are shots and points of the world, and a rod or cable lets two of them be so far apart.
@@ -64,13 +65,20 @@ class JointNet {
  public:
   explicit JointNet(const Scenario& scenario) : scenario_(scenario), names_(scenario) {
     for (const ScenarioJoint& joint : scenario.joints) {
-      const Vec3d point = point_at_start(scenario, names_, joint);
+      const MotionState point = point_at_start(scenario, names_, joint);
       const bool moves = !joint.thing.empty() || joint.def.velocity != Vec3d{};
       Held held{.a = knot_of_shot(joint.a),
                 .b = !joint.b.empty() ? knot_of_shot(joint.b)
-                     : moves          ? add(point, false)
-                                      : knot_of_point(point)};
-      held.launched = length(places_[held.a] - places_[held.b]);
+                     : moves          ? add(point.position, false)
+                                      : knot_of_point(point.position)};
+      Vec3d between = places_[held.a] - places_[held.b];
+      const JointRow& kind = row_of(joint.def.kind);
+      if (kind.turns || kind.slides) {
+        const Vec3d axis = rotate(point.rotation, normalized(joint.def.axis)), along = axis * dot(axis, between);
+        held.beside = kind.slides ? length(between - along) : joint.b.empty() ? 0 : length(along);
+        if (kind.turns) between -= along;
+      }
+      held.launched = length(between);
       held.length = joint.def.length.value_or(held.launched);
       if (row_of(joint.def.kind).pulls) {
         held_by_[held.a].push_back(joints_.size());
@@ -87,6 +95,9 @@ class JointNet {
       PHYSIM_ASSERT(held.a < places_.size() && held.b < places_.size());
       const JointKind kind = scenario_.joints[i].def.kind;
       const std::string said = text(held.length);
+      if (held.beside > kRounding * held.launched)
+        all.push_back(
+            {i, "its ends are " + text(held.beside) + " beside it at launch: the first step moves them", "axis"});
       const double more = held.launched - held.length, slack = kRounding * std::max(held.launched, held.length);
       if (breaks(kind, more, slack))
         all.push_back({i, said + ", and its ends are " + text(held.launched) +
@@ -104,6 +115,7 @@ class JointNet {
   struct Held {
     std::size_t a, b;  // knots
     double length = 0, launched = 0;
+    double beside = 0;  // the axis of a slider, or the plane of a hinge
   };
 
   static std::string text(double metres) { return quantity_text(metres, Quantity::length); }

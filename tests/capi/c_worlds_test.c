@@ -240,28 +240,28 @@ static void tow(void* user, const physim_field_batch* batch) {
   for (i = 0; i < batch->count; ++i) batch->force[3 * i] = *(const double*)user * batch->mass[i];
 }
 
-/* Points that move, of a world with two balls along z. */
-static void test_points(physim_world* world, const physim_id* ball) {
+/* Hinges, sliders, and points that move, of a world with two balls along z. */
+static void test_axes(physim_world* world, const physim_id* ball) {
   const double place[3] = {0, 1, 0}, velocity[3] = {2, 0, 0};
-  physim_joint rod = {.size = sizeof rod, .a = ball[0], .b = ball[1]};
+  physim_joint axis = {.size = sizeof axis, .kind = PHYSIM_HINGE, .a = ball[0], .b = ball[1], .low = -1, .high = 2};
   physim_joint_info state = {.size = sizeof state};
   physim_id joint;
-  OK(physim_world_add_joint(world, &rod, &joint));
+  IS(PHYSIM_REFUSED, physim_world_add_joint(world, &axis, &joint)); /* without an axis */
+  axis.axis[1] = 1;
+  OK(physim_world_add_joint(world, &axis, &joint));
   IS(PHYSIM_REFUSED, physim_joint_move(world, joint, place, velocity)); /* it has no point */
   OK(physim_world_remove(world, PHYSIM_A_JOINT, joint));
   IS(PHYSIM_NOT_FOUND, physim_joint_move(world, joint, place, velocity));
-  rod.b.index = rod.b.generation = 0;
-  rod.point[1] = 5;
-  rod.velocity[0] = 1;
-  rod.thing.index = 77;
-  IS(PHYSIM_REFUSED, physim_world_add_joint(world, &rod, &joint)); /* no such thing */
-  rod.thing.index = 0;
-  OK(physim_world_add_joint(world, &rod, &joint));
+  axis.kind = PHYSIM_SLIDER, axis.b = axis.thing;
+  axis.low = -INFINITY, axis.high = 100;
+  OK(physim_world_add_joint(world, &axis, &joint));
   OK(physim_joint_move(world, joint, place, velocity));
   OK(physim_world_step(world, 1, 0));
   OK(physim_joint_read(world, joint, &state));
-  CHECK(isfinite(state.length) && state.tension != 0);
+  CHECK(isfinite(state.way) && state.force > 0 && state.angle == 0);
   OK(physim_world_remove(world, PHYSIM_A_JOINT, joint));
+  axis.thing.index = 77;
+  IS(PHYSIM_REFUSED, physim_world_add_joint(world, &axis, &joint)); /* no such thing */
 }
 
 static void test_parts(void) {
@@ -330,7 +330,7 @@ static void test_parts(void) {
   CHECK(count == 1 && strcmp(physim_name("joint_event", events[0].kind), "broke") == 0);
   rod.break_force = 0;
   OK(physim_world_remove(world, PHYSIM_A_FORCE, force));
-  test_points(world, ball);
+  test_axes(world, ball);
   OK(physim_world_add_joint(world, &rod, &joint));
   OK(physim_world_despawn(world, ball, 1, NULL));
   OK(physim_joint_events(world, events, sizeof events[0], 4, &count));

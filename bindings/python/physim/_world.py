@@ -458,7 +458,7 @@ class World:
         return self._core.felt_by(force)
 
     def add_joint(self, a: int, b: int = 0, *, thing: int = 0, **joint: Any) -> int:
-        """A rod, cable or spring between two projectiles, or one and a point: kind="rod", length,
+        """A rod, cable, spring, hinge or slider between two projectiles, or one and a point: kind="rod", length,
         point=(x, y, z), break_force. `thing`: one of the scene that takes the point along."""
         shots = [{"name": "a"}, {"name": "b"}]
         settings = {"a": "a", **joint} if not b else {"a": "a", "b": "b", **joint}
@@ -474,6 +474,10 @@ class World:
     def joint_state(self, joint: int) -> tuple[float, float, bool]:
         """Length [m], tension [N] and whether it is taut."""
         return self._core.joint_state(joint)
+
+    def joint_motion(self, joint: int) -> tuple[float, float, float]:
+        """Angle of a hinge [rad], way of a slider [m] and the force on its ends [N]."""
+        return self._core.joint_motion(joint)
 
     # ------------------------------------------------------------------------------------------------------ emitters
     def add_emitter(self, shot: Shot, *, follows: int = 0, **emitter: Any) -> int:

@@ -715,6 +715,13 @@ void add_changes(nb::class_<PyWorld>& c) {
           },
           "id"_a, "position"_a, "velocity"_a)
       .def(
+          "joint_motion",
+          [](PyWorld& w, std::uint64_t id) {
+            const JointState s = w.read().joint_state(id_of<JointId>(id));
+            return nb::make_tuple(s.angle, s.way, s.force);
+          },
+          "id"_a)
+      .def(
           "remove_joint", [](PyWorld& w, std::uint64_t id) { taken(w.get().remove_joint(id_of<JointId>(id))); }, "id"_a)
       .def(
           "joint_state",

@@ -68,10 +68,10 @@ class Net {
   [[nodiscard]] double size_of(const NetRow& row) const {
     return length(bodies_[row.a].x) + length(bodies_[row.b].x) + std::abs(row.length);
   }
-  /// Direction and distance of two places; where they are one, the direction stays.
-  static void measure(const NetRow& row, const Vec3d& between, Vec3d& n, double& l) {
+  /// Direction and distance of two places; where they are one, the direction stays. `normal`: the given one.
+  static void measure(const NetRow& row, const Vec3d& normal, const Vec3d& between, Vec3d& n, double& l) {
     if (row.has_normal) {
-      n = row.normal;
+      n = normal;
       l = dot(n, between);
       return;
     }
@@ -80,11 +80,13 @@ class Net {
   }
   void measure_all() {
     for (std::size_t i = 0; i < rows_.size(); ++i)
-      measure(rows_[i], bodies_[rows_[i].a].x - bodies_[rows_[i].b].x, found_[i].n, found_[i].l);
+      measure(rows_[i], rows_[i].normal, bodies_[rows_[i].a].x - bodies_[rows_[i].b].x, found_[i].n, found_[i].l);
   }
   /// At which its ends part.
   [[nodiscard]] double speed_of(const NetRow& row, const Vec3d& n) const {
-    return dot(n, bodies_[row.a].v - bodies_[row.b].v);
+    const NetBody &a = bodies_[row.a], &b = bodies_[row.b];
+    const double speed = dot(n, a.v - b.v);
+    return row.normal_rate == Vec3d{} ? speed : speed + dot(row.normal_rate, a.x - b.x);
   }
   void push(const NetRow& row, const Vec3d& n, double q, Vec3d NetBody::*what) const {
     PHYSIM_ASSERT(row.a < bodies_.size() && row.b < bodies_.size());
@@ -133,7 +135,7 @@ class Net {
     return !(gained <= kMostGain * moved);  // written so that a NaN counts as a gain
   }
 
-  /// What a point that is carried gives to the first end of a row.
+  /// What a point that is carried, with directions that turn, gives to the first end of a row.
   struct Carried {
     double work = 0;    // [J]
     double energy = 0;  // of the other end, were it carried along [J]
@@ -143,8 +145,10 @@ class Net {
     const double mobility = std::max(std::max(a.mobility.x, a.mobility.y), a.mobility.z);
     if (!b.is_carried || !(mobility > 0)) return {};
     const Vec3d velocity = (b.x - b.start) * (1 / part_.h);
+    const double turned = dot(row.normal_rate, a.x - b.x);  // [m/s]
     const Vec3d along = f.n0 * (f.q / part_.h) + f.n * (f.p + (row.is_spring() ? f.q / part_.h : 0));
-    return {dot(along, velocity), length_squared(velocity) / (2 * mobility)};
+    const double impulse = f.q / part_.h + f.p;
+    return {dot(along, velocity) - impulse * turned, (length_squared(velocity) + turned * turned) / (2 * mobility)};
   }
 
   // ------------------------------------------------------------------------------------------- equations
@@ -241,7 +245,7 @@ class Net {
   void begin(const NetRow& row, Found& f) const {
     const NetBody &a = bodies_[row.a], &b = bodies_[row.b];
     f.n0 = {0, 1, 0};
-    measure(row, a.start - b.start, f.n0, f.l0);
+    measure(row, row.start_normal, a.start - b.start, f.n0, f.l0);
     f.n = f.n0;
     f.slack = 8 * kEpsilon * size_of(row);
     f.rounding = 16 * kEpsilon * (length(a.mobility) + length(b.mobility));

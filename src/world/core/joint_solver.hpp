@@ -11,6 +11,7 @@
 //   rods             l(q) = l0                              the distance at the start of the step
 //   taut cables      l(q) <= l0, q <= 0, one of them equal  (a linear complementarity problem)
 //   planes           l(q) >= l,  q >= 0, one of them equal
+//   guides           l(q) = l                               a direction that is given, and may turn
 //   springs          q = -(h^2/2) F,  F = k ((l0 + l(q))/2 - L) + c (l(q) - l0)/h    (trapezoidal rule: any k, any h)
 //
 // A cable that was slack when the step began and is too long at its end came taut: the step is taken in parts, up to
@@ -18,7 +19,8 @@
 // its restitution. What is wrong with lengths before a step (rounding, or ends that a call has put elsewhere) is put
 // right by moves that give no speed.
 //
-// A fixed end may move: its velocity stands in the equations of speeds, and what it does work on gains that energy.
+// What nothing moves may move: a fixed end that goes on its way, and directions that turn. Their velocities stand in
+// the equations of speeds, and what they do work on gains that energy.
 //
 // The steps of Newton's method are solved directly (J1 M^-1 J0^T, factored within its envelope, rows of a net in the
 // order in which a breadth-first search finds them: Cuthill & McKee 1969), so a long chain costs as much as its rows
@@ -56,14 +58,16 @@ struct NetBody {
 struct NetRow {
   bool pulls = true;        // it keeps its ends from being farther apart than its length
   bool pushes = true;       // ... and from being nearer; one that does neither is a spring
-  bool has_normal = false;  // of a plane: its direction stays
+  bool has_normal = false;  // of a plane or a guide: its direction is given
   std::uint32_t a = 0;      // bodies
   std::uint32_t b = 0;
   double length = 0;       // [m]
   double restitution = 0;  // of cables [-]
   double stiffness = 0;    // of springs [N/m]
   double damping = 0;      // of springs [kg/s]
-  Vec3d normal{};          // of planes, that a is outside of: dot(normal, a - b) >= length [-]
+  Vec3d start_normal{};    // of planes, that a is outside of, and guides, when the step begins [-]
+  Vec3d normal{};          // ... at its end: dot(normal, a - b) >= length, of guides = length [-]
+  Vec3d normal_rate{};     // at which it changes then [1/s]
 
   [[nodiscard]] bool is_rod() const { return pulls && pushes; }
   [[nodiscard]] bool is_cable() const { return pulls && !pushes; }

@@ -6,7 +6,10 @@
 #include "base/archive.hpp"
 #include "base/checker.hpp"
 #include "base/ieee_mode.hpp"
+#include "base/joint_table.hpp"
 #include "collide/scene_by_motion.hpp"
+#include "math/angles.hpp"
+#include "math/elementary.hpp"
 #include "math/quat.hpp"
 #include "world/couple/world_impl.hpp"
 
@@ -32,7 +35,7 @@ JointId Joints::add(const Joint& joint) {
     index = free_.back();
     free_.pop_back();
   }
-  PHYSIM_ASSERT(!all_[index].active && joint.length && joint.a != joint.b);
+  PHYSIM_ASSERT(!all_[index].active && joint.a != joint.b && is_complete(joint));
   all_[index].active = true;
   all_[index].def = joint;
   join(index);
@@ -59,7 +62,7 @@ void Joints::erase(std::uint32_t index) {
     std::erase(at->second, index);
     if (at->second.empty()) of_slot_.erase(at);
   }
-  joint = {.generation = joint.generation + 1, .active = false, .def = {}, .tension = 0, .is_taut = false};
+  joint = {.generation = joint.generation + 1, .active = false, .def = {}, .tension = 0, .is_taut = false, .force = 0};
   free_.push_back(index);
   --count_;
 }
@@ -116,15 +119,39 @@ void check_point(Checker& c, const Joint& joint) {
             joint.b ? "b moves by itself" : "the thing takes its point along");
 }
 
+void check_axis(Checker& c, const Joint& joint) {
+  const JointRow& kind = row_of(joint.kind);
+  const bool has_axis = kind.turns || kind.slides;
+  for (const auto& [vector, place] :
+       {std::pair(joint.axis, "joint.axis"), std::pair(joint.reference, "joint.reference")})
+    c.is_vector(vector, place).require(std::isfinite(length(vector)), place, "is too long", "its direction counts");
+  c.require(!has_axis || length(joint.axis) > 0, "joint.axis", "must have a length",
+            "a hinge or slider has a direction");
+  c.require(has_axis || joint.axis == Vec3d{}, "joint.axis", "is that of a hinge or slider");
+  c.require(kind.turns || joint.reference == Vec3d{}, "joint.reference", "is that of a hinge");
+  for (const auto& [angle, place] :
+       {std::pair(joint.low_angle, "joint.low_angle"), std::pair(joint.high_angle, "joint.high_angle")})
+    c.require(!angle || kind.turns, place, "is that of a hinge", "limits of sliders are low and high")
+        .require(!angle || std::abs(*angle) <= kPi, place, "must lie between -180 and 180 degrees");
+  for (const auto& [way, place] : {std::pair(joint.low, "joint.low"), std::pair(joint.high, "joint.high")})
+    c.require(!way || kind.slides, place, "is that of a slider", "limits of hinges are low_angle and high_angle")
+        .require(!way || std::abs(*way) <= kFarthestJoint, place, "must lie within 1e15 m");
+  c.require(!joint.low_angle || !joint.high_angle || *joint.low_angle < *joint.high_angle, "joint.high_angle",
+            "must be above low_angle");
+  c.require(!joint.low || !joint.high || *joint.low < *joint.high, "joint.high", "must be above low");
+}
+
 }  // namespace
 
 Status check(const Joint& joint) {
   Checker c;
   c.named(joint.kind, "joint.kind");
+  if (!c.status_so_far()) return c.status();
   c.require(bool(joint.a), "joint.a", "is nobody", "a joint holds a projectile to another one, or to a point");
   c.require(joint.a != joint.b, "joint.b", "is joint.a too", "a joint holds two different projectiles");
   check_point(c, joint);
   if (joint.length) {
+    c.require(!row_of(joint.kind).slides, "joint.length", "is given for a slider", "it has low and high");
     c.positive(*joint.length, "joint.length", "leave it out for the distance at which its ends are now");
     c.require(*joint.length <= kFarthestJoint, "joint.length", "must not be above 1e15 m");
   }
@@ -134,18 +161,32 @@ Status check(const Joint& joint) {
   if (joint.break_force)
     c.positive(*joint.break_force, "joint.break_force", "leave it out for a joint that never breaks");
   c.not_negative(joint.stiffness, "joint.stiffness", "in N/m").not_negative(joint.damping, "joint.damping", "in kg/s");
+  check_axis(c, joint);
   return c.status();
 }
 
+bool is_complete(const Joint& joint) {
+  constexpr double kRounding = 1e-9;
+  const JointRow& kind = row_of(joint.kind);
+  const auto has_length_one = [](const Vec3d& v) { return std::abs(length(v) - 1) < kRounding; };
+  return (joint.length || kind.slides) && (!(kind.turns || kind.slides) || has_length_one(joint.axis)) &&
+         (!kind.turns || has_length_one(joint.reference));
+}
+
 // ------------------------------------------------------------------------------------------- where it is
-BodyState point_of(const WorldState& state, const Joint& joint, double time, double ahead) {
+double angle_of(const Joint& joint, const Vec3d& between) {
+  PHYSIM_ASSERT(row_of(joint.kind).turns && is_complete(joint));
+  return atan2(dot(cross(joint.axis, joint.reference), between), dot(joint.reference, between));
+}
+
+JointFrame frame_of(const WorldState& state, const Joint& joint, double time, double ahead) {
   PHYSIM_ASSERT(!joint.b || !joint.thing);
-  if (!joint.thing) return {joint.point + joint.velocity * ahead, joint.velocity};
+  if (!joint.thing) return {joint.point + joint.velocity * ahead, joint.velocity, {}, {}};
   const double when = std::clamp(time, -collide::kLatest, collide::kLatest);
   const auto at = state.scene ? state.scene->state(joint.thing, when) : std::nullopt;
-  if (!at) return {.position = joint.point};  // it ends with the call that took the thing away
+  if (!at) return {.place = joint.point};  // it ends with the call that took the thing away
   const Vec3d place = at->position + rotate(at->rotation, joint.point * SceneByMotion(*state.scene).scale(joint.thing));
-  return {place, velocity_at(*at, place)};
+  return {place, velocity_at(*at, place), at->rotation, at->angular_velocity};
 }
 
 namespace {
@@ -159,10 +200,37 @@ Status refuses_end(const WorldImpl& w, ProjectileId end, const char* place) {
   return {};
 }
 
-double distance_of_ends(const WorldState& state, const Joint& joint) {
-  const Vec3d b = joint.b ? state.state_of(state.slots[joint.b.index]).position
-                          : point_of(state, joint, state.clock.time(), 0).position;
-  return length(state.state_of(state.slots[joint.a.index]).position - b);
+/// From its second end to its first, in the frame of its point.
+Vec3d between_ends(const WorldState& state, const Joint& joint) {
+  const JointFrame frame = frame_of(state, joint, state.clock.time(), 0);
+  const Vec3d b = joint.b ? state.state_of(state.slots[joint.b.index]).position : frame.place;
+  return rotate(conjugate(frame.rotation), state.state_of(state.slots[joint.a.index]).position - b);
+}
+
+/// A point of an axis is as good as any other one: that of a hinge goes to the nearest one to its first end.
+void put_beside(const WorldState& state, Joint& joint) {
+  if (!row_of(joint.kind).turns || joint.b) return;
+  const double scale = joint.thing ? SceneByMotion(*state.scene).scale(joint.thing) : 1;
+  joint.point += joint.axis * (dot(joint.axis, between_ends(state, joint)) / scale);
+}
+
+/// Adds what follows from where its ends are now.
+Status complete(const WorldState& state, Joint& joint) {
+  const JointRow& kind = row_of(joint.kind);
+  if (kind.turns || kind.slides) joint.axis = normalized(joint.axis);
+  put_beside(state, joint);
+  Vec3d between = between_ends(state, joint);
+  if (kind.turns) {
+    between -= joint.axis * dot(joint.axis, between);
+    if (joint.reference == Vec3d{}) joint.reference = between;
+    joint.reference = normalized(joint.reference - joint.axis * dot(joint.axis, joint.reference));
+    if (!(length(joint.reference) > 0.5))
+      return Error{"has no direction across the axis", "joint.reference", "a stands on the axis, or it is along it"};
+  }
+  if (joint.length || kind.slides) return {};
+  joint.length = length(between);
+  if (!(*joint.length > 0)) return Error{"its ends are at one place", "joint.length", "say how long it is"};
+  return {};
 }
 
 void wake_ends(WorldImpl& w, const Joint& joint) {
@@ -189,11 +257,9 @@ Result<JointId> World::add_joint(const Joint& joint) {
   if (joint.thing && !(w.state.scene && w.state.scene->state(joint.thing)))
     return Error{"is not there", "joint.thing", "World::add_instance() gives an id of a thing of the scene"};
   Joint added = joint;
-  if (!added.length) {  // what is measured is held to the bounds of what is given: saves are
-    added.length = distance_of_ends(w.state, joint);
-    if (!(*added.length > 0)) return Error{"its ends are at one place", "joint.length", "say how long it is"};
-    if (const Status status = check(added); !status) return status.error();
-  }
+  if (const Status status = complete(w.state, added); !status) return status.error();
+  // What is measured is held to the bounds of what is given: saves are.
+  if (const Status status = check(added); !status) return status.error();
   const JointId id = w.state.joints.add(added);
   wake_ends(w, added);
   return call.returns(id);
@@ -221,6 +287,7 @@ Status World::move_joint(JointId id, const BodyState& to) {
   Joint moved = joint->def;
   moved.point = to.position, moved.velocity = to.velocity;
   if (Status status = check(moved); !status) return status;
+  put_beside(w.state, moved);
   w.state.joints[id.index].def = moved;
   wake_ends(w, moved);
   return {};
@@ -278,8 +345,14 @@ JointState World::joint_state(JointId id) const {
   const WorldState& state = impl().state;
   const HeldJoint* joint = state.joints.find(id);
   if (!joint) return {};
-  const bool is_taut = joint->def.kind != JointKind::cable || joint->is_taut;
-  return {distance_of_ends(state, joint->def), joint->tension, is_taut};
+  const Joint& def = joint->def;
+  const JointRow& kind = row_of(def.kind);
+  const Vec3d between = between_ends(state, def);
+  JointState now{.length = length(between), .tension = joint->tension, .force = joint->force};
+  now.is_taut = def.kind != JointKind::cable || joint->is_taut;
+  if (kind.turns) now.angle = angle_of(def, between);
+  if (kind.slides) now.way = dot(def.axis, between);
+  return now;
 }
 std::vector<JointEvent> World::joint_events() const { return impl().state.joints.events; }
 JointCounts World::joint_counts() const {

@@ -65,6 +65,7 @@ class StepInParts {
         report = hold(until, share * (until / part));
       }
       note(report);
+      done_ += until < left ? until : left;
       left = until < left ? left - until : 0;
     }
   }
@@ -78,7 +79,19 @@ class StepInParts {
       body.x += body.v * part + a * (0.5 * part * part) + beside * share;
       body.v += a * part;
     }
+    for (std::size_t i = 0; i < rows_.size(); ++i) turn(found_[i], part, rows_[i]);
     return hold_part(bodies_, rows_, {part, h_, comes_taut});
+  }
+  /// The direction of a plane or guide in a part: a parabola through both of the step that has its rate at the end.
+  void turn(const NetRow& whole, double part, NetRow& row) const {
+    if (whole.normal_rate == Vec3d{} && whole.normal == whole.start_normal) return;
+    const Vec3d way = whole.normal - whole.start_normal, bend = whole.normal_rate * h_ - way;
+    const auto at = [&](double s) { return normalized(whole.start_normal + way * s + bend * (s * (s - 1))); };
+    const double end = (done_ + part) / h_;
+    PHYSIM_ASSERT(end > 0 && end < 1 + 1e-6);
+    row.start_normal = at(done_ / h_);
+    row.normal = at(end);
+    row.normal_rate = (way + bend * (2 * end - 1)) * (1 / h_);
   }
   void note(const NetReport& report) {
     all_.rounds += report.rounds;
@@ -146,6 +159,7 @@ class StepInParts {
   std::vector<NetRow> found_;
   NetReport all_;
   std::uint32_t cuts_ = 0;
+  double done_ = 0;  // of the step [s]
 };
 
 }  // namespace

@@ -1,10 +1,14 @@
 // A step of held projectiles: nets of joints, which projectiles wake and sleep together, and where each is put.
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "base/assert.hpp"
 #include "base/checker.hpp"
 #include "base/joint_table.hpp"
+#include "math/angles.hpp"
+#include "math/elementary.hpp"
+#include "math/quat.hpp"
 #include "model/turning.hpp"
 #include "world/core/joints.hpp"
 #include "world/couple/joint_contacts.hpp"
@@ -69,19 +73,23 @@ void each_end(const WorldState& state, const std::vector<std::uint32_t>& net, co
 /// An end of it that a call put elsewhere pulls at sleeping projectiles.
 [[nodiscard]] bool is_strained(const WorldState& state, const Joint& joint) {
   constexpr double kStrain = 1e-6;  // of its length and of how far out it is: more than float32 rounds [-]
+  const JointRow& kind = row_of(joint.kind);
+  const JointFrame frame = frame_of(state, joint, state.clock.time(), 0);
   const Vec3d a = state.state_of(state.slots[joint.a.index]).position;
-  const Vec3d b = joint.b ? state.state_of(state.slots[joint.b.index]).position
-                          : point_of(state, joint, state.clock.time(), 0).position;
-  const double off = length(a - b) - *joint.length;
-  const double slack = kStrain * (*joint.length + length(a) + length(b));
-  return breaks(joint.kind, off, slack);
+  const Vec3d b = joint.b ? state.state_of(state.slots[joint.b.index]).position : frame.place;
+  const double long_is = joint.length.value_or(0), slack = kStrain * (long_is + length(a) + length(b));
+  const Vec3d axis = rotate(frame.rotation, joint.axis);
+  const double along = dot(axis, a - b);
+  return breaks(joint.kind, length(a - b) - long_is, slack) || (kind.turns && std::abs(along) > slack) ||
+         (kind.slides && length(a - b - axis * along) > slack);
 }
 
-/// Whether its point moves in the coming step.
+/// Whether its point or its axis moves in the coming step.
 [[nodiscard]] bool is_carried(const WorldState& state, const Joint& joint, double dt) {
   if (joint.b || (joint.velocity == Vec3d{} && !joint.thing)) return false;
-  const double now = state.clock.time();
-  return point_of(state, joint, now, 0).position != point_of(state, joint, now + dt, dt).position;
+  const JointFrame now = frame_of(state, joint, state.clock.time(), 0);
+  const JointFrame then = frame_of(state, joint, state.clock.time() + dt, dt);
+  return now.place != then.place || now.rotation != then.rotation;
 }
 
 /// Wakes all projectiles of a net if one of it moves.
@@ -125,26 +133,77 @@ class NetStep {
 
  private:
   void add(const Joint& joint, std::uint32_t index) {
-    NetRow& row = rows_.emplace_back();
-    joints_.push_back(index);
-    row.pulls = row_of(joint.kind).pulls;
-    row.pushes = row_of(joint.kind).pushes;
-    row.a = body_of(joint.a);
-    row.b = joint.b ? body_of(joint.b) : anchor(joint);
-    row.length = *joint.length;
-    row.restitution = joint.restitution;
-    row.stiffness = joint.stiffness;
-    row.damping = joint.damping;
+    const JointRow& kind = row_of(joint.kind);
+    const std::array<JointFrame, 2> frames{frame_of(state_, joint, w_.jointed.began, 0),
+                                           frame_of(state_, joint, state_.clock.time(), dt_)};
+    const std::uint32_t a = body_of(joint.a), b = joint.b ? body_of(joint.b) : anchor(frames);
+    carried_ = carried_ || frames[0].place != frames[1].place || frames[0].rotation != frames[1].rotation;
+    if (!kind.slides) {
+      NetRow& row = add_row(index, a, b);
+      row.pulls = kind.pulls;
+      row.pushes = kind.pushes;
+      row.length = *joint.length;
+      row.restitution = joint.restitution;
+      row.stiffness = joint.stiffness;
+      row.damping = joint.damping;
+    }
+    const auto guide = [&](const Vec3d& normal, double length, bool pulls) {
+      NetRow& row = add_row(index, a, b);
+      row.pulls = pulls;
+      row.has_normal = true;
+      row.start_normal = rotate(frames[0].rotation, normal);
+      row.normal = rotate(frames[1].rotation, normal);
+      row.normal_rate = cross(frames[1].turn, row.normal);
+      row.length = length;
+    };
+    if (kind.turns) {
+      guide(joint.axis, 0, true);
+      const Vec3d between = rotate(conjugate(frames[0].rotation), bodies_[a].start - bodies_[b].start);
+      stop_turning(joint, angle_of(joint, between), guide);
+    }
+    if (kind.slides) {
+      const Vec3d across = across_of(joint.axis);
+      guide(across, 0, true);
+      guide(cross(joint.axis, across), 0, true);
+      if (joint.low) guide(joint.axis, *joint.low, false);
+      if (joint.high) guide(-joint.axis, -*joint.high, false);
+    }
   }
-  std::uint32_t anchor(const Joint& joint) {
-    const BodyState start = point_of(state_, joint, w_.jointed.began, 0);
-    const BodyState end = point_of(state_, joint, state_.clock.time(), dt_);
-    const std::uint32_t at = point(start.position);
-    bodies_[at].x = end.position;
-    bodies_[at].start_velocity = start.velocity;
-    bodies_[at].v = end.velocity;
+  /// The stops of a hinge, as planes through its axis: each where it is less than a quarter of a turn away.
+  template <class Guide>
+  static void stop_turning(const Joint& joint, double angle, const Guide& guide) {
+    if (!joint.low_angle && !joint.high_angle) return;
+    const double low = joint.low_angle.value_or(-kPi), high = joint.high_angle.value_or(kPi);
+    if (angle < low || angle > high) {  // it counts as at the stop that is nearer
+      const double over = angle > high ? angle - high : angle + 2 * kPi - high;
+      const double under = angle < low ? low - angle : low + 2 * kPi - angle;
+      angle = over < under ? high : low;
+    }
+    PHYSIM_ASSERT(low < high);
+    const Vec3d side = cross(joint.axis, joint.reference);
+    const auto upwards = [&](double stop) { return side * cos(stop) - joint.reference * sin(stop); };
+    if (angle - low < kPi / 2) guide(upwards(low), 0, false);
+    if (high - angle < kPi / 2) guide(-upwards(high), 0, false);
+  }
+  /// A direction across another one, both of length one.
+  static Vec3d across_of(const Vec3d& axis) {
+    const bool is_along_x = std::abs(axis.x) > 0.5;
+    return normalized(cross(axis, is_along_x ? Vec3d{0, 1, 0} : Vec3d{1, 0, 0}));
+  }
+  NetRow& add_row(std::uint32_t joint, std::uint32_t a, std::uint32_t b) {
+    PHYSIM_ASSERT(a != b && std::max(a, b) < bodies_.size());
+    joints_.push_back(joint);
+    NetRow& row = rows_.emplace_back();
+    row.a = a;
+    row.b = b;
+    return row;
+  }
+  std::uint32_t anchor(const std::array<JointFrame, 2>& frames) {
+    const std::uint32_t at = point(frames[0].place);
+    bodies_[at].x = frames[1].place;
+    bodies_[at].start_velocity = frames[0].velocity;
+    bodies_[at].v = frames[1].velocity;
     bodies_[at].is_carried = true;
-    carried_ = carried_ || start.position != end.position;
     return at;
   }
   std::uint32_t point(const Vec3d& at) {
@@ -232,7 +291,7 @@ class NetStep {
     row.has_normal = true;
     row.a = static_cast<std::uint32_t>(body);
     row.b = *origin_;
-    row.normal = contact.normal;
+    row.start_normal = row.normal = contact.normal;
     row.length = contact.offset;
   }
   [[nodiscard]] static double depth(const NetBody& body, const NetContact& contact) {
@@ -266,16 +325,19 @@ class NetStep {
 
   void tell() {
     PHYSIM_ASSERT(rows_.size() == joints_.size());
-    for (std::size_t i = 0; i < rows_.size(); ++i) {
-      HeldJoint& joint = state_.joints[joints_[i]];
-      const NetRow& row = rows_[i];
-      joint.tension = row.impulse / dt_;
-      joint.is_taut = row.came_taut || row.impulse > 0;
-      if (row.came_taut)
+    for (std::size_t i = 0; i < rows_.size();) {
+      const std::uint32_t index = joints_[i];
+      HeldJoint& joint = state_.joints[index];
+      const NetRow& first = rows_[i];
+      joint.tension = first.has_normal ? 0 : first.impulse / dt_;
+      joint.is_taut = first.came_taut || first.impulse > 0;
+      double squares = 0;  // directions of the rows of a joint stand across each other
+      for (; i < rows_.size() && joints_[i] == index; ++i) squares += rows_[i].impulse * rows_[i].impulse;
+      joint.force = std::sqrt(squares) / dt_;
+      if (first.came_taut)
         state_.joints.events.push_back(
-            {JointEventKind::came_taut, state_.joints.id_of(joints_[i]), joint.def.a, state_.clock.time(), row.speed});
-      if (joint.def.break_force && std::abs(joint.tension) > *joint.def.break_force)
-        w_.jointed.broken.push_back(joints_[i]);
+            {JointEventKind::came_taut, state_.joints.id_of(index), joint.def.a, state_.clock.time(), first.speed});
+      if (joint.def.break_force && joint.force > *joint.def.break_force) w_.jointed.broken.push_back(index);
     }
   }
 
@@ -311,9 +373,9 @@ class NetStep {
   std::vector<NetBody> bodies_;
   std::vector<std::uint32_t> slots_;  // of bodies; 0: a fixed point
   std::vector<NetRow> rows_;
-  bool carried_ = false;                                     // a point moves
+  bool carried_ = false;                                     // a point or an axis moves
   std::optional<std::uint32_t> origin_;                      // body that planes are relative to
-  std::vector<std::uint32_t> joints_;                        // of rows
+  std::vector<std::uint32_t> joints_;                        // of rows, those of a joint one after the other
   std::unordered_map<std::uint32_t, std::uint32_t> places_;  // of slots among the bodies
 };
 
