@@ -93,10 +93,30 @@ struct NetPart {
   bool comes_taut = true;  // false: cables that are slack stay so, however long they become
 };
 
+/// What the searches of a net may cost in a step, in multiplications: rows that contradict each other are searched long
+/// and in vain, and no step may take long. Where it is spent, lengths are put right without a speed, as where the
+/// rounds do not suffice, the rest of the step is one part, and no row comes taut within it.
+class NetEffort {
+ public:
+  explicit NetEffort(std::size_t rows) : left_(kBase + kEachRow * static_cast<double>(rows)) {}
+
+  [[nodiscard]] bool suffices(double work) const { return work < left_; }
+  [[nodiscard]] bool is_spent() const { return !suffices(0); }
+  /// What a part took; if it was solved, a quarter of it counts.
+  void take(double work, bool solved) { left_ -= solved ? work * kSolved : work; }
+
+ private:
+  static constexpr double kBase = 8e6;
+  static constexpr double kEachRow = 1e4;
+  static constexpr double kSolved = 1.0 / 4;  // [-]
+
+  double left_;
+};
+
 /// Holds the bodies of one net at the end of a part of a step. Rows are in an order in which neighbours are near.
-NetReport hold_part(std::span<NetBody> bodies, std::span<NetRow> rows, const NetPart& part);
+NetReport hold_part(std::span<NetBody> bodies, std::span<NetRow> rows, const NetPart& part, NetEffort& effort);
 /// Holds them at the end of a step of h [s], which is cut where cables come taut, and where it is too long for the net
 /// (world/couple/joint_parts.cpp).
-NetReport hold_net(std::span<NetBody> bodies, std::span<NetRow> rows, double h);
+NetReport hold_net(std::span<NetBody> bodies, std::span<NetRow> rows, double h, NetEffort& effort);
 
 }  // namespace physim

@@ -37,15 +37,23 @@ std::uint32_t parts_of_step(std::span<const NetBody> bodies, std::span<const Net
 /// mean acceleration of the step.
 class StepInParts {
  public:
-  StepInParts(std::span<NetBody> bodies, std::span<NetRow> rows, double h)
-      : bodies_(bodies), rows_(rows), h_(h), flown_(bodies.begin(), bodies.end()), found_(rows.begin(), rows.end()) {
+  StepInParts(std::span<NetBody> bodies, std::span<NetRow> rows, double h, NetEffort& effort)
+      : bodies_(bodies),
+        rows_(rows),
+        h_(h),
+        effort_(effort),
+        flown_(bodies.begin(), bodies.end()),
+        found_(rows.begin(), rows.end()) {
     PHYSIM_ASSERT(h > 0);
     for (NetBody& body : bodies) body.x = body.start, body.v = body.start_velocity;
     for (NetRow& row : found_) row.impulse = 0, row.came_taut = false;
   }
 
   NetReport run(std::uint32_t parts) {
-    for (std::uint32_t k = 0; k < parts; ++k) take(h_ / parts, 1.0 / parts);
+    for (std::uint32_t k = 0, count = 1; k < parts; k += count) {
+      count = effort_.is_spent() ? parts - k : 1;
+      take(h_ / parts * count, 1.0 / parts * count);
+    }
     std::ranges::copy(found_, rows_.begin());
     for (std::size_t i = 0; i < bodies_.size(); ++i)
       bodies_[i].start = flown_[i].start, bodies_[i].start_velocity = flown_[i].start_velocity;
@@ -58,7 +66,8 @@ class StepInParts {
     for (double left = part; left > 0;) {
       const std::vector<NetBody> before(bodies_.begin(), bodies_.end());
       NetReport report = hold(left, share * (left / part));
-      const double until = cuts_ < kMostCuts ? first_taut(before, left, share * (left / part)) : left;
+      const double until =
+          cuts_ < kMostCuts && !effort_.is_spent() ? first_taut(before, left, share * (left / part)) : left;
       if (until < left) {
         ++cuts_;
         std::ranges::copy(before, bodies_.begin());
@@ -80,7 +89,7 @@ class StepInParts {
       body.v += a * part;
     }
     for (std::size_t i = 0; i < rows_.size(); ++i) turn(found_[i], part, rows_[i]);
-    return hold_part(bodies_, rows_, {part, h_, comes_taut});
+    return hold_part(bodies_, rows_, {part, h_, comes_taut}, effort_);
   }
   /// The direction of a plane or guide in a part: a parabola through both of the step that has its rate at the end.
   void turn(const NetRow& whole, double part, NetRow& row) const {
@@ -155,6 +164,7 @@ class StepInParts {
   std::span<NetBody> bodies_;
   std::span<NetRow> rows_;
   double h_;
+  NetEffort& effort_;
   std::vector<NetBody> flown_;
   std::vector<NetRow> found_;
   NetReport all_;
@@ -164,14 +174,14 @@ class StepInParts {
 
 }  // namespace
 
-NetReport hold_net(std::span<NetBody> bodies, std::span<NetRow> rows, double h) {
+NetReport hold_net(std::span<NetBody> bodies, std::span<NetRow> rows, double h, NetEffort& effort) {
   const std::uint32_t parts = parts_of_step(bodies, rows, h);
-  if (parts > 1) return StepInParts(bodies, rows, h).run(parts);
+  if (parts > 1) return StepInParts(bodies, rows, h, effort).run(parts);
   const std::vector<NetBody> flown(bodies.begin(), bodies.end());
-  const NetReport report = hold_part(bodies, rows, {h, h});
-  if (std::ranges::none_of(rows, &NetRow::came_taut)) return report;
+  const NetReport report = hold_part(bodies, rows, {h, h}, effort);
+  if (effort.is_spent() || std::ranges::none_of(rows, &NetRow::came_taut)) return report;
   std::ranges::copy(flown, bodies.begin());
-  return StepInParts(bodies, rows, h).run(1);
+  return StepInParts(bodies, rows, h, effort).run(1);
 }
 
 }  // namespace physim

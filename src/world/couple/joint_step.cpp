@@ -246,11 +246,12 @@ class NetStep {
     constexpr int kMostTimes = 8;
     const std::vector<NetBody> flown = bodies_;
     const std::size_t joints = rows_.size();
-    NetReport report = hold_net(bodies_, rows_, dt_);
-    for (int time = 1; time < kMostTimes && add_contacts(flown); ++time) {
+    NetEffort effort(joints);
+    NetReport report = hold_net(bodies_, rows_, dt_, effort);
+    for (int time = 1; time < kMostTimes && !effort.is_spent() && add_contacts(flown); ++time) {
       std::ranges::copy(flown, bodies_.begin());
       for (std::size_t i = 0; i < joints; ++i) rows_[i].impulse = 0, rows_[i].came_taut = false;
-      report = hold_net(bodies_, rows_, dt_);
+      report = hold_net(bodies_, rows_, dt_, effort);
     }
     rows_.resize(joints);
     for (std::size_t i = 0; i < flown.size(); ++i)

@@ -1,4 +1,8 @@
 // Hinges and sliders, with their stops, against closed forms.
+#include <cmath>
+#include <ctime>
+#include <random>
+
 #include "world/joints_support.hpp"
 
 namespace physim {
@@ -281,6 +285,50 @@ TEST(JointHinge, a_governor_stands_at_the_angle_of_its_speed) {
   }
   EXPECT_TRUE(near(world.joint_state(hinge).tension, 2 * kGravity / std::cos(angle), 1e-3));
   EXPECT_EQ(world.joint_counts().unsolved, 0u);
+}
+
+// ------------------------------------------------------------------------------------------------------------- crowds
+/// 40 bodies over a ground and 100 joints of all kinds between any two of them, many of which contradict each other.
+World crowd(unsigned seed) {
+  std::mt19937 random(seed);
+  const auto below = [&](unsigned n) { return static_cast<double>(random() % n); };
+  const auto some = [&] { return Vec3d{below(61) / 10 - 3, below(61) / 10 + 2, below(61) / 10 - 3}; };
+  WorldDef def = falling();
+  def.ground.mode = GroundMode::bounce;
+  World world = World::create(def).value();
+  std::vector<ProjectileId> all;
+  for (int i = 0; i < 40; ++i)
+    all.push_back(put(world, mass_of(0.2 + below(5)), bob(), some(), some() - Vec3d{0, 5, 0}));
+  for (int i = 0; i < 100; ++i) {
+    Joint joint{.kind = static_cast<JointKind>(random() % 5), .a = all[random() % 40]};
+    if (random() % 6 != 0) joint.b = all[random() % 40];
+    joint.point = some();
+    if (random() % 3 == 0) joint.length = 0.5 + below(4);
+    joint.stiffness = below(1000), joint.damping = below(5);
+    if (joint.kind == JointKind::cable) joint.restitution = 0.5;
+    if (joint.kind == JointKind::hinge) joint.low_angle = -1, joint.high_angle = 1;
+    if (joint.kind == JointKind::slider) joint.length = {}, joint.low = -5, joint.high = 5;
+    if (joint.kind >= JointKind::hinge) joint.axis = {1 + below(3), below(3) - 1, 0};
+    if (!joint.b && random() % 2 == 0) joint.velocity = {below(3) - 1, 0, 0.5};
+    static_cast<void>(world.add_joint(joint));
+  }
+  return world;
+}
+
+TEST(JointHinge, a_crowd_that_contradicts_itself_is_told_and_not_searched_without_end) {
+  constexpr double kPatience = 5;  // processor time for 30 steps of some milliseconds; one took some seconds [s]
+  const std::clock_t begun = std::clock();
+  for (unsigned seed = 1; seed <= 3; ++seed) {
+    World world = crowd(seed);
+    EXPECT_GT(world.joint_counts().joints, 80u);
+    for (int i = 0; i < 10; ++i) {
+      world.step(1.0 / 60);
+      ASSERT_LT(static_cast<double>(std::clock() - begun) / CLOCKS_PER_SEC, kPatience) << "seed " << seed;
+    }
+    EXPECT_GE(world.joint_counts().unsolved, 10u);
+    EXPECT_GT(world.joint_counts().residual, 0.1);
+    for (const ProjectileId id : world.ids()) EXPECT_TRUE(std::isfinite(length(world[id].position()))) << seed;
+  }
 }
 
 // --------------------------------------------------------------------------------------------------------------- doors
