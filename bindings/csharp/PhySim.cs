@@ -117,6 +117,8 @@ public enum physim_joint_kind {
   PHYSIM_ROD = 0,
   PHYSIM_CABLE = 1,
   PHYSIM_SPRING = 2,
+  PHYSIM_HINGE = 3,
+  PHYSIM_SLIDER = 4,
 }
 public enum physim_what {
   PHYSIM_A_FORCE = 0,
@@ -1082,6 +1084,20 @@ public unsafe struct physim_joint {
   public double stiffness;
   /// <summary>of a spring [kg/s]</summary>
   public double damping;
+  /// <summary>it ends if it pulls or pushes with more, on the mean of a step; 0: it never breaks [N]</summary>
+  public double break_force;
+  /// <summary>of its point, if that is no thing's [m/s]</summary>
+  public fixed double velocity[3];
+  /// <summary>that takes the point along; index 0: none</summary>
+  public physim_id thing;
+  /// <summary>of a hinge or slider, of any length but zero</summary>
+  public fixed double axis[3];
+  /// <summary>of a slider [m], of a hinge -pi to pi [rad]; -INFINITY: none</summary>
+  public double low;
+  /// <summary>above low; INFINITY: none; both 0: no limits [m], [rad]</summary>
+  public double high;
+  /// <summary>of a hinge: direction of angle 0; zero: where a is now</summary>
+  public fixed double reference[3];
 }
 [StructLayout(LayoutKind.Sequential)]
 public unsafe struct physim_joint_info {
@@ -1092,6 +1108,12 @@ public unsafe struct physim_joint_info {
   public double length;
   /// <summary>negative: it pushed [N]</summary>
   public double tension;
+  /// <summary>with which it acted on its ends, on the mean of the last step [N]</summary>
+  public double force;
+  /// <summary>of a hinge [rad]</summary>
+  public double angle;
+  /// <summary>of a slider [m]</summary>
+  public double way;
 }
 [StructLayout(LayoutKind.Sequential)]
 public unsafe struct physim_joint_event {
@@ -1099,7 +1121,7 @@ public unsafe struct physim_joint_event {
   public int kind;
   public uint reserved;
   public physim_id joint;
-  /// <summary>that left, or the first end</summary>
+  /// <summary>the one that left, else the first end</summary>
   public physim_id projectile;
   /// <summary>[s]</summary>
   public double time;
@@ -1425,6 +1447,9 @@ public static unsafe class C {
   public static extern physim_result physim_world_set_hit_function(IntPtr world, physim_hit_function function, IntPtr user);
   [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
   public static extern physim_result physim_world_add_joint(IntPtr world, physim_joint* joint, physim_id* id);
+  /// <summary>Puts the point of a joint at a place now; from there it goes on at a velocity.</summary>
+  [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+  public static extern physim_result physim_joint_move(IntPtr world, physim_id joint, double* position, double* velocity);
   [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
   public static extern physim_result physim_joint_read(IntPtr world, physim_id joint, physim_joint_info* info);
   [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]

@@ -513,33 +513,52 @@ PHYSIM_API physim_result physim_world_add_force_function(physim_world* world, ph
 /// Null: none; refused while there are kinds that ask.
 PHYSIM_API physim_result physim_world_set_hit_function(physim_world* world, physim_hit_function function, void* user);
 
-typedef enum physim_joint_kind { PHYSIM_ROD = 0, PHYSIM_CABLE = 1, PHYSIM_SPRING = 2 } physim_joint_kind;
+typedef enum physim_joint_kind {
+  PHYSIM_ROD = 0,
+  PHYSIM_CABLE = 1,
+  PHYSIM_SPRING = 2,
+  PHYSIM_HINGE = 3,
+  PHYSIM_SLIDER = 4
+} physim_joint_kind;
 typedef struct physim_joint {
-  uint32_t size;       ///< sizeof(physim_joint) [bytes]
-  int32_t kind;        ///< physim_joint_kind [-]
-  physim_id a;         ///< one end [-]
-  physim_id b;         ///< the other end; none: the point [-]
-  double point[3];     ///< [m]
-  double length;       ///< 0: as far as its ends are apart [m]
-  double restitution;  ///< of a cable, 0 to 1 [-]
-  double stiffness;    ///< of a spring [N/m]
-  double damping;      ///< of a spring [kg/s]
+  uint32_t size;        ///< sizeof(physim_joint) [bytes]
+  int32_t kind;         ///< physim_joint_kind [-]
+  physim_id a;          ///< one end [-]
+  physim_id b;          ///< the other end; none: the point [-]
+  double point[3];      ///< [m]
+  double length;        ///< 0: as far as its ends are apart [m]
+  double restitution;   ///< of a cable, 0 to 1 [-]
+  double stiffness;     ///< of a spring [N/m]
+  double damping;       ///< of a spring [kg/s]
+  double break_force;   ///< it ends if it pulls or pushes with more, on the mean of a step; 0: it never breaks [N]
+  double velocity[3];   ///< of its point, if that is no thing's [m/s]
+  physim_id thing;      ///< that takes the point along; index 0: none [-]
+  double axis[3];       ///< of a hinge or slider, of any length but zero [-]
+  double low;           ///< of a slider [m], of a hinge -pi to pi [rad]; -INFINITY: none
+  double high;          ///< above low; INFINITY: none; both 0: no limits [m], [rad]
+  double reference[3];  ///< of a hinge: direction of angle 0; zero: where a is now [-]
 } physim_joint;
 typedef struct physim_joint_info {
   uint32_t size;   ///< sizeof(physim_joint_info) [bytes]
   int32_t taut;    ///< [-]
   double length;   ///< distance of its ends [m]
   double tension;  ///< negative: it pushed [N]
+  double force;    ///< with which it acted on its ends, on the mean of the last step [N]
+  double angle;    ///< of a hinge [rad]
+  double way;      ///< of a slider [m]
 } physim_joint_info;
 typedef struct physim_joint_event {
   int32_t kind;          ///< physim_name("joint_event", kind) [-]
   uint32_t reserved;     ///< [-]
   physim_id joint;       ///< [-]
-  physim_id projectile;  ///< that left, or the first end [-]
+  physim_id projectile;  ///< the one that left, else the first end [-]
   double time;           ///< [s]
   double speed;          ///< at which the ends parted [m/s]
 } physim_joint_event;
 PHYSIM_API physim_result physim_world_add_joint(physim_world* world, const physim_joint* joint, physim_id* id);
+/// Puts the point of a joint at a place now; from there it goes on at a velocity.
+PHYSIM_API physim_result physim_joint_move(physim_world* world, physim_id joint, const double position[3],
+                                           const double velocity[3]);
 PHYSIM_API physim_result physim_joint_read(const physim_world* world, physim_id joint, physim_joint_info* info);
 PHYSIM_API physim_result physim_joint_events(const physim_world* world, physim_joint_event* into, size_t each,
                                              size_t room, size_t* count);

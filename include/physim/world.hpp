@@ -144,12 +144,15 @@ struct ForceDef {
 };
 
 // ---------------------------------------------------------------------------------------------------------------------
-// Joint: a rod, a cable or a spring that holds a projectile of a world to another one, or to a fixed point.
+// Joint: a rod, cable, spring, hinge or slider that holds a projectile of a world to another one, or to a point that
+// rests, moves or is fixed to a thing of the scene.
 
 enum class JointKind : std::uint8_t {
   rod,     ///< keeps the distance of its ends: it pulls and pushes
   cable,   ///< lets them come nearer, and not farther apart: it only pulls
   spring,  ///< Hooke's law with damping; it is stable however stiff it is
+  hinge,   ///< lets an end go round an axis through the other one, in a plane circle
+  slider,  ///< lets an end go along an axis through the other one
 };
 
 /// A link of two projectiles, or of one to a point. It has no mass, is straight, meets nothing, and ends in the middles
@@ -158,12 +161,24 @@ struct Joint {
   JointKind kind = JointKind::rod;  ///< [-]
   ProjectileId a{};                 ///< one end [-]
   ProjectileId b{};                 ///< the other end; null: `point` [-]
-  Vec3d point{};                    ///< of the world, where there is no b [m]
-  std::optional<double> length{};   ///< of a rod, of a cable that is taut, of a spring at rest; above 0; none: as far
-                                    ///< as its ends are apart when it is added [m]
-  double restitution = 0;           ///< of a cable: speed kept when it comes taut, 0..1; 0: its ends go on together [-]
-  double stiffness = 1;             ///< of a spring [N/m]
-  double damping = 0;               ///< of a spring: of the rate at which its length changes [kg/s]
+  Vec3d point{};                    ///< where there is no b: of the world, or of `thing` in its own frame [m]
+  std::optional<double> length{};  ///< of a rod, of a cable that is taut, of a spring at rest, radius of a hinge; above
+                                   ///< 0; none: as far as its ends are apart when it is added [m]
+  double restitution = 0;          ///< of a cable: speed kept when it comes taut, 0..1; 0: its ends go on together [-]
+  double stiffness = 1;            ///< of a spring [N/m]
+  double damping = 0;              ///< of a spring: of the rate at which its length changes [kg/s]
+  std::optional<double> break_force{};  ///< it ends if it pulls or pushes with more, on the mean of a step; above 0;
+                                        ///< none: it never breaks [N]
+  Vec3d velocity{};                     ///< of a point of the world, at most 1e9 [m/s]
+  InstanceId thing{};                   ///< of the scene, where there is no b: it takes the point along [-]
+  Vec3d axis{};                         ///< of a hinge or slider, of any length but zero: in W, or in the frame of
+                                        ///< `thing`, with which it turns [-]
+  Vec3d reference{};                    ///< of a hinge: direction of angle 0, as the axis; zero: where a is when it is
+                                        ///< added [-]
+  std::optional<double> low_angle{};    ///< of a hinge, -pi to pi, about its axis; none: -pi, or no limits [rad]
+  std::optional<double> high_angle{};   ///< above low_angle; none: pi, and without both it turns freely [rad]
+  std::optional<double> low{};          ///< of a slider, from b or the point along its axis; none: it goes freely [m]
+  std::optional<double> high{};         ///< above low [m]
 
   bool operator==(const Joint&) const = default;
 };
@@ -172,18 +187,22 @@ struct Joint {
 struct JointState {
   double length = 0;     ///< distance of its ends [m]
   double tension = 0;    ///< with which it pulled them together, on the mean of the last step; negative: it pushed [N]
-  bool is_taut = false;  ///< rods and springs: always; a cable that is as long as it can be [-]
+  bool is_taut = false;  ///< all but cables: always; a cable that is as long as it can be [-]
+  double force = 0;      ///< with which it acted on its ends, on the mean of the last step [N]
+  double angle = 0;      ///< of a hinge, from its reference about its axis, -pi to pi [rad]
+  double way = 0;        ///< of a slider, from b or its point along its axis [m]
 };
 
 enum class JointEventKind : std::uint8_t {
   came_taut,  ///< a cable that hung loose
   ended,      ///< a projectile at one of its ends left the world
+  broke,      ///< it pulled or pushed with more than its break_force
 };
 
 struct JointEvent {
   JointEventKind kind = JointEventKind::ended;  ///< [-]
   JointId joint{};                              ///< [-]
-  ProjectileId projectile{};                    ///< the one that left; of a cable that came taut: its first end [-]
+  ProjectileId projectile{};                    ///< the one that left, else the first end of the joint [-]
   double time = 0;                              ///< the end of the step in which it was [s]
   double speed = 0;                             ///< at which the ends of a cable parted before [m/s]
 };
@@ -396,7 +415,7 @@ struct RecordOptions {
 
 inline constexpr char kSaveMagic[8] = {'P', 'H', 'Y', 'S', 'I', 'M', 'S', '\n'};
 /// The format of a save's bytes; others are refused.
-inline constexpr std::uint32_t kSaveFormat = 16;
+inline constexpr std::uint32_t kSaveFormat = 17;
 
 /// Parts that a save lacks: functions are no data. They are given again: custom forces in the order they were added;
 /// those of environments in the order of these, each once, however many have it. A scene has one engine, if any.
@@ -546,8 +565,11 @@ class World {
   Result<JointId> add_joint(const Joint& joint);
   /// Frees the projectiles that it held; those asleep wake.
   Status remove_joint(JointId joint);
-  [[nodiscard]] std::vector<JointId> joints() const;          ///< of all there are, by index
-  [[nodiscard]] const Joint* joint(JointId joint) const;      ///< with its length; null: it is gone
+  [[nodiscard]] std::vector<JointId> joints() const;  ///< of all there are, by index
+  /// Puts the point of a joint at a place now. From there it goes on straight at a velocity, until it is moved again;
+  /// the end of a rod follows it exactly. Refused if the joint holds two projectiles, or its point is that of a thing.
+  Status move_joint(JointId joint, const BodyState& to);
+  [[nodiscard]] const Joint* joint(JointId joint) const;      ///< with its length and present point; null: it is gone
   [[nodiscard]] JointState joint_state(JointId joint) const;  ///< zeros: it is gone
   /// The events of joints in the last step() or advance(), and by calls since, as events() of projectiles.
   [[nodiscard]] std::vector<JointEvent> joint_events() const;
@@ -704,7 +726,7 @@ class World {
 
 inline constexpr char kRecordingMagic[8] = {'P', 'H', 'Y', 'S', 'I', 'M', 'R', '\n'};
 /// The format of a recording's bytes; others are refused.
-inline constexpr std::uint32_t kRecordingFormat = 16;
+inline constexpr std::uint32_t kRecordingFormat = 17;
 
 /// Keeps a recording in memory: world.record(record_into(bytes)). The bytes must outlive the recording.
 [[nodiscard]] RecordSink record_into(std::vector<std::byte>& bytes);

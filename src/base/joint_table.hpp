@@ -14,13 +14,17 @@ struct JointRow {
   JointKind kind;
   std::string_view name;
   bool pulls = false;   // it keeps its ends from being farther apart than its length
-  bool pushes = false;  // ... and from being nearer; one that does neither is a spring
+  bool pushes = false;  // ... and from being nearer; what does neither, and does not slide, is a spring
+  bool turns = false;   // it keeps them in a plane across its axis
+  bool slides = false;  // ... on its axis
 };
 
 constexpr auto kJointTable = std::array{
     JointRow{.kind = JointKind::rod, .name = "rod", .pulls = true, .pushes = true},
     JointRow{.kind = JointKind::cable, .name = "cable", .pulls = true},
     JointRow{.kind = JointKind::spring, .name = "spring"},
+    JointRow{.kind = JointKind::hinge, .name = "hinge", .pulls = true, .pushes = true, .turns = true},
+    JointRow{.kind = JointKind::slider, .name = "slider", .slides = true},
 };
 static_assert(has_row_for_each(kJointTable, &JointRow::kind), "a kind has no row");
 

@@ -47,7 +47,7 @@ PHYSIM_NAMES(ArcMode, "random", "loop", "ping_pong", "spread")
 PHYSIM_NAMES(SubEvent, "birth", "hit", "bounce", "ricochet", "exit", "landing", "apex", "death", "age", "trigger")
 PHYSIM_NAMES(SubAxis, "emitter", "velocity", "normal")
 PHYSIM_NAMES(StopAction, "none", "remove")
-PHYSIM_NAMES(JointEventKind, "came_taut", "ended")
+PHYSIM_NAMES(JointEventKind, "came_taut", "ended", "broke")
 
 #undef PHYSIM_NAMES
 

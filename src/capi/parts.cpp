@@ -11,7 +11,7 @@
 namespace physim::capi {
 namespace {
 
-static_assert(static_cast<int>(JointKind::spring) == PHYSIM_SPRING &&
+static_assert(static_cast<int>(JointKind::slider) == PHYSIM_SLIDER &&
               static_cast<int>(OnHit::impact) == PHYSIM_HIT_BY_MATERIAL);
 
 /// An emitter of a scenario as one of a world. Its kinds are added to the world.
@@ -320,9 +320,32 @@ physim_result physim_world_add_joint(physim_world* world, const physim_joint* jo
                .length = {},
                .restitution = j.restitution};
     if (j.length != 0) made.length = j.length;
+    if (j.break_force != 0) made.break_force = j.break_force;
+    made.velocity = vector_at(j.velocity);
+    made.thing = id_of<InstanceId>(j.thing);
+    made.axis = vector_at(j.axis);
+    made.reference = vector_at(j.reference);
+    const bool is_hinge = made.kind == JointKind::hinge;
+    if (j.low != 0 || j.high != 0) {
+      if (j.low != -kInfinity) (is_hinge ? made.low_angle : made.low) = j.low;
+      if (j.high != kInfinity) (is_hinge ? made.high_angle : made.high) = j.high;
+    }
     if (made.kind == JointKind::spring) made.stiffness = j.stiffness, made.damping = j.damping;
     const Result<JointId> added = into->world().add_joint(made);
     if (call.take(added)) *id = put_id(*added);
+  });
+}
+
+physim_result physim_joint_move(physim_world* world, physim_id joint, const double position[3],
+                                const double velocity[3]) {
+  return guarded([&](Call& call) {
+    const auto into = call.find(world, "world");
+    call.need(position, "position");
+    call.need(velocity, "velocity");
+    if (!call.ok()) return;
+    const auto id = id_of<JointId>(joint);
+    if (into->world().joint(id) == nullptr) return call.fail(PHYSIM_NOT_FOUND, "there is no such joint", "joint");
+    call.take(into->world().move_joint(id, {vector_at(position), vector_at(velocity)}));
   });
 }
 
@@ -334,7 +357,13 @@ physim_result physim_joint_read(const physim_world* world, physim_id joint, phys
     const auto id = id_of<JointId>(joint);
     if (of->world().joint(id) == nullptr) return call.fail(PHYSIM_NOT_FOUND, "there is no such joint", "joint");
     const JointState state = of->world().joint_state(id);
-    call.write(info, {.size = 0, .taut = state.is_taut, .length = state.length, .tension = state.tension});
+    call.write(info, {.size = 0,
+                      .taut = state.is_taut,
+                      .length = state.length,
+                      .tension = state.tension,
+                      .force = state.force,
+                      .angle = state.angle,
+                      .way = state.way});
   });
 }
 

@@ -46,6 +46,8 @@ class SceneByMotion {
     [[nodiscard]] bool turns() const { return piece && piece->rate != 0; }
   };
   [[nodiscard]] Ride ride(std::uint32_t index, double time) const;
+  /// The scale of a thing that is there [-].
+  [[nodiscard]] double scale(InstanceId thing) const { return content_.instances[thing.index].def.transform.scale; }
   /// Whether something is there, and rests.
   [[nodiscard]] bool rests(std::uint32_t index) const;
   /// The box of something; none where it moves, is gone, or no box holds it.

@@ -46,6 +46,7 @@ void complete_joints(Scenario& scenario);
 struct JointRemark {
   std::size_t joint;  // index in Scenario::joints
   std::string what;
+  std::string key = "length";  // that it is about
 };
 [[nodiscard]] std::vector<JointRemark> joint_remarks(const Scenario& scenario);
 

@@ -6,7 +6,9 @@
 
 #include "base/assert.hpp"
 #include "base/joint_table.hpp"
+#include "math/quat.hpp"
 #include "scenario/checks.hpp"
+#include "scenario/scene_maker.hpp"
 #include "scenario/schema.hpp"
 #include "scenario/suggest.hpp"
 #include "scenario/units.hpp"
@@ -16,6 +18,19 @@
 namespace physim {
 namespace {
 
+/// What the library says of a joint; its ends are any ones.
+Status check_def(const ScenarioJoint& joint, const Value& table) {
+  Joint def = joint.def;
+  def.a = {1, 1};
+  if (!joint.b.empty()) def.b = {2, 1};
+  if (!joint.thing.empty()) def.thing = {1, 1};
+  const Status status = check(def);
+  if (status) return {};
+  const Error& error = status.error();
+  const std::string key = error.place.substr(error.place.find('.') + 1);
+  return Error{error.place + ": " + error.message, place_of(table, {key}), error.hint};
+}
+
 Status check_joint(const ScenarioNames& names, const ScenarioJoint& joint, const Value& table) {
   if (Status status = check_lone_shot(names, joint.a, "joint.a", place_of(table, {"a"})); !status) return status;
   if (!joint.b.empty())
@@ -24,15 +39,25 @@ Status check_joint(const ScenarioNames& names, const ScenarioJoint& joint, const
     return Error{"joint.b: is joint.a too", place_of(table, {"b"}), "a joint holds two different shots"};
   if (!joint.b.empty() && table.find("point"))
     return Error{"joint.point: given together with b", place_of(table, {"point"}), "give one of them"};
+  if (!joint.thing.empty() && !names.things.has(joint.thing))
+    return Error{"joint.thing: no thing is named " + in_quotes(joint.thing), place_of(table, {"thing"}),
+                 suggestion(joint.thing, names.things.all(), "things")};
   PHYSIM_ASSERT(!joint.a.empty());  // a required key
-  Joint def = joint.def;
-  def.a = {1, 1};  // any projectile
-  if (const Status status = check(def); !status) {
-    const Error& error = status.error();
-    const std::string key = error.place.substr(error.place.find('.') + 1);
-    return Error{error.place + ": " + error.message, place_of(table, {key}), error.hint};
-  }
-  return {};
+  return check_def(joint, table);
+}
+
+/// Where the point of a joint is at the start, and how its axis is turned.
+MotionState point_at_start(const Scenario& scenario, const ScenarioNames& names, const ScenarioJoint& joint) {
+  if (joint.thing.empty()) return {.position = joint.def.point};
+  const ScenarioThing& thing = scenario.things[*names.things.find(joint.thing)];
+  Scene scene;
+  const auto shape = scene.add_shape(SphereShape{});
+  const auto id = scene.add({.shape = *shape,
+                             .transform = {thing.position, thing.rotation.quaternion(), thing.scale},
+                             .motion = motion_of(thing)});
+  MotionState at = id ? *scene.state(*id) : MotionState{};  // a scene that cannot be made is refused elsewhere
+  at.position += rotate(at.rotation, joint.def.point * thing.scale);
+  return at;
 }
 
 /// Joints as a net: its knots are shots and points of the world, and a rod or cable lets two of them be so far apart.
@@ -40,9 +65,20 @@ class JointNet {
  public:
   explicit JointNet(const Scenario& scenario) : scenario_(scenario), names_(scenario) {
     for (const ScenarioJoint& joint : scenario.joints) {
+      const MotionState point = point_at_start(scenario, names_, joint);
+      const bool moves = !joint.thing.empty() || joint.def.velocity != Vec3d{};
       Held held{.a = knot_of_shot(joint.a),
-                .b = joint.b.empty() ? knot_of_point(joint.def.point) : knot_of_shot(joint.b)};
-      held.launched = length(places_[held.a] - places_[held.b]);
+                .b = !joint.b.empty() ? knot_of_shot(joint.b)
+                     : moves          ? add(point.position, false)
+                                      : knot_of_point(point.position)};
+      Vec3d between = places_[held.a] - places_[held.b];
+      const JointRow& kind = row_of(joint.def.kind);
+      if (kind.turns || kind.slides) {
+        const Vec3d axis = rotate(point.rotation, normalized(joint.def.axis)), along = axis * dot(axis, between);
+        held.beside = kind.slides ? length(between - along) : joint.b.empty() ? 0 : length(along);
+        if (kind.turns) between -= along;
+      }
+      held.launched = length(between);
       held.length = joint.def.length.value_or(held.launched);
       if (row_of(joint.def.kind).pulls) {
         held_by_[held.a].push_back(joints_.size());
@@ -59,6 +95,9 @@ class JointNet {
       PHYSIM_ASSERT(held.a < places_.size() && held.b < places_.size());
       const JointKind kind = scenario_.joints[i].def.kind;
       const std::string said = text(held.length);
+      if (held.beside > kRounding * held.launched)
+        all.push_back(
+            {i, "its ends are " + text(held.beside) + " beside it at launch: the first step moves them", "axis"});
       const double more = held.launched - held.length, slack = kRounding * std::max(held.launched, held.length);
       if (breaks(kind, more, slack))
         all.push_back({i, said + ", and its ends are " + text(held.launched) +
@@ -76,6 +115,7 @@ class JointNet {
   struct Held {
     std::size_t a, b;  // knots
     double length = 0, launched = 0;
+    double beside = 0;  // the axis of a slider, or the plane of a hinge
   };
 
   static std::string text(double metres) { return quantity_text(metres, Quantity::length); }
@@ -152,6 +192,7 @@ Status WorldRun::Impl::add_joints() {
     Joint def = joint.def;
     def.a = lone[index_of_shot(joint.a)];
     if (!joint.b.empty()) def.b = lone[index_of_shot(joint.b)];
+    if (!joint.thing.empty()) def.thing = things[*names.things.find(joint.thing)];
     if (const Result<JointId> added = world.add_joint(def); !added)
       return with_place(added.error(), scenario.file + ": joint " + in_quotes(joint.name));
   }

@@ -31,7 +31,7 @@ class Notes {
     of_environment();
     for (std::size_t i = 0; i < scenario_.shots.size(); ++i) of_shot(scenario_.shots[i], element(document_, "shot", i));
     for (const JointRemark& remark : joint_remarks(scenario_))
-      note(element(document_, "joint", remark.joint), "joint", {"length"}, remark.what);
+      note(element(document_, "joint", remark.joint), "joint", {remark.key}, remark.what);
     for (std::size_t i = 0; i < scenario_.emitters.size(); ++i)
       of_emitter(scenario_.emitters[i], element(document_, "emitter", i));
     if (scenario_.world.given) of_end();

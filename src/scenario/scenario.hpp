@@ -229,10 +229,11 @@ struct ScenarioForce {
 
 /// One [[joint]], there from the start.
 struct ScenarioJoint {
-  std::string name{};  ///< in messages [-]
-  std::string a{};     ///< name of the shot at one end, fired once [-]
-  std::string b{};     ///< name of the shot at the other end, fired once; empty: a point [-]
-  Joint def{};         ///< but for its ends [-]
+  std::string name{};   ///< in messages [-]
+  std::string a{};      ///< name of the shot at one end, fired once [-]
+  std::string b{};      ///< name of the shot at the other end, fired once; empty: a point [-]
+  Joint def{};          ///< but for its ends [-]
+  std::string thing{};  ///< name of the thing that takes its point along; empty: none [-]
 };
 
 /// One of the `sub` of an [[emitter]].

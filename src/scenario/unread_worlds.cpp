@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "base/assert.hpp"
+#include "base/joint_table.hpp"
 #include "model/rotor.hpp"
 #include "physim/names.hpp"
 #include "scenario/suggest.hpp"
@@ -140,6 +141,18 @@ std::string why_no_spring(R r) {
   const JointKind kind = joint(r).def.kind;
   return read_unless(kind != JointKind::spring, "joint.kind = " + in_quotes(name(kind)));
 }
+std::string why_no_axis(R r) {
+  const JointKind kind = joint(r).def.kind;
+  return read_unless(!row_of(kind).turns && !row_of(kind).slides, "joint.kind = " + in_quotes(name(kind)));
+}
+std::string why_no_hinge(R r) {
+  const JointKind kind = joint(r).def.kind;
+  return read_unless(!row_of(kind).turns, "joint.kind = " + in_quotes(name(kind)));
+}
+std::string why_no_slider(R r) {
+  const JointKind kind = joint(r).def.kind;
+  return read_unless(!row_of(kind).slides, "joint.kind = " + in_quotes(name(kind)));
+}
 bool is_moved(R r, const std::string& end) {
   return std::ranges::any_of(r.scenario.shots, [&](const ScenarioShot& each) {
     return each.projectile.name == end && !is_unmoved(each.body);
@@ -184,6 +197,14 @@ constexpr UnreadRule kJointRules[] = {
      [](R r) { return read_or(is_moved(r, joint(r).a) || is_moved(r, joint(r).b), ": nothing moves its ends"); }},
     {"joint.stiffness", why_no_spring},
     {"joint.damping", why_no_spring},
+    {"joint.axis", why_no_axis},
+    {"joint.reference", why_no_hinge},
+    {"joint.low_angle", why_no_hinge},
+    {"joint.high_angle", why_no_hinge},
+    {"joint.low", why_no_slider},
+    {"joint.high", why_no_slider},
+    {"joint.velocity",
+     [](R r) { return read_unless(!joint(r).b.empty() || !joint(r).thing.empty(), "its other end"); }},
     {"joint.restitution",
      [](R r) {
        const JointKind kind = joint(r).def.kind;

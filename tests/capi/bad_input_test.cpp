@@ -225,6 +225,7 @@ const std::vector<Try>& all_calls() {
           g.at<physim_id>()),
       TRY(physim_world_set_hit_function, kHandle, g.h.world, nullptr, nullptr),
       TRY(physim_world_add_joint, kHandle | kPointer | kSize, g.h.world, g.at<physim_joint>(), g.at<physim_id>()),
+      TRY(physim_joint_move, kHandle | kPointer, g.h.world, id, g.at<double>(), g.at<double>()),
       TRY(physim_joint_read, kHandle | kPointer | kSize, g.h.world, id, g.at<physim_joint_info>()),
       TRY(physim_joint_events, kHandle | kPointer, g.h.world, g.at<physim_joint_event>(), sizeof(physim_joint_event), 4,
           g.at<std::size_t>()),

@@ -240,6 +240,30 @@ static void tow(void* user, const physim_field_batch* batch) {
   for (i = 0; i < batch->count; ++i) batch->force[3 * i] = *(const double*)user * batch->mass[i];
 }
 
+/* Hinges, sliders, and points that move, of a world with two balls along z. */
+static void test_axes(physim_world* world, const physim_id* ball) {
+  const double place[3] = {0, 1, 0}, velocity[3] = {2, 0, 0};
+  physim_joint axis = {.size = sizeof axis, .kind = PHYSIM_HINGE, .a = ball[0], .b = ball[1], .low = -1, .high = 2};
+  physim_joint_info state = {.size = sizeof state};
+  physim_id joint;
+  IS(PHYSIM_REFUSED, physim_world_add_joint(world, &axis, &joint)); /* without an axis */
+  axis.axis[1] = 1;
+  OK(physim_world_add_joint(world, &axis, &joint));
+  IS(PHYSIM_REFUSED, physim_joint_move(world, joint, place, velocity)); /* it has no point */
+  OK(physim_world_remove(world, PHYSIM_A_JOINT, joint));
+  IS(PHYSIM_NOT_FOUND, physim_joint_move(world, joint, place, velocity));
+  axis.kind = PHYSIM_SLIDER, axis.b = axis.thing;
+  axis.low = -INFINITY, axis.high = 100;
+  OK(physim_world_add_joint(world, &axis, &joint));
+  OK(physim_joint_move(world, joint, place, velocity));
+  OK(physim_world_step(world, 1, 0));
+  OK(physim_joint_read(world, joint, &state));
+  CHECK(isfinite(state.way) && state.force > 0 && state.angle == 0);
+  OK(physim_world_remove(world, PHYSIM_A_JOINT, joint));
+  axis.thing.index = 77;
+  IS(PHYSIM_REFUSED, physim_world_add_joint(world, &axis, &joint)); /* no such thing */
+}
+
 static void test_parts(void) {
   physim_def* def = made(kParts);
   physim_world* world = NULL;
@@ -297,9 +321,16 @@ static void test_parts(void) {
   CHECK(is_near(state.length, 2, 1e-6) && state.taut);
   OK(physim_world_projectile(world, ball[1], &one));
   CHECK(one.position[2] > 2); /* it is pulled along by the rod */
-  OK(physim_world_remove(world, PHYSIM_A_FORCE, force));
   OK(physim_world_remove(world, PHYSIM_A_JOINT, joint));
   IS(PHYSIM_NOT_FOUND, physim_joint_read(world, joint, &state));
+  rod.break_force = fabs(state.tension) / 2;
+  OK(physim_world_add_joint(world, &rod, &joint));
+  OK(physim_world_step(world, 1, 0));
+  OK(physim_joint_events(world, events, sizeof events[0], 4, &count));
+  CHECK(count == 1 && strcmp(physim_name("joint_event", events[0].kind), "broke") == 0);
+  rod.break_force = 0;
+  OK(physim_world_remove(world, PHYSIM_A_FORCE, force));
+  test_axes(world, ball);
   OK(physim_world_add_joint(world, &rod, &joint));
   OK(physim_world_despawn(world, ball, 1, NULL));
   OK(physim_joint_events(world, events, sizeof events[0], 4, &count));

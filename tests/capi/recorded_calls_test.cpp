@@ -78,6 +78,7 @@ const std::map<std::string, std::string> kMadeBy = {
     {"trigger_emitter", "physim_emitter_do"},
     {"add_joint", "physim_world_add_joint"},
     {"remove_joint", "physim_world_remove"},
+    {"move_joint", "physim_joint_move"},
     {"jump_emitter", "physim_emitter_move"},
     {"seek_emitter", "physim_emitter_do"},
     {"set_hit_function", "physim_world_set_hit_function"},

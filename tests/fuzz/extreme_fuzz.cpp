@@ -449,10 +449,13 @@ class Extreme {
     spawn(w, 6), spawn(w, 6);
     if (ids_.size() < 2) return;
     for (std::size_t i = 1; i < ids_.size(); ++i) {
-      Joint joint{.kind = static_cast<JointKind>(r_.below(3)), .a = ids_[i], .b = ids_[i - 1]};
+      Joint joint{.kind = static_cast<JointKind>(r_.below(5)), .a = ids_[i], .b = ids_[i - 1]};
       if (r_.one_in(3)) joint.b = {}, joint.point = r_.vector3(3);
       if (r_.coin()) joint.length = r_.in(0.1, 3);
       joint.stiffness = r_.in(1, 100), joint.damping = r_.in(0, 3), joint.restitution = r_.unit();
+      if (joint.kind >= JointKind::hinge) joint.axis = r_.vector3(1);
+      if (joint.kind == JointKind::slider) joint.length = {};
+      if (!joint.b) joint.velocity = r_.vector3(3);
       if (r_.coin()) put_extremes(r_, joint);
       static_cast<void>(w.add_joint(joint));
     }

@@ -196,6 +196,9 @@ TEST(Notes, joints_whose_ends_are_elsewhere) {
       "[[joint]]\na = \"a\"\nb = \"b\"\n";
   expect_note(shots + "length = \"3 m\"\n", "f.toml:12:10", "joint.length: 3 m, and its ends are 1 m apart at launch");
   expect_note(shots + "kind = \"cable\"\nlength = \"0.5 m\"\n", "f.toml:13:10", "0.5 m, and its ends are 1 m apart");
+  expect_note(shots + "kind = \"slider\"\naxis = [0, 2, 0]\n", "f.toml:13:8",
+              "joint.axis: its ends are 1 m beside it at");
+  EXPECT_TRUE(notes_of(shots + "kind = \"slider\"\naxis = [2, 0, 0]\nlow = \"-1 m\"\n").empty());
   for (const char* fine : {"", "length = \"1 m\"\n", "kind = \"cable\"\nlength = \"3 m\"\n",
                            "kind = \"spring\"\nlength = \"3 m\"\nstiffness = 5\n"})
     EXPECT_TRUE(notes_of(shots + fine).empty()) << fine;

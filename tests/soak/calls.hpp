@@ -213,12 +213,20 @@ class SoakCall {
   // ------------------------------------------------------------------------------------------- joints
   std::string joint() {
     if (r_.one_in(5)) return static_cast<void>(w_.remove_joint(one_of(known_.joints))), "remove_joint";
-    Joint j{.kind = static_cast<JointKind>(r_.below(3)), .a = some()};
+    if (r_.one_in(5)) {
+      const BodyState to{r_.vector(2) + Vec3d{0, 3, 0}, r_.vector(1)};
+      return static_cast<void>(w_.move_joint(one_of(known_.joints), to)), "move_joint";
+    }
+    Joint j{.kind = static_cast<JointKind>(r_.below(5)), .a = some()};
     if (r_.coin()) j.b = some();
     j.point = r_.vector(2) + Vec3d{0, 3, 0};
     if (r_.one_in(4)) j.length = r_.in(0.2, 2);
     j.restitution = r_.coin() ? 0 : r_.unit();
     j.stiffness = r_.in(1, 100), j.damping = r_.in(0, 1);
+    if (r_.one_in(8)) j.break_force = r_.in(1, 1000);
+    if (!j.b && r_.coin()) j.velocity = r_.vector(1);
+    if (j.kind == JointKind::hinge) j.axis = r_.vector(1), j.low_angle = r_.in(-3, 0), j.high_angle = r_.in(0, 3);
+    if (j.kind == JointKind::slider) j.axis = r_.vector(1), j.length = {}, j.low = r_.in(-2, 0), j.high = r_.in(0, 2);
     return keep(w_.add_joint(j), known_.joints), "add_joint";
   }
 

@@ -69,7 +69,7 @@ inline std::uint64_t hash_of_reading(const World& w, const Known& known) {
   }
   for (const JointId joint : w.joints()) {
     const JointState s = w.joint_state(joint);
-    hasher.add(joint, s.length, s.tension, s.is_taut);
+    hasher.add(joint, s.length, s.tension, s.is_taut, s.force, s.angle, s.way);
   }
   for (const ForceId force : known.forces) hasher.add(w.is_active(force), std::uint64_t{w.felt_by(force)});
   for (const EmitterId emitter : w.emitters()) {

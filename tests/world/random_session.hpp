@@ -207,12 +207,20 @@ class RandomSession {
     const std::vector<JointId> there = world_.joints();
     if (!there.empty() && below(4) == 0)
       return void(world_.remove_joint(there[static_cast<std::size_t>(below(static_cast<int>(there.size())))]));
-    Joint joint{.kind = static_cast<JointKind>(below(3)), .a = some(), .b = coin() ? some() : ProjectileId{}};
+    if (!there.empty() && below(6) == 0) {
+      const JointId moved = there[static_cast<std::size_t>(below(static_cast<int>(there.size())))];
+      return static_cast<void>(world_.move_joint(moved, {vector(10), vector(2)}));
+    }
+    Joint joint{.kind = static_cast<JointKind>(below(5)), .a = some(), .b = coin() ? some() : ProjectileId{}};
     joint.point = vector(10);
     if (coin()) joint.length = real(-0.1, 20);
     if (joint.kind == JointKind::cable) joint.restitution = real(0, 1);
     joint.stiffness = real(0, 500);
     joint.damping = real(-0.1, 5);
+    if (below(8) == 0) joint.break_force = real(-10, 1000);
+    if (!joint.b && coin()) joint.velocity = vector(2);
+    if (joint.kind == JointKind::hinge) joint.axis = vector(1), joint.low_angle = real(-3, 0.1);
+    if (joint.kind == JointKind::slider) joint.axis = vector(1), joint.length = {}, joint.high = real(-0.1, 20);
     or_null(world_.add_joint(joint));
   }
   EmitterId one_emitter() {

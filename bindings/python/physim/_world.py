@@ -457,11 +457,16 @@ class World:
         """Number of projectiles that feel a force."""
         return self._core.felt_by(force)
 
-    def add_joint(self, a: int, b: int = 0, **joint: Any) -> int:
-        """A rod, cable or spring between two projectiles, or one and a point: kind="rod", length, point=(x, y, z)."""
+    def add_joint(self, a: int, b: int = 0, *, thing: int = 0, **joint: Any) -> int:
+        """A rod, cable, spring, hinge or slider between two projectiles, or one and a point: kind="rod", length,
+        point=(x, y, z), break_force. `thing`: one of the scene that takes the point along."""
         shots = [{"name": "a"}, {"name": "b"}]
         settings = {"a": "a", **joint} if not b else {"a": "a", "b": "b", **joint}
-        return self._core.add_joint(_one("joint", settings, shot=shots), a, b)
+        return self._core.add_joint(_one("joint", settings, shot=shots), a, b, thing)
+
+    def move_joint(self, joint: int, position: Sequence[float], velocity: Sequence[float] = (0, 0, 0)) -> None:
+        """Puts its point at a place now; from there it goes on at a velocity."""
+        self._core.move_joint(joint, _vector(position), _vector(velocity))
 
     def remove_joint(self, joint: int) -> None:
         self._core.remove_joint(joint)
@@ -469,6 +474,10 @@ class World:
     def joint_state(self, joint: int) -> tuple[float, float, bool]:
         """Length [m], tension [N] and whether it is taut."""
         return self._core.joint_state(joint)
+
+    def joint_motion(self, joint: int) -> tuple[float, float, float]:
+        """Angle of a hinge [rad], way of a slider [m] and the force on its ends [N]."""
+        return self._core.joint_motion(joint)
 
     # ------------------------------------------------------------------------------------------------------ emitters
     def add_emitter(self, shot: Shot, *, follows: int = 0, **emitter: Any) -> int:

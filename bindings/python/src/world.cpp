@@ -427,9 +427,9 @@ std::uint64_t add_function(PyWorld& py, nb::object function, nb::handle ids, std
   return number_of(taken(world.add_force(def)));
 }
 
-std::uint64_t add_joint(PyWorld& py, const Setup& setup, std::uint64_t a, std::uint64_t b) {
+std::uint64_t add_joint(PyWorld& py, const Setup& setup, std::uint64_t a, std::uint64_t b, std::uint64_t thing) {
   Joint joint = setup.scenario.joints.front().def;
-  joint.a = id_of<ProjectileId>(a), joint.b = id_of<ProjectileId>(b);
+  joint.a = id_of<ProjectileId>(a), joint.b = id_of<ProjectileId>(b), joint.thing = id_of<InstanceId>(thing);
   return number_of(taken(py.get().add_joint(joint)));
 }
 
@@ -707,7 +707,20 @@ void add_changes(nb::class_<PyWorld>& c) {
           "remove_force", [](PyWorld& w, std::uint64_t id) { taken(w.get().remove_force(id_of<ForceId>(id))); }, "id"_a)
       .def(
           "felt_by", [](PyWorld& w, std::uint64_t id) { return w.read().felt_by(id_of<ForceId>(id)); }, "id"_a)
-      .def("add_joint", &add_joint, "setup"_a, "a"_a, "b"_a)
+      .def("add_joint", &add_joint, "setup"_a, "a"_a, "b"_a, "thing"_a)
+      .def(
+          "move_joint",
+          [](PyWorld& w, std::uint64_t id, const std::vector<double>& position, const std::vector<double>& velocity) {
+            taken(w.get().move_joint(id_of<JointId>(id), {vec_of(position, "position"), vec_of(velocity, "velocity")}));
+          },
+          "id"_a, "position"_a, "velocity"_a)
+      .def(
+          "joint_motion",
+          [](PyWorld& w, std::uint64_t id) {
+            const JointState s = w.read().joint_state(id_of<JointId>(id));
+            return nb::make_tuple(s.angle, s.way, s.force);
+          },
+          "id"_a)
       .def(
           "remove_joint", [](PyWorld& w, std::uint64_t id) { taken(w.get().remove_joint(id_of<JointId>(id))); }, "id"_a)
       .def(

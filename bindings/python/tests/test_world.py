@@ -335,6 +335,16 @@ def test_joints(ball):
     with pytest.raises(physim.Error):
         world.remove_joint(rod)
     with pytest.raises(physim.Error):
+        world.move_joint(rod, (0, 0, 0))
+    hinge = world.add_joint(a[0], kind="hinge", point=(0, 12, 0), axis=(0, 0, 1), high_angle="90 deg", break_force="1 kN")
+    before, _, _ = world.joint_motion(hinge)
+    world.move_joint(hinge, (0, 12, 0), (1, 0, 0))
+    world.step(6)
+    angle, way, force = world.joint_motion(hinge)
+    assert before == pytest.approx(0, abs=1e-9) and angle != 0 and way == 0 and 0 < force < 1000
+    with pytest.raises(physim.Error, match="thing"):
+        world.add_joint(b[0], thing=77)
+    with pytest.raises(physim.Error):
         world.add_joint(a[0], a[0])
     with pytest.raises(physim.Error, match="kind"):
         world.add_joint(a[0], b[0], kind="rubber")

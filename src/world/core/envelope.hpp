@@ -28,6 +28,17 @@ class Envelope {
     for (std::size_t i = 0; i < n; ++i) reduce(i);
   }
 
+  /// About how many multiplications that took.
+  [[nodiscard]] double work() const {
+    double work = 0;
+    for (std::size_t i = 0; i < first_.size(); ++i) {
+      PHYSIM_ASSERT(first_[i] <= i);
+      const auto width = static_cast<double>(i - first_[i] + 1);
+      work += width * width;
+    }
+    return work;
+  }
+
   /// From the right hand sides to the unknowns.
   void solve(std::span<double> b) const {
     PHYSIM_ASSERT(b.size() == inverse_.size() && first_.size() == inverse_.size());

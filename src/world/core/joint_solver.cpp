@@ -15,13 +15,15 @@ namespace {
 
 constexpr std::uint32_t kMostRounds = 64;  // of one search for lengths
 constexpr std::uint32_t kMostSets = 100;   // of cables that pull and planes that press, beside two for each row
+constexpr std::uint32_t kFewRounds = 4;    // that put lengths right where no effort is left
+constexpr double kLeastWork = 1000;        // of a round: that of a small net [-]
 constexpr double kTaut = 1e-9;             // a cable that is shorter by less is taut, of its length [-]
 constexpr double kEpsilon = std::numeric_limits<double>::epsilon();
 
 class Net {
  public:
-  Net(std::span<NetBody> bodies, std::span<NetRow> rows, const NetPart& part)
-      : bodies_(bodies), rows_(rows), part_(part), ends_(bodies.size()), found_(rows.size()) {
+  Net(std::span<NetBody> bodies, std::span<NetRow> rows, const NetPart& part, const NetEffort& effort)
+      : bodies_(bodies), rows_(rows), part_(part), effort_(effort), ends_(bodies.size()), found_(rows.size()) {
     PHYSIM_ASSERT(part.h > 0 && part.step >= part.h);
     for (std::uint32_t i = 0; i < rows.size(); ++i) {
       PHYSIM_ASSERT(rows[i].a != rows[i].b && std::max(rows[i].a, rows[i].b) < bodies.size());
@@ -32,12 +34,14 @@ class Net {
 
   NetReport run() {
     const std::vector<NetBody> flown(bodies_.begin(), bodies_.end());
-    hold(true);
-    if (!gains(flown)) return report_;
+    const bool follows = !effort_.is_spent();
+    hold(follows);
+    if (!follows || !gains(flown)) return report_;
     std::ranges::copy(flown, bodies_.begin());
     hold(false);
     return report_;
   }
+  [[nodiscard]] double work() const { return work_; }
 
  private:
   struct End {
@@ -68,10 +72,10 @@ class Net {
   [[nodiscard]] double size_of(const NetRow& row) const {
     return length(bodies_[row.a].x) + length(bodies_[row.b].x) + std::abs(row.length);
   }
-  /// Direction and distance of two places; where they are one, the direction stays.
-  static void measure(const NetRow& row, const Vec3d& between, Vec3d& n, double& l) {
+  /// Direction and distance of two places; where they are one, the direction stays. `normal`: the given one.
+  static void measure(const NetRow& row, const Vec3d& normal, const Vec3d& between, Vec3d& n, double& l) {
     if (row.has_normal) {
-      n = row.normal;
+      n = normal;
       l = dot(n, between);
       return;
     }
@@ -80,11 +84,13 @@ class Net {
   }
   void measure_all() {
     for (std::size_t i = 0; i < rows_.size(); ++i)
-      measure(rows_[i], bodies_[rows_[i].a].x - bodies_[rows_[i].b].x, found_[i].n, found_[i].l);
+      measure(rows_[i], rows_[i].normal, bodies_[rows_[i].a].x - bodies_[rows_[i].b].x, found_[i].n, found_[i].l);
   }
   /// At which its ends part.
   [[nodiscard]] double speed_of(const NetRow& row, const Vec3d& n) const {
-    return dot(n, bodies_[row.a].v - bodies_[row.b].v);
+    const NetBody &a = bodies_[row.a], &b = bodies_[row.b];
+    const double speed = dot(n, a.v - b.v);
+    return row.normal_rate == Vec3d{} ? speed : speed + dot(row.normal_rate, a.x - b.x);
   }
   void push(const NetRow& row, const Vec3d& n, double q, Vec3d NetBody::*what) const {
     PHYSIM_ASSERT(row.a < bodies_.size() && row.b < bodies_.size());
@@ -120,6 +126,9 @@ class Net {
       }
     }
     for (std::size_t i = 0; i < rows_.size(); ++i) {
+      const Carried carried = carried_by(rows_[i], found_[i]);
+      gained -= carried.work;
+      moved += carried.energy;
       if (!rows_[i].is_spring()) continue;
       const auto stored = [&](double l) {
         return rows_[i].stiffness / 2 * (l - rows_[i].length) * (l - rows_[i].length);
@@ -128,6 +137,22 @@ class Net {
       moved += stored(found_[i].l0);
     }
     return !(gained <= kMostGain * moved);  // written so that a NaN counts as a gain
+  }
+
+  /// What a point that is carried, with directions that turn, gives to the first end of a row.
+  struct Carried {
+    double work = 0;    // [J]
+    double energy = 0;  // of the other end, were it carried along [J]
+  };
+  [[nodiscard]] Carried carried_by(const NetRow& row, const Found& f) const {
+    const NetBody &a = bodies_[row.a], &b = bodies_[row.b];
+    const double mobility = std::max(std::max(a.mobility.x, a.mobility.y), a.mobility.z);
+    if (!b.is_carried || !(mobility > 0)) return {};
+    const Vec3d velocity = (b.x - b.start) * (1 / part_.h);
+    const double turned = dot(row.normal_rate, a.x - b.x);  // [m/s]
+    const Vec3d along = f.n0 * (f.q / part_.h) + f.n * (f.p + (row.is_spring() ? f.q / part_.h : 0));
+    const double impulse = f.q / part_.h + f.p;
+    return {dot(along, velocity) - impulse * turned, (length_squared(velocity) + turned * turned) / (2 * mobility)};
   }
 
   // ------------------------------------------------------------------------------------------- equations
@@ -141,19 +166,19 @@ class Net {
     for (std::size_t body = 0; body < bodies_.size(); ++body) {
       const Vec3d& w = bodies_[body].mobility;
       if (w == Vec3d{}) continue;
-      for (const End& one : ends_[body])
-        for (const End& other : ends_[body]) couple(one, other, w, n, pushed);
+      for (const End& other : ends_[body]) {
+        if (!found_[other.row].active) continue;
+        const Vec3d moved = component_product(w, found_[other.row].*pushed) * other.sign;
+        for (const End& one : ends_[body])
+          if (const Found& f = found_[one.row]; f.active)
+            coefficients_.push_back({order_[one.row], order_[other.row], one.sign * dot(f.*n, moved)});
+      }
     }
     for (std::size_t i = 0; i < rows_.size(); ++i)
       if (found_[i].active && pushed == &Found::n0) coefficients_.push_back({order_[i], order_[i], found_[i].give});
     equations_.factor(count, coefficients_);
+    work_ += std::max(equations_.work(), kLeastWork);
     unknown_.resize(count);
-  }
-  void couple(const End& i, const End& j, const Vec3d& w, Vec3d Found::*n, Vec3d Found::*pushed) {
-    const Found &one = found_[i.row], &other = found_[j.row];
-    if (!one.active || !other.active) return;
-    const double value = i.sign * j.sign * dot(one.*n, component_product(w, other.*pushed));
-    coefficients_.push_back({order_[i.row], order_[j.row], value});
   }
   /// The unknowns of the active rows; f gives their right hand sides.
   template <class F, class G>
@@ -177,6 +202,7 @@ class Net {
       for (std::size_t i = 0; i < rows_.size(); ++i)
         if (found_[i].takes_part && side(rows_[i]) != 0 && !fits(i)) misfits_.push_back(i);
       if (misfits_.empty()) return found;
+      if (!effort_.suffices(work_)) return false;
       const bool better = misfits_.size() < fewest;
       if (better) fewest = misfits_.size(), patience = 3;
       if (!better && patience-- <= 0) misfits_.erase(misfits_.begin(), misfits_.end() - 1);
@@ -224,7 +250,7 @@ class Net {
   void begin(const NetRow& row, Found& f) const {
     const NetBody &a = bodies_[row.a], &b = bodies_[row.b];
     f.n0 = {0, 1, 0};
-    measure(row, a.start - b.start, f.n0, f.l0);
+    measure(row, row.start_normal, a.start - b.start, f.n0, f.l0);
     f.n = f.n0;
     f.slack = 8 * kEpsilon * size_of(row);
     f.rounding = 16 * kEpsilon * (length(a.mobility) + length(b.mobility));
@@ -267,7 +293,7 @@ class Net {
     place();
     std::vector<double> before(rows_.size()), step(rows_.size());
     double best = kInfinity, part = 1;
-    for (std::uint32_t round = 0; round < kMostRounds; ++round) {
+    for (std::uint32_t round = 0; round < kMostRounds && effort_.suffices(work_); ++round) {
       const double most = what_is_missing();
       if (most <= 1) return true;
       if (most < best) {
@@ -300,6 +326,7 @@ class Net {
     for (std::size_t i = 0; i < rows_.size(); ++i) look_whether_taut(rows_[i], found_[i]);
     double most = what_is_wrong();
     for (std::uint32_t round = 0; round < kMostRounds && most > 1; ++round) {
+      if (round >= kFewRounds && !effort_.suffices(work_)) break;
       ++report_.rounds;
       const double left = move_by_newton(most);
       if (!(left < most)) break;
@@ -423,6 +450,8 @@ class Net {
   std::span<NetBody> bodies_;
   std::span<NetRow> rows_;
   const NetPart part_;
+  const NetEffort& effort_;
+  double work_ = 0;                     // of its rounds
   std::vector<std::vector<End>> ends_;  // of rows, by body
   std::vector<Found> found_;
   std::vector<Vec3d> flown_;          // places before the net holds them
@@ -437,8 +466,11 @@ class Net {
 
 }  // namespace
 
-NetReport hold_part(std::span<NetBody> bodies, std::span<NetRow> rows, const NetPart& part) {
-  return Net(bodies, rows, part).run();
+NetReport hold_part(std::span<NetBody> bodies, std::span<NetRow> rows, const NetPart& part, NetEffort& effort) {
+  Net net(bodies, rows, part, effort);
+  const NetReport report = net.run();
+  effort.take(net.work(), report.solved);
+  return report;
 }
 
 }  // namespace physim

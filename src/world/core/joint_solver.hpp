@@ -11,12 +11,16 @@
 //   rods             l(q) = l0                              the distance at the start of the step
 //   taut cables      l(q) <= l0, q <= 0, one of them equal  (a linear complementarity problem)
 //   planes           l(q) >= l,  q >= 0, one of them equal
+//   guides           l(q) = l                               a direction that is given, and may turn
 //   springs          q = -(h^2/2) F,  F = k ((l0 + l(q))/2 - L) + c (l(q) - l0)/h    (trapezoidal rule: any k, any h)
 //
 // A cable that was slack when the step began and is too long at its end came taut: the step is taken in parts, up to
 // that moment and from there (world/couple/joint_parts.cpp). There the speed at which its ends part is turned around by
 // its restitution. What is wrong with lengths before a step (rounding, or ends that a call has put elsewhere) is put
 // right by moves that give no speed.
+//
+// What nothing moves may move: a fixed end that goes on its way, and directions that turn. Their velocities stand in
+// the equations of speeds, and what they do work on gains that energy.
 //
 // The steps of Newton's method are solved directly (J1 M^-1 J0^T, factored within its envelope, rows of a net in the
 // order in which a breadth-first search finds them: Cuthill & McKee 1969), so a long chain costs as much as its rows
@@ -41,26 +45,29 @@ namespace physim {
 
 /// A body that rows end at, or a fixed point.
 struct NetBody {
-  Vec3d start{};           // where it was when the step began [m]
-  Vec3d start_velocity{};  // [m/s]
-  Vec3d x{};               // place after its flight alone; then the held place [m]
-  Vec3d v{};               // velocity after its flight alone; then the held velocity [m/s]
-  Vec3d mobility{};        // one over its mass, along each axis; 0: nothing moves it [1/kg]
-  double spacing = 0;      // of the numbers that keep its place [m]
+  Vec3d start{};            // where it was when the step began [m]
+  Vec3d start_velocity{};   // [m/s]
+  Vec3d x{};                // place after its flight alone; then the held place [m]
+  Vec3d v{};                // velocity after its flight alone; then the held velocity [m/s]
+  Vec3d mobility{};         // one over its mass, along each axis; 0: nothing moves it [1/kg]
+  double spacing = 0;       // of the numbers that keep its place [m]
+  bool is_carried = false;  // a point that goes on its way, whatever it holds
 };
 
 /// What holds two bodies.
 struct NetRow {
   bool pulls = true;        // it keeps its ends from being farther apart than its length
   bool pushes = true;       // ... and from being nearer; one that does neither is a spring
-  bool has_normal = false;  // of a plane: its direction stays
+  bool has_normal = false;  // of a plane or a guide: its direction is given
   std::uint32_t a = 0;      // bodies
   std::uint32_t b = 0;
   double length = 0;       // [m]
   double restitution = 0;  // of cables [-]
   double stiffness = 0;    // of springs [N/m]
   double damping = 0;      // of springs [kg/s]
-  Vec3d normal{};          // of planes, that a is outside of: dot(normal, a - b) >= length [-]
+  Vec3d start_normal{};    // of planes, that a is outside of, and guides, when the step begins [-]
+  Vec3d normal{};          // ... at its end: dot(normal, a - b) >= length, of guides = length [-]
+  Vec3d normal_rate{};     // at which it changes then [1/s]
 
   [[nodiscard]] bool is_rod() const { return pulls && pushes; }
   [[nodiscard]] bool is_cable() const { return pulls && !pushes; }
@@ -86,10 +93,30 @@ struct NetPart {
   bool comes_taut = true;  // false: cables that are slack stay so, however long they become
 };
 
+/// What the searches of a net may cost in a step, in multiplications: rows that contradict each other are searched long
+/// and in vain, and no step may take long. Where it is spent, lengths are put right without a speed, as where the
+/// rounds do not suffice, the rest of the step is one part, and no row comes taut within it.
+class NetEffort {
+ public:
+  explicit NetEffort(std::size_t rows) : left_(kBase + kEachRow * static_cast<double>(rows)) {}
+
+  [[nodiscard]] bool suffices(double work) const { return work < left_; }
+  [[nodiscard]] bool is_spent() const { return !suffices(0); }
+  /// What a part took; if it was solved, a quarter of it counts.
+  void take(double work, bool solved) { left_ -= solved ? work * kSolved : work; }
+
+ private:
+  static constexpr double kBase = 8e6;
+  static constexpr double kEachRow = 1e4;
+  static constexpr double kSolved = 1.0 / 4;  // [-]
+
+  double left_;
+};
+
 /// Holds the bodies of one net at the end of a part of a step. Rows are in an order in which neighbours are near.
-NetReport hold_part(std::span<NetBody> bodies, std::span<NetRow> rows, const NetPart& part);
+NetReport hold_part(std::span<NetBody> bodies, std::span<NetRow> rows, const NetPart& part, NetEffort& effort);
 /// Holds them at the end of a step of h [s], which is cut where cables come taut, and where it is too long for the net
 /// (world/couple/joint_parts.cpp).
-NetReport hold_net(std::span<NetBody> bodies, std::span<NetRow> rows, double h);
+NetReport hold_net(std::span<NetBody> bodies, std::span<NetRow> rows, double h, NetEffort& effort);
 
 }  // namespace physim

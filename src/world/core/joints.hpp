@@ -1,4 +1,4 @@
-// Joints: the rods, cables and springs of a world; what they hold, and their state in the last step.
+// Joints: the rods, cables, springs, hinges and sliders of a world; what they hold, and their state in the last step.
 //
 // All fly their step as if alone, with their contacts. Then each net of joints is solved (world/core/joint_solver.hpp),
 // in the order of its joints, on one thread, and what it holds is put where it holds it. From step to step nothing
@@ -24,6 +24,15 @@ struct HeldJoint {
   // What the last step came to, to be shown only.
   double tension = 0;  // [N]
   bool is_taut = false;
+  double force = 0;  // of all that it keeps [N]
+};
+
+/// What carries the point and the axis of a joint: the world, or a thing of its scene.
+struct JointFrame {
+  Vec3d place{};     // of the point; none if the joint has a second projectile [m]
+  Vec3d velocity{};  // [m/s]
+  Quatd rotation{};  // from the frame of `thing` to W [-]
+  Vec3d turn{};      // [rad/s]
 };
 
 class Joints {
@@ -53,6 +62,8 @@ class Joints {
 
   JointId add(const Joint& joint);
   void erase(std::uint32_t index);
+  /// At the end of a step; beyond what a save may hold it stays.
+  void move_point(std::uint32_t index, const Vec3d& to);
   /// Calls f with the index of every joint that there is, in order.
   template <class F>
   void each(const F& f) const {
@@ -90,18 +101,31 @@ struct HeldBody {
 
 /// Memory that steps use again and again.
 struct JointScratch {
+  double began = 0;                              // time of the step at hand [s]
   std::vector<HeldBody> held;                    // in order of slots
   std::vector<std::vector<std::uint32_t>> nets;  // joints that hold together, neighbours near each other
+  std::vector<std::uint32_t> broken;             // joints that pulled or pushed with more than their break_force
 };
 
 struct WorldImpl;
+class WorldState;
 
 [[nodiscard]] Status check(const Joint& joint);
-/// Before a step: stores the state of held projectiles; nets with a moving member wake as a whole.
-void begin_joints(WorldImpl& world);
+/// Whether it has all that add_joint() adds to what it is given.
+[[nodiscard]] bool is_complete(const Joint& joint);
+/// Where the point of a joint is at a time of the world, `ahead` after the moment that Joint::point is of [s].
+[[nodiscard]] JointFrame frame_of(const WorldState& state, const Joint& joint, double time, double ahead);
+/// The angle of a hinge whose ends are so apart, in the frame of its point [rad].
+[[nodiscard]] double angle_of(const Joint& joint, const Vec3d& between);
+/// Before a step: stores the state of held projectiles; nets with a moving member or point wake as a whole.
+void begin_joints(WorldImpl& world, double dt);
 /// After it: puts held projectiles where joints hold them.
 void hold_joints(WorldImpl& world, double dt);
+/// Ends a joint that broke, with an event, and wakes what it held.
+void break_joint(WorldImpl& world, std::uint32_t index);
 /// Ends the joints of a projectile that leaves, with events.
 void end_joints_of(WorldImpl& world, std::uint32_t slot);
+/// Ends the joints at things that are gone, with events.
+void end_joints_at_gone_things(WorldImpl& world);
 
 }  // namespace physim

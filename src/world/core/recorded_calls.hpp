@@ -78,3 +78,4 @@ PHYSIM_CALL(set_drag, w[id].set_drag(drag), ProjectileId id, const DragDef& drag
 PHYSIM_CALL(set_damping, w[id].set_damping(damping), ProjectileId id, double damping)
 PHYSIM_CALL(set_instance_conveyor, w.set_instance_conveyor(instance, conveyor), InstanceId instance,
             const ConveyorDef& conveyor)
+PHYSIM_CALL(move_joint, w.move_joint(joint, to), JointId joint, const BodyState& to)

@@ -37,15 +37,23 @@ std::uint32_t parts_of_step(std::span<const NetBody> bodies, std::span<const Net
 /// mean acceleration of the step.
 class StepInParts {
  public:
-  StepInParts(std::span<NetBody> bodies, std::span<NetRow> rows, double h)
-      : bodies_(bodies), rows_(rows), h_(h), flown_(bodies.begin(), bodies.end()), found_(rows.begin(), rows.end()) {
+  StepInParts(std::span<NetBody> bodies, std::span<NetRow> rows, double h, NetEffort& effort)
+      : bodies_(bodies),
+        rows_(rows),
+        h_(h),
+        effort_(effort),
+        flown_(bodies.begin(), bodies.end()),
+        found_(rows.begin(), rows.end()) {
     PHYSIM_ASSERT(h > 0);
     for (NetBody& body : bodies) body.x = body.start, body.v = body.start_velocity;
     for (NetRow& row : found_) row.impulse = 0, row.came_taut = false;
   }
 
   NetReport run(std::uint32_t parts) {
-    for (std::uint32_t k = 0; k < parts; ++k) take(h_ / parts, 1.0 / parts);
+    for (std::uint32_t k = 0, count = 1; k < parts; k += count) {
+      count = effort_.is_spent() ? parts - k : 1;
+      take(h_ / parts * count, 1.0 / parts * count);
+    }
     std::ranges::copy(found_, rows_.begin());
     for (std::size_t i = 0; i < bodies_.size(); ++i)
       bodies_[i].start = flown_[i].start, bodies_[i].start_velocity = flown_[i].start_velocity;
@@ -58,13 +66,15 @@ class StepInParts {
     for (double left = part; left > 0;) {
       const std::vector<NetBody> before(bodies_.begin(), bodies_.end());
       NetReport report = hold(left, share * (left / part));
-      const double until = cuts_ < kMostCuts ? first_taut(before, left, share * (left / part)) : left;
+      const double until =
+          cuts_ < kMostCuts && !effort_.is_spent() ? first_taut(before, left, share * (left / part)) : left;
       if (until < left) {
         ++cuts_;
         std::ranges::copy(before, bodies_.begin());
         report = hold(until, share * (until / part));
       }
       note(report);
+      done_ += until < left ? until : left;
       left = until < left ? left - until : 0;
     }
   }
@@ -78,7 +88,19 @@ class StepInParts {
       body.x += body.v * part + a * (0.5 * part * part) + beside * share;
       body.v += a * part;
     }
-    return hold_part(bodies_, rows_, {part, h_, comes_taut});
+    for (std::size_t i = 0; i < rows_.size(); ++i) turn(found_[i], part, rows_[i]);
+    return hold_part(bodies_, rows_, {part, h_, comes_taut}, effort_);
+  }
+  /// The direction of a plane or guide in a part: a parabola through both of the step that has its rate at the end.
+  void turn(const NetRow& whole, double part, NetRow& row) const {
+    if (whole.normal_rate == Vec3d{} && whole.normal == whole.start_normal) return;
+    const Vec3d way = whole.normal - whole.start_normal, bend = whole.normal_rate * h_ - way;
+    const auto at = [&](double s) { return normalized(whole.start_normal + way * s + bend * (s * (s - 1))); };
+    const double end = (done_ + part) / h_;
+    PHYSIM_ASSERT(end > 0 && end < 1 + 1e-6);
+    row.start_normal = at(done_ / h_);
+    row.normal = at(end);
+    row.normal_rate = (way + bend * (2 * end - 1)) * (1 / h_);
   }
   void note(const NetReport& report) {
     all_.rounds += report.rounds;
@@ -142,22 +164,24 @@ class StepInParts {
   std::span<NetBody> bodies_;
   std::span<NetRow> rows_;
   double h_;
+  NetEffort& effort_;
   std::vector<NetBody> flown_;
   std::vector<NetRow> found_;
   NetReport all_;
   std::uint32_t cuts_ = 0;
+  double done_ = 0;  // of the step [s]
 };
 
 }  // namespace
 
-NetReport hold_net(std::span<NetBody> bodies, std::span<NetRow> rows, double h) {
+NetReport hold_net(std::span<NetBody> bodies, std::span<NetRow> rows, double h, NetEffort& effort) {
   const std::uint32_t parts = parts_of_step(bodies, rows, h);
-  if (parts > 1) return StepInParts(bodies, rows, h).run(parts);
+  if (parts > 1) return StepInParts(bodies, rows, h, effort).run(parts);
   const std::vector<NetBody> flown(bodies.begin(), bodies.end());
-  const NetReport report = hold_part(bodies, rows, {h, h});
-  if (std::ranges::none_of(rows, &NetRow::came_taut)) return report;
+  const NetReport report = hold_part(bodies, rows, {h, h}, effort);
+  if (effort.is_spent() || std::ranges::none_of(rows, &NetRow::came_taut)) return report;
   std::ranges::copy(flown, bodies.begin());
-  return StepInParts(bodies, rows, h).run(1);
+  return StepInParts(bodies, rows, h, effort).run(1);
 }
 
 }  // namespace physim

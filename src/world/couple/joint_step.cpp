@@ -1,10 +1,14 @@
 // A step of held projectiles: nets of joints, which projectiles wake and sleep together, and where each is put.
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "base/assert.hpp"
 #include "base/checker.hpp"
 #include "base/joint_table.hpp"
+#include "math/angles.hpp"
+#include "math/elementary.hpp"
+#include "math/quat.hpp"
 #include "model/turning.hpp"
 #include "world/core/joints.hpp"
 #include "world/couple/joint_contacts.hpp"
@@ -69,18 +73,32 @@ void each_end(const WorldState& state, const std::vector<std::uint32_t>& net, co
 /// An end of it that a call put elsewhere pulls at sleeping projectiles.
 [[nodiscard]] bool is_strained(const WorldState& state, const Joint& joint) {
   constexpr double kStrain = 1e-6;  // of its length and of how far out it is: more than float32 rounds [-]
+  const JointRow& kind = row_of(joint.kind);
+  const JointFrame frame = frame_of(state, joint, state.clock.time(), 0);
   const Vec3d a = state.state_of(state.slots[joint.a.index]).position;
-  const Vec3d b = joint.b ? state.state_of(state.slots[joint.b.index]).position : joint.point;
-  const double off = length(a - b) - *joint.length;
-  const double slack = kStrain * (*joint.length + length(a) + length(b));
-  return breaks(joint.kind, off, slack);
+  const Vec3d b = joint.b ? state.state_of(state.slots[joint.b.index]).position : frame.place;
+  const double long_is = joint.length.value_or(0), slack = kStrain * (long_is + length(a) + length(b));
+  const Vec3d axis = rotate(frame.rotation, joint.axis);
+  const double along = dot(axis, a - b);
+  return breaks(joint.kind, length(a - b) - long_is, slack) || (kind.turns && std::abs(along) > slack) ||
+         (kind.slides && length(a - b - axis * along) > slack);
+}
+
+/// Whether its point or its axis moves in the coming step.
+[[nodiscard]] bool is_carried(const WorldState& state, const Joint& joint, double dt) {
+  if (joint.b || (joint.velocity == Vec3d{} && !joint.thing)) return false;
+  const JointFrame now = frame_of(state, joint, state.clock.time(), 0);
+  const JointFrame then = frame_of(state, joint, state.clock.time() + dt, dt);
+  return now.place != then.place || now.rotation != then.rotation;
 }
 
 /// Wakes all projectiles of a net if one of it moves.
-void wake_net(WorldImpl& world, const std::vector<std::uint32_t>& net) {
+void wake_net(WorldImpl& world, const std::vector<std::uint32_t>& net, double dt) {
   WorldState& state = world.state;
-  bool moves =
-      std::ranges::any_of(net, [&](std::uint32_t index) { return is_strained(state, state.joints[index].def); });
+  bool moves = std::ranges::any_of(net, [&](std::uint32_t index) {
+    const Joint& joint = state.joints[index].def;
+    return is_strained(state, joint) || is_carried(state, joint, dt);
+  });
   std::vector<std::uint32_t> asleep;
   each_end(state, net, [&](std::uint32_t slot) {
     if (state.slots[slot].is(kAsleep)) asleep.push_back(slot);
@@ -115,16 +133,78 @@ class NetStep {
 
  private:
   void add(const Joint& joint, std::uint32_t index) {
+    const JointRow& kind = row_of(joint.kind);
+    const std::array<JointFrame, 2> frames{frame_of(state_, joint, w_.jointed.began, 0),
+                                           frame_of(state_, joint, state_.clock.time(), dt_)};
+    const std::uint32_t a = body_of(joint.a), b = joint.b ? body_of(joint.b) : anchor(frames);
+    carried_ = carried_ || frames[0].place != frames[1].place || frames[0].rotation != frames[1].rotation;
+    if (!kind.slides) {
+      NetRow& row = add_row(index, a, b);
+      row.pulls = kind.pulls;
+      row.pushes = kind.pushes;
+      row.length = *joint.length;
+      row.restitution = joint.restitution;
+      row.stiffness = joint.stiffness;
+      row.damping = joint.damping;
+    }
+    const auto guide = [&](const Vec3d& normal, double length, bool pulls) {
+      NetRow& row = add_row(index, a, b);
+      row.pulls = pulls;
+      row.has_normal = true;
+      row.start_normal = rotate(frames[0].rotation, normal);
+      row.normal = rotate(frames[1].rotation, normal);
+      row.normal_rate = cross(frames[1].turn, row.normal);
+      row.length = length;
+    };
+    if (kind.turns) {
+      guide(joint.axis, 0, true);
+      const Vec3d between = rotate(conjugate(frames[0].rotation), bodies_[a].start - bodies_[b].start);
+      stop_turning(joint, angle_of(joint, between), guide);
+    }
+    if (kind.slides) {
+      const Vec3d across = across_of(joint.axis);
+      guide(across, 0, true);
+      guide(cross(joint.axis, across), 0, true);
+      if (joint.low) guide(joint.axis, *joint.low, false);
+      if (joint.high) guide(-joint.axis, -*joint.high, false);
+    }
+  }
+  /// The stops of a hinge, as planes through its axis: each where it is less than a quarter of a turn away.
+  template <class Guide>
+  static void stop_turning(const Joint& joint, double angle, const Guide& guide) {
+    if (!joint.low_angle && !joint.high_angle) return;
+    const double low = joint.low_angle.value_or(-kPi), high = joint.high_angle.value_or(kPi);
+    if (angle < low || angle > high) {  // it counts as at the stop that is nearer
+      const double over = angle > high ? angle - high : angle + 2 * kPi - high;
+      const double under = angle < low ? low - angle : low + 2 * kPi - angle;
+      angle = over < under ? high : low;
+    }
+    PHYSIM_ASSERT(low < high);
+    const Vec3d side = cross(joint.axis, joint.reference);
+    const auto upwards = [&](double stop) { return side * cos(stop) - joint.reference * sin(stop); };
+    if (angle - low < kPi / 2) guide(upwards(low), 0, false);
+    if (high - angle < kPi / 2) guide(-upwards(high), 0, false);
+  }
+  /// A direction across another one, both of length one.
+  static Vec3d across_of(const Vec3d& axis) {
+    const bool is_along_x = std::abs(axis.x) > 0.5;
+    return normalized(cross(axis, is_along_x ? Vec3d{0, 1, 0} : Vec3d{1, 0, 0}));
+  }
+  NetRow& add_row(std::uint32_t joint, std::uint32_t a, std::uint32_t b) {
+    PHYSIM_ASSERT(a != b && std::max(a, b) < bodies_.size());
+    joints_.push_back(joint);
     NetRow& row = rows_.emplace_back();
-    joints_.push_back(index);
-    row.pulls = row_of(joint.kind).pulls;
-    row.pushes = row_of(joint.kind).pushes;
-    row.a = body_of(joint.a);
-    row.b = joint.b ? body_of(joint.b) : point(joint.point);
-    row.length = *joint.length;
-    row.restitution = joint.restitution;
-    row.stiffness = joint.stiffness;
-    row.damping = joint.damping;
+    row.a = a;
+    row.b = b;
+    return row;
+  }
+  std::uint32_t anchor(const std::array<JointFrame, 2>& frames) {
+    const std::uint32_t at = point(frames[0].place);
+    bodies_[at].x = frames[1].place;
+    bodies_[at].start_velocity = frames[0].velocity;
+    bodies_[at].v = frames[1].velocity;
+    bodies_[at].is_carried = true;
+    return at;
   }
   std::uint32_t point(const Vec3d& at) {
     PHYSIM_ASSERT(bodies_.size() == slots_.size());
@@ -166,11 +246,12 @@ class NetStep {
     constexpr int kMostTimes = 8;
     const std::vector<NetBody> flown = bodies_;
     const std::size_t joints = rows_.size();
-    NetReport report = hold_net(bodies_, rows_, dt_);
-    for (int time = 1; time < kMostTimes && add_contacts(flown); ++time) {
+    NetEffort effort(joints);
+    NetReport report = hold_net(bodies_, rows_, dt_, effort);
+    for (int time = 1; time < kMostTimes && !effort.is_spent() && add_contacts(flown); ++time) {
       std::ranges::copy(flown, bodies_.begin());
       for (std::size_t i = 0; i < joints; ++i) rows_[i].impulse = 0, rows_[i].came_taut = false;
-      report = hold_net(bodies_, rows_, dt_);
+      report = hold_net(bodies_, rows_, dt_, effort);
     }
     rows_.resize(joints);
     for (std::size_t i = 0; i < flown.size(); ++i)
@@ -211,7 +292,7 @@ class NetStep {
     row.has_normal = true;
     row.a = static_cast<std::uint32_t>(body);
     row.b = *origin_;
-    row.normal = contact.normal;
+    row.start_normal = row.normal = contact.normal;
     row.length = contact.offset;
   }
   [[nodiscard]] static double depth(const NetBody& body, const NetContact& contact) {
@@ -245,21 +326,26 @@ class NetStep {
 
   void tell() {
     PHYSIM_ASSERT(rows_.size() == joints_.size());
-    for (std::size_t i = 0; i < rows_.size(); ++i) {
-      HeldJoint& joint = state_.joints[joints_[i]];
-      const NetRow& row = rows_[i];
-      joint.tension = row.impulse / dt_;
-      joint.is_taut = row.came_taut || row.impulse > 0;
-      if (row.came_taut)
+    for (std::size_t i = 0; i < rows_.size();) {
+      const std::uint32_t index = joints_[i];
+      HeldJoint& joint = state_.joints[index];
+      const NetRow& first = rows_[i];
+      joint.tension = first.has_normal ? 0 : first.impulse / dt_;
+      joint.is_taut = first.came_taut || first.impulse > 0;
+      double squares = 0;  // directions of the rows of a joint stand across each other
+      for (; i < rows_.size() && joints_[i] == index; ++i) squares += rows_[i].impulse * rows_[i].impulse;
+      joint.force = std::sqrt(squares) / dt_;
+      if (first.came_taut)
         state_.joints.events.push_back(
-            {JointEventKind::came_taut, state_.joints.id_of(joints_[i]), joint.def.a, state_.clock.time(), row.speed});
+            {JointEventKind::came_taut, state_.joints.id_of(index), joint.def.a, state_.clock.time(), first.speed});
+      if (joint.def.break_force && joint.force > *joint.def.break_force) w_.jointed.broken.push_back(index);
     }
   }
 
   // ------------------------------------------------------------------------------------------- rest
   /// Those of a net rest together: when all have done so for long enough, all sleep.
   void rest() {
-    bool all = true;
+    bool all = !carried_;
     for (std::size_t i = 0; i < bodies_.size(); ++i)
       if (slots_[i] != 0 && !state_.slots[slots_[i]].is(kStill)) all = has_rested(slots_[i], bodies_[i].v) && all;
     if (!all) return;
@@ -288,15 +374,17 @@ class NetStep {
   std::vector<NetBody> bodies_;
   std::vector<std::uint32_t> slots_;  // of bodies; 0: a fixed point
   std::vector<NetRow> rows_;
+  bool carried_ = false;                                     // a point or an axis moves
   std::optional<std::uint32_t> origin_;                      // body that planes are relative to
-  std::vector<std::uint32_t> joints_;                        // of rows
+  std::vector<std::uint32_t> joints_;                        // of rows, those of a joint one after the other
   std::unordered_map<std::uint32_t, std::uint32_t> places_;  // of slots among the bodies
 };
 
 }  // namespace
 
-void begin_joints(WorldImpl& world) {
+void begin_joints(WorldImpl& world, double dt) {
   JointScratch& s = world.jointed;
+  s.began = world.state.clock.time();
   s.held.clear();
   s.nets.clear();
   WorldState& state = world.state;
@@ -305,7 +393,7 @@ void begin_joints(WorldImpl& world) {
   if (state.joints.empty()) return;
   NetSearch(state).run(s.nets);
   for (const std::vector<std::uint32_t>& net : s.nets) {
-    wake_net(world, net);
+    wake_net(world, net, dt);
     each_end(state, net, [&](std::uint32_t slot) {
       if (!state.slots[slot].is(kStill)) s.held.push_back({state.slots.id_of(slot), state.state_of(state.slots[slot])});
     });
@@ -317,7 +405,16 @@ void begin_joints(WorldImpl& world) {
 
 void hold_joints(WorldImpl& world, double dt) {
   PHYSIM_ASSERT(dt > 0);
+  std::vector<std::uint32_t>& broken = world.jointed.broken;
+  broken.clear();
   for (const std::vector<std::uint32_t>& net : world.jointed.nets) NetStep(world, net, dt).run();
+  std::ranges::sort(broken);
+  for (const std::uint32_t index : broken) break_joint(world, index);
+  Joints& joints = world.state.joints;
+  joints.each([&](std::uint32_t index) {
+    const Joint& joint = joints[index].def;
+    if (joint.velocity != Vec3d{}) joints.move_point(index, joint.point + joint.velocity * dt);
+  });
 }
 
 }  // namespace physim

@@ -57,8 +57,8 @@ void World::draw(SceneCanvas& canvas, const WorldDrawing& what) const {
     for (const JointId id : joints()) {
       const Joint& joint = *self.joint(id);
       canvas.begin_projectile(joint.a);
-      canvas.line(self[joint.a].render_position(), joint.b ? self[joint.b].render_position() : joint.point,
-                  SceneInk::joint);
+      const Vec3d point = frame_of(impl().state, joint, time(), 0).place;
+      canvas.line(self[joint.a].render_position(), joint.b ? self[joint.b].render_position() : point, SceneInk::joint);
     }
   if (what.normals == 0) return;
   for (const Event& event : events())

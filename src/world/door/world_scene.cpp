@@ -91,6 +91,7 @@ void WorldImpl::put_scene(std::shared_ptr<Scene> scene) {
   forget_clear();
   is_stirred = false;
   stir_scene();
+  end_joints_at_gone_things(*this);
 }
 
 /// The scene, owned by this state alone.
@@ -168,7 +169,9 @@ Status World::remove_instance(InstanceId instance) {
   WorldImpl& w = impl();
   const Recorded<Call::remove_instance> call(w, instance);
   if (call.is_refused()) return call.refusal();
-  return w.change_scene(instance, [&](Scene& scene) { return scene.remove(instance); });
+  Status status = w.change_scene(instance, [&](Scene& scene) { return scene.remove(instance); });
+  if (status) end_joints_at_gone_things(w);
+  return status;
 }
 
 Status World::move_instance(InstanceId instance, const Transform& to) {

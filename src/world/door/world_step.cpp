@@ -326,7 +326,7 @@ void WorldImpl::step(double dt) {
   begin_generators(dt);
   apply_detail();
   move_scene(dt);
-  begin_joints(*this);
+  begin_joints(*this, dt);
   begin_emitters(*this, dt);
   begin_pairs(*this);
   is_stirred = false;

@@ -89,6 +89,7 @@ struct SavedJoint {
   Joint def;
   double tension = 0;  // [N]
   bool is_taut = false;
+  double force = 0;  // [N]
 };
 
 struct SavedWorld {
