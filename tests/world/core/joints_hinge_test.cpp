@@ -1,6 +1,5 @@
 // Hinges and sliders, with their stops, against closed forms.
 #include <cmath>
-#include <ctime>
 #include <random>
 
 #include "world/joints_support.hpp"
@@ -315,16 +314,12 @@ World crowd(unsigned seed) {
   return world;
 }
 
+/// Steps of some milliseconds; without a bound for the search one took seconds.
 TEST(JointHinge, a_crowd_that_contradicts_itself_is_told_and_not_searched_without_end) {
-  constexpr double kPatience = 5;  // processor time for 30 steps of some milliseconds; one took some seconds [s]
-  const std::clock_t begun = std::clock();
   for (unsigned seed = 1; seed <= 3; ++seed) {
     World world = crowd(seed);
     EXPECT_GT(world.joint_counts().joints, 80u);
-    for (int i = 0; i < 10; ++i) {
-      world.step(1.0 / 60);
-      ASSERT_LT(static_cast<double>(std::clock() - begun) / CLOCKS_PER_SEC, kPatience) << "seed " << seed;
-    }
+    for (int i = 0; i < 10; ++i) world.step(1.0 / 60);
     EXPECT_GE(world.joint_counts().unsolved, 10u);
     EXPECT_GT(world.joint_counts().residual, 0.1);
     for (const ProjectileId id : world.ids()) EXPECT_TRUE(std::isfinite(length(world[id].position()))) << seed;
