@@ -183,15 +183,16 @@ class ContactView {
     return pull;
   }
   /// The motion at the end of a way along a thing that moves.
-  PHYSIM_COLD void turn_with(const SceneHit& hit, const Vec3d& x, const Vec3d& over, double passed, BallWay& way) const {
+  PHYSIM_COLD void turn_with(const SceneHit& hit, const Vec3d& x, const Vec3d& over, double passed,
+                             BallWay& way) const {
     const SceneByMotion::Ride by = ride(hit, passed);
     if (!by.turns()) return;
     way.motion = by.by->turned(*by.piece, on(hit, x, passed), way.motion, ball(), {over, way.way, way.time});
     way.motion.velocity = r_.kept(way.motion.velocity);
   }
   /// When a way meets what moves, or what a thing carries it to.
-  [[nodiscard]] PHYSIM_COLD EvenWay::Moment moment_met(const EvenWay& way, const SceneHit& carries, const SceneHit& next,
-                                           const Vec3d& over, double passed) const {
+  [[nodiscard]] PHYSIM_COLD EvenWay::Moment moment_met(const EvenWay& way, const SceneHit& carries,
+                                                       const SceneHit& next, const Vec3d& over, double passed) const {
     const Carriage* by = ride(next, passed).by;
     if (!by) by = ride(carries, passed).by;
     return by ? by->moment_met(way, next, over) : way.steadily(next.part);  // an engine's motion is not known

@@ -341,7 +341,8 @@ class SceneContacts : private ContactView {
   }
 
   /// Further surfaces that it meets at the moment at which it meets one: what stands in the rest of its way at once.
-  [[nodiscard]] PHYSIM_COLD std::vector<SceneHit> met_at_once(const State<double>& s, const SceneHit& first, double passed) const {
+  [[nodiscard]] PHYSIM_COLD std::vector<SceneHit> met_at_once(const State<double>& s, const SceneHit& first,
+                                                              double passed) const {
     std::vector<SceneHit> all{first};
     constexpr std::size_t kMostAtOnce = 4;  // more walls than that seldom meet in a corner
     const double near = 4 * gap_at(s.x);
