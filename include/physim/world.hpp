@@ -195,7 +195,7 @@ struct JointState {
 
 enum class JointEventKind : std::uint8_t {
   came_taut,  ///< a cable that hung loose
-  ended,      ///< a projectile at one of its ends left the world
+  ended,      ///< a projectile at one of its ends left the world, or the thing of its point the scene
   broke,      ///< it pulled or pushed with more than its break_force
 };
 

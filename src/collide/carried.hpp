@@ -30,8 +30,8 @@ struct AlongThing {
   double time;  // [s]
 };
 
-/// What things that move do to what touches them. Pointers, which such a thing brings along: a program without one has
-/// none of the code behind them.
+/// Functions of the motion of a thing that contacts with it call. Each path points to one table of them
+/// (Path::carriage()), so a program whose scenes have no paths links none of that code.
 struct Carriage {
   using Piece = collide::Path::Piece;
 

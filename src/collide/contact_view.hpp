@@ -1,4 +1,4 @@
-// What a contact knows of a projectile, of the thing that it touches, and of the ways along that thing.
+// Read access of contacts to a projectile, to the thing that it touches, and to the motion along that thing.
 #pragma once
 
 #include <algorithm>
@@ -22,7 +22,7 @@ class ContactView {
  protected:
   [[nodiscard]] const CollisionDef& collision() const { return r_.collision(); }
   [[nodiscard]] double frame() const { return frame_of_contact(r_.step_length()); }
-  /// How long it may go on along what it touched [s].
+  /// The rest of the step, at most kLongestPart: the longest time that one motion along a surface covers [s].
   [[nodiscard]] double longest_way(double passed) const { return std::min(r_.step_length() - passed, kLongestPart); }
   [[nodiscard]] Ball ball() const { return {collision().radius, collision().inertia, r_.turns()}; }
   [[nodiscard]] Vec3d spin(double passed) const { return component_product(r_.turns(), r_.spin(passed)); }
@@ -56,8 +56,8 @@ class ContactView {
   [[nodiscard]] OnThing on(const SceneHit& hit, const Vec3d& x, double passed) const {
     return {x, hit.normal, collision().radius, r_.scene_time() + passed};
   }
-  /// Where a place of a thing is carried to; `along`: the way on it. Of what may not move along all axes the thing
-  /// carries what the constraint leaves, at the velocity that it leaves of the thing's.
+  /// The state after `time` of a projectile at x that moves by `along` relative to the thing's surface. If motion along
+  /// some axes is frozen, the displacement and velocity of the thing are projected onto the free axes.
   [[nodiscard]] State<double> carried(const SceneHit& hit, const Vec3d& x, const Vec3d& along, double passed,
                                       double time) const {
     const SceneByMotion::Ride by = ride(hit, passed);
@@ -66,11 +66,12 @@ class ContactView {
     const Vec3d u = by.by->carried(*by.piece, on(hit, x, passed), {}, 0).v, way = along + hit.velocity * time;
     return {x + way + r_.kept(free.x - x - along - u * time), hit.velocity + r_.kept(free.v - u)};
   }
+  /// True if motion along some axes is frozen.
   [[nodiscard]] bool is_held() const {
-    constexpr Vec3d kAny{1, 0.7, 0.4};  // in no plane that a projectile is held in
+    constexpr Vec3d kAny{1, 0.7, 0.4};  // it lies in no plane to which motion may be held
     return r_.kept(kAny) != kAny;
   }
-  /// What carries a place of a thing, if the thing moves.
+  /// The motion of the thing's surface at x, as a function of time since `passed`; empty if the thing is at rest.
   [[nodiscard]] PHYSIM_COLD Carrier carrier_of(const SceneHit& hit, const Vec3d& x, double passed) const {
     if (moves(hit)) return [this, hit, x, passed](double time) { return carried(hit, x, {}, passed, time); };
     if (hit.velocity == Vec3d{}) return {};
@@ -81,8 +82,7 @@ class ContactView {
     return !is_engines(hit) && !SceneByMotion(*scene_).rests(hit.instance.index);
   }
   [[nodiscard]] static bool is_engines(const SceneHit& hit) { return hit.instance.generation == kEngineGeneration; }
-  /// How much the velocity changes of what a thing carries, over a time that follows [m/s]. Constraints of the
-  /// projectile's motion leave out a part of both velocities.
+  /// The change of the thing's surface velocity at x over `time`, without the components along frozen axes [m/s].
   [[nodiscard]] Vec3d speeds_up(const SceneHit& hit, const Vec3d& x, double passed, double time) const {
     PHYSIM_ASSERT(moves(hit));
     return carried(hit, x, {}, passed, time).v - carried(hit, x, {}, passed, 0).v;
@@ -93,8 +93,8 @@ class ContactView {
     if (!moves(hit) || !(time > 0)) return a;
     return a - speeds_up(hit, s.x, passed, time) * (1 / time);
   }
-  /// The part of the pressure of a thing that turns which a velocity along it causes, by the Coriolis acceleration:
-  /// 2 n . (w x v_r) [m/s^2].
+  /// Normal component of the Coriolis acceleration at the velocity v_r relative to a thing that turns: 2 n . (w x v_r),
+  /// positive if it presses the projectile onto the thing; 0 if the thing does not turn [m/s^2].
   [[nodiscard]] PHYSIM_COLD double pressed_by_speed(const Vec3d& v_r, const SceneHit& hit, double passed) const {
     const SceneByMotion::Ride by = ride(hit, passed);
     return by.turns() ? 2 * dot(hit.normal, cross(by.piece->axis * by.piece->rate, v_r)) : 0;
@@ -156,13 +156,13 @@ class ContactView {
     way.motion.velocity = r_.kept(way.motion.velocity);
     return way;
   }
-  /// A way along a thing as the surface below it sees it.
+  /// The motion over `time` relative to the surface, along which it slides as a point or rolls as a ball.
   [[nodiscard]] BallWay way_along(const SceneHit& hit, const BallMotion& motion, const Vec3d& over, const Pull& pull,
                                   double time) const {
     return is_ball() ? ball_way(motion, pull, hit, surface(hit), over, time)
                      : point_way(motion, over, pull, hit.normal, surface(hit), time);
   }
-  /// What pulls it along a thing over a time, beside the thing.
+  /// The mean acceleration over `time` relative to the thing, with drag and, on a thing that turns, inertial forces.
   [[nodiscard]] Pull pull_on(const State<double>& s, const SceneHit& hit, const BallMotion& motion, const Vec3d& a,
                              double passed, double time) const {
     const Vec3d over = runs(hit, passed), w = s.v - hit.velocity - over, v_t = w - hit.normal * dot(w, hit.normal);
@@ -182,7 +182,7 @@ class ContactView {
     }
     return pull;
   }
-  /// The motion at the end of a way along a thing that moves.
+  /// Turns the motion at the end of a way with the surface of a thing that turns.
   PHYSIM_COLD void turn_with(const SceneHit& hit, const Vec3d& x, const Vec3d& over, double passed,
                              BallWay& way) const {
     const SceneByMotion::Ride by = ride(hit, passed);
@@ -190,7 +190,7 @@ class ContactView {
     way.motion = by.by->turned(*by.piece, on(hit, x, passed), way.motion, ball(), {over, way.way, way.time});
     way.motion.velocity = r_.kept(way.motion.velocity);
   }
-  /// When a way meets what moves, or what a thing carries it to.
+  /// The moment at which a way meets `next`, if that moves or the way is carried by a thing.
   [[nodiscard]] PHYSIM_COLD EvenWay::Moment moment_met(const EvenWay& way, const SceneHit& carries,
                                                        const SceneHit& next, const Vec3d& over, double passed) const {
     const Carriage* by = ride(next, passed).by;

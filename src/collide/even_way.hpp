@@ -10,7 +10,7 @@
 
 namespace physim {
 
-/// Where what moves carries a place, and how fast, some time later [s]; empty if it stands still.
+/// Place and velocity of a point of a moving surface as a function of time [s]; empty if the surface is at rest.
 using Carrier = std::function<State<double>(double)>;
 
 /// A straight way from one state to another in some time with a constant acceleration along it; a projectile that comes

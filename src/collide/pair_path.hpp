@@ -28,7 +28,7 @@ struct Knot {
 /// The cubic between two moments of a path.
 struct Leg {
   Knot begin, end;
-  double placed = 1e-9;  // as much as places are rounded by, and put beside surfaces [m]
+  double placed = 1e-9;  // rounding of places, and the gap that contacts leave to surfaces [m]
 
   [[nodiscard]] double span() const { return end.time - begin.time; }
   [[nodiscard]] Knot at(double time) const {
@@ -44,7 +44,8 @@ struct Leg {
   }
 
  private:
-  /// What was put somewhere, or bounced within a leg that places do not resolve, did not go there by that velocity.
+  /// The derivative of the cubic, except where places are too coarse for it: a leg shorter than their rounding has the
+  /// velocity of its end, and one whose bend is rounding that of a steady acceleration.
   [[nodiscard]] Vec3d velocity(double s, const Vec3d& early, const Vec3d& late) const {
     const double h = span(), r = 1 - s, off = 0.5 * length(early - late);
     if (h * (length(begin.v) + length(end.v)) <= placed) return end.v;
