@@ -107,7 +107,7 @@ function(physim_add_kernels target)
       set(knows_rungs 0)
       # At -Os g++ 12 sees variables of another branch of a loop as uninitialized.
       set(small $<$<CXX_COMPILER_ID:GNU>:$<SEMICOLON>-Wno-maybe-uninitialized>)
-      set(small $<$<CONFIG:Release,RelWithDebInfo>:$<IF:$<AND:$<BOOL:${PHYSIM_FOR_SIZE}>,$<CXX_COMPILER_ID:Clang>>,-Oz,-Os>${small}>)
+      set(small $<$<CONFIG:Release,RelWithDebInfo>:$<IF:$<BOOL:${PHYSIM_FOR_SIZE}>,${PHYSIM_SMALLEST},-Os>${small}>)
     endif()
     add_library(${kernels} OBJECT ${ARGN})
     physim_flags(${kernels})

@@ -17,6 +17,12 @@
 #define PHYSIM_ISA base
 #endif
 
+/// 1 in kernels with copies of their loops for the rungs that are flown most; 0 in those that a better copy replaces on
+/// most machines. The bits are the same.
+#ifndef PHYSIM_KNOWS_RUNGS
+#define PHYSIM_KNOWS_RUNGS 1
+#endif
+
 /// A function of preparation or of questions, or one that steps seldom call. The compiler keeps it small: programs link
 /// it whatever they fly.
 #define PHYSIM_COLD [[gnu::cold]]

@@ -7,7 +7,7 @@
 #pragma once
 
 #include "base/assert.hpp"
-#include "base/knows_rungs.hpp"
+#include "base/isa.hpp"
 #include "flight/plain_rung.hpp"
 #include "solve/take_step.hpp"
 

@@ -15,36 +15,11 @@
 #include <thread>
 #include <vector>
 
+#include "of_all.hpp"
 #include "physim/physim.h"
 
 namespace physim {
 namespace capi_bad_input_test {
-
-constexpr const char* kAll = R"(physim = 1
-[[shot]]
-name = "ball"
-mass = "1 kg"
-diameter = "10 cm"
-speed = "20 m/s +- 1 m/s"
-elevation = "45 deg"
-fidelity = "game"
-[world]
-step = "10 ms"
-threads = 1
-[[shape]]
-name = "box"
-box = { half = [1, 1, 1] }
-[[thing]]
-name = "box"
-shape = "box"
-position = [50, 0, 0]
-[[emitter]]
-name = "fountain"
-shot = "ball"
-[[force]]
-name = "lift"
-constant_force = { force = [0, 1, 0] }
-)";
 
 struct Handles {
   physim_def* def = nullptr;
@@ -67,7 +42,7 @@ struct Handles {
 Handles made() {
   Handles h;
   const auto done = [](physim_result code) { ASSERT_EQ(code, PHYSIM_OK) << physim_last_error(); };
-  done(physim_def_create(kAll, "bad.toml", &h.def));
+  done(physim_def_create(test::kOfAll, "bad.toml", &h.def));
   done(physim_fly(h.def, nullptr, nullptr, &h.flight));
   done(physim_world_create(h.def, PHYSIM_FIRE_NOTHING, &h.world));
   done(physim_world_snapshot(h.world, &h.snapshot));

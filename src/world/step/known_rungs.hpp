@@ -1,7 +1,7 @@
 // The rungs that games use most, which the world's kernels know at compile time.
 #pragma once
 
-#include "base/knows_rungs.hpp"
+#include "base/isa.hpp"
 #include "physim/fidelity.hpp"
 #include "physim/math.hpp"
 

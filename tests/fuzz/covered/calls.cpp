@@ -3,37 +3,12 @@
 #include <cmath>
 #include <limits>
 
+#include "capi/of_all.hpp"
 #include "fuzz/covered/target.hpp"
 #include "physim/physim.h"
 
 namespace physim::test {
 namespace {
-
-constexpr const char* kFirst = R"(physim = 1
-[[shot]]
-name = "ball"
-mass = "1 kg"
-diameter = "10 cm"
-speed = "20 m/s +- 1 m/s"
-elevation = "45 deg"
-fidelity = "game"
-[world]
-step = "10 ms"
-threads = 1
-[[shape]]
-name = "box"
-box = { half = [1, 1, 1] }
-[[thing]]
-name = "box"
-shape = "box"
-position = [5, 0, 0]
-[[emitter]]
-name = "fountain"
-shot = "ball"
-[[force]]
-name = "lift"
-constant_force = { force = [0, 1, 0] }
-)";
 
 constexpr double kNumbers[] = {0,
                                1,
@@ -81,7 +56,7 @@ constexpr std::size_t kMostSteps = 40, kMostRows = 300;
 class Program {
  public:
   explicit Program(std::span<const std::byte> bytes) : bytes_(bytes) {
-    take(physim_def_create(kFirst, "fuzz.toml", &defs_[0]), defs_[0]);
+    take(physim_def_create(kOfAll, "fuzz.toml", &defs_[0]), defs_[0]);
     take(physim_world_create(defs_[0], PHYSIM_FIRE_NOTHING, &worlds_[0]), worlds_[0]);
   }
   Program(const Program&) = delete;
