@@ -110,18 +110,21 @@ class Net {
     put_right();
     turn_speeds();
   }
-  /// Whether the net did work that neither its springs nor the field that bodies fly in gave: where steps are too long
-  /// for it, impulses may be so large that they do.
+  /// True if the bodies have gained energy in the step beyond the work of the field that they fly in, of springs and of
+  /// points that are carried: impulses may do so where steps are too long for the net. They are compared with the start
+  /// of the step, less what flights of the first order gain by themselves, as their way is not that of their speeds.
   [[nodiscard]] bool gains(const std::vector<NetBody>& flown) const {
-    double gained = 0, moved = 0;  // [J]
+    double gained = 0, own = 0, moved = 0;  // [J]
     for (std::size_t i = 0; i < bodies_.size(); ++i) {
       const NetBody &now = bodies_[i], &then = flown[i];
-      const Vec3d way = followed_[i] - then.x, push = (then.v - then.start_velocity) * (1 / part_.h);
+      const Vec3d way = followed_[i] - then.start, flown_way = then.x - then.start;
+      const Vec3d push = (then.v - then.start_velocity) * (1 / part_.h);
       for (double Vec3d::*axis : {&Vec3d::x, &Vec3d::y, &Vec3d::z}) {
         if (!(now.mobility.*axis > 0)) continue;
         const double mass = 1 / (now.mobility.*axis);
         const auto square = [axis](const Vec3d& v) { return v.*axis * (v.*axis); };
-        gained += mass * ((square(now.v) - square(then.v)) / 2 - push.*axis * (way.*axis));
+        gained += mass * ((square(now.v) - square(then.start_velocity)) / 2 - push.*axis * (way.*axis));
+        own += mass * ((square(then.v) - square(then.start_velocity)) / 2 - push.*axis * (flown_way.*axis));
         moved += mass * (square(then.v) + square(then.start_velocity)) / 2;
       }
     }
@@ -136,7 +139,7 @@ class Net {
       gained += stored(found_[i].l) - stored(found_[i].l0);
       moved += stored(found_[i].l0);
     }
-    return !(gained <= kMostGain * moved);  // written so that a NaN counts as a gain
+    return !(gained - std::max(own, 0.0) <= kMostGain * moved);  // written so that a NaN counts as a gain
   }
 
   /// What a point that is carried, with directions that turn, gives to the first end of a row.
