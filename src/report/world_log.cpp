@@ -42,6 +42,7 @@ class Logger {
     log_.steps = options.steps.value_or(run.steps());
     const std::size_t groups = run.groups().size();
     log_.in_use.resize(groups);
+    log_.joints.resize(log_.scenario.joints.size());
     met_.resize(groups);
     log_.impacts.resize(groups);
     log_.hits.resize(groups);
@@ -91,6 +92,7 @@ class Logger {
     log_.time = run_->world().time();
     log_.hash = run_->world().hash();
     log_.counters = run_->world().counters();
+    log_.unsolved_nets = run_->world().joint_counts().unsolved;
     PHYSIM_ASSERT(log_.groups.size() == log_.hits.size());
     if (options_.parts.paths) mark_alive();
     std::erase_if(log_.paths, [](const LoggedPath& path) { return path.points.empty(); });
@@ -112,6 +114,7 @@ class Logger {
       run_->step();
       take(run_->events().subspan(launched), run_->hits());
       take_hits();
+      take_joints();
       if (options_.parts.paths && (step % draw_every_ == 0 || step == log_.steps)) draw();
       if (step % sample_every_ == 0 || step == log_.steps)
         if (Status status = sample(); !status) return status;
@@ -245,6 +248,25 @@ class Logger {
       PHYSIM_ASSERT(hit.launched.group < passages_.size());
       count_passage(passages_[hit.launched.group], hit, log_.scenario);
     }
+  }
+
+  /// Events of joints of a step, and of calls behind it.
+  void take_joints() {
+    if (log_.joints.empty()) return;
+    const std::span<const JointId> ids = run_->joints();
+    PHYSIM_ASSERT(ids.size() == log_.joints.size());
+    for (const JointEvent& event : run_->world().joint_events()) {
+      const auto at = std::ranges::lower_bound(ids, event.joint.index, {}, &JointId::index);
+      PHYSIM_ASSERT(at != ids.end());
+      LoggedJoint& joint = log_.joints[static_cast<std::size_t>(at - ids.begin())];
+      if (event.kind == JointEventKind::came_taut)
+        ++joint.came_taut;
+      else
+        joint.end = event.kind, joint.end_time = event.time;
+    }
+    for (std::size_t i = 0; i < ids.size(); ++i)  // a launch of the step may have ended it, by taking a place
+      if (LoggedJoint& joint = log_.joints[i]; !joint.end && run_->world().joint(ids[i]) == nullptr)
+        joint.end = JointEventKind::ended, joint.end_time = run_->world().time();
   }
 
   /// `marks`: what the picture marks, by group; null for nothing.
@@ -389,6 +411,27 @@ std::string alive_table(const std::vector<WorldGroup>& groups, double time) {
   return below(table);
 }
 
+/// Joints that came taut or are there no more.
+std::string joints_table(const WorldLog& log) {
+  constexpr std::size_t kShown = 40;
+  Table table({"joint", "kind", "came taut", "end", "at [s]"}, "llrl");
+  std::size_t all = 0;
+  for (std::size_t i = 0; i < log.joints.size(); ++i) {
+    const LoggedJoint& joint = log.joints[i];
+    if (joint.came_taut == 0 && !joint.end) continue;
+    if (++all > kShown) continue;
+    table.add_row({one_line(log.scenario.joints[i].name), std::string(name(log.scenario.joints[i].def.kind)),
+                   joint.came_taut > 0 ? std::to_string(joint.came_taut) : "",
+                   joint.end ? std::string(name(*joint.end)) : "", joint.end ? fixed(joint.end_time, 4) : ""});
+  }
+  std::string out = below(table);
+  if (all > kShown) out += "  and " + std::to_string(all - kShown) + " more, which --json FILE writes\n";
+  if (log.unsolved_nets > 0)
+    out += "\n  nets of joints not solved in a step, as they contradict themselves or the step is too long for them: " +
+           std::to_string(log.unsolved_nets) + "\n";
+  return out;
+}
+
 // The rungs of each shot; its groups share them.
 std::string fidelities(const WorldLog& log, const Style& style) {
   std::string out;
@@ -451,6 +494,16 @@ Json group_json(const WorldLog& log, std::size_t index) {
   return out;
 }
 
+Json joint_json(const WorldLog& log, std::size_t index) {
+  const ScenarioJoint& of = log.scenario.joints[index];
+  const LoggedJoint& joint = log.joints[index];
+  return {{"name", of.name},
+          {"kind", name(of.def.kind)},
+          {"came_taut", joint.came_taut},
+          {"end", joint.end ? Json(name(*joint.end)) : Json()},
+          {"end_time [s]", joint.end ? Json(joint.end_time) : Json()}};
+}
+
 Json event_json(const WorldLog& log, const LoggedEvent& event) {
   return {{"time [s]", event.time},
           {"kind", name(event.kind)},
@@ -461,9 +514,9 @@ Json event_json(const WorldLog& log, const LoggedEvent& event) {
           {"velocity [m/s]", vector_json(event.state.velocity)}};
 }
 
-/// True if a part of the log, or the table of hits, holds what happened since the start.
+/// True if a part of the log, or the table of hits or joints, holds what happened since the start.
 bool tells_of_past(const LogParts& parts, const Scenario& scenario) {
-  return parts.samples || parts.events || parts.paths || parts.hits || has_scene(scenario);
+  return parts.samples || parts.events || parts.paths || parts.hits || has_scene(scenario) || !scenario.joints.empty();
 }
 
 }  // namespace
@@ -530,7 +583,7 @@ std::string world_text(const WorldLog& log, const Style& style) {
   std::string out = style.bold(one_line(title_of(log.scenario))) + "\n\n";
   out += counts_tables(log.groups) + impacts_table(log.groups);
   if (log.scenario.world.wall) out += wall_table(log.groups, *log.scenario.world.wall);
-  out += hits_table(hits_of(log));
+  out += hits_table(hits_of(log)) + joints_table(log);
   out += alive_table(log.groups, log.time) + fidelities(log, style);
   out += "\n  steps " + std::to_string(log.steps) + " of " + significant(step, 6) + " s, projectile-steps " +
          std::to_string(log.counters.projectile_steps) + ", hash " + hash_text(log.hash) + "\n";
@@ -574,6 +627,12 @@ Content world_json(const WorldLog& log) {
     for (const LoggedEvent& event : log.events) out.push(event_json(log, event));
     out.close();
     if (has_scene(log.scenario)) add_hits(out, hits_of(log));
+    if (!log.joints.empty()) {
+      out.add({{"unsolved_nets", log.unsolved_nets}});
+      out.list("joints");
+      for (std::size_t i = 0; i < log.joints.size(); ++i) out.push(joint_json(log, i));
+      out.close();
+    }
     out.object("trajectories");
     add_columns(out, records_of(log));
     out.close();

@@ -55,6 +55,13 @@ struct LoggedPath {
   std::vector<Vec3d> points;
 };
 
+/// What became of a joint.
+struct LoggedJoint {
+  std::uint64_t came_taut = 0;        // times, of a cable
+  std::optional<JointEventKind> end;  // ended or broke; none: it holds
+  double end_time = 0;                // [s]
+};
+
 struct WorldLog {
   Scenario scenario;
   std::vector<WorldGroup> groups;
@@ -75,6 +82,8 @@ struct WorldLog {
   std::vector<Round> rounds;
   std::deque<ThingHit> thing_hits;    // the first, if no part of the log needs all
   std::uint64_t thing_hit_count = 0;  // of all
+  std::vector<LoggedJoint> joints;    // by Scenario::joints
+  std::uint64_t unsolved_nets = 0;    // of joints, in steps
   std::vector<LoggedPath> paths;
   std::vector<std::vector<Vec3d>> impacts;  // by group
   std::vector<std::vector<Vec3d>> hits;     // by group

@@ -193,8 +193,9 @@ Status WorldRun::Impl::add_joints() {
     def.a = lone[index_of_shot(joint.a)];
     if (!joint.b.empty()) def.b = lone[index_of_shot(joint.b)];
     if (!joint.thing.empty()) def.thing = things[*names.things.find(joint.thing)];
-    if (const Result<JointId> added = world.add_joint(def); !added)
-      return with_place(added.error(), scenario.file + ": joint " + in_quotes(joint.name));
+    const Result<JointId> added = world.add_joint(def);
+    if (!added) return with_place(added.error(), scenario.file + ": joint " + in_quotes(joint.name));
+    joints.push_back(*added);
   }
   return {};
 }

@@ -434,6 +434,7 @@ World& WorldRun::world() { return impl_->world; }
 const World& WorldRun::world() const { return impl_->world; }
 const Scenario& WorldRun::scenario() const { return impl_->scenario; }
 std::span<const InstanceId> WorldRun::things() const { return impl_->things; }
+std::span<const JointId> WorldRun::joints() const { return impl_->joints; }
 std::span<const RunEvent> WorldRun::events() const { return impl_->events; }
 std::span<const WallHit> WorldRun::hits() const { return impl_->hits; }
 std::span<const ThingHit> WorldRun::thing_hits() const { return impl_->thing_hits; }

@@ -182,6 +182,8 @@ class WorldRun {
   [[nodiscard]] const Scenario& scenario() const;
   /// The ids of Scenario::things in the scene of the world, in their order.
   [[nodiscard]] std::span<const InstanceId> things() const;
+  /// The ids of Scenario::joints in the world, in their order: by index.
+  [[nodiscard]] std::span<const JointId> joints() const;
   /// What happened in the last step, launches included.
   [[nodiscard]] std::span<const RunEvent> events() const;
   [[nodiscard]] std::span<const WallHit> hits() const;  ///< of the last step

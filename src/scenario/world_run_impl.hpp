@@ -25,6 +25,7 @@ struct WorldRun::Impl : RunState {
   World world;
   std::vector<MaterialId> materials;  // in the scene of the world
   std::vector<InstanceId> things;     // of Scenario::things
+  std::vector<JointId> joints;        // of Scenario::joints
   std::vector<KindId> kinds;          // of Scenario::shots; none of a shot that has no group
   std::vector<Segment> segments;      // work space
   std::vector<ProjectileId> stopped;  // work space

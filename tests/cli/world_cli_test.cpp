@@ -39,6 +39,57 @@ equals = 300
 within = 0
 )";
 
+/// A rope of 500 N holds 60 kg no step, one of 600 N does; a cable of 1 m catches what falls by 0.3 m once.
+constexpr const char* kJoints = R"(physim = 1
+[world]
+duration = "0.5 s"
+ground = "none"
+[[shot]]
+name = "climber"
+mass = "60 kg"
+position = ["0 m", "-1 m", "0 m"]
+fidelity = "game"
+[[shot]]
+name = "weight"
+mass = "1 kg"
+position = ["5 m", "-0.7 m", "0 m"]
+fidelity = "game"
+[[joint]]
+name = "rope"
+a = "climber"
+break_force = "500 N"
+[[joint]]
+kind = "cable"
+a = "weight"
+point = ["5 m", "0 m", "0 m"]
+length = "1 m"
+)";
+
+TEST(CliWorld, JointsThatBreakAndComeTautAreListed) {
+  const std::string scenario = testing::TempDir() + "joints.toml", json = testing::TempDir() + "joints.json";
+  std::ofstream(scenario) << kJoints;
+  const Ran broken = physim({"run", scenario, "--json", json});
+  ASSERT_EQ(broken.code, 0) << broken.err;
+  EXPECT_NE(broken.out.find("  rope     rod               broke  0.0167\n"), broken.out.npos) << broken.out;
+  EXPECT_NE(broken.out.find("  joint-2  cable          1\n"), broken.out.npos) << broken.out;
+  std::ifstream in(json);
+  const auto joints = nlohmann::json::parse(in)["world"]["joints"];
+  EXPECT_EQ(joints[0]["end"], "broke");
+  EXPECT_NEAR(joints[0]["end_time [s]"].get<double>(), 1.0 / 60, 1e-12);
+  EXPECT_EQ(joints[1]["came_taut"], 1);
+  EXPECT_TRUE(joints[1]["end"].is_null());
+  const Ran held = physim({"run", scenario, "--set", "joint.rope.break_force=600 N"});
+  EXPECT_EQ(held.out.find("broke"), held.out.npos) << held.out;
+}
+
+TEST(CliWorld, ASavedRunListsItsJoints) {
+  const std::string scenario = testing::TempDir() + "joints_saved.toml", save = testing::TempDir() + "joints.save";
+  std::ofstream(scenario) << kJoints;
+  const Ran saving = physim({"run", scenario, "--save", save, "--save-at", "0.2 s"});
+  ASSERT_EQ(saving.code, 0) << saving.err;
+  EXPECT_EQ(physim({"run", scenario, "--load", save}).out, saving.out);
+}
+
 TEST(CliWorld, ASavedRunGoesOn) {
   const std::string folder = testing::TempDir();
   const std::string scenario = folder + "save.toml", save = folder + "world.save";
