@@ -203,6 +203,7 @@ void Registry::prepare(WorldCohort& cohort) {
   // Rows on their way out, of an environment that has lost its functions.
   if (!cohort.conditions.wind_function) cohort.conditions.has_wind_function = false;
   if (!cohort.conditions.force_function) cohort.conditions.has_force_function = false;
+  cohort.static_rung = static_rung_of(key.fidelity, cohort.features());
   cohort.conditions_float = to_float(cohort.conditions, cohort.profiles);
   const WatchList watch = watch_of(def_, cohort.conditions);
   const NumberRuns flown = parts_flown(key.fidelity, cohort.conditions).runs();

@@ -10,6 +10,7 @@
 #include "world/core/check.hpp"
 #include "world/core/fields.hpp"
 #include "world/core/kinds.hpp"
+#include "world/core/static_rungs.hpp"
 
 namespace physim {
 
@@ -57,10 +58,23 @@ struct WorldCohort {
   Conditions<double> conditions;
   Conditions<float> conditions_float;
   RowLayout layout;
-  double most_radius = 0;  // with which any kind that is in it meets things [m]
+  std::int8_t static_rung = kNoStaticRung;  // index in kStaticRungs
+  double most_radius = 0;                   // with which any kind that is in it meets things [m]
   Course<float> course_float;
   Course<double> course_double;
 
+  /// Features of its conditions, but for what pushes forced rows.
+  [[nodiscard]] Features features() const {
+    Features features = conditions;
+    features.has_applied = key.features.has_applied;
+    return features;
+  }
+  /// True if forces are evaluated once in a step, and rows keep nothing but place and velocity: they may step in parts.
+  [[nodiscard]] bool steps_plainly() const {
+    const Fidelity& f = conditions.fidelity;
+    return is_first_order(conditions) && f.motion != Motion::closed_form && f.earth == EarthModel::flat && !f.planar &&
+           f.rotation == RotationModel::none && features() == Features{};
+  }
   template <class S>
   [[nodiscard]] const Course<S>& course() const {
     if constexpr (sizeof(S) == 4) return course_float;

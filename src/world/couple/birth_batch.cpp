@@ -153,7 +153,7 @@ void BirthBatches::come_alive(const BirthPlan& plan, const BirthColumns& b, std:
 }
 
 template <class S>
-void BirthBatches::put_rows(const BirthPlan& plan, const BirthColumns& b, const NewbornFlights<S>& flights,
+void BirthBatches::put_rows(const BirthPlan& plan, const BirthColumns& b, const FlownParts<S>& flights,
                             std::size_t count) {
   Rows& rows = w_.state.rows[plan.cohort];
   const auto fill = [&](std::uint32_t row, std::size_t lane) {
@@ -195,8 +195,7 @@ void BirthBatches::join(const BirthPlan& plan, const BirthColumns& b, Particle l
 
 /// In order of time, which pools that replace their oldest keep, too.
 template <class S>
-void BirthBatches::tell(const BirthPlan& plan, const BirthColumns& b, const NewbornFlights<S>& flights,
-                        std::size_t count) {
+void BirthBatches::tell(const BirthPlan& plan, const BirthColumns& b, const FlownParts<S>& flights, std::size_t count) {
   w_.state.events.add_each<S>(count, [&](std::size_t i) {
     const std::size_t lane = b.next + i;
     const auto vector = [lane](const auto& of) { return Vec3<S>{of[0][lane], of[1][lane], of[2][lane]}; };

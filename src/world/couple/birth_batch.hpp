@@ -34,10 +34,10 @@ class BirthBatches {
   std::size_t take_places(const BirthPlan& plan, std::size_t most);
   void come_alive(const BirthPlan& plan, const BirthColumns& births, std::size_t count);
   template <class S>
-  void put_rows(const BirthPlan& plan, const BirthColumns& births, const NewbornFlights<S>& flights, std::size_t count);
+  void put_rows(const BirthPlan& plan, const BirthColumns& births, const FlownParts<S>& flights, std::size_t count);
   void join(const BirthPlan& plan, const BirthColumns& births, Particle like, std::size_t count);
   template <class S>
-  void tell(const BirthPlan& plan, const BirthColumns& births, const NewbornFlights<S>& flights, std::size_t count);
+  void tell(const BirthPlan& plan, const BirthColumns& births, const FlownParts<S>& flights, std::size_t count);
 
   WorldImpl& w_;
   const SettleContext& context_;

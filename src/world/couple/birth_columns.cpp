@@ -93,7 +93,7 @@ Starts placed(const BirthColumns& b, const NewbornPack& pack, std::size_t first)
 
 /// Puts them into the numbers of their rows; bits of those that are finite there, and move.
 template <class S>
-std::uint32_t put(const Starts& starts, std::size_t first, NewbornFlights<S>& flights) {
+std::uint32_t put(const Starts& starts, std::size_t first, FlownParts<S>& flights) {
   std::array<S, NewbornPack::kLanes> nothing{};  // differences of what is finite
   NewbornPack::Column square{};
   for (std::size_t axis = 0; axis < 3; ++axis)
@@ -110,7 +110,7 @@ std::uint32_t put(const Starts& starts, std::size_t first, NewbornFlights<S>& fl
 
 /// What their emitter does to them where they start.
 template <class S>
-void put_pushes(const FlightLaw& law, const BirthColumns& b, const SettleContext& context, NewbornFlights<S>& flights) {
+void put_pushes(const FlightLaw& law, const BirthColumns& b, const SettleContext& context, FlownParts<S>& flights) {
   static_assert(FlightLaw::kPack == BirthColumns::kLanes);
   PHYSIM_ASSERT(b.count > 0 && b.count <= BirthColumns::kLanes);
   FlightPack<FlightLaw::kPack> pack;
@@ -135,8 +135,16 @@ void put_pushes(const FlightLaw& law, const BirthColumns& b, const SettleContext
 }
 
 template <class S>
-void prepare(const BirthPlan& plan, const SettleContext& context, double end, KnownFlights& known, BirthColumns& b,
-             NewbornFlights<S>& flights) {
+void fly(const BirthPlan& plan, const SettleContext& context, PartFlights& known, FlownParts<S>& flights) {
+  BodyNumbers<S> body;
+  for (const std::uint8_t field : context.state->rows[plan.cohort].layout().fields)
+    body[field] = static_cast<S>(numbers(*plan.body)[field]);
+  known.fly(context, plan.cohort, body, flights);
+}
+
+template <class S>
+void prepare(const BirthPlan& plan, const SettleContext& context, double end, PartFlights& known, BirthColumns& b,
+             FlownParts<S>& flights) {
   std::uint32_t plain = 0, flying = 0;
   flights.count = b.count;
   for (std::size_t first = 0; first < b.count; first += NewbornPack::kLanes) {
@@ -158,19 +166,19 @@ void prepare(const BirthPlan& plan, const SettleContext& context, double end, Kn
     if (flies && !(age > 0 && b.dies[lane] > end)) plain &= ~bit;
   }
   if (plan.law) put_pushes(*plan.law, b, context, flights);
-  if (flying != 0) known.fly(context, plan.cohort, *plan.body, flights);
+  if (flying != 0) fly(plan, context, known, flights);
   for (std::size_t i = 0; i < b.count; ++i) {
     if ((flying >> i & 1) != 0) continue;
     for (std::size_t axis = 0; axis < 3; ++axis)
       flights.end_x[axis][i] = flights.x[axis][i], flights.end_v[axis][i] = flights.v[axis][i];
   }
-  b.plain = plain & (flights.known | ~flying);
+  b.plain = plain & (flights.quiet | ~flying);
   if (b.count < BirthColumns::kLanes) b.plain &= (1u << b.count) - 1;
 }
 
 }  // namespace
 
-void prepare_births(const BirthPlan& plan, const SettleContext& context, double end, KnownFlights& known,
+void prepare_births(const BirthPlan& plan, const SettleContext& context, double end, PartFlights& known,
                     BirthColumns& births) {
   PHYSIM_ASSERT(plan.kind != 0 && births.count > 0 && births.count <= BirthColumns::kLanes);
   if (plan.float32)

@@ -8,7 +8,7 @@
 
 #include "world/core/emitters.hpp"
 #include "world/couple/emitter_pose.hpp"
-#include "world/step/known_flight.hpp"
+#include "world/step/part_flights.hpp"
 
 namespace physim {
 
@@ -26,7 +26,7 @@ struct BirthPlan {
 };
 
 struct BirthColumns {
-  static constexpr std::size_t kLanes = NewbornFlights<float>::kLanes;
+  static constexpr std::size_t kLanes = FlownParts<float>::kLanes;
   template <class T>
   using Column = std::array<T, kLanes>;
 
@@ -45,14 +45,14 @@ struct BirthColumns {
   std::uint32_t plain = 0;  // a bit for each that may be added side by side: nothing happens to it
   Column<double> dies;      // [s]
   Column<double> age;       // at the end of the step [s]
-  std::tuple<NewbornFlights<float>, NewbornFlights<double>> flights;  // one of them is in use
+  std::tuple<FlownParts<float>, FlownParts<double>> flights;  // one of them is in use
 
   [[nodiscard]] bool is_over() const { return next >= count; }
   void begin() { count = next = 0, plain = 0; }
 };
 
 /// Draws them, places them, and flies those to the end of the step to whom nothing happens before.
-void prepare_births(const BirthPlan& plan, const SettleContext& context, double end, KnownFlights& known,
+void prepare_births(const BirthPlan& plan, const SettleContext& context, double end, PartFlights& known,
                     BirthColumns& births);
 
 }  // namespace physim

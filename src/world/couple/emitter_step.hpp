@@ -16,7 +16,7 @@
 #include "world/core/step_way.hpp"
 #include "world/couple/birth_columns.hpp"
 #include "world/couple/emitter_pose.hpp"
-#include "world/step/known_flight.hpp"
+#include "world/step/part_flights.hpp"
 #include "world/step/settle.hpp"
 
 namespace physim {
@@ -67,7 +67,7 @@ struct EmitterScratch {
   std::uint32_t births = 0;               // by sub-emitters, in the step at hand
   std::vector<std::uint32_t> own_births;  // of each emitter without a trigger, in the step at hand
   Chunk chunk;
-  KnownFlights known;                                // of the step at hand
+  PartFlights known;                                 // of the step at hand
   std::vector<std::unique_ptr<BirthColumns>> ahead;  // own moments of each emitter, in the step at hand
   BirthColumns together;                             // of one moment
 };

@@ -65,6 +65,7 @@ WorldJob<S> rows_job(const SettleContext& context, std::uint16_t index) {
   const Rows& rows = context.state->rows[index];
   WorldJob<S> job{};
   job.course = &cohort.course<S>();
+  job.static_rung = cohort.static_rung;
   job.columns = rows.columns<S>();
   job.fields = rows.layout().fields.data();
   job.field_masks = rows.field_masks().data();
@@ -87,6 +88,7 @@ namespace {
 struct StepWork {
   SettleContext context;
   WorldKernel kernel;
+  const DrivenRows* driven;
   std::uint32_t* attention;
   std::uint32_t* near;
   const std::size_t* words_before;
@@ -108,6 +110,9 @@ void move_chunk(const StepWork& work, Chunk& chunk) {
   job.last = chunk.last;
   job.attention = work.attention + work.words_before[chunk.cohort];
   job.stream = work.stream;
+  if (work.context.registry->cohort(chunk.cohort).key.forced)
+    job.push = work.driven->pushes<S>(*work.context.registry, *work.context.state, chunk.cohort, chunk.first,
+                                      chunk.last, chunk.pushes);
   // What stands in its row beside place and velocity cannot be put back.
   const RowLayout& layout = work.context.state->rows[chunk.cohort].layout();
   chunk.looks = layout.meeting && !layout.carried && !layout.turning;
@@ -197,13 +202,14 @@ void WorldImpl::expire_old() {
 void WorldImpl::step_free(double dt) {
   scratch.chunk_count = 0;
   scratch.words_before.assign(state.rows.size(), 0);
+  const SettleContext context = settle_context(dt);
   std::size_t words = 0;
   std::size_t moving = 0;
   std::size_t bytes = 0;
   for (std::uint16_t c = 0; c < state.rows.size(); ++c) {
     const CohortKey& key = registry.cohort(c).key;
     scratch.words_before[c] = words;
-    if (key.still || key.forced) continue;
+    if (key.still || !steps_with_free(context, c)) continue;
     const Rows& rows = state.rows[c];
     const std::uint32_t size = rows.size();
     moving += size;
@@ -223,10 +229,15 @@ void WorldImpl::step_free(double dt) {
   }
   if (scratch.attention.size() < words) scratch.attention.resize(words);
   if (scratch.near.size() < words) scratch.near.resize(words);
-  StepWork work{settle_context(dt),          world_kernel(),
-                scratch.attention.data(),    scratch.near.data(),
-                scratch.words_before.data(), scratch.chunks.data(),
-                bytes > kCacheBytes,         state.scene && state.scene->engine()};
+  StepWork work{context,
+                world_kernel(),
+                &forced_scratch.driven,
+                scratch.attention.data(),
+                scratch.near.data(),
+                scratch.words_before.data(),
+                scratch.chunks.data(),
+                bytes > kCacheBytes,
+                state.scene && state.scene->engine()};
   runner(moving).run(scratch.chunk_count, run_chunk, &work);
   if (work.asks_engine) ask_engine(work, std::span(scratch.chunks).first(scratch.chunk_count));
   settle_asked(*this, work.context);

@@ -20,16 +20,6 @@ BlockColumn gathered(const BlockColumn& column, std::span<const std::uint8_t, Dr
 
 }  // namespace
 
-bool DrivenRows::in_packs(const WorldState& state) {
-  return std::ranges::none_of(state.emitters.all(),
-                              [](const Emitter& e) { return e.drives && e.emission->flight().adds_velocity(); });
-}
-
-bool DrivenRows::drag_by_age(const WorldState& state) {
-  return std::ranges::all_of(state.emitters.all(),
-                             [](const Emitter& e) { return !e.drives || e.emission->flight().is_drag_by_age(); });
-}
-
 void DrivenRows::Columns::resize(std::size_t rows) {
   const std::size_t size = (rows + kRowsPerWord - 1) / kRowsPerWord * kRowsPerWord;
   slot.resize(size), emitter.resize(size), number.resize(size), birth.resize(size), span.resize(size, 1);
@@ -53,7 +43,14 @@ void DrivenRows::Columns::look_up(const WorldState& state, std::uint32_t row, st
   number[row] = particle.number, birth[row] = particle.birth, span[row] = particle.span;
 }
 
-void DrivenRows::find(const Registry& registry, WorldState& state) {
+void DrivenRows::find(const Registry& registry, WorldState& state, double time, double dt) {
+  const auto all_drive = [&](const auto& does) {
+    return std::ranges::all_of(state.emitters.all(),
+                               [&](const Emitter& e) { return !e.drives || does(e.emission->flight()); });
+  };
+  time_ = time, dt_ = dt;
+  in_packs_ = all_drive([](const FlightLaw& law) { return !law.adds_velocity(); });
+  drag_by_age_ = all_drive([](const FlightLaw& law) { return law.is_drag_by_age(); });
   cohorts_.resize(state.rows.size());
   for (std::uint16_t c = 0; c < state.rows.size(); ++c) {
     Rows& rows = state.rows[c];
@@ -100,7 +97,7 @@ void DrivenRows::each_law(const WorldState& state, const Columns& rows, std::uin
 }
 
 void DrivenRows::rates(const ParticleKernel& kernel, const WorldState& state, std::uint16_t cohort, std::uint32_t first,
-                       double time, double* rate) const {
+                       double* rate) const {
   constexpr std::size_t kMost = DrivenBlock::kMost;
   const Columns& rows = cohorts_[cohort];
   PHYSIM_ASSERT(first % kMost == 0 && first + kMost <= rows.slot.size());
@@ -109,7 +106,7 @@ void DrivenRows::rates(const ParticleKernel& kernel, const WorldState& state, st
   for (std::size_t i = 0; i < kMost; ++i) others |= emitter[i] ^ emitter[0];
   if (others == 0 && emitter[0] != 0)
     return state.emitters[emitter[0]].emission->flight().drag_rates(kernel, &rows.number[first], &rows.birth[first],
-                                                                    &rows.span[first], time, rate);
+                                                                    &rows.span[first], time_, rate);
   std::fill_n(rate, kMost, 0);
   each_law(state, rows, first, kMost, [&](const FlightLaw& law, const Lanes& lanes, std::size_t count) {
     std::array<std::uint64_t, kMost> number;
@@ -118,14 +115,69 @@ void DrivenRows::rates(const ParticleKernel& kernel, const WorldState& state, st
       const std::size_t row = first + lanes[i];
       number[i] = rows.number[row], birth[i] = rows.birth[row], span[i] = rows.span[row];
     }
-    law.drag_rates(kernel, number.data(), birth.data(), span.data(), time, theirs.data());
+    law.drag_rates(kernel, number.data(), birth.data(), span.data(), time_, theirs.data());
     for (std::size_t i = 0; i < count; ++i) rate[lanes[i]] = theirs[i];
   });
 }
 
-void DrivenRows::push(const Registry& registry, const WorldState& state, double time, DrivenBlock& block) const {
+/// One by one.
+void DrivenRows::push_alone(const Registry& registry, const WorldState& state, Integrator integrator, double time,
+                            DrivenBlock& block) const {
+  for (std::uint32_t i = 0; i < block.count; ++i) {
+    Drive drive(registry, state, cohorts_[block.cohort].slot[block.first + i]);
+    if (!drive) continue;
+    drive.begin_step(integrator, time_, dt_);
+    const auto at = [i](const DrivenBlock::Vectors& of) { return Vec3d{of[0][i], of[1][i], of[2][i]}; };
+    const auto [a, drag_rate] = drive.at(time, {at(block.x), at(block.v)});
+    block.a[0][i] += a.x, block.a[1][i] += a.y, block.a[2][i] += a.z;
+    block.drag_rate[i] += drag_rate;
+  }
+}
+
+template <class S>
+RowPush<S> DrivenRows::pushes(const Registry& registry, const WorldState& state, std::uint16_t cohort,
+                              std::uint32_t first, std::uint32_t last, PushMemory& memory) const {
+  constexpr std::uint32_t kMost = DrivenBlock::kMost;
+  const std::size_t size = (last - first + kMost - 1) / kMost * kMost;
+  if (drag_by_age_) {
+    if (memory.doubles.size() < size) memory.doubles.resize(size);
+    for (std::uint32_t row = first; row < last; row += kMost)
+      rates(particle_kernel(), state, cohort, row, &memory.doubles[row - first]);
+    return {{}, nullptr, memory.doubles.data()};
+  }
+  std::vector<S>& columns = [&]() -> std::vector<S>& {
+    if constexpr (sizeof(S) == 4) return memory.floats;
+    if constexpr (sizeof(S) == 8) return memory.doubles;
+  }();
+  if (columns.size() < 4 * size) columns.resize(4 * size);
+  S* const to[4] = {columns.data(), columns.data() + size, columns.data() + 2 * size, columns.data() + 3 * size};
+  const RowColumns<S>& c = state.rows[cohort].columns<S>();
+  const S* const states[6] = {c.position[0], c.position[1], c.position[2], c.velocity[0], c.velocity[1], c.velocity[2]};
+  const Integrator integrator = registry.cohort(cohort).key.fidelity.integrator;
+  DrivenBlock block{.cohort = cohort};
+  for (std::uint32_t row = first; row < last; row += kMost) {
+    block.first = row, block.count = std::min(kMost, last - row);
+    block.put(states, row);
+    for (auto& axis : block.a) axis.fill(0);
+    block.drag_rate.fill(0);
+    push(registry, state, integrator, time_, block);
+    for (std::uint32_t i = 0; i < kMost; ++i) {
+      for (std::size_t axis = 0; axis < 3; ++axis) to[axis][row - first + i] = static_cast<S>(block.a[axis][i]);
+      to[3][row - first + i] = static_cast<S>(block.drag_rate[i]);
+    }
+  }
+  return {{to[0], to[1], to[2]}, to[3], nullptr};
+}
+template RowPush<float> DrivenRows::pushes(const Registry& registry, const WorldState& state, std::uint16_t cohort,
+                                           std::uint32_t first, std::uint32_t last, PushMemory& memory) const;
+template RowPush<double> DrivenRows::pushes(const Registry& registry, const WorldState& state, std::uint16_t cohort,
+                                            std::uint32_t first, std::uint32_t last, PushMemory& memory) const;
+
+void DrivenRows::push(const Registry& registry, const WorldState& state, Integrator integrator, double time,
+                      DrivenBlock& block) const {
   constexpr std::size_t kMost = DrivenBlock::kMost;
   PHYSIM_ASSERT(block.count > 0 && block.count <= kMost && block.cohort < cohorts_.size());
+  if (!in_packs_) return push_alone(registry, state, integrator, time, block);
   const Columns& rows = cohorts_[block.cohort];
   PHYSIM_ASSERT(block.first + block.count <= rows.slot.size());
   each_law(state, rows, block.first, block.count, [&](const FlightLaw& law, const Lanes& lanes, std::size_t count) {

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "world/step/drive.hpp"
+#include "world/step/world_job.hpp"
 
 namespace physim {
 
@@ -20,23 +21,37 @@ struct DrivenBlock {
   Vectors x, v;
   Vectors a;                            // to which what emitters do is added [m/s^2]
   FlightPack<kMost>::Column drag_rate;  // of the drag in it, is added to [1/s]
+
+  /// Takes the states of its rows out of columns of places and velocities, which are padded to whole blocks.
+  template <class S>
+  void put(const S* const (&columns)[6], std::uint32_t row) {
+    for (std::size_t axis = 0; axis < 3; ++axis)
+      for (std::size_t i = 0; i < kMost; ++i) {
+        x[axis][i] = static_cast<double>(columns[axis][row + i]);
+        v[axis][i] = static_cast<double>(columns[axis + 3][row + i]);
+      }
+  }
+};
+
+/// Memory of the pushes of some rows, used again from step to step.
+struct PushMemory {
+  std::vector<float> floats;
+  std::vector<double> doubles;
 };
 
 class DrivenRows {
  public:
-  /// Before the stages of a step: finds which particles the rows hold now.
-  void find(const Registry& registry, WorldState& state);
+  /// Before the stages of a step of a length: finds which particles the rows hold now.
+  void find(const Registry& registry, WorldState& state, double time, double dt);
   /// The world is as it was at another time: nothing that is known holds.
   void forget() { cohorts_.clear(); }
   /// In a stage at a time of the world.
-  void push(const Registry& registry, const WorldState& state, double time, DrivenBlock& block) const;
-  /// Rates of drag at a time, of DrivenBlock::kMost rows of a cohort, where the flights of all are drag_by_age() [1/s].
-  void rates(const ParticleKernel& kernel, const WorldState& state, std::uint16_t cohort, std::uint32_t first,
-             double time, double* rate) const;
-  /// Whether all of it is done by packs: velocities that are added need the whole step.
-  [[nodiscard]] static bool in_packs(const WorldState& state);
-  /// Whether emitters do nothing to flights but drag with a rate that follows age.
-  [[nodiscard]] static bool drag_by_age(const WorldState& state);
+  void push(const Registry& registry, const WorldState& state, Integrator integrator, double time,
+            DrivenBlock& block) const;
+  /// What rows of a cohort feel where they start, if that is all that they feel in the step.
+  template <class S>
+  [[nodiscard]] RowPush<S> pushes(const Registry& registry, const WorldState& state, std::uint16_t cohort,
+                                  std::uint32_t first, std::uint32_t last, PushMemory& memory) const;
 
  private:
   /// What is known of rows, in columns as long as whole packs.
@@ -60,7 +75,16 @@ class DrivenRows {
   void put_felt(const Registry& registry, const WorldState& state, const FlightLaw& law, const DrivenBlock& block,
                 std::span<const std::uint8_t> lanes, FlightPack<FlightLaw::kPack>& pack) const;
 
+  void push_alone(const Registry& registry, const WorldState& state, Integrator integrator, double time,
+                  DrivenBlock& block) const;
+  /// Rates of drag of DrivenBlock::kMost rows of a cohort, where that by age is all that emitters do [1/s].
+  void rates(const ParticleKernel& kernel, const WorldState& state, std::uint16_t cohort, std::uint32_t first,
+             double* rate) const;
+
   std::vector<Columns> cohorts_;
+  double time_ = 0, dt_ = 0;  // of the step [s]
+  bool in_packs_ = true;      // else velocities are added, which need the whole step
+  bool drag_by_age_ = false;  // emitters do nothing to flights but drag with a rate that follows age
 };
 
 }  // namespace physim

@@ -49,20 +49,8 @@ struct ForcedJob {
   std::size_t stride;  // from column to column
   int stage;
   bool own_force;  // some have a ProjectileDef::force
-  bool at_once;    // steps of rows that are not marked are not needed
-  /// Rates of linear drag, which is all that pushes in the first stage, of the rows from rows.first on [1/s]. Their
-  /// pushes are put into scratch memory where rows are marked. Null: pushes are there.
-  const double* drag_rate;
 
   [[nodiscard]] S* column(unsigned k) const { return memory + k * stride; }
-};
-
-/// What became of rows in a stage.
-struct Advanced {
-  bool attention = false;  // after the last stage: some need a closer look; they are marked
-  /// Those that are not marked stand where they are after the step. Of a word of marks in which there is one, scratch
-  /// memory has the ends of all rows; the slopes of those that are marked.
-  bool moved = false;
 };
 
 }  // namespace physim

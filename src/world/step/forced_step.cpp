@@ -21,15 +21,12 @@ class ForcedStep {
         rows_(scratch.rows),
         field_(*context.registry, *context.state, scratch.rows, scratch.zones),
         kernel_(world_kernel()),
-        particle_kernel_(particle_kernel()),
         has_generators_(!context.state->generators.empty()),
-        drives_(context.state->emitters.drive_any()),
-        drives_packs_(DrivenRows::in_packs(*context.state)),
-        drag_by_age_(drives_ && !has_generators_ && !context.pairs && DrivenRows::drag_by_age(*context.state)) {}
+        drives_(context.state->emitters.drive_any()) {}
 
   std::size_t run() {
     const std::size_t count = list_groups();
-    if (drives_) s_.driven.find(*context_.registry, *context_.state);
+    if (!has_generators_ || drives_) s_.driven.find(*context_.registry, *context_.state, context_.time, context_.dt);
     for (const ForcedGroup& group : s_.groups) step(group);
     part_ = {0, ~0u};
     for (const ForcedRun& r : s_.runs) {
@@ -76,25 +73,23 @@ class ForcedStep {
     std::size_t doubles = 0;
     std::size_t words = 0;
     std::size_t count = 0;
-    std::size_t bytes = 0;
     for (const Integrator integrator : all_rungs<Integrator>()) {
       ForcedGroup group{integrator, s_.runs.size(), 0};
       std::uint32_t first = 0;
       for (std::uint16_t c = 0; c < context_.state->rows.size(); ++c) {
         const std::uint32_t size = context_.state->rows[c].size();
         if (size == 0 || !key(c).forced || key(c).still || key(c).fidelity.integrator != integrator) continue;
+        if (steps_with_free(context_, c)) continue;
         std::size_t& memory = context_.state->rows[c].layout().float32 ? floats : doubles;
-        s_.runs.push_back({c, first, size, memory, words, false, false});
+        s_.runs.push_back({c, first, size, memory, words, false});
         memory += padded(size) * forced_columns(end_slope(integrator), context_.state->rows[c].layout().turning);
         words += padded(size) / kRowsPerWord;
         first += size;
-        bytes += size * context_.state->rows[c].row_bytes();
       }
       group.last_run = s_.runs.size();
       if (first > 0) s_.groups.push_back(group);
       count += first;
     }
-    streams_ = bytes > kCacheBytes;
     if (s_.floats.size() < floats) s_.floats.resize(floats);
     if (s_.doubles.size() < doubles) s_.doubles.resize(doubles);
     if (s_.attention.size() < words) s_.attention.resize(words);
@@ -123,11 +118,12 @@ class ForcedStep {
     for (std::uint32_t first = 0, most = longest(group); first < most; first += part_rows()) {
       part_ = {first, std::min(most - first, part_rows())};
       for (int stage = 0; stage < end_slope(group.integrator); ++stage) {
-        if (!is_drag(group.integrator)) push(group, stage, stage_place(group.integrator, stage));
+        push(group, stage, stage_place(group.integrator, stage));
         for (ForcedRun& r : runs(group)) {
           if (part_of(r).count == 0) continue;
-          if (is_drag(group.integrator)) find_rates(r);
-          in_precision(r, [&]<class S>(S) { advance<S>(r, stage, is_drag(group.integrator)); });
+          in_precision(r, [&]<class S>(S) {
+            if (advance_with(kernel_, job<S>(r, stage))) r.attention = true;
+          });
           attention = attention || r.attention;
         }
       }
@@ -138,25 +134,6 @@ class ForcedStep {
     part_ = {0, longest(group)};
     if ((attention || context_.pairs) && group.integrator != Integrator::classic)
       push(group, end_slope(group.integrator), 1);
-  }
-  template <class S>
-  void advance(ForcedRun& r, int stage, bool is_drag) {
-    ForcedJob<S> j = job<S>(r, stage);
-    if (is_drag) j.drag_rate = s_.drag_rates.data();
-    const Advanced done = advance_with(kernel_, j);
-    r.attention = r.attention || done.attention;
-    r.moved = done.moved;
-  }
-  /// Whether all that pushes is drag by age, and is asked for once in a step.
-  [[nodiscard]] bool is_drag(Integrator integrator) const {
-    return drag_by_age_ && end_slope(integrator) == 1 && integrator != Integrator::classic;
-  }
-  void find_rates(const ForcedRun& r) {
-    const Part part = part_of(r);
-    s_.drag_rates.resize(padded(part.count));
-    for (std::uint32_t row = 0; row < part.count; row += DrivenBlock::kMost)
-      s_.driven.rates(particle_kernel_, *context_.state, r.cohort, part.first + row, context_.time,
-                      &s_.drag_rates[row]);
   }
   /// Rows of each cohort that go through the stages together.
   struct Part {
@@ -199,13 +176,6 @@ class ForcedStep {
       return {{double(at[0][row]), double(at[1][row]), double(at[2][row])},
               {double(at[3][row]), double(at[4][row]), double(at[5][row])}};
     }
-    void put(std::uint32_t row, DrivenBlock& block) const {
-      for (std::size_t axis = 0; axis < 3; ++axis)
-        for (std::size_t i = 0; i < DrivenBlock::kMost; ++i) {  // columns are that long
-          block.x[axis][i] = static_cast<double>(at[axis][row + i]);
-          block.v[axis][i] = static_cast<double>(at[axis + 3][row + i]);
-        }
-    }
   };
 
   template <class S>
@@ -239,11 +209,9 @@ class ForcedStep {
       const bool is_seen = stage < end_slope(integrator) || has_generators_ || context_.pairs || is_any_marked(r, row);
       if (!is_seen) continue;  // slopes at the end are for those that are settled
       put_generators(r, block);
-      if (drives_ && drives_packs_) {
-        states.put(row, block);
-        s_.driven.push(*context_.registry, *context_.state, time, block);
-      } else if (drives_) {
-        drive_alone(r, states, integrator, time, block);
+      if (drives_) {
+        block.put(states.at, row);
+        s_.driven.push(*context_.registry, *context_.state, integrator, time, block);
       }
       for (std::size_t axis = 0; axis < 3; ++axis)
         for (std::uint32_t i = 0; i < kBlock; ++i) to[axis][row + i] = static_cast<S>(block.a[axis][i]);
@@ -262,30 +230,13 @@ class ForcedStep {
       block.drag_rate[i] = rows_.drag_rate[at] * per_mass;
     }
   }
-  /// What emitters do, row by row.
-  template <class S>
-  void drive_alone(const ForcedRun& r, const StageStates<S>& states, Integrator integrator, double time,
-                   DrivenBlock& block) const {
-    for (std::uint32_t i = 0; i < block.count; ++i) {
-      const std::uint32_t row = block.first + i;
-      Drive drive(*context_.registry, *context_.state, rows_of(r).slot(row));
-      if (!drive) continue;
-      drive.begin_step(integrator, context_.time, context_.dt);
-      const auto [a, drag_rate] = drive.at(time, states[row]);
-      block.a[0][i] += a.x, block.a[1][i] += a.y, block.a[2][i] += a.z;
-      block.drag_rate[i] += drag_rate;
-    }
-  }
-
   template <class S>
   ForcedJob<S> job(const ForcedRun& r, int stage) {
-    ForcedJob<S> j{
-        rows_job<S>(context_, r.cohort),    s_.template memory<S>().data() + r.memory, padded(r.count), stage,
-        key(r.cohort).features.has_applied, !has_generators_ && !context_.pairs,       nullptr};
+    ForcedJob<S> j{rows_job<S>(context_, r.cohort), s_.template memory<S>().data() + r.memory, padded(r.count), stage,
+                   key(r.cohort).features.has_applied};
     j.rows.first = part_of(r).first;
     j.rows.last = j.rows.first + part_of(r).count;
     j.rows.attention = s_.attention.data() + r.words;
-    j.rows.stream = streams_;
     return j;
   }
 
@@ -304,7 +255,6 @@ class ForcedStep {
   }
   template <class S>
   void keep_ends(const ForcedRun& r) {
-    if (r.moved) return;
     const auto [first_row, count] = part_of(r);
     const std::uint32_t end = first_row + count;
     const ForcedJob<S> j = job<S>(r, 0);
@@ -349,7 +299,7 @@ class ForcedStep {
     const auto read = [&](unsigned first, auto& into) {
       for (unsigned i = 0; i < sizeof(into) / sizeof(S); ++i) numbers(into)[i] = j.column(first + i)[row];
     };
-    TakenStep<S> taken{};
+    TakenStep<S> taken{.is_stepped = true};
     taken.own_force = j.own_force;
     Step<S>& s = taken.step;
     const auto read_part = [&](auto& part) {
@@ -380,16 +330,19 @@ class ForcedStep {
   ForceRows& rows_;
   ForceField field_;
   WorldKernel kernel_;
-  const ParticleKernel& particle_kernel_;
   bool has_generators_;
-  bool drives_;           // some emitter acts on the flight of its particles
-  bool drives_packs_;     // all that do can be asked pack by pack
-  bool drag_by_age_;      // all that pushes is such drag
-  bool streams_ = false;  // rows do not fit into caches
-  Part part_;             // that is under way
+  bool drives_;  // some emitter acts on the flight of its particles
+  Part part_;    // that is under way
 };
 
 }  // namespace
+
+bool steps_with_free(const SettleContext& context, std::uint16_t index) {
+  const WorldCohort& cohort = context.registry->cohort(index);
+  if (!cohort.key.forced) return true;
+  const bool alone = context.state->generators.empty() && !context.pairs;
+  return alone && cohort.steps_plainly() && !flies_in_parts(*context.def, context.dt);
+}
 
 std::size_t step_forced_rows(const SettleContext& context, ForcedScratch& scratch) {
   scratch.chunk.events.clear();
@@ -400,6 +353,7 @@ std::size_t step_forced_rows(const SettleContext& context, ForcedScratch& scratc
 
 void with_taken_step(const SettleContext& context, ForcedScratch& scratch, std::uint16_t cohort, std::uint32_t row,
                      const std::function<void(const SettleContext&)>& f) {
+  if (steps_with_free(context, cohort)) return f(context);
   ForcedStep(context, scratch).with_taken(cohort, row, f);
 }
 

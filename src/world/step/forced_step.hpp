@@ -18,7 +18,6 @@ struct ForcedRun {
   std::size_t memory;   // where its columns begin
   std::size_t words;    // where its marks begin
   bool attention;       // some rows need a closer look
-  bool moved;           // the others stand where they are after the step
 };
 
 /// Rows of one integrator.
@@ -35,7 +34,6 @@ struct ForcedScratch {
   ForceRows rows;  // of the group at hand
   std::vector<float> floats;
   std::vector<double> doubles;
-  std::vector<double> drag_rates;  // of the rows of a run that are under way
   std::vector<std::uint32_t> attention;
   ZoneDrag zones;
   DrivenRows driven;
@@ -49,8 +47,12 @@ struct ForcedScratch {
   }
 };
 
-/// Steps all forced rows that move; returns how many. Where they are then stands as their next position: nothing that
-/// other rows see is changed.
+/// True if nothing pushes the rows of a cohort in the stages of a step, or emitters alone in its only stage: each steps
+/// by itself then, as free rows do.
+[[nodiscard]] bool steps_with_free(const SettleContext& context, std::uint16_t cohort);
+
+/// Steps all other forced rows that move; returns how many. Where they are then stands as their next position: nothing
+/// that other rows see is changed.
 std::size_t step_forced_rows(const SettleContext& context, ForcedScratch& scratch);
 
 /// Calls f with what settles a row of a cohort in the step just taken, which is as it was before it.

@@ -8,8 +8,8 @@
 namespace physim {
 
 PHYSIM_KERNEL_COPIES(bool step_rows(const WorldJob<float>& job); bool step_rows(const WorldJob<double>& job);
-                     Advanced advance_forced(const ForcedJob<float>& job);
-                     Advanced advance_forced(const ForcedJob<double>& job); void strike_rows(StrikeJob<float>& job);
+                     bool advance_forced(const ForcedJob<float>& job);
+                     bool advance_forced(const ForcedJob<double>& job); void strike_rows(StrikeJob<float>& job);
                      void strike_rows(StrikeJob<double>& job);)
 
 #define PHYSIM_WORLD_KERNEL(isa)                                                                                 \

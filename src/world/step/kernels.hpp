@@ -9,8 +9,8 @@ namespace physim {
 struct WorldKernel {
   bool (*step_float)(const WorldJob<float>& job);
   bool (*step_double)(const WorldJob<double>& job);
-  Advanced (*advance_float)(const ForcedJob<float>& job);
-  Advanced (*advance_double)(const ForcedJob<double>& job);
+  bool (*advance_float)(const ForcedJob<float>& job);
+  bool (*advance_double)(const ForcedJob<double>& job);
   void (*strike_float)(StrikeJob<float>& job);
   void (*strike_double)(StrikeJob<double>& job);
 };
@@ -19,12 +19,8 @@ struct WorldKernel {
 
 inline bool step_rows_with(const WorldKernel& kernel, const WorldJob<float>& job) { return kernel.step_float(job); }
 inline bool step_rows_with(const WorldKernel& kernel, const WorldJob<double>& job) { return kernel.step_double(job); }
-inline Advanced advance_with(const WorldKernel& kernel, const ForcedJob<float>& job) {
-  return kernel.advance_float(job);
-}
-inline Advanced advance_with(const WorldKernel& kernel, const ForcedJob<double>& job) {
-  return kernel.advance_double(job);
-}
+inline bool advance_with(const WorldKernel& kernel, const ForcedJob<float>& job) { return kernel.advance_float(job); }
+inline bool advance_with(const WorldKernel& kernel, const ForcedJob<double>& job) { return kernel.advance_double(job); }
 /// Rows that may have struck the ground.
 inline void strike_rows_with(const WorldKernel& kernel, StrikeJob<float>& job) { kernel.strike_float(job); }
 inline void strike_rows_with(const WorldKernel& kernel, StrikeJob<double>& job) { kernel.strike_double(job); }

@@ -33,7 +33,7 @@ class Settling {
     if (!r_.is_sound()) return r_.retire(Reason::non_finite);
     if (ground_.is_met_at_start(r_.at_start()))
       touch_ground(r_.at_start(), 0);
-    else if (!stays(0) && r_.taken())
+    else if (!stays(0) && r_.is_stepped())
       look_at_taken();
     finish();
     if (!is_always_looked_at()) r_.forget_traces();

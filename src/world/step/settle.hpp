@@ -7,6 +7,7 @@
 
 #include "flight/step_parts.hpp"
 #include "world/core/state.hpp"
+#include "world/step/driven_rows.hpp"
 #include "world/step/hit_asking.hpp"
 #include "world/step/restless.hpp"
 #include "world/step/world_job.hpp"
@@ -57,8 +58,9 @@ struct Chunk {
   StepList<Event> events;
   StepList<Told<double>> strikes;  // of rows that only struck the ground; where emitters watch, these are events
   StepList<Change> changes;
-  StepList<Trace> traces;     // of those that meet others, each in order of time
-  std::uint64_t flown = 0;    // steps of single rows: one that bounces takes several in a step of the world
+  StepList<Trace> traces;   // of those that meet others, each in order of time
+  std::uint64_t flown = 0;  // steps of single rows: one that bounces takes several in a step of the world
+  PushMemory pushes;
   std::vector<OpenHit> open;  // of rows that are left as they were until it is known what their hits do
 };
 
@@ -83,7 +85,7 @@ struct SettleContext {
   double now;                          // number of the step, as rows count
   double time;                         // at the start of the step [s]
   const Scene* scene;                  // null: none
-  const void* taken = nullptr;         // forced rows: the TakenStep of their number type
+  const void* taken = nullptr;         // forced rows: the TakenStep of their number type; null: no generator pushes
   bool pairs = false;                  // some projectiles meet others
   HitAsking* asking = nullptr;         // knows what hits do that ask
   const Restless* restless = nullptr;  // null: nothing is
@@ -93,11 +95,12 @@ struct SettleContext {
 /// bounce) feels the generators as they were there, held; the effect of an emitter on its particles is taken then.
 template <class S>
 struct TakenStep {
-  Step<S> step;         // start, end, and the slopes but that at the end
-  Pushed<S> push[2];    // by generators at its start and end
-  bool own_force;       // some row of the cohort has a ProjectileDef::force
-  bool driven = false;  // `push` has what an emitter does to a particle, too
-  bool pushed = true;   // there are generators
+  bool is_stepped = false;  // else `step` is not there: the row steps by itself, and the rest holds
+  Step<S> step;             // start, end, and the slopes but that at the end
+  Pushed<S> push[2];        // by generators at its start and end
+  bool own_force;           // some row of the cohort has a ProjectileDef::force
+  bool driven = false;      // `push` has what an emitter does to a particle, too
+  bool pushed = true;       // there are generators
 };
 
 /// The rows of a cohort as a kernel wants them; which of them, and where they are marked, is left open.

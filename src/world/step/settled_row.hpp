@@ -30,7 +30,7 @@ class SettledRow final : public ContactHost {
         columns_(rows_.columns<S>()),
         row_(row),
         slot_index_(rows_.slot(row)),
-        taken_(static_cast<const TakenStep<S>*>(context.taken)),
+        taken_(taken_of(context, cohort_)),
         is_traced_(context.pairs && collision().others != 0),
         told_{chunk.events.size(), chunk.changes.size(), chunk.traces.size()},
         march(cohort_.course<S>()) {
@@ -63,6 +63,7 @@ class SettledRow final : public ContactHost {
   [[nodiscard]] const WorldCohort& cohort() const { return cohort_; }
   [[nodiscard]] const Conditions<double>& conditions() const { return cohort_.conditions; }
   [[nodiscard]] const TakenStep<S>* taken() const { return taken_; }
+  [[nodiscard]] bool is_stepped() const { return taken_ && taken_->is_stepped; }
   [[nodiscard]] bool turning() const { return rows_.layout().turning; }
   [[nodiscard]] bool is_clocked() const { return rows_.layout().clocked; }
   [[nodiscard]] S t_start() const { return t_start_; }
@@ -166,7 +167,7 @@ class SettledRow final : public ContactHost {
     Step<S>& s = march.lanes.step;
     s.h = h;
     s.t_end = limit;
-    const double length = static_cast<double>(h);
+    const double length = h == static_cast<S>(context_.dt) ? context_.dt : static_cast<double>(h);  // as packs take it
     driven_->by.begin_step(integrator, context_.time + passed, length);
     if (is_classic(c.fidelity)) s.slope[0].x = s.start.v;
     for (int stage = 0; stage < end_slope(integrator); ++stage) {
@@ -337,6 +338,11 @@ class SettledRow final : public ContactHost {
   }
 
  private:
+  static const TakenStep<S>* taken_of(const SettleContext& context, const WorldCohort& cohort) {
+    static const TakenStep<S> kNothingHeld{};
+    if (context.taken) return static_cast<const TakenStep<S>*>(context.taken);
+    return cohort.key.forced ? &kNothingHeld : nullptr;
+  }
   [[nodiscard]] const Kind& kind() const { return context_.registry->kind(slot().kind); }
   void read() {
     Lanes<S>& lane = march.lanes;  // a March begins with an empty body

@@ -3,7 +3,6 @@
 
 #include "base/assert.hpp"
 #include "solve/judge.hpp"
-#include "world/step/known_rungs.hpp"
 #include "world/step/world_job.hpp"
 
 PHYSIM_ISA_BEGIN
@@ -36,6 +35,21 @@ PHYSIM_INLINE void put_positions(const WorldJob<S>& job, const Vec3<R>& x, std::
 template <class R, class S>
 PHYSIM_INLINE State<R> load_state(const WorldJob<S>& job, std::uint32_t row) {
   return {load_vector<R>(job.columns.position, row), load_vector<R>(job.columns.velocity, row)};
+}
+
+/// Lanes that hold rows, as bits.
+template <class R>
+PHYSIM_INLINE unsigned filled_lanes(std::uint32_t rows) {
+  return rows >= unsigned(kLanes<R>) ? ~0u : (1u << rows) - 1;
+}
+
+/// The velocity of a pack of rows of which the horizontal part stays as it stands.
+template <class R, class S>
+PHYSIM_INLINE void put_vertical(const WorldJob<S>& job, const Vec3<R>& v, std::uint32_t row) {
+  PHYSIM_ASSERT(
+      (lane_bits((load<R>(job.columns.velocity[0], row) != v.x) | (load<R>(job.columns.velocity[2], row) != v.z)) &
+       filled_lanes<R>(job.last - row)) == 0);
+  v.y.store(job.columns.velocity[1] + row);
 }
 
 /// 0, 1, 2, ...
@@ -171,7 +185,7 @@ PHYSIM_INLINE auto noteworthy(const WorldJob<S>& job, const Conditions<S>& c, co
   MaskOf<R> found = plainly_noteworthy(w, c, m);
   if (has_stops(c)) found = found | stop_here<R>(job, c, row);
   if (w.simple) return found;
-  if (w.watched) crosses_watched(job, c, State<R>(m.start), State<R>(m.end), found);
+  if (w.watched) crosses_watched(job, *job.course->conditions, State<R>(m.start), State<R>(m.end), found);
   return found | further_noteworthy(job, c, m, row);
 }
 
@@ -187,15 +201,15 @@ PHYSIM_INLINE void load_body(const WorldJob<S>& job, std::uint32_t row, Body<R>&
   for (unsigned i = 0; i < job.field_count; ++i) number[job.fields[i]] = load_field<R>(job, job.fields[i], row);
 }
 
-/// A part of their bodies, unrolled so that it stays in registers.
-template <template <class> class Part, class R, class S>
-PHYSIM_INLINE void load_part(const WorldJob<S>& job, std::uint32_t row, Body<R>& b) {
+/// A part of a body, each number given by `read`; unrolled so that it stays in registers.
+template <template <class> class Part, class R, class Read>
+PHYSIM_INLINE void read_part(const Read& read, Body<R>& b) {
   constexpr unsigned kFirst = BodyParts::first(BodyParts::index<Part>());
   R* number = numbers(static_cast<Part<R>&>(b));
-  const auto load_each = [&]<unsigned... I>(std::integer_sequence<unsigned, I...>) PHYSIM_INLINE_LAMBDA {
-    ((number[I] = load_field<R>(job, kFirst + I, row)), ...);
+  const auto read_each = [&]<unsigned... I>(std::integer_sequence<unsigned, I...>) PHYSIM_INLINE_LAMBDA {
+    ((number[I] = read(kFirst + I)), ...);
   };
-  load_each(std::make_integer_sequence<unsigned, kNumbers<Part>>());
+  read_each(std::make_integer_sequence<unsigned, kNumbers<Part>>());
 }
 
 /// A structure of a pack of rows, from its columns or into them.
@@ -209,6 +223,27 @@ PHYSIM_INLINE void store_numbers(const Struct<R>& from, S* const (&columns)[N], 
   static_assert(N == kNumbers<Struct>);
   for (std::size_t i = 0; i < N; ++i) numbers(from)[i].store(columns[i] + row);
 }
+/// Lets a pack of bodies feel what emitters do to it for the whole step, whatever its clock shows; the rate of the drag
+/// in that is returned.
+template <class R, class S>
+PHYSIM_INLINE R load_push(const WorldJob<S>& job, std::uint32_t row, Body<R>& b) {
+  const RowPush<S>& push = job.push;
+  const std::uint32_t i = row - job.first;
+  R rate;
+  if (push.drag == nullptr) {
+    b.applied = {R::load(push.a[0] + i), R::load(push.a[1] + i), R::load(push.a[2] + i)};
+    rate = R::load(push.drag_rate + i);
+  } else {
+    using W = Cast<double, R>;
+    const W wide = W::load(push.drag + i);
+    for (int axis = 0; axis < 3; ++axis)
+      b.applied[axis] = cast<S>(W(0.0) - cast<double>(load<R>(job.columns.velocity[axis], row)) * wide);
+    rate = cast<S>(wide);
+  }
+  b.applied_until = constant<R>(std::numeric_limits<double>::infinity());
+  return rate;
+}
+
 /// What a rung that turns reads beside the body: the rotor, and the Turn at the start of the step.
 template <class R, class S>
 PHYSIM_INLINE void load_turn(const WorldJob<S>& job, std::uint32_t row, Flyer<R>& flyer) {
@@ -245,12 +280,6 @@ PHYSIM_NOINLINE void fill_lanes(std::uint32_t rows, R* numbers, unsigned count) 
   for (unsigned i = 0; i < count; ++i)
     for (int lane = static_cast<int>(rows); lane < kLanes<R>; ++lane)
       set_lane(numbers[i], lane, lane_of(numbers[i], 0));
-}
-
-/// Lanes that hold rows, as bits.
-template <class R>
-PHYSIM_INLINE unsigned filled_lanes(std::uint32_t rows) {
-  return rows >= unsigned(kLanes<R>) ? ~0u : (1u << rows) - 1;
 }
 
 /// Marks the rows of a pack.
@@ -297,17 +326,21 @@ PHYSIM_INLINE bool step_packs(const WorldJob<S>& given, const Frame& frame) {
   for (std::uint32_t row = job.first; row < job.last; row += kN) {
     Moved<R> m = frame(row);
     MaskOf<R> left = m.lost | frame.noteworthy(m, row);
-    if (job.columns.clear != nullptr) look_for_near(given, job, m, row, left);
+    if (Frame::kMeets && job.columns.clear != nullptr) look_for_near(given, job, m, row, left);
     const unsigned bits = lane_bits(left) & filled_lanes<R>(job.last - row);
     mark(job.attention, row, bits);
     if (bits != 0) {
       attention = true;
+      if (!Frame::kReadsStart) m.start = load_state<R>(job, row);
       m.end = select(left, m.start, m.end);
       if (Frame::kCarries && job.columns.carried[0])
         m.carried = select(left, load_vector<R>(job.columns.carried, row), m.carried);
     }
     put_positions(job, m.end.x, row);
-    store_vector(m.end.v, job.columns.velocity, row);
+    if constexpr (Frame::kKeepsHorizontal)
+      put_vertical(job, m.end.v, row);
+    else
+      store_vector(m.end.v, job.columns.velocity, row);
     if (Frame::kCarries && job.columns.carried[0]) store_vector(m.carried, job.columns.carried, row);
     frame.finish(row, left);
   }
@@ -319,6 +352,9 @@ PHYSIM_INLINE bool step_packs(const WorldJob<S>& given, const Frame& frame) {
 template <class R, class S>
 struct AnyRung {
   static constexpr bool kCarries = true;
+  static constexpr bool kMeets = true;
+  static constexpr bool kReadsStart = true;
+  static constexpr bool kKeepsHorizontal = false;
   const WorldJob<S>& job;
   March<R>& march;
   R lane_number;
@@ -329,6 +365,7 @@ struct AnyRung {
     load_body(job, row, l.body);
     load_clock(job, row, l.step);
     if (turning) load_turn(job, row, l);
+    if (job.push.is_there()) l.drag_rate = load_push(job, row, l.body);
     const State<R> start = load_state<R>(job, row);
     l.step.start = start;
     if (classic) l.step.slope[0].v = load_vector<R>(job.columns.carried, row);
@@ -364,171 +401,113 @@ bool step_any(const WorldJob<S>& job) {
                                           job.columns.turn[0] != nullptr});
 }
 
-/// Semi-implicit Euler with effects that are known at compile time, so that the models, the same functions, fold to a
-/// few instructions and packs stay in registers.
-template <DragModel drag, WindModel wind = WindModel::off, AirModel air = AirModel::vacuum>
-struct KnownRung {
-  static constexpr DragModel kDrag = drag;
-  static constexpr bool kCurve = drag == DragModel::equation;  // else the air is not read
+/// A step of a static rung. `c` has to be known() conditions, made right before: compilers forget what they know of
+/// others.
+template <int kRung>
+struct StaticRung {
+  static constexpr StaticRungSpec kSpec = kStaticRungs[kRung];
+  static constexpr DragModel kDrag = kSpec.drag;
+  static constexpr bool kFalls = kSpec.motion == Motion::closed_form;
+  static constexpr bool kCurve = kDrag == DragModel::equation;  // else the air is not read
 
-  template <class S>
-  static constexpr bool matches(const Conditions<S>& c, const Features& features = {}) {
-    const Fidelity& f = c.fidelity;
-    return f.motion != Motion::closed_form && f.integrator == Integrator::semi_implicit_euler &&
-           f.gravity == GravityModel::constant && f.earth == EarthModel::flat && f.drag == drag && f.wind == wind &&
-           (!kCurve || f.air == air) && !f.planar && f.rotation == RotationModel::none &&
-           static_cast<const Features&>(c) == features;
-  }
   /// The conditions that this rung reads.
   template <class S>
   PHYSIM_INLINE static Conditions<S> known(const Conditions<S>& c) {
     Conditions<S> k;
-    k.fidelity.motion = Motion::force;
+    k.fidelity.motion = kSpec.motion;
     k.fidelity.integrator = Integrator::semi_implicit_euler;
     k.fidelity.gravity = GravityModel::constant;
     k.fidelity.earth = EarthModel::flat;
-    k.fidelity.drag = drag;
-    k.fidelity.wind = wind;
-    k.fidelity.air = air;
+    k.fidelity.drag = kDrag;
+    k.fidelity.wind = kSpec.wind;
+    k.fidelity.air = kSpec.air;
     k.fidelity.planar = false;
     k.fidelity.rotation = RotationModel::none;
     k.gravity = c.gravity;
     k.wind.points = 0;
     k.wind.velocity = c.wind.velocity;
     if (kCurve) k.altitude = c.altitude, k.air = c.air, k.curve_rows = c.curve_rows;
+    if (!kFalls) k.has_applied = c.has_applied;  // by emitters, for the whole step
     return k;
   }
-  /// The numbers of a body that this rung reads.
-  template <class R, class S>
-  PHYSIM_INLINE static Body<R> load_body(const WorldJob<S>& job, std::uint32_t row) {
+  /// The numbers of a body that this rung reads, each given by `read`.
+  template <class R, class S, class Read>
+  PHYSIM_INLINE static Body<R> read_body(const Conditions<S>&, const Read& read) {
     Body<R> b;
-    if constexpr (drag == DragModel::damping) load_part<DampingPart>(job, row, b);
-    if constexpr (drag == DragModel::linear_quadratic) load_part<QuadraticPart>(job, row, b);
-    if constexpr (kCurve) load_part<AreaPart>(job, row, b), load_part<CurvePart>(job, row, b);
+    if constexpr (kFalls) read_part<LaunchPart>(read, b);
+    if constexpr (kDrag == DragModel::damping) read_part<DampingPart>(read, b);
+    if constexpr (kDrag == DragModel::linear_quadratic) read_part<QuadraticPart>(read, b);
+    if constexpr (kCurve) read_part<AreaPart>(read, b), read_part<CurvePart>(read, b);
     return b;
   }
-
   template <class R, class S>
+  PHYSIM_INLINE static Body<R> load_body(const WorldJob<S>& job, std::uint32_t row) {
+    return read_body<R>(*job.course->conditions,
+                        [&](unsigned number) PHYSIM_INLINE_LAMBDA { return load_field<R>(job, number, row); });
+  }
+  /// Where a step of length h ends; of a fall, where it is at a time h behind its launch. `rate` is that of the drag in
+  /// what pushes the body.
+  template <class R, class S>
+  PHYSIM_INLINE static State<R> end(const Conditions<S>& c, const Body<R>& b, const State<R>& start, const R& h,
+                                    const R& rate) {
+    if constexpr (kFalls)
+      return closed_form_of_free(c, b, h);
+    else
+      return semi_implicit_end(start, acceleration_over(c, b, R(S(0)), start, {h, rate}), h);
+  }
+
+  /// The rows of a job. Of most jobs no row is pushed, comes near a thing, or may do anything but fall down: kPlain.
+  template <class R, class S, bool kPlain>
   struct Frame {
     static constexpr bool kCarries = false;
-    const WorldJob<S> job;  // a copy, as in step_packs()
+    static constexpr bool kMeets = !kPlain;
+    static constexpr bool kReadsStart = !(kFalls && kPlain);  // of where rows are a fall reads what stays behind
+    static constexpr bool kKeepsHorizontal = kFalls;          // its velocity
+    const WorldJob<S> job;                                    // a copy, as in step_packs()
     const Conditions<S>& given;
 
-    PHYSIM_INLINE Moved<R> operator()(std::uint32_t row) const {
-      const Body<R> b = load_body<R>(job, row);
-      const R h(job.h);
-      Moved<R> m;
-      m.start = load_state<R>(job, row);
-      // Made again wherever it is read and just before, or compilers forget what is known.
-      const Conditions<S> c = known(given);
-      m.end = semi_implicit_end(m.start, acceleration_over(c, b, R(S(0)), m.start, {h, R(S(0))}), h);
-      m.lost = h != h;
-      return m;
+    PHYSIM_INLINE Conditions<S> conditions() const {
+      Conditions<S> c = known(given);
+      if (kPlain) c.has_applied = false;
+      return c;
     }
-    PHYSIM_INLINE MaskOf<R> noteworthy(const Moved<R>& m, std::uint32_t) const {
-      return plainly_noteworthy(job.watchdog, known(given), m);
-    }
-    PHYSIM_INLINE void finish(std::uint32_t, const MaskOf<R>&) const {}
-  };
-  template <class R, class S>
-  static bool step(const WorldJob<S>& given) {
-    PHYSIM_ASSERT(given.watchdog.simple);
-    return step_packs<R>(given, Frame<R, S>{given, *given.course->conditions});
-  }
-};
-
-/// A fall in a vacuum: the closed form that costs less than a step. Of where rows are it reads what stays behind.
-struct KnownFall {
-  template <class S>
-  static constexpr bool matches(const Conditions<S>& c) {
-    const Fidelity& f = c.fidelity;
-    return f.motion == Motion::closed_form && f.gravity == GravityModel::constant && f.earth == EarthModel::flat &&
-           f.drag == DragModel::off && static_cast<const Features&>(c) == Features{};
-  }
-  template <class S>
-  PHYSIM_INLINE static Conditions<S> known(const Conditions<S>& c) {
-    Conditions<S> k;
-    k.fidelity.motion = Motion::closed_form;
-    k.fidelity.gravity = GravityModel::constant;
-    k.fidelity.earth = EarthModel::flat;
-    k.fidelity.drag = DragModel::off;
-    k.fidelity.rotation = RotationModel::none;
-    k.gravity = c.gravity;
-    return k;
-  }
-
-  template <class R, class S>
-  struct Frame {
-    static constexpr bool kCarries = false;
-    const WorldJob<S> job;  // a copy, as in step_packs()
-    const Conditions<S>& given;
-
     PHYSIM_INLINE Moved<R> operator()(std::uint32_t row) const {
-      Body<R> b;
-      load_part<LaunchPart>(job, row, b);
+      Body<R> b = load_body<R>(job, row);
+      R rate(S(0));
+      if (!kPlain && !kFalls && job.push.is_there()) rate = load_push(job, row, b);
       Moved<R> m;
-      m.start = load_state<R>(job, row);
-      const Conditions<S> c = known(given);
-      m.end = closed_form_of_free(c, b, end_on_clock<R>(job, row));
+      if (kReadsStart) m.start = load_state<R>(job, row);
+      R h(job.h);
+      if constexpr (kFalls) h = end_on_clock<R>(job, row);
+      m.end = end(conditions(), b, m.start, h, rate);
       m.lost = R(S(0)) != R(S(0));
       return m;
     }
     PHYSIM_INLINE MaskOf<R> noteworthy(const Moved<R>& m, std::uint32_t row) const {
-      return physim::noteworthy(job, known(given), m, row);
+      if constexpr (kPlain) return plainly_noteworthy(job.watchdog, conditions(), m);
+      return physim::noteworthy(job, conditions(), m, row);
     }
     PHYSIM_INLINE void finish(std::uint32_t, const MaskOf<R>&) const {}
   };
   template <class R, class S>
   static bool step(const WorldJob<S>& given) {
-    PHYSIM_ASSERT(!given.watchdog.watched);
-    const Frame<R, S> frame{given, *given.course->conditions};
-    const bool needs_start = given.columns.clear != nullptr || !given.watchdog.simple;
-    return needs_start ? step_packs<R>(given, frame) : step_alone<R>(given);
-  }
-  /// Where no things are and the ends of steps say all, only rows that stay where they were need their start. The
-  /// horizontal velocity is the one at launch and stays where it stands, which spares a fifth of the memory that
-  /// stepping many rows waits for.
-  template <class R, class S>
-  PHYSIM_INLINE static bool step_alone(const WorldJob<S>& given) {
-    const WorldJob<S> job = given;  // as in step_packs()
-    const Conditions<S>& conditions = *given.course->conditions;
-    bool attention = false;
-    for (std::uint32_t row = job.first; row < job.last; row += unsigned(kLanes<R>)) {
-      Body<R> b;
-      load_part<LaunchPart>(job, row, b);
-      Moved<R> m;
-      m.end = closed_form_of_free(known(conditions), b, end_on_clock<R>(job, row));
-      const MaskOf<R> left = plainly_noteworthy(job.watchdog, known(conditions), m);
-      const unsigned bits = lane_bits(left) & filled_lanes<R>(job.last - row);
-      mark(job.attention, row, bits);
-      if (bits != 0) {
-        attention = true;
-        m.end = select(left, load_state<R>(job, row), m.end);
-      }
-      put_positions(job, m.end.x, row);
-      m.end.v.y.store(job.columns.velocity[1] + row);
-      PHYSIM_ASSERT((lane_bits((load<R>(job.columns.velocity[0], row) != m.end.v.x) |
-                               (load<R>(job.columns.velocity[2], row) != m.end.v.z)) &
-                     filled_lanes<R>(job.last - row)) == 0);
-    }
-    if (job.stream) finish_streams();
-    return attention;
+    const Conditions<S>& c = *given.course->conditions;
+    const bool plain = given.watchdog.simple && given.columns.clear == nullptr && !given.push.is_there();
+    return plain ? step_packs<R>(given, Frame<R, S, true>{given, c})
+                 : step_packs<R>(given, Frame<R, S, false>{given, c});
   }
 };
 
-/// The rungs that games use most are known.
+/// Static rungs are known; of others the switches are inside.
 template <class R, class S>
 bool step_packs_of(const WorldJob<S>& job) {
-  bool known = false, attention = false;
-  const auto try_rung = [&]<class Rung>(Rung) PHYSIM_INLINE_LAMBDA {
-    if (known || !Rung::matches(*job.course->conditions)) return;
-    known = true;
-    attention = Rung::template step<R>(job);
-  };
-  if constexpr (PHYSIM_KNOWS_RUNGS)
-    if (job.watchdog.simple) each_known_rung<KnownRung>(try_rung);
-  if (!job.watchdog.watched) try_rung(KnownFall{});
-  return known ? attention : step_any<R>(job);
+  if constexpr (PHYSIM_KNOWS_RUNGS) {
+    bool attention = false;
+    with_static_rung(job.static_rung,
+                     [&](auto rung) PHYSIM_INLINE_LAMBDA { attention = StaticRung<rung>::template step<R>(job); });
+    if (job.static_rung != kNoStaticRung) return attention;
+  }
+  return step_any<R>(job);
 }
 
 PHYSIM_ISA_END

@@ -5,7 +5,6 @@
 
 #include "model/contact.hpp"
 #include "solve/dense.hpp"
-#include "world/step/known_rungs.hpp"
 #include "world/step/step_rows.hpp"
 #include "world/step/strike_job.hpp"
 
@@ -220,9 +219,10 @@ void strike_packs(StrikeJob<S>& job) {
   PHYSIM_ASSERT(job.count <= job.kRows && job.kRows % unsigned(kLanes<R>) == 0);
   job.plain = 0;
   if constexpr (PHYSIM_KNOWS_RUNGS)
-    each_known_rung<KnownRung>([&]<class Rung>(Rung) {
-      if (!Rung::matches(*job.rows.course->conditions)) return;
-      for (unsigned first = 0; first < job.count; first += unsigned(kLanes<R>)) Strike<Rung, R, S>(job, first).run();
+    with_static_rung(job.rows.static_rung, [&](auto rung) {
+      using Rung = StaticRung<rung>;
+      for (unsigned first = 0; !Rung::kFalls && first < job.count; first += unsigned(kLanes<R>))
+        Strike<Rung, R, S>(job, first).run();
     });
 }
 

@@ -40,11 +40,7 @@ class StruckRows {
     const RowLayout& layout = rows_.layout();
     const bool plain = !cohort_.key.forced && !layout.clocked && !layout.carried && !layout.turning && !layout.meeting;
     if (!plain || context_.pairs || !job_.rows.watchdog.simple || layout.fields.size() > kMostFields) return false;
-    if (!watches_heights(cohort_.course_double.watch)) return false;
-    bool known = false;
-    each_known_rung<KnownRung>(
-        [&]<class Rung>(Rung) { known = known || Rung::matches(*job_.rows.course->conditions); });
-    return known;
+    return watches_heights(cohort_.course_double.watch) && cohort_.static_rung != kNoStaticRung;
   }
 
   void prepare() {

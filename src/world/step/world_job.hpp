@@ -3,6 +3,7 @@
 
 #include "solve/lanes.hpp"
 #include "world/core/rows.hpp"
+#include "world/core/static_rungs.hpp"
 
 namespace physim {
 
@@ -39,10 +40,22 @@ struct RestlessBoxes {
 /// worth fetching from memory first: positions are stored past the caches, which saves a sixth of the traffic.
 inline constexpr std::size_t kCacheBytes = 24u << 20;
 
+/// What emitters do to rows where they start, felt for the whole step. Columns begin with the first row of a job.
+template <class S>
+struct RowPush {
+  const S* a[3];       // acceleration [m/s^2]
+  const S* drag_rate;  // of the drag in it [1/s]
+  const double* drag;  // linear drag is all of it: its rate [1/s]; null: the columns above
+
+  [[nodiscard]] PHYSIM_INLINE bool is_there() const { return drag != nullptr || drag_rate != nullptr; }
+};
+
 /// Rows to step once.
 template <class S>
 struct WorldJob {
   const Course<S>* course;
+  std::int8_t static_rung;  // of the course
+  RowPush<S> push;
   RowColumns<S> columns;
   const std::uint8_t* fields;
   const std::uint32_t* field_masks;  // of a Body's numbers, see RowMasks

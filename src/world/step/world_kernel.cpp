@@ -7,9 +7,7 @@ PHYSIM_ISA_BEGIN
 bool step_rows(const WorldJob<float>& job) { return step_packs_of<Pack<float, PHYSIM_PACK_BYTES / 4>>(job); }
 bool step_rows(const WorldJob<double>& job) { return step_packs_of<Pack<double, PHYSIM_PACK_BYTES / 8>>(job); }
 
-Advanced advance_forced(const ForcedJob<float>& job) { return advance_packs<Pack<float, PHYSIM_PACK_BYTES / 4>>(job); }
-Advanced advance_forced(const ForcedJob<double>& job) {
-  return advance_packs<Pack<double, PHYSIM_PACK_BYTES / 8>>(job);
-}
+bool advance_forced(const ForcedJob<float>& job) { return advance_packs<Pack<float, PHYSIM_PACK_BYTES / 4>>(job); }
+bool advance_forced(const ForcedJob<double>& job) { return advance_packs<Pack<double, PHYSIM_PACK_BYTES / 8>>(job); }
 
 PHYSIM_ISA_END

@@ -126,5 +126,23 @@ TEST(EmitterPushed, what_happens_to_some_happens_as_on_all_rungs) {
   }
 }
 
+TEST(EmitterPushed, threads_change_no_bit) {
+  for (const Precision precision : kPrecisions) {
+    const auto flown = [precision](unsigned threads) {
+      WorldDef def{.ground = {.mode = GroundMode::bounce}, .max_projectiles = 12000};
+      def.threading = {.threads = threads, .rows_per_thread = 1};
+      World world = make_world(def);
+      ProjectileDef p = spark(Motion::force);
+      p.fidelity = Fidelity::game();
+      p.fidelity.precision = precision;
+      const EmitterId id = added(world, sparks(kind_of(world, p), 1, false));
+      world.emit(id, 10000);  // three chunks of rows
+      for (int i = 0; i < 30; ++i) EXPECT_TRUE(world.step(1.0 / 60));
+      return world.hash();
+    };
+    EXPECT_EQ(flown(1), flown(3));
+  }
+}
+
 }  // namespace world_emitter_pushed_test
 }  // namespace physim

@@ -46,7 +46,7 @@ TEST(KnownRungs, agree_with_any_rung_and_with_flights) {
   def.environment.wind.velocity = {1, 0.2, -4};
   def.ground.mode = GroundMode::none;
   WorldDef general = def;
-  general.apex_events = true;  // more is looked for than the known rungs look for
+  general.apex_events = true;  // each step looks for more
   Until until;
   until.ground.reset();
   until.time = 10;
