@@ -1,4 +1,4 @@
-#include "report/study_map.hpp"
+#include "report/study_answer.hpp"
 
 #include <cmath>
 #include <vector>
