@@ -7,7 +7,6 @@
 #include "base/archive.hpp"
 #include "base/ieee_mode.hpp"
 #include "base/written_by.hpp"
-#include "study/archive.hpp"
 #include "study/estimates.hpp"
 #include "study/shard.hpp"
 
