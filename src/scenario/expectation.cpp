@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <functional>
 
 #include "base/ieee_mode.hpp"
 
@@ -32,45 +33,18 @@ Amount mean_of(const WorldGroup& g) {
 }
 Amount speed(const WorldGroup& g) { return g.alive > 0 ? Amount(g.mean_speed) : std::nullopt; }
 
-template <std::uint64_t WorldGroup::*count>
-Amount count_of(const WorldGroup& g) {
-  return static_cast<double>(g.*count);
+/// A count that a group or hits have.
+template <auto count, class Of>
+Amount count_of(const Of& of) {
+  return static_cast<double>(of.*count);
 }
-template <Series WorldGroup::*series, double Series::*part>
-Amount part_of(const WorldGroup& g) {
-  const Series& numbers = g.*series;
-  return numbers.count > 0 ? Amount(numbers.*part) : std::nullopt;
-}
-template <Series WorldGroup::*series>
-Amount spread_of(const WorldGroup& g) {
-  const Series& numbers = g.*series;
-  return numbers.count > 0 ? Amount(numbers.spread()) : std::nullopt;
+/// A part of a series that a group or hits have, as &Series::mean; nothing of no numbers.
+template <auto series, auto part = &Series::mean, class Of>
+Amount part_of(const Of& of) {
+  const Series& numbers = std::invoke(series, of);
+  return numbers.count > 0 ? Amount(std::invoke(part, numbers)) : std::nullopt;
 }
 
-template <std::uint64_t ThingHits::*count>
-Amount hits_of(const ThingHits& h) {
-  return static_cast<double>(h.*count);
-}
-template <Series ThingHits::*series, double Series::*part = &Series::mean>
-Amount hits_part(const ThingHits& h) {
-  const Series& numbers = h.*series;
-  return numbers.count > 0 ? Amount(numbers.*part) : std::nullopt;
-}
-template <Series (*series)(const WorldGroup&)>
-Amount mean_at(const WorldGroup& g) {
-  const Series numbers = series(g);
-  return numbers.count > 0 ? Amount(numbers.mean) : std::nullopt;
-}
-template <Series (*series)(const WorldGroup&)>
-Amount spread_at(const WorldGroup& g) {
-  const Series numbers = series(g);
-  return numbers.count > 0 ? Amount(numbers.spread()) : std::nullopt;
-}
-template <Series ThingHits::*series>
-Amount hits_spread(const ThingHits& h) {
-  const Series& numbers = h.*series;
-  return numbers.count > 0 ? Amount(numbers.spread()) : std::nullopt;
-}
 using OfHits = Amount (*)(const ThingHits&);
 /// A figure of hits alone.
 constexpr Figure of_hits(std::string_view name, Quantity quantity, OfHits measure) {
@@ -152,34 +126,36 @@ constexpr Figure kFigures[] = {
     {"refused", Quantity::number, nullptr, nullptr, count_of<&WorldGroup::refused>},
     {"landed", Quantity::number, nullptr, nullptr, count_of<&WorldGroup::landed>},
     {"bounces", Quantity::number, nullptr, nullptr, count_of<&WorldGroup::bounces>, nullptr,
-     hits_of<&ThingHits::bounces>},
+     count_of<&ThingHits::bounces>},
     {"slept", Quantity::number, nullptr, nullptr, count_of<&WorldGroup::slept>},
     {"expired", Quantity::number, nullptr, nullptr, count_of<&WorldGroup::expired>},
     {"retired", Quantity::number, nullptr, nullptr, count_of<&WorldGroup::retired>},
-    {"hits", Quantity::number, nullptr, nullptr, count_of<&WorldGroup::hits>, nullptr, hits_of<&ThingHits::count>},
+    {"hits", Quantity::number, nullptr, nullptr, count_of<&WorldGroup::hits>, nullptr, count_of<&ThingHits::count>},
     {"alive", Quantity::number, nullptr, nullptr, count_of<&WorldGroup::alive>},
-    {"impact_range", Quantity::length, nullptr, nullptr, part_of<&WorldGroup::range, &Series::mean>},
+    {"impact_range", Quantity::length, nullptr, nullptr, part_of<&WorldGroup::range>},
     {"impact_range_min", Quantity::length, nullptr, nullptr, part_of<&WorldGroup::range, &Series::low>},
     {"impact_range_max", Quantity::length, nullptr, nullptr, part_of<&WorldGroup::range, &Series::high>},
-    {"impact_range_spread", Quantity::length, nullptr, nullptr, spread_of<&WorldGroup::range>},
-    {"impact_time", Quantity::time, nullptr, nullptr, part_of<&WorldGroup::time, &Series::mean>},
-    {"impact_speed", Quantity::speed, nullptr, nullptr, part_of<&WorldGroup::speed, &Series::mean>},
-    {"apex", Quantity::length, nullptr, nullptr, part_of<&WorldGroup::apex, &Series::mean>},
+    {"impact_range_spread", Quantity::length, nullptr, nullptr, part_of<&WorldGroup::range, &Series::spread>},
+    {"impact_time", Quantity::time, nullptr, nullptr, part_of<&WorldGroup::time>},
+    {"impact_speed", Quantity::speed, nullptr, nullptr, part_of<&WorldGroup::speed>},
+    {"apex", Quantity::length, nullptr, nullptr, part_of<&WorldGroup::apex>},
     {"apex_max", Quantity::length, nullptr, nullptr, part_of<&WorldGroup::apex, &Series::high>},
-    {"hit_y", Quantity::length, nullptr, nullptr, mean_at<hit_heights>, nullptr, hits_part<&ThingHits::y>},
-    {"hit_z", Quantity::length, nullptr, nullptr, mean_at<hit_sides>, nullptr, hits_part<&ThingHits::z>},
-    {"hit_y_spread", Quantity::length, nullptr, nullptr, spread_at<hit_heights>, nullptr, hits_spread<&ThingHits::y>},
-    {"hit_z_spread", Quantity::length, nullptr, nullptr, spread_at<hit_sides>, nullptr, hits_spread<&ThingHits::z>},
+    {"hit_y", Quantity::length, nullptr, nullptr, part_of<hit_heights>, nullptr, part_of<&ThingHits::y>},
+    {"hit_z", Quantity::length, nullptr, nullptr, part_of<hit_sides>, nullptr, part_of<&ThingHits::z>},
+    {"hit_y_spread", Quantity::length, nullptr, nullptr, part_of<hit_heights, &Series::spread>, nullptr,
+     part_of<&ThingHits::y, &Series::spread>},
+    {"hit_z_spread", Quantity::length, nullptr, nullptr, part_of<hit_sides, &Series::spread>, nullptr,
+     part_of<&ThingHits::z, &Series::spread>},
     // Figures of hits on things of the scene: on one that the expectation names, or on all.
-    of_hits("ricochets", Quantity::number, hits_of<&ThingHits::ricochets>),
-    of_hits("penetrations", Quantity::number, hits_of<&ThingHits::penetrations>),
-    of_hits("stops", Quantity::number, hits_of<&ThingHits::stops>),
-    of_hits("hit_time", Quantity::time, hits_part<&ThingHits::time>),
-    of_hits("hit_x", Quantity::length, hits_part<&ThingHits::x>),
-    of_hits("hit_speed", Quantity::speed, hits_part<&ThingHits::speed>),
-    of_hits("hit_speed_after", Quantity::speed, hits_part<&ThingHits::speed_after>),
-    of_hits("hit_obliquity", Quantity::angle, hits_part<&ThingHits::obliquity>),
-    of_hits("hit_depth", Quantity::length, hits_part<&ThingHits::depth>),
+    of_hits("ricochets", Quantity::number, count_of<&ThingHits::ricochets>),
+    of_hits("penetrations", Quantity::number, count_of<&ThingHits::penetrations>),
+    of_hits("stops", Quantity::number, count_of<&ThingHits::stops>),
+    of_hits("hit_time", Quantity::time, part_of<&ThingHits::time>),
+    of_hits("hit_x", Quantity::length, part_of<&ThingHits::x>),
+    of_hits("hit_speed", Quantity::speed, part_of<&ThingHits::speed>),
+    of_hits("hit_speed_after", Quantity::speed, part_of<&ThingHits::speed_after>),
+    of_hits("hit_obliquity", Quantity::angle, part_of<&ThingHits::obliquity>),
+    of_hits("hit_depth", Quantity::length, part_of<&ThingHits::depth>),
     of_passages("passages"),
     // Figures of emitters; refused, landed, expired and alive are those of groups.
     of_emitters("born", emitted<&EmitterCounts::born>),
