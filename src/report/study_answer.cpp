@@ -6,7 +6,6 @@
 
 #include "base/assert.hpp"
 #include "math/angles.hpp"
-#include "report/json.hpp"
 #include "report/number.hpp"
 #include "report/table.hpp"
 #include "scenario/units.hpp"
