@@ -1,8 +1,6 @@
 // Checks that need more than one setting.
 #include "scenario/checks.hpp"
 
-#include <algorithm>
-
 #include "base/assert.hpp"
 #include "prepare/check.hpp"
 #include "prepare/grant.hpp"

@@ -3,7 +3,6 @@
 #pragma once
 
 #include <string>
-#include <utility>
 
 #include "scenario/document.hpp"
 #include "scenario/names.hpp"

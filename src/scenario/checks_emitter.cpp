@@ -1,5 +1,4 @@
 // Checks of [[emitter]]: what it names exists, and its definition makes sense; errors have its line.
-#include <algorithm>
 
 #include "base/assert.hpp"
 #include "emit/emission.hpp"

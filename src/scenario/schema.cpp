@@ -2,7 +2,6 @@
 #include "scenario/schema.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <memory>
 
 #include "base/assert.hpp"

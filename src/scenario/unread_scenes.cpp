@@ -1,6 +1,5 @@
 // Rules about settings of materials, shapes, things and of how shots meet them.
 #include <algorithm>
-#include <type_traits>
 
 #include "base/assert.hpp"
 #include "scenario/suggest.hpp"
