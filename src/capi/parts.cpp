@@ -6,7 +6,7 @@
 #include "base/enumerators.hpp"
 #include "model/force_laws.hpp"
 #include "physim/names.hpp"
-#include "scenario/emitter_maker.hpp"
+#include "scenario/scene_maker.hpp"
 
 namespace physim::capi {
 namespace {

@@ -11,7 +11,6 @@
 #include "model/ladder.hpp"
 #include "physim/names.hpp"
 #include "prepare/grant.hpp"
-#include "report/json.hpp"
 #include "report/kml.hpp"
 #include "report/number.hpp"
 
@@ -408,55 +407,61 @@ Json mark_feature(const Track& track, const Mark& mark) {
 }
 
 // -------------------------------------------------------------------------------------------------------------- files
-/// Tracks one after the other, so that only one is in memory.
-using EachTrack = std::function<void(const std::function<void(const Track&)>& take)>;
+/// What a file shows: tracks one after the other, so that only one is in memory.
+struct Shown {
+  const Scenario& scenario;
+  double end;  // of its clock [s]
+  std::function<void(const std::function<void(const Track&)>& take)> each;
+};
 
-EachTrack each_track(const Flights& flights) {
-  return [flights](const auto& take) {
-    PHYSIM_ASSERT(flights.times.size() == flights.flown.shots.size());
-    for (std::size_t i = 0; i < flights.times.size(); ++i) take(track_of(flights.flown.shots[i], flights.times[i]));
-  };
+Shown shown(const Flights& flights) {
+  double last = 0;
+  for (const FlownShot& shot : flights.flown.shots) last = std::max(last, shot.flight.duration());
+  return {flights.flown.scenario, last, [flights](const auto& take) {
+            PHYSIM_ASSERT(flights.times.size() == flights.flown.shots.size());
+            for (std::size_t i = 0; i < flights.times.size(); ++i)
+              take(track_of(flights.flown.shots[i], flights.times[i]));
+          }};
 }
-EachTrack each_track(const WorldLog& log) {
-  return [&log](const auto& take) {
-    for (const WorldPath& path : paths_of(log))
-      if (!path.points.empty()) take(track_of(log, path));
-  };
+Shown shown(const WorldLog& log) {
+  return {log.scenario, log.time, [&log](const auto& take) {
+            for (const WorldPath& path : paths_of(log))
+              if (!path.points.empty()) take(track_of(log, path));
+          }};
 }
 
-Content kml_of(const Scenario& scenario, EachTrack each) {
-  return [&scenario, each = std::move(each)](const Sink& sink) {
-    const std::string& source = scenario.source;
+Content kml_of(const Shown& shown) {
+  return [shown](const Sink& sink) {
+    const std::string& source = shown.scenario.source;
     const std::string said = source + (source.empty() ? "" : "\n") + std::string(kHeights) + std::string(kReaders);
-    sink(kml_begin(title_of(scenario), said) +
+    sink(kml_begin(title_of(shown.scenario), said) +
          " <Style id=\"path\"><LineStyle><color>ff00a0ff</color><width>2</width></LineStyle></Style>\n");
-    each([&](const Track& track) { write_kml_track(sink, track); });
+    shown.each([&](const Track& track) { write_kml_track(sink, track); });
     sink(kml_end());
   };
 }
 
-/// `last`: when the clock of the file ends [s].
-Content czml_of(const Scenario& scenario, double last, EachTrack each) {
-  return [&scenario, last, each = std::move(each)](const Sink& sink) {
+Content czml_of(const Shown& shown) {
+  return [shown](const Sink& sink) {
     JsonStream out(sink);
     out.list();
     out.push({{"id", "document"},
-              {"name", title_of(scenario)},
+              {"name", title_of(shown.scenario)},
               {"version", "1.0"},
               {"description", kHeights},
-              {"clock", {{"interval", utc(0) + "/" + utc(last)}, {"currentTime", utc(0)}, {"multiplier", 1}}}});
-    each([&](const Track& track) { add_czml_track(out, track); });
+              {"clock", {{"interval", utc(0) + "/" + utc(shown.end)}, {"currentTime", utc(0)}, {"multiplier", 1}}}});
+    shown.each([&](const Track& track) { add_czml_track(out, track); });
     out.close();
   };
 }
 
-Content geojson_of(const Scenario& scenario, EachTrack each) {
-  return [&scenario, each = std::move(each)](const Sink& sink) {
+Content geojson_of(const Shown& shown) {
+  return [shown](const Sink& sink) {
     JsonStream out(sink);
     out.object();
-    out.add({{"type", "FeatureCollection"}, {"name", title_of(scenario)}, {"description", kHeights}});
+    out.add({{"type", "FeatureCollection"}, {"name", title_of(shown.scenario)}, {"description", kHeights}});
     out.list("features");
-    each([&](const Track& track) {
+    shown.each([&](const Track& track) {
       add_path_feature(out, track);
       for (const Mark& mark : track.marks) out.push(mark_feature(track, mark));
     });
@@ -465,19 +470,19 @@ Content geojson_of(const Scenario& scenario, EachTrack each) {
   };
 }
 
-Status check_shape(EarthModel earth, const std::string& shot, const Scenario& scenario) {
+}  // namespace
+
+Status check_round(EarthModel earth, const std::string& shot, const Scenario& scenario) {
   if (row(earth).shape != EarthShape::flat) return {};
   return Error{.message = "shot \"" + shot + "\" flies over a flat Earth, which globes do not know",
                .place = scenario.file,
                .hint = "shot.fidelity.earth=ellipsoid, or fidelity = { earth = \"ellipsoid\" }"};
 }
 
-}  // namespace
-
 Status check_round(const FlownScenario& flown) {
   Status status;
   for (const FlownShot& shot : flown.shots)
-    if (status) status = check_shape(shot.flight.fidelity_in_use().fidelity.earth, shot.name, flown.scenario);
+    if (status) status = check_round(shot.flight.fidelity_in_use().fidelity.earth, shot.name, flown.scenario);
   return status;
 }
 
@@ -485,22 +490,16 @@ Status check_round_world(const Scenario& scenario) {
   Status status;
   for (const ScenarioShot& shot : scenario.shots) {
     const Fidelity granted = grant(shot.projectile.fidelity, shot.projectile, scenario.environment).fidelity;
-    if (status) status = check_shape(granted.earth, shot.projectile.name, scenario);
+    if (status) status = check_round(granted.earth, shot.projectile.name, scenario);
   }
   return status;
 }
 
-Content globe_kml(const Flights& flights) { return kml_of(flights.flown.scenario, each_track(flights)); }
-Content globe_kml(const WorldLog& log) { return kml_of(log.scenario, each_track(log)); }
-
-Content globe_czml(const Flights& flights) {
-  double last = 0;
-  for (const FlownShot& shot : flights.flown.shots) last = std::max(last, shot.flight.duration());
-  return czml_of(flights.flown.scenario, last, each_track(flights));
-}
-Content globe_czml(const WorldLog& log) { return czml_of(log.scenario, log.time, each_track(log)); }
-
-Content globe_geojson(const Flights& flights) { return geojson_of(flights.flown.scenario, each_track(flights)); }
-Content globe_geojson(const WorldLog& log) { return geojson_of(log.scenario, each_track(log)); }
+Content globe_kml(const Flights& flights) { return kml_of(shown(flights)); }
+Content globe_kml(const WorldLog& log) { return kml_of(shown(log)); }
+Content globe_czml(const Flights& flights) { return czml_of(shown(flights)); }
+Content globe_czml(const WorldLog& log) { return czml_of(shown(log)); }
+Content globe_geojson(const Flights& flights) { return geojson_of(shown(flights)); }
+Content globe_geojson(const WorldLog& log) { return geojson_of(shown(log)); }
 
 }  // namespace physim::report

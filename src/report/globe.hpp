@@ -6,7 +6,8 @@
 
 namespace physim::report {
 
-/// An error where a shot flew over a flat Earth, which has no latitudes.
+/// An error where a shot flies over a flat Earth, which has no latitudes.
+[[nodiscard]] Status check_round(EarthModel earth, const std::string& shot, const Scenario& scenario);
 [[nodiscard]] Status check_round(const FlownScenario& flown);
 /// As check_round(), before a world runs.
 [[nodiscard]] Status check_round_world(const Scenario& scenario);

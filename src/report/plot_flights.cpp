@@ -1,11 +1,11 @@
 #include <algorithm>
+#include <array>
 
 #include "base/assert.hpp"
 #include "base/text.hpp"
 #include "report/fidelity_text.hpp"
 #include "report/number.hpp"
 #include "report/pictures.hpp"
-#include "report/plot_marks.hpp"
 #include "report/scene_section.hpp"
 #include "report/table.hpp"
 
@@ -80,6 +80,70 @@ Extent extent_of(const std::vector<Curve>& curves, int column) {
     for (const auto& row : curve.rows) extent.add(row[static_cast<std::size_t>(column - 1)]);
   return extent.or_zero();
 }
+
+/// What a scenario expects of its shots at times, as marks over the curves: rings where it was published, else crosses.
+class PlotMarks {
+ public:
+  PlotMarks(std::span<const FlownShot> shots, std::span<const Expectation> expected) {
+    for (const Expectation& e : expected) {
+      const bool is_drawn = e.shot.empty() || std::ranges::count(shots, e.shot, &FlownShot::name) > 0;
+      const std::size_t column = column_of(e.quantity);
+      if (e.at != ExpectAt::time || !is_drawn || column == 0) continue;
+      PHYSIM_ASSERT(column < marks_.size());
+      Marks& marks = marks_[column];
+      (e.published ? marks.rings : marks.crosses) += significant(e.at_value, 9) + " " + significant(e.equals, 9) + "\n";
+      (e.published ? has_rings_ : has_crosses_) = true;
+      marks.extent.add(e.equals);
+    }
+  }
+
+  [[nodiscard]] bool has_rings() const { return has_rings_; }
+  [[nodiscard]] bool has_crosses() const { return has_crosses_; }
+  /// Returns the extent of the marks in a panel; columns count from 1, as in kSampleColumns.
+  [[nodiscard]] Extent extent(int column) const {
+    const auto c = static_cast<std::size_t>(column);
+    return c < marks_.size() ? marks_[c].extent : Extent{};
+  }
+  /// The datablocks that plots() reads.
+  [[nodiscard]] std::string blocks() const {
+    std::string out;
+    for (std::size_t c = 0; c < marks_.size(); ++c) {
+      if (!marks_[c].rings.empty()) out += datablock(name_of("rings", c), marks_[c].rings);
+      if (!marks_[c].crosses.empty()) out += datablock(name_of("crosses", c), marks_[c].crosses);
+    }
+    return out;
+  }
+  /// Drawn over the curves of a panel; begins with a comma.
+  [[nodiscard]] std::string plots(int column) const {
+    PHYSIM_ASSERT(column >= 1);
+    const auto c = static_cast<std::size_t>(column);
+    if (c >= marks_.size()) return "";
+    std::string out;
+    if (!marks_[c].crosses.empty()) out += plot(name_of("crosses", c), kExpectedMark);
+    if (!marks_[c].rings.empty()) out += plot(name_of("rings", c), kPublishedMark);
+    return out;
+  }
+
+ private:
+  struct Marks {
+    std::string rings, crosses;  // rows of time and value
+    Extent extent;
+  };
+
+  /// The column of a quantity, from 1; 0: none.
+  static std::size_t column_of(const std::string& quantity) {
+    for (std::size_t c = 0; c < kSampleColumns.size(); ++c)
+      if (kSampleColumns[c].starts_with(quantity + " [")) return c + 1;
+    return 0;
+  }
+  static std::string name_of(const char* kind, std::size_t column) { return "$" + (kind + std::to_string(column)); }
+  static std::string plot(const std::string& block, std::string_view mark) {
+    return ", " + block + " using 1:2 with points " + std::string(mark) + " notitle";
+  }
+
+  std::array<Marks, kSampleColumns.size() + 1> marks_;
+  bool has_rings_ = false, has_crosses_ = false;
+};
 
 class FlightsPicture {
  public:

@@ -1,6 +1,7 @@
 // What a study came to: text for people, JSON for programs, figures as records.
 #pragma once
 
+#include <cstdint>
 #include <optional>
 #include <span>
 #include <string>
@@ -40,6 +41,14 @@ struct FlownStudy {
 [[nodiscard]] Answer study_answer(const AskedShot& asked, const FlownStudy& flown, const Style& style);
 /// True if a study ended before its figure was known to the width of --until-width.
 [[nodiscard]] bool misses_width(const Study& study, const StudyResult& result);
+/// One shot, by its number: what it drew and where it ended. Its shard is flown again; the numbers of shots and threads
+/// do not change the result.
+[[nodiscard]] Answer study_shot_answer(const AskedShot& asked, const StudyPlan& plan, std::uint64_t shot,
+                                       const Style& style);
+/// Where its shots come down, as KML for globes: launch, mean impact, ellipses of 1, 2 and 3 deviations, the safety
+/// zone, targets and a thousand shots, all on the ground. An error where shots end elsewhere, or the Earth is flat.
+[[nodiscard]] Result<Text> study_kml(const AskedShot& asked, const FlownStudy& flown);
+
 /// A study with its plane of impact at a range [m].
 struct StudyAtRange {
   double range;
@@ -54,7 +63,25 @@ struct StudyAtRange {
 [[nodiscard]] std::string over_range_text(std::span<const StudyAtRange> list, const Unit* of_ranges = nullptr);
 /// ... as records, which read the list.
 [[nodiscard]] Records records_of(std::span<const StudyAtRange> list);
-/// A row for each figure: its name, its value and its standard error.
+struct Figure {
+  std::string name;
+  double value, error;  // NaN: not known
+};
+/// The names of a group of inputs.
+[[nodiscard]] std::string names_of_inputs(const Study& study, const std::vector<std::size_t>& inputs);
+/// Every figure of its end, without those over inputs.
+[[nodiscard]] std::vector<Figure> figures_of(const FlownStudy& flown);
+/// A row for each figure, with those over inputs, of histograms and of places.
 [[nodiscard]] Records records_of(const FlownStudy& flown);
+
+struct NamedHistogram {
+  std::string name, unit;  // "right", "radius.aim", "extreme_spread.5"
+  std::vector<HistogramBar> bars;
+};
+/// Histograms of quantities, of distances on the plane and in space, of extreme spreads; none if
+/// FlownStudy::histogram_bars is zero.
+[[nodiscard]] std::vector<NamedHistogram> histograms_of(const FlownStudy& flown);
+/// Those of quantities, drawn with characters.
+[[nodiscard]] std::string histograms_text(const FlownStudy& flown);
 
 }  // namespace physim::report

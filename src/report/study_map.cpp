@@ -1,4 +1,4 @@
-#include "report/study_map.hpp"
+#include "report/study_answer.hpp"
 
 #include <cmath>
 #include <vector>
@@ -6,9 +6,9 @@
 #include "base/assert.hpp"
 #include "math/angles.hpp"
 #include "math/vec3.hpp"
-#include "model/ladder.hpp"
 #include "model/sight.hpp"
 #include "physim/environment.hpp"
+#include "report/globe.hpp"
 #include "report/kml.hpp"
 #include "report/number.hpp"
 #include "report/study_pictures.hpp"
@@ -93,12 +93,7 @@ Status check_map(const AskedShot& asked, const Study& study, const Flight& fligh
                  .place = asked.scenario.file,
                  .hint = "leave until.range and study.quantities out"};
   if (flight.error()) return *flight.error();
-  if (row(flight.fidelity_in_use().fidelity.earth).shape == EarthShape::flat)
-    return Error{
-        .message = "shot \"" + asked.shot().projectile.name + "\" flies over a flat Earth, which globes do not know",
-        .place = asked.scenario.file,
-        .hint = "shot.fidelity.earth=ellipsoid, or fidelity = { earth = \"ellipsoid\" }"};
-  return {};
+  return check_round(flight.fidelity_in_use().fidelity.earth, asked.shot().projectile.name, asked.scenario);
 }
 
 }  // namespace

@@ -128,22 +128,16 @@ class Logger {
     NameIndex names;
     for (const WorldGroup& group : log_.groups) names.add(group.name);
     for (const Expectation& expectation : log_.scenario.expect) {
-      const auto check = [&](const WorldGroup& group) {
+      const auto check = [&](std::size_t i) {
+        const WorldGroup& group = log_.groups[i];
         if (has_figure(expectation, group))
-          log_.checks.push_back(judged(expectation, group.name, measure(group, passages_of(group), expectation)));
+          log_.checks.push_back(judged(expectation, group.name, measure(group, passages_[i], expectation)));
       };
       if (expectation.shot.empty())
-        for (const WorldGroup& group : log_.groups) check(group);
+        for (std::size_t i = 0; i < log_.groups.size(); ++i) check(i);
       else if (const auto named = names.find(expectation.shot))
-        check(log_.groups[*named]);
+        check(*named);
     }
-  }
-
-  /// The passages of a group in the whole run: a loaded run with things is flown again from the start.
-  [[nodiscard]] const Passages& passages_of(const WorldGroup& group) const {
-    const auto number = static_cast<std::size_t>(&group - log_.groups.data());
-    PHYSIM_ASSERT(number < passages_.size());
-    return passages_[number];
   }
 
   /// Those that a save brought along.
@@ -307,7 +301,7 @@ class Logger {
   std::uint64_t sample_every_ = 1, draw_every_ = 1;
   bool is_saved_ = false;
   bool is_again_ = false;           // it flies what was saved
-  std::vector<Passages> passages_;  // by group
+  std::vector<Passages> passages_;  // by group, in the whole run: with things, a loaded run is flown from the start
 };
 
 using Json = nlohmann::ordered_json;

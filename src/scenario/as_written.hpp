@@ -1,6 +1,7 @@
 // New values in the manner of what stands in a file: its units, and all of its text that did not change.
 #pragma once
 
+#include <cstddef>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -44,5 +45,26 @@ class TypedNumbers {
 
 /// A document that was written anew, with numbers as they were typed.
 [[nodiscard]] std::string document_as_typed(const std::string& text, const TypedNumbers& typed);
+
+/// Offsets of places in a text, which must outlive this. Those that are asked for in order are found in one pass.
+class TextPlaces {
+ public:
+  explicit TextPlaces(std::string_view text) : text_(text) {}
+
+  [[nodiscard]] std::string_view text() const { return text_; }
+  /// Places are as TOML counts them: lines, and characters of UTF-8 in them.
+  [[nodiscard]] std::size_t offset_of(const Value::Position& position);
+  [[nodiscard]] std::size_t begin_of(const Value& value) { return offset_of({value.place.line, value.place.column}); }
+  [[nodiscard]] std::size_t end_of(const Value& value) { return offset_of(value.end); }
+  /// What the text says of a value, beside its key.
+  [[nodiscard]] std::string_view said_of(const Value& value);
+  /// Tables in braces are values; others have headers, or keys with dots.
+  [[nodiscard]] bool is_inline(const Value& table);
+
+ private:
+  std::string_view text_;
+  Value::Position last_{1, 1};
+  std::size_t at_ = 0;  // offset of the last place
+};
 
 }  // namespace physim

@@ -6,8 +6,10 @@
 #include "prepare/grant.hpp"
 #include "scenario/expectation.hpp"
 #include "scenario/mistakes.hpp"
+#include "scenario/study_text.hpp"
 #include "scenario/suggest.hpp"
 #include "scenario/units.hpp"
+#include "study/plan.hpp"
 
 namespace physim {
 namespace {
@@ -18,42 +20,41 @@ Status check_direction(const Launch& launch, const Value& shot) {
                                      {"elevation", launch.elevation},
                                      {"azimuth", launch.azimuth}})
       if (value != 0)
-        return Error{"shot." + std::string(key) + ": given together with velocity", place_of(shot, {key}),
+        return Error{"shot." + std::string(key) + ": given together with velocity", place_of(shot, key),
                      "give either velocity, or speed with elevation and azimuth"};
     if (launch.sight.zero_range > 0)
-      return Error{"shot.sight.zero_range: given together with velocity", place_of(shot, {"sight", "zero_range"}),
-                   "give speed instead; the zero range finds the elevation"};
+      return error_at(shot, "shot.sight.zero_range", "given together with velocity",
+                      "give speed instead; the zero range finds the elevation");
   }
   if (launch.elevation != 0 && launch.sight.zero_range > 0)
-    return Error{"shot.elevation: given together with sight.zero_range", place_of(shot, {"elevation"}),
-                 "the zero range finds the elevation; give one of them"};
+    return error_at(shot, "shot.elevation", "given together with sight.zero_range",
+                    "the zero range finds the elevation; give one of them");
   return {};
 }
 
 Status check_bands(const DragDef& drag, const Value& shot) {
   if (drag.bands.empty()) return {};
   if (drag.ballistic_coefficient > 0)
-    return Error{"shot.drag.bands: given together with ballistic_coefficient", place_of(shot, {"drag", "bands"}),
-                 "give one of them"};
+    return error_at(shot, "shot.drag.bands", "given together with ballistic_coefficient", "give one of them");
   const Value* table = shot.find("drag");
   PHYSIM_ASSERT(table != nullptr);  // no preset has bands
   for (std::size_t i = 0; i < drag.bands.size(); ++i)
     for (std::size_t j = 0; j < i; ++j)
       if (drag.bands[i].above == drag.bands[j].above)
         return Error{"shot.drag.bands: two bands from " + quantity_text(drag.bands[i].above, Quantity::speed),
-                     place_of(element(*table, "bands", i), {"above"}), "each band needs its own speed"};
+                     place_of(element(*table, "bands", i), "above"), "each band needs its own speed"};
   return {};
 }
 
 Status check_drag(const DragDef& drag, const Value& shot) {
   if (drag.table == DragTable::custom && drag.curve.empty())
-    return Error{"shot.drag.curve: table = \"custom\" without points", place_of(shot, {"drag", "curve"}),
-                 "write curve = [[Mach number, drag coefficient], ...]"};
+    return error_at(shot, "shot.drag.curve", "table = \"custom\" without points",
+                    "write curve = [[Mach number, drag coefficient], ...]");
   const Value* table = shot.find("drag");
   PHYSIM_ASSERT(table != nullptr || drag.curve.empty());  // no preset has one
   if (!drag.curve.empty() && table->find("table") == nullptr)
-    return Error{"shot.drag.curve: not used by the default table = \"constant\"", place_of(shot, {"drag", "curve"}),
-                 "write table = \"custom\""};
+    return error_at(shot, "shot.drag.curve", "not used by the default table = \"constant\"",
+                    "write table = \"custom\"");
   return check_bands(drag, shot);
 }
 
@@ -89,10 +90,9 @@ void check_flown(const ScenarioShot& shot, const Value& table, bool with_launch,
 Status check_name(const std::string& name, const Value& shot) {
   for (const char c : name)
     if (static_cast<unsigned char>(c) < 0x20 || c == '=' || c == '"')
-      return Error{"shot.name: " + in_quotes(name) + " has a character that names may not have",
-                   place_of(shot, {"name"}), "leave out =, \" and control characters"};
-  if (trimmed(name) != name)
-    return Error{"shot.name: " + in_quotes(name) + " begins or ends with a space", place_of(shot, {"name"}), ""};
+      return error_at(shot, "shot.name", in_quotes(name) + " has a character that names may not have",
+                      "leave out =, \" and control characters");
+  if (trimmed(name) != name) return error_at(shot, "shot.name", in_quotes(name) + " begins or ends with a space", "");
   return {};
 }
 
@@ -102,9 +102,8 @@ void check_shots(const Scenario& scenario, const ScenarioNames& names, const Val
     const Value& table = element(document, "shot", i);
     mistakes.take(check_name(shot.projectile.name, table));
     if (const std::size_t first = *names.shots.find(shot.projectile.name); first != i)
-      mistakes.take(Error{"shot.name: two shots are named " + in_quotes(shot.projectile.name),
-                          place_of(table, {"name"}),
-                          "the first is at " + place_of(element(document, "shot", first), {"name"})});
+      mistakes.take(error_at(table, "shot.name", "two shots are named " + in_quotes(shot.projectile.name),
+                             "the first is at " + place_of(element(document, "shot", first), "name")));
     const bool is_directed = mistakes.take(check_direction(shot.launch, table));
     mistakes.take(check_drag(shot.projectile.drag, table));
     mistakes.take(check_motor(shot, table));
@@ -124,18 +123,17 @@ void check_environment(const Environment& environment, const Value& document, Mi
 /// Flights have figures of their own, and where there are things, those of hits.
 Status check_hit_expectation(const ScenarioNames& names, const Expectation& expect, const Value& table) {
   const bool has_things = !names.things.all().empty();
-  if (!expect.thing.empty() && !has_things)
-    return Error{"expect.thing: there is no [world] for it", place_of(table, {"thing"}), ""};
+  if (!expect.thing.empty() && !has_things) return error_at(table, "expect.thing", "there is no [world] for it", "");
   if (!expect.thing.empty())
     if (Status status = check_thing_expectation(names, expect, table); !status) return status;
   const Figure* figure = find_figure(expect.quantity);
   PHYSIM_ASSERT(figure != nullptr);  // the reader knows no others
   if (figure->is_of_flights()) return {};
   if (!has_things || !figure->is_of_things())
-    return Error{"expect.quantity: " + in_quotes(expect.quantity) + " is a figure of a [world]",
-                 place_of(table, {"quantity"}), "write [world], and the shots fly in it"};
+    return error_at(table, "expect.quantity", in_quotes(expect.quantity) + " is a figure of a [world]",
+                    "write [world], and the shots fly in it");
   if (expect.at == ExpectAt::end) return {};
-  return Error{"expect.at: hits are those of the whole flight", place_of(table, {"at"}), "leave it out"};
+  return error_at(table, "expect.at", "hits are those of the whole flight", "leave it out");
 }
 
 void check_expectations(const Scenario& scenario, const ScenarioNames& names, const Value& document,
@@ -144,7 +142,7 @@ void check_expectations(const Scenario& scenario, const ScenarioNames& names, co
     const Value& table = element(document, "expect", i);
     const Expectation& expect = scenario.expect[i];
     if (!expect.shot.empty())
-      mistakes.take(check_shot_name(names, expect.shot, "expect.shot", place_of(table, {"shot"})));
+      mistakes.take(check_named(names.shots, expect.shot, "shot", "expect.shot", place_of(table, "shot")));
     mistakes.take(check_hit_expectation(names, expect, table));
     const Value* at = table.find("at");
     if (const Table* places = at ? at->get<Table>() : nullptr; places && places->size() != 1)
@@ -153,7 +151,30 @@ void check_expectations(const Scenario& scenario, const ScenarioNames& names, co
   }
 }
 
+constexpr std::string_view kOfStudy = "study.";
+/// What a study of a shot objects to. Inputs may still come from options.
+std::vector<Error> mistakes_of_study(const Scenario& scenario, const ScenarioShot& shot) {
+  std::vector<Error> errors;
+  const Study study = read_study(scenario, shot, errors);
+  if (!errors.empty() || study.inputs.empty()) return errors;
+  const Status status = check(study, true, &errors);
+  PHYSIM_ASSERT(status.ok() == errors.empty());
+  return errors;
+}
+
+/// A path leads to a text, or to something in it.
+bool leads_to(std::string_view path, std::string_view text) {
+  PHYSIM_ASSERT(!text.empty());
+  if (!path.starts_with(text)) return false;
+  path.remove_prefix(text.size());
+  return path.empty() || path.front() == '.' || path.front() == '[';
+}
+
 }  // namespace
+
+Error error_at(const Value& table, const std::string& path, const std::string& message, const std::string& hint) {
+  return {path + ": " + message, place_of(table, path.substr(path.find('.') + 1)), hint};
+}
 
 Status check_scenario(const Scenario& scenario, const Value& document) {
   const ScenarioNames names(scenario);
@@ -164,6 +185,47 @@ Status check_scenario(const Scenario& scenario, const Value& document) {
   if (!scenario.world.given) check_expectations(scenario, names, document, mistakes);
   if (mistakes.empty()) check_study(scenario, document, mistakes);  // it is made of all of them
   return mistakes.status();
+}
+
+void note_study_places(ScenarioStudy& study, const Value& document) {
+  const Value* table = document.find("study");
+  const Table* members = table ? table->get<Table>() : nullptr;
+  if (members == nullptr) return;
+  PHYSIM_ASSERT(study.places.empty());
+  for (const Member& member : *members) {
+    study.places.push_back({member.key, member.value.place.text()});
+    const Array* texts = member.value.get<Array>();
+    for (std::size_t i = 0; texts != nullptr && i < texts->size(); ++i)
+      study.places.push_back({member.key + '[' + std::to_string(i) + ']', (*texts)[i].place.text()});
+  }
+}
+
+Error in_study(const ScenarioStudy& study, Error error) {
+  std::string_view path = error.place;
+  if (path.starts_with(kOfStudy)) path.remove_prefix(kOfStudy.size());
+  const GivenSetting* nearest = nullptr;
+  for (const GivenSetting& each : study.places)
+    if (leads_to(path, each.path) && (nearest == nullptr || each.path.size() > nearest->path.size())) nearest = &each;
+  if (nearest == nullptr) return error;
+  error.message = std::string(kOfStudy) + std::string(path) + ": " + error.message;
+  error.place = nearest->place;
+  return error;
+}
+
+void check_study(const Scenario& scenario, const Value& document, Mistakes& mistakes) {
+  const Value* table = document.find("study");
+  if (table == nullptr || scenario.world.given) return;  // a study flies shots alone
+  std::vector<Error> first;
+  for (const ScenarioShot& shot : scenario.shots) {
+    std::vector<Error> errors = mistakes_of_study(scenario, shot);
+    if (errors.empty()) return;  // a study is of one shot
+    if (first.empty()) first = std::move(errors);
+  }
+  for (const Error& each : first) {
+    Error error = in_study(scenario.study, each);
+    if (error.place == each.place) error = {each.place + ": " + each.message, table->place.text(), each.hint};
+    mistakes.take(error);
+  }
 }
 
 }  // namespace physim

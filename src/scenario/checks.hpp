@@ -1,5 +1,8 @@
-// Checks that need more than one setting; of scenarios with a [world], what its tables cannot say about themselves.
+// Checks that need more than one setting, and notes; of scenarios with a [world], what its tables cannot say about
+// themselves.
 #pragma once
+
+#include <string>
 
 #include "scenario/document.hpp"
 #include "scenario/names.hpp"
@@ -11,6 +14,9 @@ class Mistakes;
 
 /// The contradictions within a scenario, as one error; the document gives the places of its settings.
 [[nodiscard]] Status check_scenario(const Scenario& scenario, const Value& document);
+
+/// Adds a note for each setting that another one overrules, and for each number far from what is usual, with its place.
+void add_notes(Scenario& scenario, const Value& document);
 
 /// Notes where the texts of a [study] stand.
 void note_study_places(ScenarioStudy& study, const Value& document);
@@ -24,6 +30,31 @@ void check_world(const Scenario& scenario, const ScenarioNames& names, const Val
 [[nodiscard]] Status check_scene(const Scenario& scenario, const Value& document);
 /// Whether there is the thing that an expectation asks about, and a figure of hits on it.
 [[nodiscard]] Status check_thing_expectation(const ScenarioNames& names, const Expectation& expect, const Value& table);
+
+/// `path` and `table`: what is turned, and where the file says it.
+[[nodiscard]] Status check_rotation(const std::string& path, const ScenarioRotation& rotation, const Value& table);
+/// A motion said by the members of ScenarioMotion, which the file has in `motion`: `table` itself or a table in it.
+template <class Moving>
+[[nodiscard]] Status check_motion(const std::string& path, const Moving& moving, const Vec3d& position,
+                                  const ScenarioRotation& rotation, const Value& table, const Value& motion) {
+  const std::string path_of_motion = &motion == &table ? path : path + ".motion";
+  if (Status status = check_rotation(path, rotation, table); !status) return status;
+  for (std::size_t i = 0; i < moving.keys.size(); ++i)
+    if (Status status = check_rotation(path_of_motion + ".keys", moving.keys[i].rotation, element(motion, "keys", i));
+        !status)
+      return status;
+  if (moving.keys.empty()) return {};
+  const auto said_twice = [](const std::string& setting, const Value& where, std::string_view key) {
+    return Error{setting + "." + std::string(key) + ": given together with keys", place_of(where, key),
+                 "the keys say where it is and how it moves"};
+  };
+  if (moving.velocity != Vec3d{}) return said_twice(path_of_motion, motion, "velocity");
+  if (moving.angular_velocity != Vec3d{}) return said_twice(path_of_motion, motion, "angular_velocity");
+  if (position != Vec3d{}) return said_twice(path, table, "position");
+  const bool is_turned = rotation.angle != 0 || rotation.yaw != 0 || rotation.pitch != 0 || rotation.roll != 0;
+  if (is_turned) return said_twice(path, table, "rotation");
+  return {};
+}
 
 /// Default names of a scene's parts, published materials that things name, and meshes out of files.
 [[nodiscard]] Status complete_scene(Scenario& scenario, const Value& document);
@@ -39,8 +70,7 @@ void complete_world(Scenario& scenario, const Value& document);
 /// Contradictions of [[emitter]].
 [[nodiscard]] Status check_emitters(const Scenario& scenario, const ScenarioNames& names, const Value& document);
 
-/// Default names of [[joint]], and their contradictions.
-void complete_joints(Scenario& scenario);
+/// Contradictions of [[joint]].
 [[nodiscard]] Status check_joints(const Scenario& scenario, const ScenarioNames& names, const Value& document);
 /// A remark on a joint: its ends are elsewhere at launch, or other joints contradict it.
 struct JointRemark {
@@ -50,9 +80,20 @@ struct JointRemark {
 };
 [[nodiscard]] std::vector<JointRemark> joint_remarks(const Scenario& scenario);
 
-[[nodiscard]] Status check_shot_name(const ScenarioNames& names, const std::string& name, const std::string& path,
-                                     const std::string& place);
-/// ... of a shot that is fired alone, so that there is one of it.
+/// An error about a setting: `path` is that in the file, whose first part leads to the table.
+[[nodiscard]] Error error_at(const Value& table, const std::string& path, const std::string& message,
+                             const std::string& hint);
+/// "volley-1", where an element of a list has no name.
+template <class List>
+void name_each(List& list, const std::string& kind) {
+  for (std::size_t i = 0; i < list.size(); ++i)
+    if (list[i].name.empty()) list[i].name = kind + "-" + std::to_string(i + 1);
+}
+
+/// Whether there is a part of a name; `kind`: "shot".
+[[nodiscard]] Status check_named(const NameIndex& names, const std::string& name, const std::string& kind,
+                                 const std::string& path, const std::string& place);
+/// ... a shot that is fired alone, so that there is one of it.
 [[nodiscard]] Status check_lone_shot(const ScenarioNames& names, const std::string& name, const std::string& path,
                                      const std::string& place);
 

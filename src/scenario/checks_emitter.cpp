@@ -1,11 +1,8 @@
 // Checks of [[emitter]]: what it names exists, and its definition makes sense; errors have its line.
-#include <algorithm>
 
 #include "base/assert.hpp"
 #include "emit/emission.hpp"
 #include "scenario/checks.hpp"
-#include "scenario/checks_motion.hpp"
-#include "scenario/emitter_maker.hpp"
 #include "scenario/scene_maker.hpp"
 #include "scenario/suggest.hpp"
 
@@ -25,12 +22,11 @@ Error in_file(const Error& error, const Value& table) {
 Status check_gun(const ScenarioNames& names, const ScenarioEmitter& emitter, const Value& table) {
   const bool has_tracer = !emitter.tracer.empty(), fires_tracers = emitter.def.gun.tracer_every > 0;
   if (fires_tracers && !has_tracer)
-    return Error{"emitter.gun.tracer_every: there is no tracer", place_of(table, {"gun", "tracer_every"}),
-                 "name a shot: tracer = \"...\""};
+    return error_at(table, "emitter.gun.tracer_every", "there is no tracer", "name a shot: tracer = \"...\"");
   if (!has_tracer) return {};
-  const std::string place = place_of(table, {"gun", "tracer"});
+  const std::string place = place_of(table, "gun.tracer");
   if (!fires_tracers) return Error{"emitter.gun.tracer: no round is one", place, "say which: tracer_every = 5"};
-  return check_shot_name(names, emitter.tracer, "emitter.gun.tracer", place);
+  return check_named(names.shots, emitter.tracer, "shot", "emitter.gun.tracer", place);
 }
 
 Status check_subs(const Scenario& scenario, const ScenarioNames& names, const ScenarioEmitter& emitter,
@@ -38,11 +34,11 @@ Status check_subs(const Scenario& scenario, const ScenarioNames& names, const Sc
   for (std::size_t i = 0; i < emitter.subs.size(); ++i) {
     const ScenarioSub& sub = emitter.subs[i];
     const Value& of_sub = element(table, "sub", i);
-    if (!names.emitters.has(sub.emitter))
-      return Error{"emitter.sub.emitter: no emitter is named " + in_quotes(sub.emitter), place_of(of_sub, {"emitter"}),
-                   suggestion(sub.emitter, names.emitters.all(), "emitters")};
+    const std::string place = place_of(of_sub, "emitter");
+    if (Status status = check_named(names.emitters, sub.emitter, "emitter", "emitter.sub.emitter", place); !status)
+      return status;
     if (sub.def.on == SubEvent::apex && !scenario.world.def.apex_events)
-      return Error{"emitter.sub.on: no event says when a particle is at its apex", place_of(of_sub, {"on"}),
+      return Error{"emitter.sub.on: no event says when a particle is at its apex", place_of(of_sub, "on"),
                    "write apex_events = true into [world]"};
   }
   return {};
@@ -57,7 +53,7 @@ Status check_place(const ScenarioNames& names, const ScenarioEmitter& emitter, c
   if (Status status = check_motion("emitter", emitter.motion, def.position, emitter.rotation, table, motion); !status)
     return status;
   if (emitter.follows.empty()) return {};
-  const std::string place = place_of(table, {"follows"});
+  const std::string place = place_of(table, "follows");
   if (motion_of(emitter.motion).index() != 0)
     return Error{"emitter.follows: given together with motion", place, "give one of them"};
   return check_lone_shot(names, emitter.follows, "emitter.follows", place);
@@ -65,8 +61,8 @@ Status check_place(const ScenarioNames& names, const ScenarioEmitter& emitter, c
 
 Status check_emitter(const Scenario& scenario, const ScenarioNames& names, const ScenarioEmitter& emitter,
                      const Value& table) {
-  const std::string place = place_of(table, {"shot"});
-  if (Status status = check_shot_name(names, emitter.shot, "emitter.shot", place); !status) return status;
+  const std::string place = place_of(table, "shot");
+  if (Status status = check_named(names.shots, emitter.shot, "shot", "emitter.shot", place); !status) return status;
   if (Status status = check_place(names, emitter, table); !status) return status;
   if (Status status = check_gun(names, emitter, table); !status) return status;
   if (Status status = check_subs(scenario, names, emitter, table); !status) return status;
@@ -84,14 +80,14 @@ Status check_emitters(const Scenario& scenario, const ScenarioNames& names, cons
     const std::string& name = emitter.def.name;
     const bool is_taken = (names.shots.has(name) && names.is_alone(name)) || names.volleys.has(name);
     if (is_taken || names.emitters.find(name) != i)
-      return Error{"emitter.name: another emitter, volley or shot is named " + in_quotes(name),
-                   place_of(table, {"name"}), "give it a name of its own"};
+      return error_at(table, "emitter.name", "another emitter, volley or shot is named " + in_quotes(name),
+                      "give it a name of its own");
     if (Status status = check_emitter(scenario, names, emitter, table); !status) return status;
   }
   const auto order = order_of_emitters(scenario, names.emitters);
   if (order) return {};
   const Value& table = element(document, "emitter", *names.emitters.find(order.error().place));
-  return Error{"emitter.sub: " + order.error().message, place_of(table, {"sub"}), order.error().hint};
+  return error_at(table, "emitter.sub", order.error().message, order.error().hint);
 }
 
 }  // namespace physim

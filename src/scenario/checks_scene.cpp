@@ -9,7 +9,6 @@
 #include "physim/environment.hpp"
 #include "physim/files.hpp"
 #include "scenario/checks.hpp"
-#include "scenario/checks_motion.hpp"
 #include "scenario/expectation.hpp"
 #include "scenario/published_materials.hpp"
 #include "scenario/scene_maker.hpp"
@@ -137,7 +136,7 @@ Status read_file(ScenarioShape& shape, const Scenario& scenario) {
 
 Status check_material(const Value& table) {
   if (table.find("preset") && table.find("concrete"))
-    return Error{"material.concrete: given together with preset", place_of(table, {"concrete"}), "give one of them"};
+    return error_at(table, "material.concrete", "given together with preset", "give one of them");
   return check_one_kind(table, "material", "penetration", {"combine", "ricochet", "spread"});
 }
 
@@ -159,13 +158,9 @@ Status check_shape(const ScenarioShape& shape, const Value& table) {
       if (!of_kind || !of_kind->find(source.key) || !of_kind->find(other)) continue;
       return Error{"shape." + std::string(source.kind) + "." + std::string(source.key) + ": given together with " +
                        std::string(other),
-                   place_of(*of_kind, {source.key}), "give one of them"};
+                   place_of(*of_kind, source.key), "give one of them"};
     }
   return {};
-}
-
-Status check_thing(const ScenarioThing& thing, const Value& table) {
-  return check_motion("thing", thing, thing.position, thing.rotation, table, table);
 }
 
 /// How many tables of a list the file has.
@@ -173,16 +168,6 @@ std::size_t count_in(const Value& document, const std::string& list) {
   const Value* value = document.find(list);
   const Array* array = value ? value->get<Array>() : nullptr;
   return array ? array->size() : 0;
-}
-
-template <class List, class Check>
-Status check_each(const List& list, const std::string& key, const Value& document, const Check& check) {
-  for (std::size_t i = 0; i < list.size(); ++i)
-    if (const Status status = check(i); !status) {
-      PHYSIM_ASSERT(i < count_in(document, key));  // materials that are there by their name alone are good
-      return at_key(status.error(), key, element(document, key, i));
-    }
-  return {};
 }
 
 /// The published materials that things, parts and meshes name, where the scenario has none of that name.
@@ -203,15 +188,21 @@ void bring_published(Scenario& scenario) {
 
 }  // namespace
 
+Status check_rotation(const std::string& path, const ScenarioRotation& rotation, const Value& table) {
+  const bool by_angles = rotation.yaw != 0 || rotation.pitch != 0 || rotation.roll != 0;
+  if (rotation.angle != 0 && by_angles)
+    return Error{path + ".rotation: given by an angle and by yaw, pitch and roll", place_of(table, "rotation"),
+                 "give one of them"};
+  if (rotation.axis == Vec3d{})
+    return Error{path + ".rotation.axis: it has no direction", place_of(table, "rotation.axis"), ""};
+  return {};
+}
+
 std::string beside_scenario(const Scenario& scenario, const std::string& file) {
   return (std::filesystem::path(scenario.file).parent_path() / file).string();
 }
 
 Status complete_scene(Scenario& scenario, const Value& document) {
-  const auto name_each = [](auto& list, const std::string& kind) {
-    for (std::size_t i = 0; i < list.size(); ++i)
-      if (list[i].name.empty()) list[i].name = kind + "-" + std::to_string(i + 1);
-  };
   name_each(scenario.materials, "material");
   name_each(scenario.shapes, "shape");
   name_each(scenario.things, "thing");
@@ -222,7 +213,8 @@ Status complete_scene(Scenario& scenario, const Value& document) {
     const std::string_view kind = is_mesh(scenario.shapes[i]) ? "mesh" : "height_field";
     const std::string_view key = scenario.shapes[i].terrain.empty() ? "file" : "terrain";
     return Error{"shape." + std::string(kind) + "." + std::string(key) + ": " + status.error().message,
-                 place_of(element(document, "shape", i), {kind, key}), status.error().hint};
+                 place_of(element(document, "shape", i), std::string(kind) + "." + std::string(key)),
+                 status.error().hint};
   }
   return {};
 }
@@ -233,30 +225,28 @@ Status check_scene(const Scenario& scenario, const Value& document) {
     if (Status status = check_material(element(document, "material", i)); !status) return status;
   for (std::size_t i = 0; i < scenario.shapes.size(); ++i)
     if (Status status = check_shape(scenario.shapes[i], element(document, "shape", i)); !status) return status;
-  for (std::size_t i = 0; i < scenario.things.size(); ++i)
-    if (Status status = check_thing(scenario.things[i], element(document, "thing", i)); !status) return status;
-  SceneMaker maker(scenario);
-  Status status =
-      check_each(scenario.materials, "material", document, [&](std::size_t i) { return maker.add_material(i); });
-  if (status)
-    status = check_each(scenario.shapes, "shape", document, [&](std::size_t i) { return maker.add_shape(i); });
-  if (status)
-    status = check_each(scenario.shapes, "shape", document, [&](std::size_t i) { return maker.add_compound(i); });
-  if (status)
-    status = check_each(scenario.things, "thing", document, [&](std::size_t i) { return maker.add_thing(i); });
-  return status;
+  for (std::size_t i = 0; i < scenario.things.size(); ++i) {
+    const ScenarioThing& thing = scenario.things[i];
+    const Value& table = element(document, "thing", i);
+    if (Status status = check_motion("thing", thing, thing.position, thing.rotation, table, table); !status)
+      return status;
+  }
+  return SceneMaker(scenario).make_all([&](const Error& error, const std::string& list, std::size_t i) {
+    PHYSIM_ASSERT(i < count_in(document, list));  // materials that are there by their name alone are good
+    return at_key(error, list, element(document, list, i));
+  });
 }
 
 Status check_thing_expectation(const ScenarioNames& names, const Expectation& expect, const Value& table) {
   PHYSIM_ASSERT(!expect.thing.empty());
-  if (!names.things.has(expect.thing))
-    return Error{"expect.thing: no thing is named " + in_quotes(expect.thing), place_of(table, {"thing"}),
-                 suggestion(expect.thing, names.things.all(), "things")};
+  if (Status status = check_named(names.things, expect.thing, "thing", "expect.thing", place_of(table, "thing"));
+      !status)
+    return status;
   const Figure* figure = find_figure(expect.quantity);
   PHYSIM_ASSERT(figure != nullptr);  // the reader knows no others
   if (figure->is_of_things()) return {};
-  return Error{"expect.quantity: " + in_quotes(expect.quantity) + " is no figure of hits",
-               place_of(table, {"quantity"}), suggestion(expect.quantity, hit_figure_names(), "of hits there are")};
+  return error_at(table, "expect.quantity", in_quotes(expect.quantity) + " is no figure of hits",
+                  suggestion(expect.quantity, hit_figure_names(), "of hits there are"));
 }
 
 }  // namespace physim

@@ -61,12 +61,12 @@ Status check_pools(const Scenario& scenario, const ScenarioNames& names, const V
   for (std::size_t i = 0; i < pools.size(); ++i)
     if (names.pools.find(pools[i].name) != i)
       return Error{"world.pools.name: two pools are named " + in_quotes(pools[i].name),
-                   place_of(element(*document.find("world"), "pools", i), {"name"}), ""};
+                   place_of(element(*document.find("world"), "pools", i), "name"), ""};
   for (std::size_t i = 0; i < scenario.shots.size(); ++i) {
     const std::string& pool = scenario.shots[i].pool;
     if (pool.empty() || names.pools.has(pool)) continue;
     return Error{"shot.body.pool: no pool is named " + in_quotes(pool),
-                 place_of(*element(document, "shot", i).find("body"), {"pool"}),
+                 place_of(*element(document, "shot", i).find("body"), "pool"),
                  pools.empty() ? "write pools = [{ name = \"...\", maximum = 100 }] into [world]"
                                : suggestion(pool, names.pools.all(), "pools")};
   }
@@ -88,12 +88,12 @@ Status check_volleys(const Scenario& scenario, const ScenarioNames& names, const
   for (std::size_t i = 0; i < scenario.volleys.size(); ++i) {
     const Volley& volley = scenario.volleys[i];
     const Value& table = element(document, "volley", i);
-    if (Status status = check_shot_name(names, volley.shot, "volley.shot", place_of(table, {"shot"})); !status)
+    if (Status status = check_named(names.shots, volley.shot, "shot", "volley.shot", place_of(table, "shot")); !status)
       return status;
     const bool is_taken = names.shots.has(volley.name) && names.is_alone(volley.name);
     if (is_taken || names.volleys.find(volley.name) != i)
-      return Error{"volley.name: another volley or shot is named " + in_quotes(volley.name), place_of(table, {"name"}),
-                   "give it a name of its own"};
+      return error_at(table, "volley.name", "another volley or shot is named " + in_quotes(volley.name),
+                      "give it a name of its own");
     const Value* rate = table.find("rate");
     const std::string* text = rate ? rate->get<std::string>() : nullptr;
     if (rate && !(text && *text == "none") && table.find("interval"))
@@ -120,7 +120,7 @@ std::vector<std::string_view> law_names() {
 }
 
 Status check_other(const ScenarioNames& names, const ScenarioForce& force, const Member& law) {
-  const std::string path = "force." + law.key + ".other", place = place_of(law.value, {"other"});
+  const std::string path = "force." + law.key + ".other", place = place_of(law.value, "other");
   return check_lone_shot(names, force.other, path, place);
 }
 
@@ -133,7 +133,8 @@ Status check_force(const ScenarioNames& names, const ScenarioForce& force, const
     return Error{"force: it has two laws, " + laws[0]->key + " and " + laws[1]->key, laws[1]->key_place.text(),
                  "write a [[force]] for each"};
   for (const std::string& shot : force.shots)
-    if (Status status = check_shot_name(names, shot, "force.shots", place_of(table, {"shots"})); !status) return status;
+    if (Status status = check_named(names.shots, shot, "shot", "force.shots", place_of(table, "shots")); !status)
+      return status;
   if (!force.other.empty() || needs_other_end(force.law))
     if (Status status = check_other(names, force, *laws[0]); !status) return status;
   ForceDef def{.law = force.law, .target = ForceTarget::everything(), .delay = force.delay, .duration = force.duration};
@@ -147,10 +148,10 @@ Status check_group_expectation(const ScenarioNames& names, const Expectation& ex
   const bool is_counted = (names.shots.has(expect.shot) && names.is_alone(expect.shot)) ||
                           names.volleys.has(expect.shot) || names.emitters.has(expect.shot);
   if (!expect.shot.empty() && !is_counted)
-    return Error{"expect.shot: nothing is counted as " + in_quotes(expect.shot), place_of(table, {"shot"}),
-                 suggestion(expect.shot, names.groups(), "there are")};
+    return error_at(table, "expect.shot", "nothing is counted as " + in_quotes(expect.shot),
+                    suggestion(expect.shot, names.groups(), "there are"));
   if (expect.at != ExpectAt::end)
-    return Error{"expect.at: a world is looked at when its run is over", place_of(table, {"at"}), "leave it out"};
+    return error_at(table, "expect.at", "a world is looked at when its run is over", "leave it out");
   const Figure* figure = find_figure(expect.quantity);
   PHYSIM_ASSERT(figure != nullptr);  // the reader knows no others
   if (!expect.thing.empty())
@@ -158,26 +159,26 @@ Status check_group_expectation(const ScenarioNames& names, const Expectation& ex
   const bool has_any = !names.emitters.all().empty();
   const bool has_emitter = expect.shot.empty() ? has_any : names.emitters.has(expect.shot);
   if (figure->is_of_emitters && !has_emitter)
-    return Error{"expect.quantity: " + in_quotes(expect.quantity) + " is a figure of emitters",
-                 place_of(table, {"quantity"}), has_any ? "name one as expect.shot" : "there is no [[emitter]]"};
+    return error_at(table, "expect.quantity", in_quotes(expect.quantity) + " is a figure of emitters",
+                    has_any ? "name one as expect.shot" : "there is no [[emitter]]");
   if (!figure->is_of_worlds())
-    return Error{"expect.quantity: " + in_quotes(expect.quantity) + " is a figure of single flights",
-                 place_of(table, {"quantity"}),
-                 suggestion(expect.quantity, group_figure_names(), "in a world there are")};
+    return error_at(table, "expect.quantity", in_quotes(expect.quantity) + " is a figure of single flights",
+                    suggestion(expect.quantity, group_figure_names(), "in a world there are"));
   return {};
 }
 
 }  // namespace
 
-Status check_shot_name(const ScenarioNames& names, const std::string& name, const std::string& path,
-                       const std::string& place) {
-  if (names.shots.has(name)) return {};
-  return Error{path + ": no shot is named " + in_quotes(name), place, suggestion(name, names.shots.all(), "shots")};
+Status check_named(const NameIndex& names, const std::string& name, const std::string& kind, const std::string& path,
+                   const std::string& place) {
+  if (names.has(name)) return {};
+  return Error{path + ": no " + kind + " is named " + in_quotes(name), place,
+               suggestion(name, names.all(), kind + "s")};
 }
 
 Status check_lone_shot(const ScenarioNames& names, const std::string& name, const std::string& path,
                        const std::string& place) {
-  if (Status status = check_shot_name(names, name, path, place); !status) return status;
+  if (Status status = check_named(names.shots, name, "shot", path, place); !status) return status;
   if (names.of_volleys.contains(name))
     return Error{path + ": " + in_quotes(name) + " is fired by a volley", place,
                  "name a shot that no volley fires: there is one of it"};
@@ -188,18 +189,17 @@ Status check_lone_shot(const ScenarioNames& names, const std::string& name, cons
 
 void complete_world(Scenario& scenario, const Value& document) {
   scenario.world.given = document.find("world") != nullptr;
-  for (std::size_t i = 0; i < scenario.volleys.size(); ++i)
-    if (scenario.volleys[i].name.empty()) scenario.volleys[i].name = "volley-" + std::to_string(i + 1);
+  name_each(scenario.volleys, "volley");
+  name_each(scenario.joints, "joint");
+  name_each(scenario.forces, "force");
   for (std::size_t i = 0; i < scenario.emitters.size(); ++i) {
     EmitterDef& def = scenario.emitters[i].def;
     if (def.name.empty()) def.name = "emitter-" + std::to_string(i + 1);
     const bool is_gun = def.gun.rounds_per_minute > 0;
     if (is_gun && element(document, "emitter", i).find("per_second") == nullptr) def.per_second = {0};
   }
-  complete_joints(scenario);
   for (std::size_t i = 0; i < scenario.forces.size(); ++i) {
     ScenarioForce& force = scenario.forces[i];
-    if (force.name.empty()) force.name = "force-" + std::to_string(i + 1);
     // A law without a single number is never read: its first setting makes it.
     for (const Member* law : laws_of(element(document, "force", i))) {
       const Scope scope{.force = &force};

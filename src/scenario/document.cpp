@@ -146,12 +146,7 @@ PathInFile follow(const Value& table, std::string_view path) {
   return {*value, true};
 }
 
-std::string place_of(const Value& table, std::initializer_list<std::string_view> path) {
-  const Value* value = &table;
-  for (const std::string_view key : path)
-    if (const Value* next = value->find(key)) value = next;
-  return value->place.text();
-}
+std::string place_of(const Value& table, std::string_view path) { return follow(table, path).nearest.place.text(); }
 
 std::string_view kind_of(const Value& value) {
   static constexpr std::string_view kKinds[] = {"a boolean", "a number", "a number", "a text",

@@ -3,11 +3,9 @@
 #pragma once
 
 #include <cstdint>
-#include <initializer_list>
 #include <memory>
 #include <string>
 #include <string_view>
-#include <utility>
 #include <variant>
 #include <vector>
 
@@ -74,9 +72,6 @@ struct Member {
 
 /// A table of a list of tables that is there.
 [[nodiscard]] const Value& element(const Value& document, std::string_view list, std::size_t index);
-/// Where a setting of a table stands; where it is not given, where the table stands.
-[[nodiscard]] std::string place_of(const Value& table, std::initializer_list<std::string_view> path);
-
 /// Where a path of the library such as "bursts[1].count" leads from a table.
 struct PathInFile {
   const Value& nearest;  // the value itself, or the one around it that the file has
@@ -84,6 +79,8 @@ struct PathInFile {
 };
 /// What is no list stands for a list of one.
 [[nodiscard]] PathInFile follow(const Value& table, std::string_view path);
+/// Where what it leads to stands, or the table around that.
+[[nodiscard]] std::string place_of(const Value& table, std::string_view path);
 
 /// "a number", "a table", ...
 [[nodiscard]] std::string_view kind_of(const Value& value);

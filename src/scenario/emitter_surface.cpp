@@ -48,11 +48,11 @@ class Surfaces {
 Status complete_surface(ScenarioEmitter& emitter, Surfaces& surfaces, const Value& table) {
   const bool by_name = !emitter.surface_of.empty(), by_file = !emitter.surface_file.empty();
   if (!by_name && !by_file && reads(emitter.def.from.shape, kFromSurface))
-    return Error{"emitter.from.surface: there is none, and the shape needs one", place_of(table, {"from"}),
+    return Error{"emitter.from.surface: there is none, and the shape needs one", place_of(table, "from"),
                  "name a [[shape]] with a mesh or a height field: surface = \"...\", or a file of a mesh"};
   if (!by_name && !by_file) return {};
   const std::string key = by_name ? "of" : "file", setting = "emitter.from.surface." + key;
-  const std::string place = place_of(table, {"from", "surface", key});
+  const std::string place = place_of(table, "from.surface." + key);
   if (by_name && by_file) return Error{setting + ": given together with file", place, "give one of them"};
   if (by_file && emitter.def.from.shape == EmitShape::terrain)
     return Error{setting + ": a height map says no heights by itself", place,

@@ -1,9 +1,16 @@
+// The figures that an [[expect]] can check, and what flights and groups of a world say about them.
 #include "scenario/expectation.hpp"
 
 #include <algorithm>
 #include <array>
+#include <functional>
 
+#include "base/assert.hpp"
 #include "base/ieee_mode.hpp"
+#include "physim/names.hpp"
+#include "scenario/suggest.hpp"
+#include "scenario/units.hpp"
+#include "scenario/world_run.hpp"
 
 namespace physim {
 namespace {
@@ -32,45 +39,18 @@ Amount mean_of(const WorldGroup& g) {
 }
 Amount speed(const WorldGroup& g) { return g.alive > 0 ? Amount(g.mean_speed) : std::nullopt; }
 
-template <std::uint64_t WorldGroup::*count>
-Amount count_of(const WorldGroup& g) {
-  return static_cast<double>(g.*count);
+/// A count that a group or hits have.
+template <auto count, class Of>
+Amount count_of(const Of& of) {
+  return static_cast<double>(of.*count);
 }
-template <Series WorldGroup::*series, double Series::*part>
-Amount part_of(const WorldGroup& g) {
-  const Series& numbers = g.*series;
-  return numbers.count > 0 ? Amount(numbers.*part) : std::nullopt;
-}
-template <Series WorldGroup::*series>
-Amount spread_of(const WorldGroup& g) {
-  const Series& numbers = g.*series;
-  return numbers.count > 0 ? Amount(numbers.spread()) : std::nullopt;
+/// A part of a series that a group or hits have, as &Series::mean; nothing of no numbers.
+template <auto series, auto part = &Series::mean, class Of>
+Amount part_of(const Of& of) {
+  const Series& numbers = std::invoke(series, of);
+  return numbers.count > 0 ? Amount(std::invoke(part, numbers)) : std::nullopt;
 }
 
-template <std::uint64_t ThingHits::*count>
-Amount hits_of(const ThingHits& h) {
-  return static_cast<double>(h.*count);
-}
-template <Series ThingHits::*series, double Series::*part = &Series::mean>
-Amount hits_part(const ThingHits& h) {
-  const Series& numbers = h.*series;
-  return numbers.count > 0 ? Amount(numbers.*part) : std::nullopt;
-}
-template <Series (*series)(const WorldGroup&)>
-Amount mean_at(const WorldGroup& g) {
-  const Series numbers = series(g);
-  return numbers.count > 0 ? Amount(numbers.mean) : std::nullopt;
-}
-template <Series (*series)(const WorldGroup&)>
-Amount spread_at(const WorldGroup& g) {
-  const Series numbers = series(g);
-  return numbers.count > 0 ? Amount(numbers.spread()) : std::nullopt;
-}
-template <Series ThingHits::*series>
-Amount hits_spread(const ThingHits& h) {
-  const Series& numbers = h.*series;
-  return numbers.count > 0 ? Amount(numbers.spread()) : std::nullopt;
-}
 using OfHits = Amount (*)(const ThingHits&);
 /// A figure of hits alone.
 constexpr Figure of_hits(std::string_view name, Quantity quantity, OfHits measure) {
@@ -152,34 +132,36 @@ constexpr Figure kFigures[] = {
     {"refused", Quantity::number, nullptr, nullptr, count_of<&WorldGroup::refused>},
     {"landed", Quantity::number, nullptr, nullptr, count_of<&WorldGroup::landed>},
     {"bounces", Quantity::number, nullptr, nullptr, count_of<&WorldGroup::bounces>, nullptr,
-     hits_of<&ThingHits::bounces>},
+     count_of<&ThingHits::bounces>},
     {"slept", Quantity::number, nullptr, nullptr, count_of<&WorldGroup::slept>},
     {"expired", Quantity::number, nullptr, nullptr, count_of<&WorldGroup::expired>},
     {"retired", Quantity::number, nullptr, nullptr, count_of<&WorldGroup::retired>},
-    {"hits", Quantity::number, nullptr, nullptr, count_of<&WorldGroup::hits>, nullptr, hits_of<&ThingHits::count>},
+    {"hits", Quantity::number, nullptr, nullptr, count_of<&WorldGroup::hits>, nullptr, count_of<&ThingHits::count>},
     {"alive", Quantity::number, nullptr, nullptr, count_of<&WorldGroup::alive>},
-    {"impact_range", Quantity::length, nullptr, nullptr, part_of<&WorldGroup::range, &Series::mean>},
+    {"impact_range", Quantity::length, nullptr, nullptr, part_of<&WorldGroup::range>},
     {"impact_range_min", Quantity::length, nullptr, nullptr, part_of<&WorldGroup::range, &Series::low>},
     {"impact_range_max", Quantity::length, nullptr, nullptr, part_of<&WorldGroup::range, &Series::high>},
-    {"impact_range_spread", Quantity::length, nullptr, nullptr, spread_of<&WorldGroup::range>},
-    {"impact_time", Quantity::time, nullptr, nullptr, part_of<&WorldGroup::time, &Series::mean>},
-    {"impact_speed", Quantity::speed, nullptr, nullptr, part_of<&WorldGroup::speed, &Series::mean>},
-    {"apex", Quantity::length, nullptr, nullptr, part_of<&WorldGroup::apex, &Series::mean>},
+    {"impact_range_spread", Quantity::length, nullptr, nullptr, part_of<&WorldGroup::range, &Series::spread>},
+    {"impact_time", Quantity::time, nullptr, nullptr, part_of<&WorldGroup::time>},
+    {"impact_speed", Quantity::speed, nullptr, nullptr, part_of<&WorldGroup::speed>},
+    {"apex", Quantity::length, nullptr, nullptr, part_of<&WorldGroup::apex>},
     {"apex_max", Quantity::length, nullptr, nullptr, part_of<&WorldGroup::apex, &Series::high>},
-    {"hit_y", Quantity::length, nullptr, nullptr, mean_at<hit_heights>, nullptr, hits_part<&ThingHits::y>},
-    {"hit_z", Quantity::length, nullptr, nullptr, mean_at<hit_sides>, nullptr, hits_part<&ThingHits::z>},
-    {"hit_y_spread", Quantity::length, nullptr, nullptr, spread_at<hit_heights>, nullptr, hits_spread<&ThingHits::y>},
-    {"hit_z_spread", Quantity::length, nullptr, nullptr, spread_at<hit_sides>, nullptr, hits_spread<&ThingHits::z>},
+    {"hit_y", Quantity::length, nullptr, nullptr, part_of<hit_heights>, nullptr, part_of<&ThingHits::y>},
+    {"hit_z", Quantity::length, nullptr, nullptr, part_of<hit_sides>, nullptr, part_of<&ThingHits::z>},
+    {"hit_y_spread", Quantity::length, nullptr, nullptr, part_of<hit_heights, &Series::spread>, nullptr,
+     part_of<&ThingHits::y, &Series::spread>},
+    {"hit_z_spread", Quantity::length, nullptr, nullptr, part_of<hit_sides, &Series::spread>, nullptr,
+     part_of<&ThingHits::z, &Series::spread>},
     // Figures of hits on things of the scene: on one that the expectation names, or on all.
-    of_hits("ricochets", Quantity::number, hits_of<&ThingHits::ricochets>),
-    of_hits("penetrations", Quantity::number, hits_of<&ThingHits::penetrations>),
-    of_hits("stops", Quantity::number, hits_of<&ThingHits::stops>),
-    of_hits("hit_time", Quantity::time, hits_part<&ThingHits::time>),
-    of_hits("hit_x", Quantity::length, hits_part<&ThingHits::x>),
-    of_hits("hit_speed", Quantity::speed, hits_part<&ThingHits::speed>),
-    of_hits("hit_speed_after", Quantity::speed, hits_part<&ThingHits::speed_after>),
-    of_hits("hit_obliquity", Quantity::angle, hits_part<&ThingHits::obliquity>),
-    of_hits("hit_depth", Quantity::length, hits_part<&ThingHits::depth>),
+    of_hits("ricochets", Quantity::number, count_of<&ThingHits::ricochets>),
+    of_hits("penetrations", Quantity::number, count_of<&ThingHits::penetrations>),
+    of_hits("stops", Quantity::number, count_of<&ThingHits::stops>),
+    of_hits("hit_time", Quantity::time, part_of<&ThingHits::time>),
+    of_hits("hit_x", Quantity::length, part_of<&ThingHits::x>),
+    of_hits("hit_speed", Quantity::speed, part_of<&ThingHits::speed>),
+    of_hits("hit_speed_after", Quantity::speed, part_of<&ThingHits::speed_after>),
+    of_hits("hit_obliquity", Quantity::angle, part_of<&ThingHits::obliquity>),
+    of_hits("hit_depth", Quantity::length, part_of<&ThingHits::depth>),
     of_passages("passages"),
     // Figures of emitters; refused, landed, expired and alive are those of groups.
     of_emitters("born", emitted<&EmitterCounts::born>),
@@ -194,6 +176,59 @@ constexpr auto kFigureNames = [] {
   for (std::size_t i = 0; i < names.size(); ++i) names[i] = kFigures[i].name;
   return names;
 }();
+
+/// Where an event happens first: fly() always records these.
+Result<Sample> sample_at_event(const Flight& flight, EventKind kind) {
+  for (const Event& event : flight.events())
+    if (event.kind == kind) return flight.at(event.time);
+  return Error{"the flight has no " + std::string(name(kind)), "", ""};
+}
+
+Result<Sample> sample_at(const Flight& flight, const Expectation& expectation) {
+  switch (expectation.at) {
+    case ExpectAt::end: return flight.end();
+    case ExpectAt::apex: return sample_at_event(flight, EventKind::apex);
+    case ExpectAt::rail_exit: return sample_at_event(flight, EventKind::rail_exit);
+    case ExpectAt::burnout: return sample_at_event(flight, EventKind::burnout);
+    case ExpectAt::time: {
+      // A flight that ends at until.time = 10 s may last 9.999999999999998 s: its end is found in its last step.
+      constexpr double kRounding = 1e-12;
+      if (expectation.at_value <= flight.duration() * (1 + kRounding)) return flight.at(expectation.at_value);
+      return Error{"the flight ends after " + quantity_text(flight.duration(), Quantity::time), "", ""};
+    }
+    case ExpectAt::range: return flight.at_range(expectation.at_value);
+    case ExpectAt::height: return flight.at_height(expectation.at_value);
+  }
+  return Error{"expect.at is none of the named values", "", ""};
+}
+
+/// The hits of a group or a flight on a thing, or on all; none where it never hit it.
+template <class Hits>
+ThingHits hits_on(const Hits& of, const std::string& thing) {
+  if (thing.empty()) return of.on_things;
+  for (const ThingHits& hits : of.by_thing)
+    if (hits.thing == thing) return hits;
+  return {};
+}
+
+Result<double> measure_anywhere(const Flight& flight, const Expectation& expectation) {
+  if (flight.error()) return *flight.error();
+  const Figure* figure = find_figure(expectation.quantity);
+  if (figure == nullptr)
+    return Error{"unknown quantity " + in_quotes(expectation.quantity), "",
+                 suggestion(expectation.quantity, figure_names(), "known quantities")};
+  if (!figure->is_of_flights()) return Error{in_quotes(figure->name) + " is a figure of a world", "", ""};
+  const bool is_of_moment = figure->value != nullptr || figure->place != nullptr || figure->of_moment != nullptr;
+  if (!is_of_moment) return flight.elevation();
+  const Result<Sample> sample = sample_at(flight, expectation);
+  if (!sample) return sample.error();
+  if (figure->place != nullptr) return flight.earth_frames().geodetic(sample->position).*(figure->place);
+  if (figure->value != nullptr) return figure->value(*sample);
+  PHYSIM_ASSERT(figure->of_moment != nullptr);
+  if (const auto value = figure->of_moment(flight, *sample)) return *value;
+  return Error{"there is no " + in_quotes(figure->name) + " where rotation is not flown", "",
+               "ask for the rotation model \"rigid_body\" or \"modified_point_mass\""};
+}
 
 }  // namespace
 
@@ -226,6 +261,48 @@ const Figure* find_figure(std::string_view name) {
   for (const Figure& figure : kFigures)
     if (figure.name == name) return &figure;
   return nullptr;
+}
+
+Result<double> measure(const Flight& flight, const Expectation& expectation) {
+  const IeeeMode mode;
+  Result<double> value = measure_anywhere(flight, expectation);
+  if (value) return value;
+  Error error = value.error();
+  error.place = expectation.place;  // the line of the file that asked
+  return error;
+}
+
+Result<double> measure(const Flight& flight, const FlightHits& hits, const Expectation& expectation) {
+  const IeeeMode mode;
+  const Figure* figure = find_figure(expectation.quantity);
+  if (figure != nullptr && figure->is_of_passages) return static_cast<double>(hits.passages.of(expectation.thing));
+  if (figure == nullptr || figure->is_of_flights() || figure->of_hits == nullptr) return measure(flight, expectation);
+  if (const auto value = figure->of_hits(hits_on(hits, expectation.thing))) return *value;
+  return Error{"there is no hit to measure", expectation.place, "its count is zero"};
+}
+
+Result<double> measure(const WorldGroup& group, const Passages& passages, const Expectation& expectation) {
+  const Figure* figure = find_figure(expectation.quantity);
+  if (figure == nullptr || !figure->is_of_passages) return measure(group, expectation);
+  return static_cast<double>(passages.of(expectation.thing));
+}
+
+Result<double> measure(const WorldGroup& group, const Expectation& expectation) {
+  const IeeeMode mode;
+  const Figure* figure = find_figure(expectation.quantity);
+  if (figure == nullptr || !figure->is_of_worlds())
+    return Error{in_quotes(expectation.quantity) + " is no figure of a world", expectation.place,
+                 suggestion(expectation.quantity, group_figure_names(), "known are")};
+  const bool of_hits = figure->of_group == nullptr || !expectation.thing.empty();
+  if (of_hits && figure->of_hits == nullptr)
+    return Error{in_quotes(expectation.quantity) + " is no figure of hits", expectation.place,
+                 suggestion(expectation.quantity, hit_figure_names(), "known are")};
+  if (figure->is_of_emitters && !group.emitter)
+    return Error{in_quotes(group.name) + " is no emitter", expectation.place, "name one as expect.shot"};
+  const std::optional<double> value =
+      of_hits ? figure->of_hits(hits_on(group, expectation.thing)) : figure->of_group(group);
+  if (value) return *value;
+  return Error{"there is nothing of " + in_quotes(group.name) + " to measure", expectation.place, "its count is zero"};
 }
 
 }  // namespace physim

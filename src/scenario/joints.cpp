@@ -28,20 +28,20 @@ Status check_def(const ScenarioJoint& joint, const Value& table) {
   if (status) return {};
   const Error& error = status.error();
   const std::string key = error.place.substr(error.place.find('.') + 1);
-  return Error{error.place + ": " + error.message, place_of(table, {key}), error.hint};
+  return Error{error.place + ": " + error.message, place_of(table, key), error.hint};
 }
 
 Status check_joint(const ScenarioNames& names, const ScenarioJoint& joint, const Value& table) {
-  if (Status status = check_lone_shot(names, joint.a, "joint.a", place_of(table, {"a"})); !status) return status;
+  if (Status status = check_lone_shot(names, joint.a, "joint.a", place_of(table, "a")); !status) return status;
   if (!joint.b.empty())
-    if (Status status = check_lone_shot(names, joint.b, "joint.b", place_of(table, {"b"})); !status) return status;
-  if (joint.a == joint.b)
-    return Error{"joint.b: is joint.a too", place_of(table, {"b"}), "a joint holds two different shots"};
+    if (Status status = check_lone_shot(names, joint.b, "joint.b", place_of(table, "b")); !status) return status;
+  if (joint.a == joint.b) return error_at(table, "joint.b", "is joint.a too", "a joint holds two different shots");
   if (!joint.b.empty() && table.find("point"))
-    return Error{"joint.point: given together with b", place_of(table, {"point"}), "give one of them"};
-  if (!joint.thing.empty() && !names.things.has(joint.thing))
-    return Error{"joint.thing: no thing is named " + in_quotes(joint.thing), place_of(table, {"thing"}),
-                 suggestion(joint.thing, names.things.all(), "things")};
+    return error_at(table, "joint.point", "given together with b", "give one of them");
+  if (!joint.thing.empty())
+    if (Status status = check_named(names.things, joint.thing, "thing", "joint.thing", place_of(table, "thing"));
+        !status)
+      return status;
   PHYSIM_ASSERT(!joint.a.empty());  // a required key
   return check_def(joint, table);
 }
@@ -175,11 +175,6 @@ class JointNet {
 }  // namespace
 
 std::vector<JointRemark> joint_remarks(const Scenario& scenario) { return JointNet(scenario).remarks(); }
-
-void complete_joints(Scenario& scenario) {
-  for (std::size_t i = 0; i < scenario.joints.size(); ++i)
-    if (std::string& name = scenario.joints[i].name; name.empty()) name = "joint-" + std::to_string(i + 1);
-}
 
 Status check_joints(const Scenario& scenario, const ScenarioNames& names, const Value& document) {
   for (std::size_t i = 0; i < scenario.joints.size(); ++i)

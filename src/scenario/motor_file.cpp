@@ -3,9 +3,6 @@
 #include "physim/files.hpp"
 
 #include <algorithm>
-#include <charconv>
-#include <cmath>
-#include <optional>
 #include <string_view>
 
 #include "base/assert.hpp"

@@ -1,4 +1,3 @@
-#include "scenario/notes.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -19,8 +18,6 @@
 namespace physim {
 namespace {
 
-using Path = std::initializer_list<std::string_view>;
-
 class Notes {
  public:
   Notes(Scenario& scenario, const Value& document) : scenario_(scenario), document_(document) {}
@@ -31,7 +28,7 @@ class Notes {
     of_environment();
     for (std::size_t i = 0; i < scenario_.shots.size(); ++i) of_shot(scenario_.shots[i], element(document_, "shot", i));
     for (const JointRemark& remark : joint_remarks(scenario_))
-      note(element(document_, "joint", remark.joint), "joint", {remark.key}, remark.what);
+      note(element(document_, "joint", remark.joint), "joint", remark.key, remark.what);
     for (std::size_t i = 0; i < scenario_.emitters.size(); ++i)
       of_emitter(scenario_.emitters[i], element(document_, "emitter", i));
     if (scenario_.world.given) of_end();
@@ -42,26 +39,17 @@ class Notes {
   }
 
  private:
-  static bool is_given(const Value& table, Path path) {
-    const Value* value = &table;
-    for (const std::string_view key : path)
-      if (value = value->find(key); value == nullptr) return false;
-    return true;
-  }
-  static std::string joined(std::string_view head, Path path) {
-    std::string text(head);
-    for (const std::string_view key : path) text += (text.empty() ? "" : ".") + std::string(key);
-    return text;
-  }
-  void note(const Value& table, std::string_view head, Path path, const std::string& what) {
-    scenario_.notes.push_back(place_of(table, path) + ": " + joined(head, path) + ": " + what);
+  /// `path`: in a table whose own path is `head`.
+  void note(const Value& table, const std::string& head, const std::string& path, const std::string& what) {
+    const char* const dot = head.empty() || path.empty() ? "" : ".";
+    scenario_.notes.push_back(place_of(table, path) + ": " + head + dot + path + ": " + what);
   }
 
   // ----------------------------------------------------------------------------------------------------- unlikely
   /// A number that lies outside of what is usual, if it is given.
-  void unusual(const Value& table, std::string_view head, Path path, const std::string& value,
+  void unusual(const Value& table, const std::string& head, const std::string& path, const std::string& value,
                const std::string& usual) {
-    if (is_given(table, path)) note(table, head, path, value + " is unusual; " + usual);
+    if (follow(table, path).is_there) note(table, head, path, value + " is unusual; " + usual);
   }
 
   void of_environment() {
@@ -71,24 +59,23 @@ class Notes {
                           e.gravity.acceleration < kMostGravity;
     const double pressure = e.atmosphere.pressure.value_or(101325), altitude = e.altitude;
     if (on_earth && (pressure < 1e4 || pressure > 1.2e5))
-      unusual(document_, "", {"environment", "atmosphere", "pressure"}, quantity_text(pressure, Quantity::pressure),
+      unusual(document_, "", "environment.atmosphere.pressure", quantity_text(pressure, Quantity::pressure),
               "air on the ground has 50 to 108 kPa, as \"1013 hPa\"");
     if (!e.atmosphere.profile.empty() && e.atmosphere.profile[0].pressure) {
       const AirPoint& first = e.atmosphere.profile[0];
       const Result<AirSample> standard = air_at({}, first.altitude);
       const double part = standard ? *first.pressure / standard->pressure : 1;
       if (on_earth && (part < 0.7 || part > 1.3))
-        unusual(document_, "", {"environment", "atmosphere", "profile"},
+        unusual(document_, "", "environment.atmosphere.profile",
                 "a pressure of " + quantity_text(*first.pressure, Quantity::pressure) + " at " +
                     quantity_text(first.altitude, Quantity::length),
                 "the standard has " + quantity_text(standard->pressure, Quantity::pressure) + " there");
     }
     if (altitude < -5e3 || altitude > 1e6)
-      unusual(document_, "", {"environment", "altitude"}, quantity_text(altitude, Quantity::length),
+      unusual(document_, "", "environment.altitude", quantity_text(altitude, Quantity::length),
               "it is a height above the sea, from -400 m to 1000 km");
     if (const double relative = scenario_.tolerance.relative.value_or(0); relative > 1e-2)
-      unusual(document_, "", {"tolerance", "relative"}, number_text(relative),
-              "errors of a step are from 1e-12 to 1e-4");
+      unusual(document_, "", "tolerance.relative", number_text(relative), "errors of a step are from 1e-12 to 1e-4");
   }
 
   void of_shot(const ScenarioShot& shot, const Value& table) {
@@ -121,7 +108,7 @@ class Notes {
     std::string what = "and has landed there";
     if (climb > 0) what = "and rises through it; it lands where it sinks to the ground or below it";
     if (!(climb > 0) && may_rise) what = "and lands at once unless it rises";
-    note(table, "shot", {},
+    note(table, "shot", "",
          begins_below(launch.position.y) + (is_world ? "world.ground.height = " : "until.ground = ") +
              quantity_text(*level, Quantity::length) + ", " + what);
   }
@@ -131,11 +118,11 @@ class Notes {
     const DespawnRules& rules = shot.body.despawn;
     const double height = shot.launch.position.y, speed = launch_speed(shot.launch);
     if (height < rules.below)
-      note(table, "shot", {},
+      note(table, "shot", "",
            begins_below(height) + "shot.body.despawn.below = " + quantity_text(rules.below, Quantity::length) +
                ", and leaves at once");
     if (speed < rules.slower)
-      note(table, "shot", {},
+      note(table, "shot", "",
            "it begins with " + quantity_text(speed, Quantity::speed) + ", below shot.body.despawn.slower = " +
                quantity_text(rules.slower, Quantity::speed) + ", and leaves unless it speeds up at once");
   }
@@ -150,7 +137,7 @@ class Notes {
     const double weight = (shot.projectile.mass - motor.propellant_mass) * gravity.acceleration;
     const double held = weight * sincos(shot.launch.elevation).sin;
     if (most < held)
-      note(table, "shot", {"motor"},
+      note(table, "shot", "motor",
            "its thrust never exceeds the weight along the rail: " + quantity_text(most, Quantity::force) + " of " +
                quantity_text(held, Quantity::force) + "; the rocket stays where it is");
   }
@@ -165,7 +152,7 @@ class Notes {
       if (volley.shot == shot.projectile.name) launched = std::min(launched, volley.start);
     if (!std::isfinite(launched)) launched = 0;
     if (motor.thrust.empty() || launched + motor.ignition_delay < end) return;
-    note(table, "shot", {"motor", "ignition_delay"},
+    note(table, "shot", "motor.ignition_delay",
          quantity_text(motor.ignition_delay, Quantity::time) + ", and " + (is_world ? "world.duration" : "until.time") +
              " = " + quantity_text(end, Quantity::time) + ": the motor never burns");
   }
@@ -174,7 +161,7 @@ class Notes {
   void of_end() {
     for (std::size_t i = 0; i < scenario_.volleys.size(); ++i)
       if (const double start = scenario_.volleys[i].start; start >= scenario_.world.duration)
-        too_late(element(document_, "volley", i), "volley", {"start"}, quantity_text(start, Quantity::time),
+        too_late(element(document_, "volley", i), "volley", "start", quantity_text(start, Quantity::time),
                  "it never fires");
     const std::set<std::string_view> firing = emitters_that_fire();
     for (std::size_t i = 0; i < scenario_.emitters.size(); ++i) {
@@ -183,14 +170,14 @@ class Notes {
       if (firing.count(def.name) > 0)
         of_births(def, table);
       else
-        note(table, "emitter", {},
+        note(table, "emitter", "",
              std::string("nothing fires it: it ") +
                  (has_own_fire(def) ? "does not play" : "has no rate, burst, gun or rain") +
                  ", and is the sub of no emitter that fires");
     }
     for (std::size_t i = 0; i < scenario_.forces.size(); ++i)
       if (const double delay = scenario_.forces[i].delay; delay >= scenario_.world.duration)
-        too_late(element(document_, "force", i), "force", {"delay"}, quantity_text(delay, Quantity::time),
+        too_late(element(document_, "force", i), "force", "delay", quantity_text(delay, Quantity::time),
                  "it never acts");
   }
   /// Names of emitters that fire by themselves, and of their subs.
@@ -211,7 +198,8 @@ class Notes {
     }
     return names;
   }
-  void too_late(const Value& table, std::string_view head, Path path, const std::string& due, const std::string& so) {
+  void too_late(const Value& table, const std::string& head, const std::string& path, const std::string& due,
+                const std::string& so) {
     note(table, head, path,
          due + ", and world.duration = " + quantity_text(scenario_.world.duration, Quantity::time) + ": " + so);
   }
@@ -221,11 +209,11 @@ class Notes {
     const double least = std::min(cycle.delay.value, cycle.delay.to.value_or(kInfinity));
     const double end = scenario_.world.duration, delay = std::min(least, least / cycle.rate);
     if (delay >= end && def.bursts.empty())
-      return too_late(table, "emitter", {"cycle", "delay"}, quantity_text(delay, Quantity::time), "it fires nothing");
+      return too_late(table, "emitter", "cycle.delay", quantity_text(delay, Quantity::time), "it fires nothing");
     for (std::size_t i = 0; i < def.bursts.size(); ++i) {
       const double time = def.bursts[i].time, due = delay + time / cycle.rate;
       if (due > end && time < cycle.duration)
-        too_late(table, "emitter", {"bursts"},
+        too_late(table, "emitter", "bursts",
                  "burst " + std::to_string(i + 1) + " is due at " + quantity_text(due, Quantity::time),
                  "it never comes");
     }
@@ -235,15 +223,15 @@ class Notes {
     constexpr double kHighest = 1;  // above a bore [m]
     const double height = shot.launch.sight.height;
     if (std::abs(height) > kHighest)
-      unusual(table, "shot", {"sight", "height"}, quantity_text(height, Quantity::length),
+      unusual(table, "shot", "sight.height", quantity_text(height, Quantity::length),
               "sights of rifles stand 3 to 10 cm above the bore, as \"1.5 in\"");
   }
 
   /// Adds a note for each ballistic coefficient that mass and diameter cannot give.
   void of_drag(const ProjectileDef& p, const Value& table) {
-    if (!(p.diameter > 0) || !is_given(table, {"drag"})) return;
+    if (!(p.diameter > 0) || !follow(table, "drag").is_there) return;
     const double sectional_density = p.mass / (p.diameter * p.diameter);
-    const auto judge = [&](Path path, double coefficient) {
+    const auto judge = [&](const std::string& path, double coefficient) {
       constexpr double kHigh = 1406, kLeastFactor = 0.3, kMostFactor = 30;  // 2 lb/in^2 [kg/m^2]; of shapes [-]
       const double factor = sectional_density / coefficient;
       if ((coefficient > kHigh && factor < kLeastFactor) || factor > kMostFactor)
@@ -251,8 +239,8 @@ class Notes {
                 "with this mass and diameter the form factor is " + number_text(std::round(1e4 * factor) / 1e4) +
                     ", and bullets have 0.8 to 2; as \"0.223 lb/in^2\"");
     };
-    if (p.drag.ballistic_coefficient > 0) judge({"drag", "ballistic_coefficient"}, p.drag.ballistic_coefficient);
-    for (const BallisticBand& band : p.drag.bands) judge({"drag", "bands"}, band.ballistic_coefficient);
+    if (p.drag.ballistic_coefficient > 0) judge("drag.ballistic_coefficient", p.drag.ballistic_coefficient);
+    for (const BallisticBand& band : p.drag.bands) judge("drag.bands", band.ballistic_coefficient);
   }
 
   void of_numbers(const ScenarioShot& shot, const Value& table) {
@@ -261,24 +249,24 @@ class Notes {
     constexpr double kFastestBullet = 2000, kWidestBullet = 0.02;  // [m/s], [m]
     const bool has_curve_of_bullets = p.drag.ballistic_coefficient > 0 || !p.drag.bands.empty() || p.twist != 0;
     const bool is_bullet = has_curve_of_bullets && p.diameter < kWidestBullet;
-    for (const std::string_view key : {"speed", "velocity"}) {
+    for (const char* key : {"speed", "velocity"}) {
       const double speed = shot.launch.velocity ? length(*shot.launch.velocity) : shot.launch.speed;
       if (speed > kFastest)
-        unusual(table, "shot", {key}, quantity_text(speed, Quantity::speed),
+        unusual(table, "shot", key, quantity_text(speed, Quantity::speed),
                 "guns reach 3 km/s and meteors 72 km/s, and there is no relativity here");
       else if (speed > kFastestBullet && is_bullet)
-        unusual(table, "shot", {key}, quantity_text(speed, Quantity::speed),
+        unusual(table, "shot", key, quantity_text(speed, Quantity::speed),
                 "bullets of rifles have 300 to 1400 m/s, as \"2600 ft/s\"");
     }
     // A cylinder of lead of this mass and diameter would be so many calibres long.
     constexpr double kLead = 11340, kLongest = 60;
     const double calibres = p.mass / (kLead * 0.25 * kPi * p.diameter * p.diameter * p.diameter);
-    if (p.diameter > 0 && calibres > kLongest && is_given(table, {"diameter"}))
-      unusual(table, "shot", {"mass"}, quantity_text(p.mass, Quantity::mass),
+    if (p.diameter > 0 && calibres > kLongest && follow(table, "diameter").is_there)
+      unusual(table, "shot", "mass", quantity_text(p.mass, Quantity::mass),
               "with this diameter it is a rod of lead " + number_text(std::round(calibres)) + " calibres long");
     const auto stability = stability_factor(p, shot.launch, scenario_.environment);
     if (stability && (*stability < 1 || *stability > 20))
-      unusual(table, "shot", {"twist"}, quantity_text(p.twist, Quantity::length),
+      unusual(table, "shot", "twist", quantity_text(p.twist, Quantity::length),
               "it gives a stability factor of " + number_text(std::round(100 * *stability) / 100) +
                   ", and bullets that fly straight have 1.3 to 5");
   }
@@ -298,17 +286,17 @@ class Notes {
     const std::string limit = "an emitter lets out " + number_text(kMostBirthsInStep) + " at most in a step";
     const double rate = most_of(def.per_second), in_step = rate * def.cycle.rate * scenario_.world.def.step;
     if (in_step > kMostBirthsInStep)
-      note(table, "emitter", {"per_second"},
+      note(table, "emitter", "per_second",
            number_text(rate) + " a second are " + number_text(std::ceil(in_step)) + " in a step; " + limit +
                " and stops where there are more");
     for (std::size_t i = 0; i < def.bursts.size(); ++i)
       if (const double count = most_of(def.bursts[i].count); count > kMostBirthsInStep)
-        note(table, "emitter", {"bursts"}, "a burst of " + number_text(count) + "; " + limit + " and stops");
+        note(table, "emitter", "bursts", "a burst of " + number_text(count) + "; " + limit + " and stops");
     const double past = rate * def.cycle.duration;
     const bool is_flown =
         !emitter.subs.empty() || !def.bursts.empty() || def.per_second.to || !def.per_second.curve.empty();
     if (def.cycle.prewarm && is_flown && past > kMostBirthsOfPast)
-      note(table, "emitter", {"cycle", "prewarm"},
+      note(table, "emitter", "cycle.prewarm",
            "one cycle has " + number_text(past) + " particles; more than " + number_text(kMostBirthsOfPast) +
                " of the past are not flown");
   }
@@ -333,7 +321,7 @@ class Notes {
       return !is_asked_about(shot, expect.shot) || shot.body.collision.on_hit == OnHit::pass;
     });
     if (!is_sensor && !passes) return;
-    note(table, "expect", {"quantity"},
+    note(table, "expect", "quantity",
          in_quotes(expect.quantity) + " is of hits, and " +
              (is_sensor ? "the sensor " + in_quotes(expect.thing) + " is passed without one"
                         : "shots with on_hit = \"pass\" have none") +
@@ -342,18 +330,18 @@ class Notes {
 
   void of_shape(const ScenarioShape& shape, const Value& table) {
     if (shape.impossible > 0)
-      note(table, "shape", {"mesh", "missing"},
+      note(table, "shape", "mesh.missing",
            "it replaces a height of " + quantity_text(shape.impossible_height, Quantity::length) +
                ", which no ground has" +
                (shape.impossible == 1 ? "" : ", and " + std::to_string(shape.impossible - 1) + " more such heights"));
     if (std::isfinite(shape.reached))
-      note(table, "shape", {"mesh", "reach"},
+      note(table, "shape", "mesh.reach",
            quantity_text(shape.cut.reach, Quantity::length) + ", and on one side the file ends " +
                quantity_text(std::round(shape.reached), Quantity::length) +
                " from environment.earth.latitude and longitude; there is no ground beyond");
     const bool is_picture = std::holds_alternative<HeightFieldShape>(shape.shape) && !shape.file.empty();
     if (is_picture && shape.low >= shape.high)
-      note(table, "shape", {"height_field", "low"},
+      note(table, "shape", "height_field.low",
            quantity_text(shape.low, Quantity::length) +
                " is not below shape.height_field.high = " + quantity_text(shape.high, Quantity::length) + ": " +
                (shape.low == shape.high ? "the field is flat" : "black is high ground and white is low"));

@@ -1,5 +1,4 @@
 // Numbers and colours that emitters draw: constants, two bounds, or tables with curves over a span.
-#include <array>
 #include <charconv>
 #include <utility>
 

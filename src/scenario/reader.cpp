@@ -391,16 +391,11 @@ bool is_none(const Entry& entry, const Value& value) {
   return text != nullptr && *text == entry.none;
 }
 
-Status read_optional(const Wanted& wanted, const Entry& entry, const Value& value, const OptionalNumber& target) {
+template <class Number, class Read>
+Status read_optional(const Entry& entry, const Value& value, const Optional<Number>& target, const Read& read) {
   if (is_none(entry, value)) return target.set(std::nullopt), Status();
-  double number = 0;
-  if (Status status = read_number(wanted, value, number); !status) return status;
-  return target.set(number), Status();
-}
-Status read_optional(const Entry& entry, const Value& value, const OptionalInteger& target) {
-  if (is_none(entry, value)) return target.set(std::nullopt), Status();
-  std::int64_t number = 0;
-  if (Status status = read_integer(entry, value, number); !status) return status;
+  Number number = 0;
+  if (Status status = read(number); !status) return status;
   return target.set(number), Status();
 }
 Status read_boolean(const Entry& entry, const Value& value, bool& target) {
@@ -413,7 +408,9 @@ void read_value(const Entry& entry, const Scope& scope, const Value& value, cons
   const Wanted wanted{entry.path, entry.quantity_in(scope), entry.range};
   const Overloaded readers{
       [&](double* target) { all.take(read_number(wanted, value, *target)); },
-      [&](const OptionalNumber& target) { all.take(read_optional(wanted, entry, value, target)); },
+      [&](const OptionalNumber& target) {
+        all.take(read_optional(entry, value, target, [&](double& x) { return read_number(wanted, value, x); }));
+      },
       [&](Vec3d* target) { read_vector(wanted, value, *target, all); },
       [&](std::optional<Vec3d>* target) {
         target->reset();
@@ -423,7 +420,9 @@ void read_value(const Entry& entry, const Scope& scope, const Value& value, cons
         std::int64_t number = 0;
         if (all.take(read_integer(entry, value, number))) target.set(number);
       },
-      [&](const OptionalInteger& target) { all.take(read_optional(entry, value, target)); },
+      [&](const OptionalInteger& target) {
+        all.take(read_optional(entry, value, target, [&](std::int64_t& n) { return read_integer(entry, value, n); }));
+      },
       [&](bool* target) { all.take(read_boolean(entry, value, *target)); },
       [&](std::string* target) { all.take(read_text(entry, value, *target)); },
       [&](const Choice& choice) { all.take(read_choice(entry, value, choice, *scope.scenario)); },

@@ -5,10 +5,10 @@
 #include <algorithm>
 
 #include "base/assert.hpp"
+#include "scenario/as_written.hpp"
 #include "scenario/document.hpp"
 #include "scenario/published_materials.hpp"
 #include "scenario/schema.hpp"
-#include "scenario/text_places.hpp"
 #include "scenario/writer.hpp"
 
 namespace physim {

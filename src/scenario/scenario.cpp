@@ -11,7 +11,6 @@
 #include "scenario/in_place.hpp"
 #include "scenario/measured_column.hpp"
 #include "scenario/mistakes.hpp"
-#include "scenario/notes.hpp"
 #include "scenario/overrides.hpp"
 #include "scenario/reader.hpp"
 #include "scenario/text_file.hpp"

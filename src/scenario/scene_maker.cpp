@@ -4,6 +4,7 @@
 
 #include "base/assert.hpp"
 #include "base/ieee_mode.hpp"
+#include "base/text.hpp"
 #include "collide/mesh.hpp"
 #include "scenario/published_materials.hpp"
 #include "scenario/settings_parts.hpp"
@@ -21,17 +22,6 @@ Result<Id> id_of(const std::map<std::string_view, Id>& ids, const std::string& n
   for (const auto& [each, id] : ids) names.push_back(each);
   const std::string hint = names.empty() ? "write a [[" + what + "]]" : suggestion(name, names, what + "s");
   return Error{"no " + what + " is named " + in_quotes(name), what, hint};
-}
-
-template <class List, class Add>
-Status add_each(const List& list, const char* kind, const Add& add) {
-  for (std::size_t i = 0; i < list.size(); ++i)
-    if (const Status status = add(i); !status) {
-      Error error = status.error();
-      error.place = std::string(kind) + " " + in_quotes(list[i].name) + (error.place.empty() ? "" : ": " + error.place);
-      return error;
-    }
-  return {};
 }
 
 }  // namespace
@@ -156,13 +146,28 @@ Status SceneMaker::add_thing(std::size_t index) {
   return {};
 }
 
-Status SceneMaker::make_all() {
+Status SceneMaker::make_all(const ErrorInPlace& in_place) {
   PHYSIM_ASSERT(things_.empty());
-  Status status = add_each(scenario_.materials, "material", [this](std::size_t i) { return add_material(i); });
-  if (status) status = add_each(scenario_.shapes, "shape", [this](std::size_t i) { return add_shape(i); });
-  if (status) status = add_each(scenario_.shapes, "shape", [this](std::size_t i) { return add_compound(i); });
-  if (status) status = add_each(scenario_.things, "thing", [this](std::size_t i) { return add_thing(i); });
-  return status;
+  const auto add_each = [&](const std::string& kind, std::size_t count, Status (SceneMaker::*add)(std::size_t)) {
+    for (std::size_t i = 0; i < count; ++i)
+      if (const Status status = (this->*add)(i); !status) return Status(in_place(status.error(), kind, i));
+    return Status();
+  };
+  const std::size_t shapes = scenario_.shapes.size();
+  Status status = add_each("material", scenario_.materials.size(), &SceneMaker::add_material);
+  if (status) status = add_each("shape", shapes, &SceneMaker::add_shape);
+  if (status) status = add_each("shape", shapes, &SceneMaker::add_compound);
+  return status ? add_each("thing", scenario_.things.size(), &SceneMaker::add_thing) : status;
+}
+
+Status SceneMaker::make_all() {
+  return make_all([this](Error error, const std::string& kind, std::size_t i) {
+    const std::string& name = kind == "material" ? scenario_.materials[i].name
+                              : kind == "shape"  ? scenario_.shapes[i].name
+                                                 : scenario_.things[i].name;
+    error.place = kind + " " + in_quotes(name) + (error.place.empty() ? "" : ": " + error.place);
+    return error;
+  });
 }
 
 std::size_t degenerate_triangles(const ScenarioShape& shape) {
@@ -177,18 +182,52 @@ std::size_t degenerate_triangles(const ScenarioShape& shape) {
   }));
 }
 
-Result<Scene> scene_of(const Scenario& scenario) {
-  const IeeeMode mode;
-  SceneMaker maker(scenario);
-  if (const Status status = maker.make_all(); !status) return status.error();
-  return maker.scene();
-}
-
 Result<SceneParts> scene_parts(const Scenario& scenario) {
   const IeeeMode mode;
   SceneMaker maker(scenario);
   if (const Status status = maker.make_all(); !status) return status.error();
   return SceneParts{maker.scene(), maker.materials(), maker.things()};
+}
+
+Result<Scene> scene_of(const Scenario& scenario) {
+  Result<SceneParts> parts = scene_parts(scenario);
+  return parts ? Result<Scene>(std::move(parts->scene)) : parts.error();
+}
+
+EmitterDef def_of(const ScenarioEmitter& emitter) {
+  EmitterDef def = emitter.def;
+  def.rotation = emitter.rotation.quaternion();
+  def.motion = motion_of(emitter.motion);
+  for (const ScenarioSub& sub : emitter.subs) def.subs.push_back(sub.def);
+  return def;
+}
+
+Result<std::vector<std::size_t>> order_of_emitters(const Scenario& scenario, const NameIndex& names) {
+  const std::size_t count = scenario.emitters.size();
+  std::vector<std::vector<std::size_t>> fired_by(count);  // those that wait for an emitter
+  std::vector<std::size_t> waits(count), round(count), order;
+  for (std::size_t i = 0; i < count; ++i)
+    for (const ScenarioSub& sub : scenario.emitters[i].subs) {
+      const std::optional<std::size_t> fires = names.find(sub.emitter);
+      PHYSIM_ASSERT(fires.has_value());  // names are checked before
+      if (*fires != i) fired_by[*fires].push_back(i), ++waits[i];
+    }
+  for (std::size_t i = 0; i < count; ++i)
+    if (waits[i] == 0) order.push_back(i);
+  for (std::size_t k = 0; k < order.size(); ++k)
+    for (const std::size_t i : fired_by[order[k]]) {
+      // In rounds over the list, each takes those that may exist by then.
+      round[i] = std::max(round[i], round[order[k]] + (i < order[k] ? 1 : 0));
+      if (--waits[i] == 0) order.push_back(i);
+    }
+  if (order.size() < count) {
+    const auto left =
+        static_cast<std::size_t>(std::ranges::find_if(waits, [](auto n) { return n > 0; }) - waits.begin());
+    return Error{"emitters fire each other in a circle", scenario.emitters[left].def.name,
+                 "an emitter may fire itself, and those that do not lead back to it"};
+  }
+  std::ranges::sort(order, {}, [&](std::size_t i) { return std::pair(round[i], i); });
+  return order;
 }
 
 }  // namespace physim

@@ -2,7 +2,6 @@
 #include "scenario/schema.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <memory>
 
 #include "base/assert.hpp"
@@ -45,29 +44,11 @@ void point_up(SchemaNode& node) {
   for (SchemaNode& child : node.children) child.above = &node, point_up(child);
 }
 
-std::string type_of(const ValueRef& slot) {
-  return std::visit(Overloaded{[](double*) { return "quantity"; },
-                               [](const OptionalNumber&) { return "quantity"; },
-                               [](Vec3d*) { return "vector"; },
-                               [](std::optional<Vec3d>*) { return "vector"; },
-                               [](const Integer&) { return "integer"; },
-                               [](const OptionalInteger&) { return "integer"; },
-                               [](DrawnNumber*) { return "drawn"; },
-                               [](DrawnColour*) { return "colour"; },
-                               [](Gradient*) { return "gradient"; },
-                               [](bool*) { return "boolean"; },
-                               [](std::string*) { return "text"; },
-                               [](const Reference&) { return "text"; },
-                               [](const Choice&) { return "choice"; },
-                               [](const Points&) { return "points"; },
-                               [](AeroCoefficient*) { return "points"; },
-                               [](std::vector<double>*) { return "list"; },
-                               [](std::vector<std::string>*) { return "list"; },
-                               [](std::vector<Vec3d>*) { return "list"; },
-                               [](std::vector<Triangle>*) { return "list"; },
-                               [](const Records&) { return "list"; }},
-                    slot);
-}
+/// What each kind of slot is called, in the order of ValueRef.
+constexpr const char* kTypes[] = {"quantity", "quantity", "vector", "vector", "integer", "integer", "boolean",
+                                  "text",     "text",     "choice", "points", "points",  "drawn",   "colour",
+                                  "gradient", "list",     "list",   "list",   "list",    "list"};
+static_assert(std::size(kTypes) == std::variant_size_v<ValueRef>);
 
 std::string range_of(const Entry& entry, const ValueRef& slot) {
   const Choice* choice = std::get_if<Choice>(&slot);
@@ -81,7 +62,7 @@ Setting public_setting(const Entry& entry) {
   Defaults defaults;
   const ValueRef slot = entry.slot(defaults.scope());
   return {.path = std::string(entry.path),
-          .type = type_of(slot),
+          .type = kTypes[slot.index()],
           .quantity = entry.quantity,
           .unit = std::string(entry.quantity_by ? entry.unit_by : si_unit(entry.quantity)),
           .default_value = entry.required ? "" : written(entry, defaults.scope()).value_or(""),

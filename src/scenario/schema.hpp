@@ -7,7 +7,6 @@
 
 #include <array>
 #include <functional>
-#include <limits>
 #include <optional>
 #include <span>
 #include <string>
@@ -57,21 +56,18 @@ struct Scope {
 };
 
 /// A number that may be absent.
-struct OptionalNumber {
-  std::function<std::optional<double>()> get;
-  std::function<void(std::optional<double>)> set;
+template <class Number>
+struct Optional {
+  std::function<std::optional<Number>()> get;
+  std::function<void(std::optional<Number>)> set;
 };
+using OptionalNumber = Optional<double>;
+using OptionalInteger = Optional<std::int64_t>;
 
 /// A whole number of any type.
 struct Integer {
   std::function<std::int64_t()> get;
   std::function<void(std::int64_t)> set;
-};
-
-/// A whole number that may be absent.
-struct OptionalInteger {
-  std::function<std::optional<std::int64_t>()> get;
-  std::function<void(std::optional<std::int64_t>)> set;
 };
 
 /// One of several names. Nothing: no name fits what is there (a fidelity that is no preset).

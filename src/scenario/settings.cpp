@@ -16,15 +16,9 @@ ValueRef event_kind_slot(const Scope& scope) {
 
 ValueRef figure_slot(const Scope& scope) {
   std::string& quantity = scope.expect->quantity;
-  return Choice{figure_names(),
-                [&quantity] {
-                  const Figure* figure = find_figure(quantity);
-                  return figure ? std::optional<std::size_t>(figure - figures().data()) : std::nullopt;
-                },
-                [&quantity](std::size_t i) {
-                  PHYSIM_ASSERT(i < figure_names().size());
-                  quantity = figure_names()[i];
-                }};
+  return choice_where(
+      figure_names(), [&quantity](std::size_t i) { return figure_names()[i] == quantity; },
+      [&quantity](std::size_t i) { quantity = figure_names()[i]; });
 }
 
 /// expect.at.time and the like: present when the expectation looks there.
@@ -41,16 +35,9 @@ ValueRef moment_slot(const Scope& scope) {
   static constexpr std::string_view kNames[] = {"end", "apex", "rail_exit", "burnout"};
   static constexpr ExpectAt kMoments[] = {ExpectAt::end, ExpectAt::apex, ExpectAt::rail_exit, ExpectAt::burnout};
   Expectation& expect = *scope.expect;
-  return Choice{kNames,
-                [&expect]() -> std::optional<std::size_t> {
-                  for (std::size_t i = 0; i < std::size(kMoments); ++i)
-                    if (expect.at == kMoments[i]) return i;
-                  return std::nullopt;
-                },
-                [&expect](std::size_t i) {
-                  PHYSIM_ASSERT(i < std::size(kMoments));
-                  expect.at = kMoments[i], expect.at_value = 0;
-                }};
+  return choice_where(
+      kNames, [&expect](std::size_t i) { return expect.at == kMoments[i]; },
+      [&expect](std::size_t i) { expect.at = kMoments[i], expect.at_value = 0; });
 }
 
 Quantity quantity_of_expectation(const Scope& scope) {

@@ -64,6 +64,30 @@ Choice choice(std::span<const std::string_view> names, T& value) {
           }};
 }
 
+/// ... the one that is there is the first for which `is` holds; none: no name fits what is there.
+template <class Is, class Set>
+Choice choice_where(std::span<const std::string_view> names, Is is, Set set) {
+  return {names,
+          [=]() -> std::optional<std::size_t> {
+            for (std::size_t i = 0; i < names.size(); ++i)
+              if (is(i)) return i;
+            return std::nullopt;
+          },
+          [=](std::size_t i) {
+            PHYSIM_ASSERT(i < names.size());
+            set(i);
+          }};
+}
+
+/// A number that other settings say, too, which alone are written.
+template <class Set>
+ValueRef said_elsewhere(Set set) {
+  return OptionalNumber{[] { return std::optional<double>(); },
+                        [set](std::optional<double> value) {
+                          if (value) set(*value);
+                        }};
+}
+
 template <class T>
 ValueRef slot_of(const Scope& scope, T& value) {
   if constexpr (std::is_enum_v<T>) {

@@ -56,16 +56,11 @@ std::span<const std::string_view> kind_names() {
 /// Which kind a variant holds; those without a name are nothing that a file can say.
 template <const auto& kKinds, class Variant>
 Choice kind_choice(Variant& variant) {
-  return {kind_names<kKinds>(),
-          [&variant]() -> std::optional<std::size_t> {
-            for (std::size_t i = 0; i < std::size(kKinds); ++i)
-              if (kKinds[i].index == variant.index()) return i;
-            return std::nullopt;
-          },
-          [&variant](std::size_t i) {
-            PHYSIM_ASSERT(i < std::size(kKinds));
-            if (variant.index() != kKinds[i].index) kKinds[i].make(variant);
-          }};
+  return choice_where(
+      kind_names<kKinds>(), [&variant](std::size_t i) { return kKinds[i].index == variant.index(); },
+      [&variant](std::size_t i) {
+        if (variant.index() != kKinds[i].index) kKinds[i].make(variant);
+      });
 }
 
 /// The variant as this kind; what else it was is forgotten.
@@ -118,15 +113,10 @@ ValueRef shape_kind_slot(const Scope& scope) {
   return slot;
 }
 
-template <auto kMember>
-ValueRef height_map_slot(const Scope& scope) {
-  static_cast<void>(shape_as<HeightFieldShape>(scope));
-  return &(scope.shape->*kMember);
-}
-
-template <auto kMember>
-ValueRef mesh_slot(const Scope& scope) {
-  static_cast<void>(shape_as<MeshShape>(scope));
+/// What a scenario says of shapes of a kind, beside what the library does.
+template <class Kind, auto kMember>
+ValueRef of_shape_slot(const Scope& scope) {
+  static_cast<void>(shape_as<Kind>(scope));
   return &(scope.shape->*kMember);
 }
 template <auto kMember>
@@ -135,8 +125,7 @@ ValueRef terrain_slot(const Scope& scope) {
   return slot_of(scope, scope.shape->cut.*kMember);
 }
 
-// -------------------------------------------------------------------------------------------------- published
-// materials
+// ------------------------------------------------------------------------------------------------ published materials
 void take_preset(Material& material, Material preset) {
   preset.name = material.name;
   material = std::move(preset);
@@ -150,11 +139,8 @@ ValueRef material_preset_slot(const Scope& scope) {
 
 /// Another preset, which its numbers say, too.
 ValueRef concrete_slot(const Scope& scope) {
-  Material& material = *scope.material;
-  return OptionalNumber{[] { return std::optional<double>(); },
-                        [&material](std::optional<double> strength) {
-                          if (strength) take_preset(material, materials::concrete(*strength));
-                        }};
+  return said_elsewhere(
+      [&material = *scope.material](double strength) { take_preset(material, materials::concrete(strength)); });
 }
 
 #define PHYSIM_MATERIAL(...) PHYSIM_ROW("material", material, __VA_ARGS__)
@@ -162,14 +148,13 @@ ValueRef concrete_slot(const Scope& scope) {
   setting(                                                                                                   \
       "material." name "." #field, [](const Scope& s) { return slot_of(s, penetration_as<Kind>(s).field); }, \
       __VA_ARGS__, WhereTrue{is_penetration<Kind>})
-#define PHYSIM_SHAPE(name, Kind, field, ...)                                                                     \
+#define PHYSIM_SHAPE_WHERE(is_there, name, Kind, field, ...)                                                     \
   setting(                                                                                                       \
       "shape." name "." #field, [](const Scope& s) { return slot_of(s, shape_as<Kind>(s).field); }, __VA_ARGS__, \
-      WhereTrue{is_shape<Kind>})
-#define PHYSIM_FIELD_IN_PLACE(field, ...)                                                                           \
-  setting(                                                                                                          \
-      "shape.height_field." #field, [](const Scope& s) { return slot_of(s, shape_as<HeightFieldShape>(s).field); }, \
-      __VA_ARGS__, WhereTrue{is_field_in_place})
+      WhereTrue{is_there})
+#define PHYSIM_SHAPE(name, Kind, ...) PHYSIM_SHAPE_WHERE(is_shape<Kind>, name, Kind, __VA_ARGS__)
+#define PHYSIM_FIELD_IN_PLACE(...) PHYSIM_SHAPE_WHERE(is_field_in_place, "height_field", HeightFieldShape, __VA_ARGS__)
+#define PHYSIM_MESH_IN_PLACE(...) PHYSIM_SHAPE_WHERE(is_mesh_in_place, "mesh", MeshShape, __VA_ARGS__)
 #define PHYSIM_PART(...) PHYSIM_ROW("shape.compound", part, __VA_ARGS__)
 #define PHYSIM_THING(...) PHYSIM_ROW("thing", thing, __VA_ARGS__)
 
@@ -234,9 +219,9 @@ constexpr Entry kSceneSettings[] = {
     PHYSIM_SHAPE("cylinder", CylinderShape, half_height, "along the y axis", Quantity::length, above(0)),
     PHYSIM_SHAPE("hull", ConvexHullShape, points, "the smallest convex body that holds them", Quantity::length, kPoints,
                  kShorthand),
-    setting("shape.mesh.file", mesh_slot<&ScenarioShape::file>,
+    setting("shape.mesh.file", of_shape_slot<MeshShape, &ScenarioShape::file>,
             "OBJ, STL, glTF or others, found from the scenario's folder", kShorthand, WhereTrue{is_mesh_of_file}),
-    setting("shape.mesh.terrain", mesh_slot<&ScenarioShape::terrain>,
+    setting("shape.mesh.terrain", of_shape_slot<MeshShape, &ScenarioShape::terrain>,
             "instead of it: heights of the Earth, GeoTIFF, SRTM's .hgt or others, found from the scenario's folder",
             WhereTrue{is_mesh_of_terrain}),
     setting("shape.mesh.reach", terrain_slot<&TerrainCut::reach>,
@@ -250,22 +235,18 @@ constexpr Entry kSceneSettings[] = {
     setting("shape.mesh.missing", terrain_slot<&TerrainCut::missing>,
             "height above sea level of points that have none; default: they are an error", Quantity::length,
             between(-1e5, 1e5), WhereTrue{is_mesh_of_terrain}),
-    setting(
-        "shape.mesh.vertices", [](const Scope& s) -> ValueRef { return &shape_as<MeshShape>(s).vertices; },
-        "instead of a file", Quantity::length, kPoints, WhereTrue{is_mesh_in_place}),
-    setting(
-        "shape.mesh.triangles", [](const Scope& s) -> ValueRef { return &shape_as<MeshShape>(s).triangles; },
-        "numbers of vertices, from 0, counterclockwise as seen from outside", kPoints, WhereTrue{is_mesh_in_place}),
-    setting("shape.mesh.materials", mesh_slot<&ScenarioShape::materials>,
+    PHYSIM_MESH_IN_PLACE(vertices, "instead of a file", Quantity::length, kPoints),
+    PHYSIM_MESH_IN_PLACE(triangles, "numbers of vertices, from 0, counterclockwise as seen from outside", kPoints),
+    setting("shape.mesh.materials", of_shape_slot<MeshShape, &ScenarioShape::materials>,
             "names of materials or presets, one for each triangle or one for all; none: that of the thing",
             WhereTrue{has_materials}),
-    setting("shape.height_field.file", height_map_slot<&ScenarioShape::file>,
+    setting("shape.height_field.file", of_shape_slot<HeightFieldShape, &ScenarioShape::file>,
             "a picture in grey, PNG of 8 or 16 bits best, found from the scenario's folder",
             WhereTrue{is_field_of_file}),
-    setting("shape.height_field.low", height_map_slot<&ScenarioShape::low>, "height of black in the file",
-            Quantity::length, WhereTrue{is_field_of_file}),
-    setting("shape.height_field.high", height_map_slot<&ScenarioShape::high>, "height of white in the file",
-            Quantity::length, WhereTrue{is_field_of_file}),
+    setting("shape.height_field.low", of_shape_slot<HeightFieldShape, &ScenarioShape::low>,
+            "height of black in the file", Quantity::length, WhereTrue{is_field_of_file}),
+    setting("shape.height_field.high", of_shape_slot<HeightFieldShape, &ScenarioShape::high>,
+            "height of white in the file", Quantity::length, WhereTrue{is_field_of_file}),
     PHYSIM_FIELD_IN_PLACE(columns, "instead of a file: points along x", between(0, 65536)),
     PHYSIM_FIELD_IN_PLACE(rows, "instead of a file: points along z", between(0, 65536)),
     PHYSIM_SHAPE("height_field", HeightFieldShape, spacing_x, "between columns", Quantity::length, above(0)),

@@ -23,22 +23,14 @@ namespace {
 
 ValueRef rung_slot(const Scope& scope) {
   Fidelity& fidelity = scope.rung->fidelity;
-  return Choice{fidelity_presets(),
-                [&fidelity]() -> std::optional<std::size_t> {
-                  for (std::size_t i = 0; i < fidelity_presets().size(); ++i)
-                    if (*fidelity_preset(fidelity_presets()[i]) == fidelity) return i;
-                  return std::nullopt;
-                },
-                [&fidelity](std::size_t i) { fidelity = *fidelity_preset(fidelity_presets()[i]); }};
+  return choice_where(
+      fidelity_presets(), [&fidelity](std::size_t i) { return *fidelity_preset(fidelity_presets()[i]) == fidelity; },
+      [&fidelity](std::size_t i) { fidelity = *fidelity_preset(fidelity_presets()[i]); });
 }
 
-/// Another way to say interval, which says all that it says.
+/// Another way to say interval.
 ValueRef rate_slot(const Scope& scope) {
-  Volley& volley = *scope.volley;
-  return OptionalNumber{[] { return std::optional<double>(); },
-                        [&volley](std::optional<double> rate) {
-                          if (rate) volley.interval = 1 / *rate;
-                        }};
+  return said_elsewhere([&volley = *scope.volley](double rate) { volley.interval = 1 / rate; });
 }
 
 /// What a hit does, but for asking: a file has nobody who answers.

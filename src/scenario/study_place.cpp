@@ -1,6 +1,5 @@
 // Places of studies written as people write them.
 #include <algorithm>
-#include <array>
 
 #include "base/event_table.hpp"
 #include "scenario/scenario.hpp"

@@ -142,6 +142,7 @@ Span cut_of(const Axis& axis, double middle, double half, int around) {
   return {static_cast<int>(from), static_cast<int>(to - from) + 1};
 }
 
+std::string by(int wide, int high) { return std::to_string(wide) + " by " + std::to_string(high); }
 std::string degrees(double from, double to) { return std::to_string(from) + " to " + std::to_string(to); }
 
 /// A raster with its geometry, on axes of latitude and longitude.
@@ -251,21 +252,27 @@ class Raster {
     return is_same;
   }
 
+  /// A raster in memory where another projection is worked on; kNoHeight is nothing.
+  [[nodiscard]] Result<Dataset> in_memory(int wide, int high, std::array<double, 6> at) const {
+    if (static_cast<double>(wide) * high > kMostWarped)
+      return Error{"has " + by(wide, high) + " points in another projection", file_name_,
+                   "at most 1e8 are brought to latitude and longitude: gdalwarp -t_srs EPSG:4326 does it"};
+    Dataset made(gdal().GDALCreate(gdal().GDALGetDriverByName("MEM"), "", wide, high, 1, GDT_Float64, nullptr));
+    if (!made || gdal().GDALSetGeoTransform(made.get(), at.data()) != CE_None) return refused();
+    gdal().GDALSetRasterNoDataValue(gdal().GDALGetRasterBand(made.get(), 1), kNoHeight);
+    return made;
+  }
+
   /// A copy of the file in memory: heights in metres, kNoHeight where there is none. The warper sees masks of some
   /// kinds alone.
   Result<Dataset> clean_copy(OGRSpatialReferenceH projection) const {
     const int wide = columns_.count, high = rows_.count;
-    if (static_cast<double>(wide) * high > kMostWarped)
-      return Error{"has " + std::to_string(wide) + " by " + std::to_string(high) + " points in another projection",
-                   file_name_, "at most 1e8 are brought to latitude and longitude: gdalwarp -t_srs EPSG:4326 does it"};
-    Dataset copy(gdal().GDALCreate(gdal().GDALGetDriverByName("MEM"), "", wide, high, 1, GDT_Float64, nullptr));
     std::array<double, 6> at{};
     gdal().GDALGetGeoTransform(file_.get(), at.data());
-    if (!copy || gdal().GDALSetGeoTransform(copy.get(), at.data()) != CE_None ||
-        gdal().GDALSetSpatialRef(copy.get(), projection) != CE_None)
-      return refused();
-    const GDALRasterBandH band = gdal().GDALGetRasterBand(copy.get(), 1);
-    gdal().GDALSetRasterNoDataValue(band, kNoHeight);
+    Result<Dataset> copy = in_memory(wide, high, at);
+    if (!copy) return copy;
+    if (gdal().GDALSetSpatialRef(copy->get(), projection) != CE_None) return refused();
+    const GDALRasterBandH band = gdal().GDALGetRasterBand(copy->get(), 1);
     Line line(wide);
     for (int row = 0; row < high; ++row) {
       if (const Status status = read(0, row, wide, 0, line); !status) return status.error();
@@ -288,18 +295,14 @@ class Raster {
     // GDAL keeps the diagonal of cells. Neither side may be longer than that of the file: its bilinear interpolation is
     // none where points are left out.
     const int wide = finer(gdal().GDALGetRasterXSize(plan.get())), high = finer(gdal().GDALGetRasterYSize(plan.get()));
-    if (static_cast<double>(wide) * high > kMostWarped)
-      return Error{"has " + std::to_string(wide) + " by " + std::to_string(high) + " points in another projection",
-                   file_name_, "at most 1e8 are brought to latitude and longitude: gdalwarp -t_srs EPSG:4326 does it"};
     std::array<double, 6> at{};
     gdal().GDALGetGeoTransform(plan.get(), at.data());
     at[1] *= static_cast<double>(gdal().GDALGetRasterXSize(plan.get())) / wide;
     at[5] *= static_cast<double>(gdal().GDALGetRasterYSize(plan.get())) / high;
-    warped_.reset(gdal().GDALCreate(gdal().GDALGetDriverByName("MEM"), "", wide, high, 1, GDT_Float64, nullptr));
-    if (!warped_ || gdal().GDALSetGeoTransform(warped_.get(), at.data()) != CE_None) return refused();
-    const GDALRasterBandH band = gdal().GDALGetRasterBand(warped_.get(), 1);
-    gdal().GDALSetRasterNoDataValue(band, kNoHeight);
-    gdal().GDALFillRaster(band, kNoHeight, 0);
+    Result<Dataset> warped = in_memory(wide, high, at);
+    if (!warped) return warped.error();
+    warped_ = std::move(*warped);
+    gdal().GDALFillRaster(gdal().GDALGetRasterBand(warped_.get(), 1), kNoHeight, 0);
     if (gdal().GDALReprojectImage(copy.get(), nullptr, warped_.get(), wgs84().c_str(), GRA_Bilinear, 0, 0, nullptr,
                                   nullptr, nullptr) != CE_None)
       return refused();
@@ -330,7 +333,7 @@ class Raster {
     const int wide = (columns.count - 1) / every + 1, high = (rows.count - 1) / every + 1;
     if (wide < 2 || high < 2) return Error{"two points of it at least are needed each way", file_name_, ""};
     if (static_cast<double>(wide) * high > kMostPoints)
-      return Error{"has " + std::to_string(wide) + " by " + std::to_string(high) + " points there", file_name_,
+      return Error{"has " + by(wide, high) + " points there", file_name_,
                    "at most 2e7 are read: give a smaller reach, or take every second point"};
     GeodeticGrid grid;
     grid.columns = static_cast<std::uint32_t>(wide);
@@ -417,41 +420,32 @@ class Raster {
   };
   [[nodiscard]] Status take_unit() {
     constexpr double kFoot = 0.3048, kSurveyFoot = 1200.0 / 3937;
-    static constexpr std::pair<std::string_view, double> kUnits[] = {{"", 1},
-                                                                     {"m", 1},
-                                                                     {"metre", 1},
-                                                                     {"meter", 1},
-                                                                     {"metres", 1},
-                                                                     {"meters", 1},
-                                                                     {"mm", 1e-3},
-                                                                     {"cm", 1e-2},
-                                                                     {"dm", 0.1},
-                                                                     {"km", 1e3},
-                                                                     {"ft", kFoot},
-                                                                     {"foot", kFoot},
-                                                                     {"feet", kFoot},
-                                                                     {"yd", 0.9144},
-                                                                     {"fathom", 1.8288},
-                                                                     {"fathoms", 1.8288},
-                                                                     {"international foot", kFoot},
-                                                                     {"us-ft", kSurveyFoot},
-                                                                     {"ftus", kSurveyFoot},
-                                                                     {"us survey foot", kSurveyFoot},
-                                                                     {"us_survey_foot", kSurveyFoot},
-                                                                     {"us survey feet", kSurveyFoot},
-                                                                     {"us foot", kSurveyFoot},
-                                                                     {"sft", kSurveyFoot}};
+    struct Length {
+      double metres;
+      std::vector<std::string_view> names;
+    };
+    static const Length kUnits[] = {
+        {1, {"", "m", "metre", "meter", "metres", "meters"}},
+        {1e-3, {"mm"}},
+        {1e-2, {"cm"}},
+        {0.1, {"dm"}},
+        {1e3, {"km"}},
+        {kFoot, {"ft", "foot", "feet", "international foot"}},
+        {0.9144, {"yd"}},
+        {1.8288, {"fathom", "fathoms"}},
+        {kSurveyFoot, {"us-ft", "ftus", "us survey foot", "us_survey_foot", "us survey feet", "us foot", "sft"}}};
     const std::string said = gdal().GDALGetRasterUnitType(band_);
     std::string name = said;
     for (char& c : name) c = static_cast<char>(c >= 'A' && c <= 'Z' ? c + 32 : c);
-    const auto* const unit = std::ranges::find(kUnits, name, &std::pair<std::string_view, double>::first);
+    const auto* const unit =
+        std::ranges::find_if(kUnits, [&](const Length& each) { return std::ranges::count(each.names, name) > 0; });
     if (unit == std::end(kUnits))
       return Error{"its heights are in \"" + said + "\", which is no unit of length here", file_name_,
                    "m, dm, cm, mm, km, ft, us-ft, yd and fathom are: gdal_edit.py -units sets it"};
     int has_scale = 0, has_offset = 0;
     const double scale = gdal().GDALGetRasterScale(band_, &has_scale),
                  offset = gdal().GDALGetRasterOffset(band_, &has_offset);
-    unit_ = {(has_scale != 0 ? scale : 1) * unit->second, (has_offset != 0 ? offset : 0) * unit->second};
+    unit_ = {(has_scale != 0 ? scale : 1) * unit->metres, (has_offset != 0 ? offset : 0) * unit->metres};
     return {};
   }
 

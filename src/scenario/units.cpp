@@ -1,7 +1,6 @@
 // Reads quantities in all their units.
 #include "scenario/units.hpp"
 
-#include <array>
 #include <bit>
 #include <charconv>
 #include <cmath>

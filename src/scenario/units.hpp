@@ -3,7 +3,6 @@
 
 #include <charconv>
 #include <optional>
-#include <span>
 #include <string>
 #include <string_view>
 

@@ -16,11 +16,13 @@ const Rules& all_rules() {
     Rules by_path;
     for (const std::span<const UnreadRule> part :
          {unread_in_flights(), unread_in_scenes(), unread_in_worlds(), unread_in_emitters()})
-      for (const UnreadRule& rule : part) {
-        PHYSIM_ASSERT(find_node(rule.path) != nullptr);
-        PHYSIM_ASSERT(rule.why != nullptr);
-        by_path[rule.path].push_back(&rule);
-      }
+      for (const UnreadRule& rule : part)
+        for (std::string_view rest = rule.settings; !rest.empty();) {
+          const std::string_view path = rest.substr(0, rest.find(' '));
+          rest.remove_prefix(std::min(path.size() + 1, rest.size()));
+          PHYSIM_ASSERT(find_node(path) != nullptr);
+          by_path[path].push_back(&rule);
+        }
     return by_path;
   }();
   return rules;
@@ -77,12 +79,12 @@ class UnreadSearch {
   bool report(const SchemaNode& node, const Scope& scope, const Value& value) {
     const auto rules = all_rules().find(node.path);
     if (rules == all_rules().end()) return false;
+    const Reading reading{.scenario = scenario_, .scope = scope, .rungs = rungs_};
     for (const UnreadRule* rule : rules->second) {
-      if (rule->describes && value.place.line != 0) continue;
-      std::string why = rule->why({.scenario = scenario_, .scope = scope, .rungs = rungs_});
-      if (why.empty()) continue;
-      PHYSIM_ASSERT(why.front() == ' ' || why.front() == ':');  // it follows "has no effect"
-      found_.push_back({value.place.text(), node.path, std::move(why)});
+      if ((rule->describes && value.place.line != 0) || rule->is_read(reading)) continue;
+      PHYSIM_ASSERT(rule->why.front() == ' ' || rule->why.front() == ':');  // it follows "has no effect"
+      const std::string why = std::string(rule->why) + (rule->value ? rule->value(reading) : "");
+      found_.push_back({value.place.text(), node.path, why});
       return true;
     }
     return false;

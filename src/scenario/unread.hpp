@@ -2,7 +2,6 @@
 #pragma once
 
 #include <algorithm>
-#include <initializer_list>
 #include <span>
 #include <string>
 #include <string_view>
@@ -68,14 +67,18 @@ struct Reading {
   }
 };
 
-/// A rule about a setting or a table.
+/// A rule about settings, or about tables with all in them. Of two rules about one setting the first that finds it
+/// unread says why.
 struct UnreadRule {
-  std::string_view path;
-  /// Why nothing reads it, as UnreadSetting::why; empty where something does.
-  std::string (*why)(const Reading&);
+  std::string_view settings;  // their paths, parted by blanks
+  bool (*is_read)(const Reading&);
+  std::string_view why;                            // if it is not, as UnreadSetting::why
+  std::string (*value)(const Reading&) = nullptr;  // what follows that
   /// In a file it describes what is there, and is no wish: only an override that nothing reads is told.
   bool describes = false;
 };
+
+[[nodiscard]] constexpr UnreadRule described(UnreadRule rule) { return rule.describes = true, rule; }
 
 [[nodiscard]] std::span<const UnreadRule> unread_in_flights();   // environment, shots, tolerance
 [[nodiscard]] std::span<const UnreadRule> unread_in_scenes();    // materials, shapes, things, contact
@@ -86,6 +89,7 @@ struct UnreadRule {
 [[nodiscard]] inline bool is_unmoved(const BodyDef& body) {
   return body.kinematic || body.infinite_mass || body.frozen == Axes::all;
 }
+[[nodiscard]] inline bool is_pushed(const FlownRung& f) { return f.granted.motion == Motion::force; }
 /// Whether gravity moves a shot.
 [[nodiscard]] inline bool feels_gravity(const FlownRung& f) {
   const BodyDef& body = f.shot->body;
@@ -94,17 +98,5 @@ struct UnreadRule {
 }
 /// Whether what a shot meets may turn it: a ball that bounces off something, and no point.
 [[nodiscard]] bool may_be_turned(const Reading& reading);
-
-// ------------------------------------------------------------------------------------------------------ texts of rules
-[[nodiscard]] inline std::string read_or(bool is_read, std::string why) { return is_read ? std::string() : why; }
-[[nodiscard]] inline std::string read_by(bool is_read, std::string_view what) {
-  return is_read ? std::string() : ": only " + std::string(what) + " it";
-}
-[[nodiscard]] inline std::string read_with(bool is_read, std::string_view what) {
-  return is_read ? std::string() : " without " + std::string(what);
-}
-[[nodiscard]] inline std::string read_unless(bool is_unread, std::string_view what) {
-  return is_unread ? " beside " + std::string(what) : std::string();
-}
 
 }  // namespace physim

@@ -1,6 +1,5 @@
 // Rules about settings of materials, shapes, things and of how shots meet them.
 #include <algorithm>
-#include <type_traits>
 
 #include "base/assert.hpp"
 #include "scenario/suggest.hpp"
@@ -37,80 +36,12 @@ bool may(R r, std::initializer_list<OnHit> what) {
   });
 }
 bool bounces(R r) { return may(r, {OnHit::bounce, OnHit::impact}); }
-std::string why_no_bounce(R r) { return read_by(bounces(r), "shots with on_hit \"bounce\" and \"impact\" read"); }
-std::string why_no_impact(R r) { return read_by(may(r, {OnHit::impact}), "shots with on_hit \"impact\" read"); }
-
 bool is_turned(const ScenarioRotation& rotation) { return rotation.angle != 0; }
 
-constexpr UnreadRule kMaterialRules[] = {
-    {"material",
-     [](R r) { return read_or(is_used_material(r.scenario, r.scope.material->name), ": no thing is made of it"); }},
-    {"material.restitution", why_no_bounce},
-    {"material.friction", why_no_bounce},
-    {"material.combine", why_no_bounce},
-    {"material.grip_restitution",
-     [](R r) {
-       if (std::string why = why_no_bounce(r); !why.empty()) return why;
-       const auto is_ball = [](const ScenarioShot& shot) { return shot.body.collision.radius > 0; };
-       return read_with(std::ranges::any_of(r.scenario.shots, is_ball), "shot.body.collision.radius");
-     }},
-    {"material.density",
-     [](R r) {
-       const Material& material = *r.scope.material;
-       const bool goes_in = !std::holds_alternative<ImpenetrableDef>(material.penetration);
-       return read_with(goes_in || material.ricochet.liquid, "a law of penetration, and without ricochet.liquid");
-     }},
-    {"material.ricochet", why_no_impact},
-    {"material.ricochet.restitution",
-     [](R r) {
-       const auto& ricochet = r.scope.material->ricochet;
-       return read_with(ricochet.critical_angle > 0 && !ricochet.liquid, "material.ricochet.critical_angle");
-     }},
-    {"material.ricochet.friction",
-     [](R r) {
-       const auto& ricochet = r.scope.material->ricochet;
-       return read_with(ricochet.critical_angle > 0 && !ricochet.liquid, "material.ricochet.critical_angle");
-     }},
-    {"material.ricochet.critical_angle",
-     [](R r) { return read_unless(r.scope.material->ricochet.liquid, "material.ricochet.liquid"); }},
-    {"material.penetration", why_no_impact},
-    {"material.poncelet", why_no_impact},
-    {"material.young", why_no_impact},
-    {"material.de_marre", why_no_impact},
-    {"material.lambert", why_no_impact},
-    {"material.ballistic_limit", why_no_impact},
-    {"material.spread", why_no_impact},
-};
-
-constexpr UnreadRule kThingRules[] = {
-    {"shape", [](R r) { return read_or(is_used_shape(r.scenario, r.scope.shape->name), ": no thing has it"); }},
-    {"shape.compound.rotation.axis",
-     [](R r) { return read_with(is_turned(r.scope.part->rotation), "shape.compound.rotation.angle"); }},
-    {"thing.rotation.axis", [](R r) { return read_with(is_turned(r.scope.thing->rotation), "thing.rotation.angle"); }},
-    {"thing.keys.rotation.axis",
-     [](R r) { return read_with(is_turned(r.scope.key->rotation), "thing.keys.rotation.angle"); }},
-    {"thing.start",
-     [](R r) {
-       const ScenarioThing& thing = *r.scope.thing;
-       return read_with(thing.velocity != Vec3d{} || thing.angular_velocity != Vec3d{},
-                        "thing.velocity or angular_velocity");
-     }},
-    {"thing.layers",
-     [](R r) {
-       const auto takes_all = [](const ScenarioShot& shot) { return shot.body.collision.layers == 0xffffffff; };
-       const bool is_read = r.scope.thing->layers == 0 || !std::ranges::all_of(r.scenario.shots, takes_all);
-       return read_or(is_read, ": shots meet things of all layers");
-     }},
-    {"thing.conveyor", why_no_bounce},
-    {"thing.curve", [](R r) { return read_with(!r.scope.thing->keys.empty(), "thing.keys"); }},
-    {"thing.keys.velocity",
-     [](R r) { return read_with(r.scope.thing->curve == MotionCurve::smooth, "thing.curve = \"smooth\""); }},
-};
-
-// ------------------------------------------------------------------------------------------------ how a shot meets
-// them
 bool has_things(R r) { return !r.scenario.things.empty(); }
-bool has_bouncy_ground(R r) { return r.scenario.world.given && r.scenario.world.def.ground.mode == GroundMode::bounce; }
+const RicochetDef& ricochet(R r) { return r.scope.material->ricochet; }
+
+// ------------------------------------------------------------------------------------------- how a shot meets things
 const CollisionDef& collision(R r) {
   PHYSIM_ASSERT(r.scope.shot != nullptr);
   return r.scope.shot->body.collision;
@@ -119,31 +50,65 @@ bool bounces_itself(R r) {
   return has_things(r) && (collision(r).on_hit == OnHit::bounce || collision(r).on_hit == OnHit::impact);
 }
 /// It bounces off something: ground, things or other projectiles.
-bool may_bounce(R r) { return has_bouncy_ground(r) || bounces_itself(r) || collision(r).others != 0; }
-std::string why_no_turning(R r) {
-  return read_with(r.scope.shot->body.angular_velocity != Vec3d{} || may_be_turned(r), "shot.body.angular_velocity");
+bool may_bounce(R r) {
+  const bool has_bouncy_ground = r.scenario.world.given && r.scenario.world.def.ground.mode == GroundMode::bounce;
+  return has_bouncy_ground || bounces_itself(r) || collision(r).others != 0;
 }
-std::string why_no_things(R r) { return read_with(has_things(r), "a [[thing]]"); }
-std::string why_no_contact(R r) { return read_or(may_bounce(r), ": it bounces off nothing"); }
 
-constexpr UnreadRule kContactRules[] = {
-    {"shot.body.restitution", why_no_contact},
-    {"shot.body.friction", why_no_contact},
-    {"shot.body.rolling_resistance", why_no_contact},
-    {"shot.body.combine", why_no_contact},
-    {"shot.body.angular_drag", why_no_turning},
-    {"shot.body.frozen_rotation", why_no_turning},
-    {"shot.body.collision.on_hit",
+constexpr UnreadRule kSceneRules[] = {
+    // ------------------------------------------------------------------------------------------------------ materials
+    {"material", [](R r) { return is_used_material(r.scenario, r.scope.material->name); }, ": no thing is made of it"},
+    {"material.restitution material.friction material.combine material.grip_restitution thing.conveyor", bounces,
+     ": only shots with on_hit \"bounce\" and \"impact\" read it"},
+    {"material.grip_restitution",
      [](R r) {
-       return read_with(has_things(r) || collision(r).others != 0, "a [[thing]] or shot.body.collision.others");
-     }},
-    {"shot.body.collision.layers", why_no_things},
-    {"shot.body.collision.radius",
+       const auto is_ball = [](const ScenarioShot& shot) { return shot.body.collision.radius > 0; };
+       return std::ranges::any_of(r.scenario.shots, is_ball);
+     },
+     " without shot.body.collision.radius"},
+    {"material.density",
+     [](R r) { return ricochet(r).liquid || !std::holds_alternative<ImpenetrableDef>(r.scope.material->penetration); },
+     " without a law of penetration, and without ricochet.liquid"},
+    {"material.ricochet material.penetration material.poncelet material.young material.de_marre material.lambert "
+     "material.ballistic_limit material.spread",
+     [](R r) { return may(r, {OnHit::impact}); }, ": only shots with on_hit \"impact\" read it"},
+    {"material.ricochet.restitution material.ricochet.friction",
+     [](R r) { return ricochet(r).critical_angle > 0 && !ricochet(r).liquid; },
+     " without material.ricochet.critical_angle"},
+    {"material.ricochet.critical_angle", [](R r) { return !ricochet(r).liquid; }, " beside material.ricochet.liquid"},
+
+    // ---------------------------------------------------------------------------------------------- shapes and things
+    {"shape", [](R r) { return is_used_shape(r.scenario, r.scope.shape->name); }, ": no thing has it"},
+    {"shape.compound.rotation.axis", [](R r) { return is_turned(r.scope.part->rotation); },
+     " without shape.compound.rotation.angle"},
+    {"thing.rotation.axis", [](R r) { return is_turned(r.scope.thing->rotation); }, " without thing.rotation.angle"},
+    {"thing.keys.rotation.axis", [](R r) { return is_turned(r.scope.key->rotation); },
+     " without thing.keys.rotation.angle"},
+    {"thing.start",
+     [](R r) { return r.scope.thing->velocity != Vec3d{} || r.scope.thing->angular_velocity != Vec3d{}; },
+     " without thing.velocity or angular_velocity"},
+    {"thing.layers",
      [](R r) {
-       return read_with(has_things(r) || collision(r).others != 0, "a [[thing]] or shot.body.collision.others");
-     }},
-    {"shot.body.collision.inertia",
-     [](R r) { return read_with(may_be_turned(r), "shot.body.collision.radius and something that turns a ball"); }},
+       const auto takes_all = [](const ScenarioShot& shot) { return shot.body.collision.layers == 0xffffffff; };
+       return r.scope.thing->layers == 0 || !std::ranges::all_of(r.scenario.shots, takes_all);
+     },
+     ": shots meet things of all layers"},
+    {"thing.curve", [](R r) { return !r.scope.thing->keys.empty(); }, " without thing.keys"},
+    {"thing.keys.velocity", [](R r) { return r.scope.thing->curve == MotionCurve::smooth; },
+     " without thing.curve = \"smooth\""},
+
+    // ------------------------------------------------------------------------------------------------------- contacts
+    {"shot.body.restitution shot.body.friction shot.body.rolling_resistance shot.body.combine", may_bounce,
+     ": it bounces off nothing"},
+    {"shot.body.angular_drag shot.body.frozen_rotation",
+     [](R r) { return r.scope.shot->body.angular_velocity != Vec3d{} || may_be_turned(r); },
+     " without shot.body.angular_velocity"},
+    {"shot.body.collision.on_hit shot.body.collision.radius",
+     [](R r) { return has_things(r) || collision(r).others != 0; },
+     " without a [[thing]] or shot.body.collision.others"},
+    {"shot.body.collision.layers", has_things, " without a [[thing]]"},
+    {"shot.body.collision.inertia", may_be_turned,
+     " without shot.body.collision.radius and something that turns a ball"},
 };
 
 }  // namespace
@@ -154,15 +119,6 @@ bool may_be_turned(const Reading& r) {
   return collision.radius > 0 && (rules_of_scenes::bounces_itself(r) || collision.others != 0);
 }
 
-std::span<const UnreadRule> unread_in_scenes() {
-  using namespace rules_of_scenes;
-  static const std::vector<UnreadRule> all = [] {
-    std::vector<UnreadRule> list(std::begin(kMaterialRules), std::end(kMaterialRules));
-    list.insert(list.end(), std::begin(kThingRules), std::end(kThingRules));
-    list.insert(list.end(), std::begin(kContactRules), std::end(kContactRules));
-    return list;
-  }();
-  return all;
-}
+std::span<const UnreadRule> unread_in_scenes() { return rules_of_scenes::kSceneRules; }
 
 }  // namespace physim

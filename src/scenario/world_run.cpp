@@ -13,7 +13,6 @@
 #include "model/sight.hpp"
 #include "physim/files.hpp"
 #include "scenario/checks.hpp"
-#include "scenario/emitter_maker.hpp"
 #include "scenario/files_in_use.hpp"
 #include "scenario/new_file.hpp"
 #include "scenario/scene_maker.hpp"
@@ -312,6 +311,71 @@ WorldRun::WorldRun(WorldRun&&) noexcept = default;
 WorldRun& WorldRun::operator=(WorldRun&&) noexcept = default;
 WorldRun::~WorldRun() = default;
 
+// ------------------------------------------------------------------------------------------------------------ emitters
+Status WorldRun::Impl::add_emitters() {
+  const auto order = order_of_emitters(scenario, names.emitters);
+  PHYSIM_ASSERT(order.ok());  // circles are refused when a scenario is read
+  for (const std::size_t i : *order) {
+    const ScenarioEmitter& emitter = scenario.emitters[i];
+    const Result<EmitterDef> def = in_world(i);
+    if (!def) return def.error();
+    const Result<EmitterId> added = world.add_emitter(*def);
+    if (!added) return with_place(added.error(), scenario.file + ": emitter " + in_quotes(emitter.def.name));
+    group_of(i).emitter = *added;
+  }
+  return {};
+}
+
+/// The emitters of a run are the last of its groups.
+WorldGroup& WorldRun::Impl::group_of(std::size_t emitter) {
+  PHYSIM_ASSERT(emitter < scenario.emitters.size());
+  return groups[groups.size() - scenario.emitters.size() + emitter];
+}
+
+/// An emitter with the kinds and ids of this run's world, which has those that its subs name.
+Result<EmitterDef> WorldRun::Impl::in_world(std::size_t index) {
+  const ScenarioEmitter& emitter = scenario.emitters[index];
+  const std::size_t shot = index_of_shot(emitter.shot);
+  const Launch& launch = scenario.shots[shot].launch;
+  EmitterDef def = def_of(emitter);
+  def.kind = group_of(index).kind;
+  def.launch.rail_length = launch.rail_length;
+  def.launch.attitude = launch.attitude;
+  def.launch.spin = launch.spin;
+  if (!emitter.follows.empty()) def.follows = lone[index_of_shot(emitter.follows)];
+  if (!emitter.tracer.empty()) {
+    const Result<KindId> tracer = kind_of(index_of_shot(emitter.tracer));
+    if (!tracer) return tracer.error();
+    def.gun.tracer = *tracer;
+  }
+  for (std::size_t i = 0; i < def.subs.size(); ++i)  // none yet: it fires itself
+    def.subs[i].emitter = group_of(*names.emitters.find(emitter.subs[i].emitter)).emitter;
+  return def;
+}
+
+const std::size_t* WorldRun::Impl::group_fired_by(std::uint32_t emitter) {
+  const auto known = group_of_emitter.find(emitter);
+  if (known != group_of_emitter.end() && groups[known->second].emitter.index == emitter) return &known->second;
+  group_of_emitter.clear();
+  for (std::size_t i = 0; i < groups.size(); ++i)
+    if (groups[i].emitter) group_of_emitter.emplace(groups[i].emitter.index, i);
+  const auto found = group_of_emitter.find(emitter);
+  return found != group_of_emitter.end() ? &found->second : nullptr;
+}
+
+/// The track of what an emitter fired; null where none did.
+Track* WorldRun::Impl::adopt(const Event& born) {
+  const auto index = static_cast<std::uint32_t>(born.value);  // of the emitter
+  const std::size_t* const fired = index == 0 ? nullptr : group_fired_by(index);
+  if (fired == nullptr) return nullptr;
+  if (tracks.size() <= born.id.index) tracks.resize(born.id.index + std::size_t{1});
+  const std::size_t group = *fired;
+  if (const Track& before = tracks[born.id.index]; before.generation != 0)
+    taken_over.emplace(ProjectileId{born.id.index, before.generation}, before);
+  tracks[born.id.index] = {born.id.generation, {group, ++launches}, false, born.time, born.position};
+  return &tracks[born.id.index];
+}
+
 namespace {
 
 /// The hash of all that a run is made from.
@@ -328,11 +392,11 @@ Status check_parts(const Scenario& scenario) {
   const std::string& file = scenario.file;
   Checker c;
   for (const Volley& volley : scenario.volleys) {
-    c.also(check_shot_name(names, volley.shot, "volley.shot", file));
+    c.also(check_named(names.shots, volley.shot, "shot", "volley.shot", file));
     c.named(volley.spread.shape, "volley.spread.shape");
   }
   for (const ScenarioForce& force : scenario.forces) {
-    for (const std::string& shot : force.shots) c.also(check_shot_name(names, shot, "force.shots", file));
+    for (const std::string& shot : force.shots) c.also(check_named(names.shots, shot, "shot", "force.shots", file));
     if (!force.other.empty()) c.also(check_lone_shot(names, force.other, "force.other", file));
   }
   for (const ScenarioJoint& joint : scenario.joints) {
@@ -340,8 +404,8 @@ Status check_parts(const Scenario& scenario) {
     if (!joint.b.empty()) c.also(check_lone_shot(names, joint.b, "joint.b", file));
   }
   for (const ScenarioEmitter& emitter : scenario.emitters) {
-    c.also(check_shot_name(names, emitter.shot, "emitter.shot", file));
-    if (!emitter.tracer.empty()) c.also(check_shot_name(names, emitter.tracer, "emitter.gun.tracer", file));
+    c.also(check_named(names.shots, emitter.shot, "shot", "emitter.shot", file));
+    if (!emitter.tracer.empty()) c.also(check_named(names.shots, emitter.tracer, "shot", "emitter.gun.tracer", file));
     if (!emitter.follows.empty()) c.also(check_lone_shot(names, emitter.follows, "emitter.follows", file));
     for (const ScenarioSub& sub : emitter.subs)
       c.require(names.emitters.has(sub.emitter), "emitter.sub.emitter", "names no emitter");

@@ -145,18 +145,26 @@ std::string drawn_value(const DrawnColour& x, Style style) {
 
 std::optional<std::string> value_text(const Entry& entry, const Scope& scope, Style style);
 
+using Settings = std::vector<std::pair<std::string, std::string>>;  // keys, or paths, with their values
+
 constexpr std::string_view kEmptyTable = "{}";
+
+std::string in_braces(const Settings& keys) {
+  std::string out;
+  for (const auto& [key, value] : keys) out += (out.empty() ? "" : ", ") + key + " = " + value;
+  return out.empty() ? std::string(kEmptyTable) : "{ " + out + " }";
+}
 
 /// A table within an array with all that it says; values that are absent are left out, and so are tables of nothing
 /// else.
 std::string inline_table(const SchemaNode& node, const Scope& scope) {
-  std::string out;
+  Settings keys;
   for (const SchemaNode& child : node.children) {
     const std::optional<std::string> value =
         child.entry ? value_text(*child.entry, scope, Style::whole) : inline_table(child, scope);
-    if (value && *value != kEmptyTable) out += (out.empty() ? "" : ", ") + child.name + " = " + *value;
+    if (value && *value != kEmptyTable) keys.emplace_back(child.name, *value);
   }
-  return out.empty() ? std::string(kEmptyTable) : "{ " + out + " }";
+  return in_braces(keys);
 }
 
 std::string brief_element(const SchemaNode& node, const Scope& outer, const Scope& element);
@@ -257,7 +265,6 @@ BodyDef unsaid(BodyDef body, const Scenario& scenario) {
   return body;
 }
 
-using Settings = std::vector<std::pair<std::string, std::string>>;
 using TakeSetting = std::function<void(const std::string& path, const std::string& value)>;
 
 /// All settings of a table. Shots are named one by one; other lists are one value.
@@ -280,10 +287,18 @@ void write_table(const SchemaNode& node, const Scope& scope, const std::string& 
   }
 }
 
-void each_setting(const Scenario& scenario, Style style, const TakeSetting& take) {
-  Scenario copy = scenario;  // slots are for reading and writing
+/// A copy of a scenario with its scope, as slots are for reading and writing.
+struct InScope {
+  Scenario copy;
   std::int64_t format = 1;
-  write_table(schema(), {.format = &format, .scenario = &copy}, "", style, take);
+  Scope scope{.format = &format, .scenario = &copy};
+
+  explicit InScope(const Scenario& scenario) : copy(scenario) {}
+  InScope(const InScope&) = delete;
+};
+
+void each_setting(const Scenario& scenario, Style style, const TakeSetting& take) {
+  write_table(schema(), InScope(scenario).scope, "", style, take);
 }
 
 Settings all_settings(const Scenario& scenario, Style style) {
@@ -296,8 +311,6 @@ Settings all_settings(const Scenario& scenario, Style style) {
 // ---------------------------------------------------------------------------------------------------------- in brief
 // A file says what its reader does not have anyway. A reader follows what is written: it starts with
 // defaults, and has what presets and other settings bring along.
-
-using Keys = std::vector<std::pair<std::string, std::string>>;  // of one table, with their values
 
 /// What a reader has of an element of a list before its first key; of all around it, what is there.
 Scope unread(const Scope& outer, Scope element, Defaults& defaults) {
@@ -377,8 +390,8 @@ std::optional<std::string> news_text(const SchemaNode& node, const Scope& scope,
 std::optional<std::string> brief_table(const SchemaNode& node, const Scope& scope, const Scope& reader);
 
 /// The keys of a table, with the tables in it on one line each.
-Keys brief_keys(const SchemaNode& node, const Scope& scope, const Scope& reader) {
-  Keys keys;
+Settings brief_keys(const SchemaNode& node, const Scope& scope, const Scope& reader) {
+  Settings keys;
   for (const SchemaNode& child : node.children) {
     if (is_left_out(child, *scope.scenario)) continue;
     const std::optional<std::string> value =
@@ -388,15 +401,9 @@ Keys brief_keys(const SchemaNode& node, const Scope& scope, const Scope& reader)
   return keys;
 }
 
-std::string in_braces(const Keys& keys) {
-  std::string out;
-  for (const auto& [key, value] : keys) out += (out.empty() ? "" : ", ") + key + " = " + value;
-  return out.empty() ? std::string(kEmptyTable) : "{ " + out + " }";
-}
-
 /// A table on one line; nothing where there is nothing to say, and a bare value where it may stand for the table.
 std::optional<std::string> brief_table(const SchemaNode& node, const Scope& scope, const Scope& reader) {
-  const Keys keys = brief_keys(node, scope, reader);
+  const Settings keys = brief_keys(node, scope, reader);
   if (keys.empty()) return std::nullopt;
   if (keys.size() == 1 && keys[0].first == node.shorthand) return keys[0].second;
   return in_braces(keys);
@@ -407,7 +414,7 @@ std::string brief_element(const SchemaNode& node, const Scope& outer, const Scop
   return in_braces(brief_keys(node, element, unread(outer, element, defaults)));
 }
 
-std::string lines(const Keys& keys) {
+std::string lines(const Settings& keys) {
   std::string out;
   for (const auto& [key, value] : keys) out += key + " = " + value + "\n";
   return out;
@@ -424,21 +431,20 @@ std::string element_text(const SchemaNode& node, const Scope& scope, std::size_t
 
 std::string scenario_text(const Scenario& scenario) {
   const IeeeMode mode;
-  Scenario copy = scenario;  // slots are for reading and writing
-  std::int64_t format = 1;
-  const Scope scope{.format = &format, .scenario = &copy};
+  InScope said(scenario);
   Defaults defaults;
   const Scope reader = defaults.scope();
-  std::string keys = "physim = " + std::to_string(format) + "\n", tables;
+  std::string keys = "physim = " + std::to_string(said.format) + "\n", tables;
   for (const SchemaNode& child : schema().children) {
-    if (child.path == "physim" || is_left_out(child, copy)) continue;
+    if (child.path == "physim" || is_left_out(child, said.copy)) continue;
     if (child.is_list_of_tables()) {
-      const Records list = std::get<Records>(child.entry->slot(scope));
+      const Records list = std::get<Records>(child.entry->slot(said.scope));
       for (std::size_t i = 0; i < list.size(); ++i)
-        tables += "\n[[" + child.name + "]]\n" + element_text(child, scope, i);
+        tables += "\n[[" + child.name + "]]\n" + element_text(child, said.scope, i);
     } else if (child.entry != nullptr) {
-      if (const auto value = news_text(child, scope, reader)) keys += child.name + " = " + *value + "\n";
-    } else if (const Keys of_table = brief_keys(child, scope, reader); !of_table.empty() || child.path == "world") {
+      if (const auto value = news_text(child, said.scope, reader)) keys += child.name + " = " + *value + "\n";
+    } else if (const Settings of_table = brief_keys(child, said.scope, reader);
+               !of_table.empty() || child.path == "world") {
       tables += "\n[" + child.name + "]\n" + lines(of_table);
     }
   }
@@ -456,11 +462,9 @@ std::optional<std::string> written_in_file(const Entry& entry, const Scope& scop
 std::vector<std::string> element_texts(const Scenario& scenario, std::string_view list) {
   const SchemaNode* node = find_node(list);
   PHYSIM_ASSERT(node != nullptr && node->is_list_of_tables());
-  Scenario copy = scenario;
-  std::int64_t format = 1;
-  const Scope scope{.format = &format, .scenario = &copy};
-  std::vector<std::string> texts(std::get<Records>(node->entry->slot(scope)).size());
-  for (std::size_t i = 0; i < texts.size(); ++i) texts[i] = element_text(*node, scope, i);
+  InScope said(scenario);
+  std::vector<std::string> texts(std::get<Records>(node->entry->slot(said.scope)).size());
+  for (std::size_t i = 0; i < texts.size(); ++i) texts[i] = element_text(*node, said.scope, i);
   return texts;
 }
 

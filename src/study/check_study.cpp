@@ -1,4 +1,4 @@
-#include "study/check_study.hpp"
+#include "study/plan.hpp"
 
 #include <algorithm>
 #include <bit>

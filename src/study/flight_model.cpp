@@ -46,9 +46,16 @@ struct UncertainNumber {
   [[nodiscard]] const PathRow& row() const { return *path.row; }
 };
 
-/// How a block of shots ended.
-struct BlockEnds : SeenColumns {
-  std::span<const Outcome> outcome;
+/// A block of shots: what they drew, and how they ended.
+struct Block {
+  InputColumns inputs;
+  std::span<double> speeds;                      // work space
+  std::vector<std::span<const double>> columns;  // of the uncertain numbers, then the two of a wind by compass
+  SeenColumns ends;
+  ModelScratch& scratch;
+  Weather weather{};
+
+  [[nodiscard]] std::size_t size() const { return ends.time.size(); }
 };
 
 class FlightModel : public ShotModel {
@@ -67,33 +74,22 @@ class FlightModel : public ShotModel {
 
  private:
   void take(const StudyInput& input, std::size_t index);
-  void blow_by_compass(const std::vector<std::span<const double>>& columns, std::span<double> x,
-                       std::span<double> z) const;
-  [[nodiscard]] Weather weather_of(const std::vector<std::span<const double>>& columns) const;
+  void blow_by_compass(const Block& block, std::span<double> x, std::span<double> z) const;
+  [[nodiscard]] Weather weather_of(const Block& block) const;
   [[nodiscard]] std::span<const double> column_of(const UncertainNumber& number, InputColumns inputs,
                                                   std::span<double> room) const;
-  [[nodiscard]] ModelTold fly(const std::vector<std::span<const double>>& columns, InputColumns inputs,
-                              std::span<double> speeds, ModelScratch& scratch, const BlockEnds& ends) const;
-  [[nodiscard]] LaunchColumns launches_of(const std::vector<std::span<const double>>& columns,
-                                          std::span<double> speeds) const;
-  [[nodiscard]] ModelTold fly_columns_of(const std::vector<std::span<const double>>& columns,
-                                         const LaunchColumns& launches, ModelScratch& scratch,
-                                         const BlockEnds& ends) const;
-  [[nodiscard]] ModelTold fly_launches_of(const std::vector<std::span<const double>>& columns,
-                                          const LaunchColumns& launches, ModelScratch& scratch,
-                                          const BlockEnds& ends) const;
-  [[nodiscard]] ModelTold fly_shots_of(const std::vector<std::span<const double>>& columns, std::size_t count,
-                                       InputColumns inputs, ModelScratch& scratch, const BlockEnds& ends) const;
-  [[nodiscard]] Environment environment_of(std::size_t shot, const std::vector<std::span<const double>>& columns,
-                                           const Weather& weather) const;
-  void fly_in_own_places(const std::vector<std::span<const double>>& columns, const Weather& weather,
-                         std::span<const Shot> shots, ModelScratch& scratch) const;
-  void fly_among_things(const std::vector<std::span<const double>>& columns, const Weather& weather,
-                        std::span<const Shot> shots, InputColumns inputs, ModelScratch& scratch) const;
+  [[nodiscard]] ModelTold fly(const Block& block) const;
+  [[nodiscard]] LaunchColumns launches_of(const Block& block) const;
+  [[nodiscard]] ModelTold fly_columns_of(const Block& block, const LaunchColumns& launches) const;
+  [[nodiscard]] ModelTold fly_launches_of(const Block& block, const LaunchColumns& launches) const;
+  [[nodiscard]] ModelTold fly_shots_of(const Block& block) const;
+  [[nodiscard]] Environment environment_of(std::size_t shot, const Block& block) const;
+  void fly_in_own_places(const Block& block, std::span<const Shot> shots) const;
+  void fly_among_things(const Block& block, std::span<const Shot> shots) const;
   void mark_things(const Flight& flight, std::size_t shot, std::size_t shots, ModelScratch& scratch) const;
-  [[nodiscard]] ModelTold take_batch(std::size_t count, ModelScratch& scratch, const BlockEnds& ends) const;
+  [[nodiscard]] ModelTold take_batch(const Block& block) const;
   void move_to_plane(const SeenColumns& seen, double range, const Vec3d& acceleration) const;
-  void put_ground_impacts(const BlockEnds& ends, ModelScratch& scratch) const;
+  void put_ground_impacts(const Block& block) const;
   void put(StudyQuantity quantity, const SeenColumns& seen, const ModelScratch& scratch, std::span<double> into) const;
   void put_places(const ModelScratch& scratch, QuantityColumns quantities) const;
 
@@ -179,15 +175,14 @@ std::span<const double> FlightModel::column_of(const UncertainNumber& number, In
 }
 
 /// Where it comes from is where it does not blow to.
-void FlightModel::blow_by_compass(const std::vector<std::span<const double>>& columns, std::span<double> x,
-                                  std::span<double> z) const {
+void FlightModel::blow_by_compass(const Block& block, std::span<double> x, std::span<double> z) const {
   PHYSIM_ASSERT(by_compass_ && x.size() == z.size());
   const Vec3d& there = study_.environment.wind.velocity;
   std::span<const double> speed, from, azimuth;
   for (std::size_t i = 0; i < numbers_.size(); ++i) {
-    if (numbers_[i].row().compass == CompassWind::speed) speed = columns[i];
-    if (numbers_[i].row().compass == CompassWind::from) from = columns[i];
-    if (i == azimuth_) azimuth = columns[i];
+    if (numbers_[i].row().compass == CompassWind::speed) speed = block.columns[i];
+    if (numbers_[i].row().compass == CompassWind::from) from = block.columns[i];
+    if (i == azimuth_) azimuth = block.columns[i];
   }
   const double plain_speed = std::sqrt(there.x * there.x + there.z * there.z);
   const Vec3d plain_way = plain_speed > 0 ? there * (1 / plain_speed) : Vec3d{};
@@ -202,100 +197,86 @@ void FlightModel::blow_by_compass(const std::vector<std::span<const double>>& co
   }
 }
 
-/// Behind the columns of the numbers stand those of a wind by compass.
-Weather FlightModel::weather_of(const std::vector<std::span<const double>>& columns) const {
-  PHYSIM_ASSERT(columns.size() == numbers_.size() + (by_compass_ ? 2 : 0));
+Weather FlightModel::weather_of(const Block& block) const {
+  PHYSIM_ASSERT(block.columns.size() == numbers_.size() + (by_compass_ ? 2 : 0));
   Weather weather;
   for (std::size_t i = 0; i < numbers_.size(); ++i) {
     const PathRow& row = numbers_[i].row();
-    if (row.weather) weather.*row.weather = columns[i];
+    if (row.weather) weather.*row.weather = block.columns[i];
   }
   weather.moves_profile = moves_profile_;
-  if (by_compass_) weather.wind_x = columns[numbers_.size()], weather.wind_z = columns[numbers_.size() + 1];
+  if (by_compass_) weather.wind_x = block.columns[numbers_.size()], weather.wind_z = block.columns[numbers_.size() + 1];
   return weather;
 }
 
-LaunchColumns FlightModel::launches_of(const std::vector<std::span<const double>>& columns,
-                                       std::span<double> speeds) const {
+LaunchColumns FlightModel::launches_of(const Block& block) const {
   LaunchColumns launches{.common = plain_.launch};
   for (std::size_t i = 0; i < numbers_.size(); ++i)
-    if (const auto column = numbers_[i].row().launches) launches.*column = columns[i];
+    if (const auto column = numbers_[i].row().launches) launches.*column = block.columns[i];
   if (launches.speed.empty()) {
-    std::fill(speeds.begin(), speeds.end(), plain_.launch.speed);
-    launches.speed = speeds;
+    std::ranges::fill(block.speeds, plain_.launch.speed);
+    launches.speed = block.speeds;
   }
   return launches;
 }
 
-ModelTold FlightModel::fly_columns_of(const std::vector<std::span<const double>>& columns,
-                                      const LaunchColumns& launches, ModelScratch& scratch,
-                                      const BlockEnds& ends) const {
-  const EndColumns into{.outcome = std::span(scratch.outcomes).first(ends.time.size()),
-                        .time = ends.time,
-                        .x = ends.x,
-                        .y = ends.y,
-                        .z = ends.z,
-                        .vx = ends.vx,
-                        .vy = ends.vy,
-                        .vz = ends.vz};
+ModelTold FlightModel::fly_columns_of(const Block& block, const LaunchColumns& launches) const {
+  const auto& [time, x, y, z, vx, vy, vz] = block.ends;
+  const EndColumns into{std::span(block.scratch.outcomes).first(block.size()), time, x, y, z, vx, vy, vz};
   const ColumnsResult result = fly_columns(plain_.projectile, launches, study_.environment, study_.fidelity,
-                                           study_.tolerance, study_.until, into, nullptr, weather_of(columns));
+                                           study_.tolerance, study_.until, into, nullptr, block.weather);
   return {result.refused, result.error, {}};
 }
 
 /// What is watched on the way are events, which columns do not have.
-ModelTold FlightModel::fly_launches_of(const std::vector<std::span<const double>>& columns,
-                                       const LaunchColumns& launches, ModelScratch& scratch,
-                                       const BlockEnds& ends) const {
-  const std::size_t count = ends.time.size();
-  PHYSIM_ASSERT(!launches.has_drag() && launches.size() == count);
-  scratch.launches.resize(count);
-  for (std::size_t i = 0; i < count; ++i) scratch.launches[i] = launches.at(i);
-  fly_batch(plain_.projectile, scratch.launches, study_.environment, study_.fidelity, study_.tolerance, study_.until,
-            scratch.batch, nullptr, weather_of(columns));
-  return take_batch(count, scratch, ends);
+ModelTold FlightModel::fly_launches_of(const Block& block, const LaunchColumns& launches) const {
+  PHYSIM_ASSERT(!launches.has_drag() && launches.size() == block.size());
+  block.scratch.launches.resize(block.size());
+  for (std::size_t i = 0; i < block.size(); ++i) block.scratch.launches[i] = launches.at(i);
+  fly_batch(plain_.projectile, block.scratch.launches, study_.environment, study_.fidelity, study_.tolerance,
+            study_.until, block.scratch.batch, nullptr, block.weather);
+  return take_batch(block);
 }
 
-ModelTold FlightModel::fly_shots_of(const std::vector<std::span<const double>>& columns, std::size_t count,
-                                    InputColumns inputs, ModelScratch& scratch, const BlockEnds& ends) const {
-  if (scratch.shots.size() < count) scratch.shots.resize(count, plain_);
-  const Weather weather = weather_of(columns);
-  const auto shots = std::span(scratch.shots).first(count);
+ModelTold FlightModel::fly_shots_of(const Block& block) const {
+  ModelScratch& scratch = block.scratch;
+  if (scratch.shots.size() < block.size()) scratch.shots.resize(block.size(), plain_);
+  const auto shots = std::span(scratch.shots).first(block.size());
   if (has_factor_) std::ranges::fill(shots, plain_);  // its points are multiplied by the factor, drawn ones, too
   for (std::size_t i = 0; i < numbers_.size(); ++i)
-    for (std::size_t shot = 0; shot < count; ++shot) numbers_[i].path.put(shots[shot], columns[i][shot]);
+    for (std::size_t shot = 0; shot < shots.size(); ++shot) numbers_[i].path.put(shots[shot], block.columns[i][shot]);
   for (std::size_t i = 0; i < numbers_.size(); ++i)
-    for (std::size_t shot = 0; shot < count && numbers_[i].row().scale; ++shot)
-      numbers_[i].row().scale(shots[shot], columns[i][shot]);
+    for (std::size_t shot = 0; shot < shots.size() && numbers_[i].row().scale; ++shot)
+      numbers_[i].row().scale(shots[shot], block.columns[i][shot]);
   if (study_.scene)
-    fly_among_things(columns, weather, shots, inputs, scratch);
+    fly_among_things(block, shots);
   else if (has_own_place_)
-    fly_in_own_places(columns, weather, shots, scratch);
+    fly_in_own_places(block, shots);
   else
     fly_batch(shots, study_.environment, study_.fidelity, study_.tolerance, study_.until, scratch.batch, nullptr,
-              weather);
-  return take_batch(count, scratch, ends);
+              block.weather);
+  return take_batch(block);
 }
 
 /// Flies a block the quickest way that it can go.
-ModelTold FlightModel::fly(const std::vector<std::span<const double>>& columns, InputColumns inputs,
-                           std::span<double> speeds, ModelScratch& scratch, const BlockEnds& ends) const {
+ModelTold FlightModel::fly(const Block& block) const {
   if (as_columns_) {
-    const LaunchColumns launches = launches_of(columns, speeds);
-    if (places_.empty()) return fly_columns_of(columns, launches, scratch, ends);
-    if (!launches.has_drag()) return fly_launches_of(columns, launches, scratch, ends);
+    const LaunchColumns launches = launches_of(block);
+    if (places_.empty()) return fly_columns_of(block, launches);
+    if (!launches.has_drag()) return fly_launches_of(block, launches);
   }
-  return fly_shots_of(columns, ends.time.size(), inputs, scratch, ends);
+  return fly_shots_of(block);
 }
 
-ModelTold FlightModel::take_batch(std::size_t count, ModelScratch& scratch, const BlockEnds& ends) const {
-  const BatchResult& batch = scratch.batch;
-  PHYSIM_ASSERT(batch.shots.size() == count);
-  for (const ShotEvent& event : batch.events) places_.take(event.event, event.shot, scratch.places);
+ModelTold FlightModel::take_batch(const Block& block) const {
+  const BatchResult& batch = block.scratch.batch;
+  const SeenColumns& ends = block.ends;
+  PHYSIM_ASSERT(batch.shots.size() == block.size());
+  for (const ShotEvent& event : batch.events) places_.take(event.event, event.shot, block.scratch.places);
   ModelTold told{0, batch.error, {}};
-  for (std::size_t i = 0; i < count; ++i) {
+  for (std::size_t i = 0; i < block.size(); ++i) {
     const ShotResult& shot = batch.shots[i];
-    scratch.outcomes[i] = shot.outcome;
+    block.scratch.outcomes[i] = shot.outcome;
     told.refused += shot.outcome == Outcome::refused ? 1 : 0;
     ends.time[i] = shot.time;
     ends.x[i] = shot.position.x, ends.y[i] = shot.position.y, ends.z[i] = shot.position.z;
@@ -305,42 +286,40 @@ ModelTold FlightModel::take_batch(std::size_t count, ModelScratch& scratch, cons
 }
 
 /// The environment that a shot flies in alone.
-Environment FlightModel::environment_of(std::size_t shot, const std::vector<std::span<const double>>& columns,
-                                        const Weather& weather) const {
+Environment FlightModel::environment_of(std::size_t shot, const Block& block) const {
   Environment own = study_.environment;
   for (std::size_t k = 0; k < numbers_.size(); ++k)
-    if (!numbers_[k].row().weather) numbers_[k].path.put(own, columns[k][shot]);
-  if (!weather.empty()) weather.put(shot, own);
+    if (!numbers_[k].row().weather) numbers_[k].path.put(own, block.columns[k][shot]);
+  if (!block.weather.empty()) block.weather.put(shot, own);
   return own;
 }
 
 /// Each shot alone, at its own place.
-void FlightModel::fly_in_own_places(const std::vector<std::span<const double>>& columns, const Weather& weather,
-                                    std::span<const Shot> shots, ModelScratch& scratch) const {
+void FlightModel::fly_in_own_places(const Block& block, std::span<const Shot> shots) const {
   BatchResult all, one;
   for (std::size_t i = 0; i < shots.size(); ++i) {
-    const Environment own = environment_of(i, columns, weather);
+    const Environment own = environment_of(i, block);
     fly_batch(shots.subspan(i, 1), own, study_.fidelity, study_.tolerance, study_.until, one);
     PHYSIM_ASSERT(one.shots.size() == 1);
     all.shots.push_back(one.shots[0]);
-    for (const ShotEvent& event : one.events) places_.take(event.event, i, scratch.places);
+    for (const ShotEvent& event : one.events) places_.take(event.event, i, block.scratch.places);
     if (one.error && !all.error) all.error = one.error;
   }
-  scratch.batch = std::move(all);
+  block.scratch.batch = std::move(all);
 }
 
 /// Each shot alone through the scene, as fly() does. What its contacts leave to chance follows from what it drew.
-void FlightModel::fly_among_things(const std::vector<std::span<const double>>& columns, const Weather& weather,
-                                   std::span<const Shot> shots, InputColumns inputs, ModelScratch& scratch) const {
+void FlightModel::fly_among_things(const Block& block, std::span<const Shot> shots) const {
+  ModelScratch& scratch = block.scratch;
   BatchResult all;
   all.shots.resize(shots.size());
   Until until = study_.until;
   for (std::size_t i = 0; i < shots.size(); ++i) {
     Hash chance(study_.until.contact.seed);
-    for (const auto& column : inputs) chance.add(column[i]);
+    for (const auto& column : block.inputs) chance.add(column[i]);
     until.contact.seed = chance.value();
-    const Flight flight = physim::fly(shots[i].projectile, shots[i].launch, environment_of(i, columns, weather),
-                                      study_.fidelity, study_.tolerance, until);
+    const Flight flight = physim::fly(shots[i].projectile, shots[i].launch, environment_of(i, block), study_.fidelity,
+                                      study_.tolerance, until);
     ShotResult& shot = all.shots[i];
     shot.outcome = flight.outcome();
     if (flight.error() && !all.error) all.error = flight.error();
@@ -371,14 +350,15 @@ void FlightModel::move_to_plane(const SeenColumns& seen, double range, const Vec
 }
 
 /// Impacts of shots that fly without a scene.
-void FlightModel::put_ground_impacts(const BlockEnds& ends, ModelScratch& scratch) const {
+void FlightModel::put_ground_impacts(const Block& block) const {
   const bool all_alike = as_columns_;  // in what flies
+  const auto& [time, x, y, z, vx, vy, vz] = block.ends;
+  ModelScratch& scratch = block.scratch;
   MassInFlight mass(plain_.projectile, granted_);
-  for (std::size_t i = 0; i < ends.x.size(); ++i) {
-    if (ends.outcome[i] != Outcome::landed) continue;
+  for (std::size_t i = 0; i < block.size(); ++i) {
+    if (scratch.outcomes[i] != Outcome::landed) continue;
     if (!all_alike) mass = MassInFlight(scratch.shots[i].projectile, granted_);
-    scratch.impacts[i] = impacts_->on_ground({ends.x[i], ends.y[i], ends.z[i]}, {ends.vx[i], ends.vy[i], ends.vz[i]},
-                                             mass.at(ends.time[i]));
+    scratch.impacts[i] = impacts_->on_ground({x[i], y[i], z[i]}, {vx[i], vy[i], vz[i]}, mass.at(time[i]));
   }
 }
 
@@ -433,25 +413,24 @@ ModelTold FlightModel::evaluate(InputColumns inputs, QuantityColumns all, ModelS
   if (impacts_) scratch.impacts.assign(count, kNoImpact);
   std::size_t taken = 0;
   const auto room = [&] { return std::span(scratch.numbers).subspan(count * taken++, count); };
-  const BlockEnds ends{{room(), room(), room(), room(), room(), room(), room()},
-                       std::span(scratch.outcomes).first(count)};
-  const std::span<double> speeds = room();
-  std::vector<std::span<const double>> columns;
-  for (const UncertainNumber& number : numbers_) columns.push_back(column_of(number, inputs, room()));
+  Block block{inputs, {}, {}, {room(), room(), room(), room(), room(), room(), room()}, scratch};
+  block.speeds = room();
+  for (const UncertainNumber& number : numbers_) block.columns.push_back(column_of(number, inputs, room()));
   if (by_compass_) {
     const std::span<double> x = room(), z = room();
-    blow_by_compass(columns, x, z);
-    columns.insert(columns.end(), {x, z});
+    blow_by_compass(block, x, z);
+    block.columns.insert(block.columns.end(), {x, z});
   }
-  ModelTold told = fly(columns, inputs, speeds, scratch, ends);
-  if (impacts_ && !study_.scene) put_ground_impacts(ends, scratch);
-  if (study_.until.range) move_to_plane(ends, *study_.until.range, acceleration_);
-  for (std::size_t q = 0; q < quantities.size(); ++q) put(study_.quantities[q], ends, scratch, quantities[q]);
+  block.weather = weather_of(block);
+  ModelTold told = fly(block);
+  if (impacts_ && !study_.scene) put_ground_impacts(block);
+  if (study_.until.range) move_to_plane(block.ends, *study_.until.range, acceleration_);
+  for (std::size_t q = 0; q < quantities.size(); ++q) put(study_.quantities[q], block.ends, scratch, quantities[q]);
   for (std::size_t i = 0; i < count; ++i) {
-    const Outcome outcome = ends.outcome[i];
+    const Outcome outcome = scratch.outcomes[i];
     if (outcome == Outcome::refused && !told.first) told.first = i;
-    const bool arrived =
-        study_.until.range ? outcome == Outcome::reached_range && std::isfinite(ends.x[i]) : ended_as_planned(outcome);
+    const bool arrived = study_.until.range ? outcome == Outcome::reached_range && std::isfinite(block.ends.x[i])
+                                            : ended_as_planned(outcome);
     if (arrived) continue;
     for (const auto& column : quantities) column[i] = kNowhere;
   }

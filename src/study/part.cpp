@@ -7,7 +7,6 @@
 #include "base/archive.hpp"
 #include "base/ieee_mode.hpp"
 #include "base/written_by.hpp"
-#include "study/archive.hpp"
 #include "study/estimates.hpp"
 #include "study/shard.hpp"
 
@@ -54,28 +53,29 @@ bool fits(const SampleMoments& moments, std::size_t size) {
 bool fits(const DistanceSums& sums, const DistanceSums& first) {
   return fits(sums.cells, first.cells) && fits(sums.moments, 1);
 }
+/// Two lists are as long, or one of them is not there.
+template <class T>
+bool sized(const std::vector<T>& a, const std::vector<T>& b) {
+  return a.empty() || b.empty() || a.size() == b.size();
+}
 bool fits(const IndexSums& sums, const IndexSums& first) {
-  const auto sized = [](const auto& a, const auto& b) { return a.empty() || b.empty() || a.size() == b.size(); };
   return sized(sums.counts, first.counts) && sized(sums.first, first.first) && sized(sums.total, first.total);
 }
 bool fits(const CommonSums& sums, const CommonSums& first) {
-  const auto sized = [](const auto& a, const auto& b) { return a.empty() || b.empty() || a.size() == b.size(); };
-  bool sound = sums.replicates.size() == kReplicates && sums.cells.size() == first.cells.size() &&
-               sums.spreads.size() == first.spreads.size() && sized(sums.hits, first.hits) &&
-               sized(sums.least, first.least) && sized(sums.most, sums.least) && sums.worst.size() <= kWorstShots;
-  for (std::size_t i = 0; sound && i < sums.cells.size(); ++i) sound = fits(sums.cells[i], first.cells[i]);
-  for (std::size_t i = 0; sound && i < sums.spreads.size(); ++i) sound = fits(sums.spreads[i], first.spreads[i]);
-  for (std::size_t i = 0; sound && i < kReplicates; ++i) {
-    const Replicate& part = sums.replicates[i];
-    sound = fits(part.moments, sums.cells.size()) && sized(part.hits, first.hits) &&
-            fits(part.indices, first.replicates[i].indices);
-  }
-  return sound && fits(sums.moments, sums.cells.size()) && fits(sums.from_aim, first.from_aim) &&
-         fits(sums.from_centre, first.from_centre) && fits(sums.in_space, first.in_space);
+  const auto each = [](const auto& a, const auto& b) { return fits(a, b); };
+  const auto of_replicate = [&](const Replicate& part, const Replicate& of_first) {
+    return fits(part.moments, sums.cells.size()) && sized(part.hits, first.hits) &&
+           fits(part.indices, of_first.indices);
+  };
+  return sums.replicates.size() == kReplicates && sized(sums.hits, first.hits) && sized(sums.least, first.least) &&
+         sized(sums.most, sums.least) && sums.worst.size() <= kWorstShots &&
+         std::ranges::equal(sums.cells, first.cells, each) && std::ranges::equal(sums.spreads, first.spreads, each) &&
+         std::ranges::equal(sums.replicates, first.replicates, of_replicate) && fits(sums.moments, sums.cells.size()) &&
+         fits(sums.from_aim, first.from_aim) && fits(sums.from_centre, first.from_centre) &&
+         fits(sums.in_space, first.in_space);
 }
 
 bool fits(const std::vector<PartSums>& sums, const std::vector<PartSums>& first) {
-  const auto sized = [](const auto& a, const auto& b) { return a.empty() || b.empty() || a.size() == b.size(); };
   bool sound = sums.size() == first.size() && sums.size() == kReplicates;
   const PartSums* some = nullptr;  // a replicate that has shots
   for (const auto* list : {&first, &sums})
@@ -256,42 +256,43 @@ StudyPart run_shard(const StudyPlan& plan, std::uint64_t shard) {
 
 namespace {
 
-const Error kOfDifferentStudies{"the parts are of different studies", "part",
-                                "join parts of one study, flown by one version"};
+/// `take` adds what the second part has to what the first one has.
+template <class Take>
+Result<StudyPart> joined(const StudyPart& a, const StudyPart& b, const Take& take) {
+  const IeeeMode mode;
+  if (b.record().nodes.empty()) return a;
+  if (a.record().nodes.empty()) return b;
+  if (a.record().hash != b.record().hash)
+    return Error{"the parts are of different studies", "part", "join parts of one study, flown by one version"};
+  auto all = std::make_shared<StudyPartRecord>(a.record());
+  for (const auto& [first, node] : b.record().nodes)
+    if (Status status = take(*all, first, node); !status) return status.error();
+  return StudyPart(std::move(all));
+}
 
 }  // namespace
 
 Result<StudyPart> merge(const StudyPart& a, const StudyPart& b) {
-  const IeeeMode mode;
-  if (b.record().nodes.empty()) return a;
-  if (a.record().nodes.empty()) return b;
-  if (a.record().hash != b.record().hash) return kOfDifferentStudies;
-  auto all = std::make_shared<StudyPartRecord>(a.record());
-  for (const auto& [first, node] : b.record().nodes) {
+  return joined(a, b, [&a](StudyPartRecord& all, std::uint64_t first, const auto& node) -> Status {
     if (const auto known = a.record().first_in(first, node.count); known != a.record().nodes.end()) {
       const std::uint64_t low = std::max(first, known->first);
       const std::uint64_t high = std::min(first + node.count, known->first + known->second.count);
       return Error{"both parts have " + shards_text(low, high - low), "part", "join each shard once"};
     }
-    all->add(first, node);
-  }
-  return StudyPart(std::move(all));
+    all.add(first, node);
+    return {};
+  });
 }
 
 Result<StudyPart> united(const StudyPart& a, const StudyPart& b) {
-  const IeeeMode mode;
-  if (b.record().nodes.empty()) return a;
-  if (a.record().nodes.empty()) return b;
-  if (a.record().hash != b.record().hash) return kOfDifferentStudies;
-  auto all = std::make_shared<StudyPartRecord>(a.record());
-  for (const auto& [first, node] : b.record().nodes) {
+  return joined(a, b, [](StudyPartRecord& all, std::uint64_t first, const auto& node) -> Status {
     // Nodes begin at multiples of their power of two: of two that overlap, one lies within the other.
-    auto known = all->first_in(first, node.count);
-    if (known != all->nodes.end() && known->second.count >= node.count) continue;
-    for (; known != all->nodes.end(); known = all->first_in(first, node.count)) all->nodes.erase(known);
-    all->add(first, node);
-  }
-  return StudyPart(std::move(all));
+    auto known = all.first_in(first, node.count);
+    if (known != all.nodes.end() && known->second.count >= node.count) return {};
+    for (; known != all.nodes.end(); known = all.first_in(first, node.count)) all.nodes.erase(known);
+    all.add(first, node);
+    return {};
+  });
 }
 
 std::vector<std::byte> save_part(const StudyPart& part) {

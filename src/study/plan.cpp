@@ -8,8 +8,6 @@
 #include "base/text.hpp"
 #include "flight/zero.hpp"
 #include "physim/scene.hpp"
-#include "study/archive.hpp"
-#include "study/check_study.hpp"
 #include "study/estimates.hpp"
 #include "study/impacts.hpp"
 #include "study/moments.hpp"

@@ -11,6 +11,10 @@
 
 namespace physim {
 
+/// Raised whenever the bytes of parts change. Results of shards may differ between versions without it: parts name the
+/// version that flew them, and others refuse them.
+inline constexpr std::uint32_t kStudyFormat = 5;
+
 /// Inputs that are drawn together: one that is correlated with none, or all of a correlation.
 struct InputGroup {
   std::vector<std::size_t> inputs;
@@ -59,5 +63,11 @@ void draw(const StudyPlanRecord& plan, const Sampler& sampler, std::uint64_t sha
           std::span<const std::span<double>> columns);
 /// What one shot of the study draws, computed alone: the numbers that its place in draw() gets.
 [[nodiscard]] std::vector<double> drawn_by(const StudyPlanRecord& plan, std::uint64_t shot);
+
+/// All but what flights refuse. `of_flights`: its inputs are those of study_paths(). `all`: filled with every mistake
+/// where it is not null; the first is returned.
+[[nodiscard]] Status check(const Study& study, bool of_flights, std::vector<Error>* all = nullptr);
+/// Inputs that are drawn together; an error for correlations that cannot be.
+[[nodiscard]] Result<std::vector<InputGroup>> groups_of(const Study& study);
 
 }  // namespace physim

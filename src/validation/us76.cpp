@@ -17,15 +17,15 @@ constexpr double kPublishedRounding = 5e-7;  // relative; see printed_gate()
 constexpr double AirSample::*kGravity = nullptr;  // no property of the air
 
 /// All names that columns have in the files of this suite.
-constexpr std::pair<const char*, double AirSample::*> kColumns[] = {{"T_molecular_K", &AirSample::temperature},
-                                                                    {"T_base_K", &AirSample::temperature},
-                                                                    {"T_K", &AirSample::temperature},
-                                                                    {"P_Pa", &AirSample::pressure},
-                                                                    {"P_base_Pa", &AirSample::pressure},
-                                                                    {"rho_kg_m3", &AirSample::density},
-                                                                    {"a_m_s", &AirSample::sound_speed},
-                                                                    {"mu_Pa_s", &AirSample::viscosity},
-                                                                    {"g_m_s2", kGravity}};
+constexpr std::pair<const char*, double AirSample::*> kAirColumns[] = {{"T_molecular_K", &AirSample::temperature},
+                                                                       {"T_base_K", &AirSample::temperature},
+                                                                       {"T_K", &AirSample::temperature},
+                                                                       {"P_Pa", &AirSample::pressure},
+                                                                       {"P_base_Pa", &AirSample::pressure},
+                                                                       {"rho_kg_m3", &AirSample::density},
+                                                                       {"a_m_s", &AirSample::sound_speed},
+                                                                       {"mu_Pa_s", &AirSample::viscosity},
+                                                                       {"g_m_s2", kGravity}};
 
 /// Newton's gravity at a height, as a flight feels it.
 double gravity_at(double height) {
@@ -72,7 +72,7 @@ bool is_published(const CsvFile& file) {
          file.comments().find("ublished table") != std::string::npos;
 }
 
-bool compare_file(const CsvFile& file, SuiteResult& result) {
+bool compare_air_file(const CsvFile& file, SuiteResult& result) {
   if (!file.name().starts_with("us76") && !file.has("Z_geometric_m")) return false;
   const char* place = file.has("Z_base_m") ? "Z_base_m" : "Z_geometric_m";
   file.require({place});
@@ -83,7 +83,7 @@ bool compare_file(const CsvFile& file, SuiteResult& result) {
     const auto air = air_at({}, z);
     // PhySim's temperature is the molecular one; viscosity follows the kinetic one where a table has both.
     const auto kinetic = file.number(row, "T_kinetic_K");
-    for (const auto& [column, property] : kColumns) {
+    for (const auto& [column, property] : kAirColumns) {
       const auto expected = file.number(row, column);
       if (!expected) continue;
       const bool is_kinetic = property == &AirSample::viscosity && kinetic;
@@ -102,7 +102,7 @@ bool compare_file(const CsvFile& file, SuiteResult& result) {
 constexpr std::string_view kUs76Files[] = {"us76_exact.csv", "us76_layers.csv", "us76_published_pdas_2km.csv"};
 
 void run_us76(const std::filesystem::path& folder, SuiteResult& result) {
-  compare_tables(folder, kUs76Files, "not a table of the standard atmosphere", result, compare_file);
+  compare_tables(folder, kUs76Files, "not a table of the standard atmosphere", result, compare_air_file);
 }
 
 }  // namespace

@@ -1,5 +1,5 @@
 // Histograms of studies as they are drawn and printed.
-#include "report/study_histograms.hpp"
+#include "report/study_answer.hpp"
 
 #include "report/study_pictures.hpp"
 #include "study/study_support.hpp"

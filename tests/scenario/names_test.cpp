@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <random>
 
-#include "scenario/emitter_maker.hpp"
+#include "scenario/scene_maker.hpp"
 
 namespace physim {
 namespace scenario_names_test {

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <chrono>
 
-#include "report/study_figures.hpp"
+#include "report/study_answer.hpp"
 #include "report_table.hpp"
 #include "setup.hpp"
 #include "study/quantities.hpp"

@@ -7,7 +7,6 @@
 #include "flight/zero.hpp"
 #include "model/force_laws.hpp"
 #include "physim/files.hpp"
-#include "scenario/emitter_maker.hpp"
 #include "scenario/reader.hpp"
 #include "scenario/scene_maker.hpp"
 

@@ -1,5 +1,6 @@
 #include "base/kernel_choice.hpp"
 #include "base/kernel_copies.hpp"
+#include "study/draw_job.hpp"
 #include "study/shard_job.hpp"
 
 namespace physim {
@@ -13,6 +14,9 @@ PHYSIM_KERNEL_COPIES(
     bool all_are_finite(const double* numbers, std::size_t count);
     LeastAndMost least_and_most_of(const double* numbers, std::size_t count); void put_moments(const MomentsJob& job);
     void put_cells(const CellJob& job); void put_spreads(const SpreadJob& job); void put_reach(ReachJob& job);)
+
+PHYSIM_KERNEL_COPIES(void draw_units(const UnitsJob& job);
+                     void draw_normals(double* numbers, std::size_t count, const NormalScale& scale);)
 
 namespace {
 
@@ -35,8 +39,21 @@ constexpr ShardKernel kShardKernels[] = {
 
 #undef PHYSIM_SHARD_KERNEL
 
+constexpr DrawKernel kDrawKernels[] = {
+#if PHYSIM_HAVE_AVX512
+    {"avx512", avx512::draw_units, avx512::draw_normals},
+#endif
+#if PHYSIM_HAVE_AVX2
+    {"avx2", avx2::draw_units, avx2::draw_normals},
+#endif
+    {"base", base::draw_units, base::draw_normals},
+};
+
 }  // namespace
 
 const ShardKernel& shard_kernel() { return copy_in_use(kShardKernels); }
+
+// Numbers know nothing of how many are drawn.
+const DrawKernel& draw_kernel() { return copy_in_use(kDrawKernels); }
 
 }  // namespace physim
