@@ -66,10 +66,7 @@ inline Fidelity closed() {
 }
 
 inline InstanceId put(Scene& scene, const ShapeDef& shape, const Vec3d& position, MaterialId material = {}) {
-  const auto added =
-      scene.add({.shape = *scene.add_shape(shape), .transform = {.position = position}, .material = material});
-  EXPECT_TRUE(added);
-  return added ? *added : InstanceId{};
+  return must(scene.add({.shape = *scene.add_shape(shape), .transform = {.position = position}, .material = material}));
 }
 
 /// A ball, or a point, that bounces and rolls without resistance, and does not sleep.

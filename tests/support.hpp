@@ -11,6 +11,7 @@
 #include <string>
 #include <vector>
 
+#include "must.hpp"
 #include "physim/names.hpp"
 #include "physim/physim.hpp"
 #include "prepare/cohort.hpp"

@@ -16,6 +16,8 @@
 #include <string>
 #include <vector>
 
+#include "must.hpp"
+
 namespace physim::testing_cli {
 
 struct Ran {

@@ -97,9 +97,8 @@ TEST(OriginalMode, the_push_follows_the_barrel_and_the_mass_and_the_arrow_shows_
   push = client.launcher.shot().projectile.force;
   EXPECT_NEAR(std::atan2(push.y, std::hypot(push.x, push.z)), client.launcher.elevation(), 1e-12);
   EXPECT_NEAR(length(push), 50 * std::hypot(10, 2), 1e-9);
-  const auto arrow = client.arrow();
-  ASSERT_TRUE(arrow);
-  const Vec3d way = normalized(arrow->to - arrow->from);
+  const auto arrow = must(client.arrow());
+  const Vec3d way = normalized(arrow.to - arrow.from);
   EXPECT_NEAR(dot(way, normalized(push)), 1, 1e-12);
 }
 

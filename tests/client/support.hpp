@@ -3,6 +3,7 @@
 
 #include <string>
 
+#include "must.hpp"
 #include "simclient/core/script.hpp"
 
 namespace physim::client {

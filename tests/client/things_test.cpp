@@ -242,11 +242,10 @@ TEST(Scenery, FitsIntoTheView) {
     Client client = client_of(name);
     client.fit_view();
     for (const Vec3d& corner : {client.scenery().low, client.scenery().high}) {
-      const auto pixel = client.camera.project(corner);
-      ASSERT_TRUE(pixel) << name;
-      EXPECT_GE(std::min(pixel->x, pixel->y), 0) << name;
-      EXPECT_LE(pixel->x, client.camera.width()) << name;
-      EXPECT_LE(pixel->y, client.camera.height()) << name;
+      const auto pixel = must(client.camera.project(corner), name);
+      EXPECT_GE(std::min(pixel.x, pixel.y), 0) << name;
+      EXPECT_LE(pixel.x, client.camera.width()) << name;
+      EXPECT_LE(pixel.y, client.camera.height()) << name;
     }
   }
 }

@@ -62,9 +62,8 @@ void expect_saved(const Client& client, const std::string& file) {
   const ScenarioShot& next = client.launcher.shot();
   for (ScenarioShot& shot : wanted.shots)
     if (shot.projectile.name == next.projectile.name) shot = next;
-  const Result<Scenario> saved = load_scenario(file);
-  ASSERT_TRUE(saved) << saved.error().text();
-  EXPECT_EQ(effective_settings(*saved), effective_settings(wanted)) << testing_cli::read(file);
+  const Scenario saved = must(load_scenario(file));
+  EXPECT_EQ(effective_settings(saved), effective_settings(wanted)) << testing_cli::read(file);
 }
 
 class ScenarioWithUnits : public testing::TestWithParam<std::string> {};

@@ -243,12 +243,11 @@ TEST(Engine, saves_hold_the_skin_and_want_the_function_again) {
   const auto refused = Scene::load(save);
   ASSERT_FALSE(refused);
   EXPECT_EQ(refused.error().place, "query");
-  const auto loaded = Scene::load(save, floor_off_by(0));
-  ASSERT_TRUE(loaded);
-  EXPECT_EQ(loaded->skin(), 2e-3);
-  EXPECT_EQ(loaded->hash(), scene.hash());
-  EXPECT_EQ(loaded->save(), save);
-  EXPECT_TRUE(loaded->first_hit({{90, 1, 0}, {90, -1, 0}}));
+  const auto loaded = must(Scene::load(save, floor_off_by(0)));
+  EXPECT_EQ(loaded.skin(), 2e-3);
+  EXPECT_EQ(loaded.hash(), scene.hash());
+  EXPECT_EQ(loaded.save(), save);
+  EXPECT_TRUE(loaded.first_hit({{90, 1, 0}, {90, -1, 0}}));
   ASSERT_TRUE(scene.set_engine({}));
   EXPECT_EQ(scene.hash(), hash);
   EXPECT_EQ(scene.save().size(), without.size());

@@ -25,11 +25,7 @@ Impact bullet(double speed, double angle_deg, double thickness = 0) {
           .velocity = {speed * std::cos(angle), -speed * std::sin(angle), 0},
           .thickness = thickness};
 }
-ImpactResult of(const Impact& hit, const Material& material) {
-  const auto result = impact(hit, material);
-  EXPECT_TRUE(result) << (result ? "" : result.error().text());
-  return result ? *result : ImpactResult{};
-}
+ImpactResult of(const Impact& hit, const Material& material) { return must(impact(hit, material)); }
 double angle_of(const Vec3d& v) { return std::asin(v.y / length(v)) / kDegree; }
 
 TEST(Impact, nothing_happens_to_what_does_not_move_towards_the_surface) {

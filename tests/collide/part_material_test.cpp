@@ -43,9 +43,8 @@ Twins twins(Random& r) {
   }
   twins.parts = compound.parts.size();
   const InstanceDef thing{.shape = *twins.compound.add_shape(compound), .transform = at, .material = materials[0]};
-  const auto added = twins.compound.add(thing);
-  EXPECT_TRUE(added);
-  EXPECT_EQ(twins.compound.parts(*added), 10u);
+  const auto added = must(twins.compound.add(thing));
+  EXPECT_EQ(twins.compound.parts(added), 10u);
   return twins;
 }
 
@@ -149,12 +148,11 @@ Scene small_scene(MaterialId of = {2}) {
 
 TEST(PartMaterials, are_saved_and_told_apart_by_hashes) {
   const Scene scene = small_scene();
-  const auto loaded = Scene::load(scene.save());
-  ASSERT_TRUE(loaded) << loaded.error().text();
-  EXPECT_EQ(loaded->hash(), scene.hash());
-  EXPECT_EQ(loaded->save(), scene.save());
+  const auto loaded = must(Scene::load(scene.save()));
+  EXPECT_EQ(loaded.hash(), scene.hash());
+  EXPECT_EQ(loaded.save(), scene.save());
   const SceneSegment s{{3, 5, 0}, {3, -5, 0}};
-  EXPECT_EQ(loaded->material(loaded->first_hit(s).material).name, "steel");
+  EXPECT_EQ(loaded.material(loaded.first_hit(s).material).name, "steel");
   EXPECT_NE(small_scene({1}).hash(), scene.hash());
   EXPECT_NE(small_scene({0}).hash(), scene.hash());
 }

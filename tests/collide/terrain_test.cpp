@@ -31,10 +31,9 @@ TEST(Terrain, falls_away_with_the_earth) {
     environment.earth.azimuth = azimuth * kDegree;
     const EarthFrames frames(environment, EarthModel::ellipsoid);
     for (const double height : {0.0, 2000.0}) {
-      const auto mesh = terrain_mesh(square_about(45, 7, height), frames);
-      ASSERT_TRUE(mesh) << mesh.error().text();
+      const auto mesh = must(terrain_mesh(square_about(45, 7, height), frames));
       Scene scene;
-      ASSERT_TRUE(scene.add({.shape = scene.add_shape(*mesh).value()}));
+      ASSERT_TRUE(scene.add({.shape = scene.add_shape(mesh).value()}));
       const SceneHit here = scene.first_hit({{0, 9000, 0}, {0, -9000, 0}});
       EXPECT_NEAR(here.position.y, height, 0.1);
       EXPECT_GT(here.normal.y, 0.999) << "upwards is outwards";

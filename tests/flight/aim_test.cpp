@@ -19,9 +19,7 @@ std::pair<double, double> elevations_in_vacuum(double speed, double distance, do
 
 Aim aimed(const ProjectileDef& p, const Launch& l, const Environment& e, const Fidelity& f, const Target& t,
           const AimOptions& o = {}) {
-  const Result<Aim> answer = aim(p, l, e, f, t, o);
-  EXPECT_TRUE(answer) << (answer ? "" : answer.error().text());
-  return answer ? *answer : Aim{};
+  return must(aim(p, l, e, f, t, o));
 }
 
 /// How near a solution comes to the target when it is flown by itself.
@@ -256,33 +254,30 @@ TEST(Aim, bad_input_is_refused_with_its_place) {
 // ------------------------------------------------------------------------------------------------------------- ranges
 TEST(MaxRange, in_vacuum_it_is_at_half_the_right_angle_over_the_slope) {
   for (const double slope : {-0.5, 0.0, 0.3}) {
-    const auto far = max_range({}, {.speed = 100}, constant_gravity(), vacuum(), 0, slope);
-    ASSERT_TRUE(far) << far.error().text();
+    const auto far = must(max_range({}, {.speed = 100}, constant_gravity(), vacuum(), 0, slope));
     // R = v^2 / (g (1 + sin a)) at e = 45 deg + a / 2; a flat top hides the last digits of e.
-    EXPECT_NEAR(far->elevation, 45 * test::kDegree + slope / 2, 2e-5);
-    EXPECT_NEAR(far->range, 1e4 / (kG * (1 + std::sin(slope))), 1e-6);
-    EXPECT_NEAR(far->time, 2 * 100 * std::sin(far->elevation - slope) / (kG * std::cos(slope)), 1e-6);
+    EXPECT_NEAR(far.elevation, 45 * test::kDegree + slope / 2, 2e-5);
+    EXPECT_NEAR(far.range, 1e4 / (kG * (1 + std::sin(slope))), 1e-6);
+    EXPECT_NEAR(far.time, 2 * 100 * std::sin(far.elevation - slope) / (kG * std::cos(slope)), 1e-6);
   }
 }
 
 TEST(MaxRange, from_a_height_it_is_lower_than_half_the_right_angle) {
   // tan e = v / sqrt(v^2 + 2 g h), R = v/g sqrt(v^2 + 2 g h).
-  const auto far = max_range({}, {.position = {0, 30, 0}, .speed = 20}, constant_gravity(), vacuum());
-  ASSERT_TRUE(far);
+  const auto far = must(max_range({}, {.position = {0, 30, 0}, .speed = 20}, constant_gravity(), vacuum()));
   const double root = std::sqrt(400 + 2 * kG * 30);
-  EXPECT_NEAR(far->elevation, std::atan(20 / root), 2e-5);
-  EXPECT_NEAR(std::hypot(far->position.x, far->position.z), 20 / kG * root, 1e-5);
+  EXPECT_NEAR(far.elevation, std::atan(20 / root), 2e-5);
+  EXPECT_NEAR(std::hypot(far.position.x, far.position.z), 20 / kG * root, 1e-5);
 }
 
 TEST(MaxRange, with_drag_no_other_elevation_carries_farther) {
-  const auto far = max_range(bullet_308(), {.speed = 800}, {}, Fidelity::simulation());
-  ASSERT_TRUE(far);
-  EXPECT_GT(far->elevation, 25 * test::kDegree);
-  EXPECT_LT(far->elevation, 40 * test::kDegree);
+  const auto far = must(max_range(bullet_308(), {.speed = 800}, {}, Fidelity::simulation()));
+  EXPECT_GT(far.elevation, 25 * test::kDegree);
+  EXPECT_LT(far.elevation, 40 * test::kDegree);
   for (const double turn : {-0.02, 0.02}) {
     const Flight other =
-        fly(bullet_308(), {.speed = 800, .elevation = far->elevation + turn}, {}, Fidelity::simulation());
-    EXPECT_LT(length(other.end().position), far->range);
+        fly(bullet_308(), {.speed = 800, .elevation = far.elevation + turn}, {}, Fidelity::simulation());
+    EXPECT_LT(length(other.end().position), far.range);
   }
 }
 
@@ -319,22 +314,19 @@ TEST(DangerSpace, of_a_parabola) {
     const double t = std::tan(e);
     return (t + std::sqrt(t * t - 4 * k * y)) / (2 * k);
   };
-  const auto space = danger_space(flight, x0, h);
-  ASSERT_TRUE(space);
-  EXPECT_NEAR(space->from, place(y0 + h / 2), 1e-6);
-  EXPECT_NEAR(space->to, place(y0 - h / 2), 1e-6);
-  const auto all = danger_space(flight, x0, 1000);
-  ASSERT_TRUE(all);
-  EXPECT_EQ(all->from, 0);
-  EXPECT_NEAR(all->to, flight.end().range, 1e-9);
+  const auto space = must(danger_space(flight, x0, h));
+  EXPECT_NEAR(space.from, place(y0 + h / 2), 1e-6);
+  EXPECT_NEAR(space.to, place(y0 - h / 2), 1e-6);
+  const auto all = must(danger_space(flight, x0, 1000));
+  EXPECT_EQ(all.from, 0);
+  EXPECT_NEAR(all.to, flight.end().range, 1e-9);
   EXPECT_FALSE(danger_space(flight, 1e6, 1));
   EXPECT_FALSE(danger_space(flight, x0, 0));
 }
 
 TEST(TimeToRange, of_a_parabola) {
-  const auto time = time_to_range({}, {.speed = 300, .elevation = 0.1}, constant_gravity(), vacuum(), 500);
-  ASSERT_TRUE(time);
-  EXPECT_NEAR(*time, 500 / (300 * std::cos(0.1)), 1e-9);
+  const auto time = must(time_to_range({}, {.speed = 300, .elevation = 0.1}, constant_gravity(), vacuum(), 500));
+  EXPECT_NEAR(time, 500 / (300 * std::cos(0.1)), 1e-9);
   EXPECT_FALSE(time_to_range({}, {.speed = 300}, {}, {}, -1));
   EXPECT_FALSE(time_to_range(bullet_308(), {.speed = 300}, {}, {}, 1e7));
 }
@@ -404,10 +396,9 @@ TEST(AimRocket, the_steep_way_is_found_between_long_steps) {
 TEST(AimRocket, what_is_too_far_is_told_and_balls_still_need_a_speed) {
   const ProjectileDef p = rocket_from_rest();
   const Fidelity f = Fidelity::constant_air();
-  const auto far = aim(p, {.rail_length = 1}, {}, f, {.position = {5000, 0, 0}});
-  ASSERT_TRUE(far);
-  EXPECT_FALSE(far->in_reach());
-  EXPECT_GT(far->nearest.miss, 1000);
+  const auto far = must(aim(p, {.rail_length = 1}, {}, f, {.position = {5000, 0, 0}}));
+  EXPECT_FALSE(far.in_reach());
+  EXPECT_GT(far.nearest.miss, 1000);
   const auto without_rail = aim(p, {}, {}, f, {.position = {50, 0, 0}});
   ASSERT_FALSE(without_rail);
   EXPECT_EQ(without_rail.error().place, "launch.rail_length");
@@ -493,11 +484,10 @@ TEST(Aim, what_is_aimed_at_is_in_nobodys_way) {
 TEST(MaxRange, between_a_steep_slope_and_the_vertical) {
   for (const double degrees : {80.0, 85.0, 89.0, 89.9}) {
     const double slope = degrees * test::kDegree;
-    const auto far = max_range({}, {.speed = 100}, constant_gravity(), vacuum(), 0, slope);
-    ASSERT_TRUE(far) << far.error().text();
+    const auto far = must(max_range({}, {.speed = 100}, constant_gravity(), vacuum(), 0, slope));
     // R = v^2 / (g (1 + sin a)) at e = 45 deg + a / 2.
-    EXPECT_NEAR(far->range, 1e4 / (kG * (1 + std::sin(slope))), 1e-6) << degrees;
-    EXPECT_GT(far->elevation, slope);
+    EXPECT_NEAR(far.range, 1e4 / (kG * (1 + std::sin(slope))), 1e-6) << degrees;
+    EXPECT_GT(far.elevation, slope);
   }
 }
 

@@ -4,6 +4,7 @@
 
 #include <cmath>
 
+#include "must.hpp"
 #include "physim/scene.hpp"
 #include "physim/solve.hpp"
 
@@ -47,15 +48,13 @@ TEST(DangerSpaceOverGround, OfAParabolaOverASlope) {
     const auto place = [&](double height) {  // on the falling branch; it starts a millimetre high
       return (b + std::sqrt(b * b - 4 * k * (height - 1e-3))) / (2 * k);
     };
-    const auto space = danger_space(flight, 0.5 * (place(0) + place(h)), h, scene);
-    ASSERT_TRUE(space) << space.error().text();
-    EXPECT_NEAR(space->from, place(h), 1e-6) << tilt;
-    EXPECT_NEAR(space->to, place(0), 1e-5) << tilt;
+    const auto space = must(danger_space(flight, 0.5 * (place(0) + place(h)), h, scene));
+    EXPECT_NEAR(space.from, place(h), 1e-6) << tilt;
+    EXPECT_NEAR(space.to, place(0), 1e-5) << tilt;
     // Near the muzzle it rises out of the target again.
-    const auto first = danger_space(flight, 1, h, scene);
-    ASSERT_TRUE(first);
-    EXPECT_EQ(first->from, 0);
-    EXPECT_NEAR(first->to, (b - std::sqrt(b * b - 4 * k * (h - 1e-3))) / (2 * k), 1e-6);
+    const auto first = must(danger_space(flight, 1, h, scene));
+    EXPECT_EQ(first.from, 0);
+    EXPECT_NEAR(first.to, (b - std::sqrt(b * b - 4 * k * (h - 1e-3))) / (2 * k), 1e-6);
   }
 }
 
@@ -66,18 +65,16 @@ TEST(DangerSpaceOverGround, EndsAtTheEdgesOfAPlateau) {
   ASSERT_TRUE(scene.add({.shape = box, .transform = {.position = {550, 0, 0}}, .layers = 2}));
   const Flight flight = fly({}, {.position = {0, 10, 0}, .speed = 200}, airless(), simple(GravityModel::off), {},
                             {.ground = {}, .time = 5});
-  const auto space = danger_space(flight, 530, 2, scene);
-  ASSERT_TRUE(space) << space.error().text();
-  EXPECT_NEAR(space->from, 500, 1e-6);
-  EXPECT_NEAR(space->to, 600, 1e-6);
+  const auto space = must(danger_space(flight, 530, 2, scene));
+  EXPECT_NEAR(space.from, 500, 1e-6);
+  EXPECT_NEAR(space.to, 600, 1e-6);
   const auto beside = danger_space(flight, 400, 2, scene);
   ASSERT_FALSE(beside);
   EXPECT_EQ(beside.error().message, "the path passes 10 m above the ground there");
   EXPECT_FALSE(danger_space(flight, 530, 2, scene, 1)) << "the plateau is of another layer";
-  const auto high = danger_space(flight, 400, 11, scene);
-  ASSERT_TRUE(high);
-  EXPECT_EQ(high->from, 0);
-  EXPECT_NEAR(high->to, 1000, 1e-9);
+  const auto high = must(danger_space(flight, 400, 11, scene));
+  EXPECT_EQ(high.from, 0);
+  EXPECT_NEAR(high.to, 1000, 1e-9);
 }
 
 /// Over a sphere as large as the Earth, a straight path rises: it leaves the target where its altitude is the height.
@@ -91,11 +88,10 @@ TEST(DangerSpaceOverGround, LiesBelowAlongTheVerticalOfARoundEarth) {
   Scene scene;
   const ShapeId ball = scene.add_shape(SphereShape{radius}).value();
   ASSERT_TRUE(scene.add({.shape = ball, .transform = {.position = {0, -radius, 0}}}));
-  const auto space = danger_space(flight, 1000, 11, scene);
-  ASSERT_TRUE(space) << space.error().text();
-  EXPECT_EQ(space->from, 0);
-  EXPECT_NEAR(space->to, std::sqrt((radius + 11) * (radius + 11) - (radius + 10) * (radius + 10)), 0.01);
-  EXPECT_NEAR(frames.geodetic(flight.at_range(space->to)->position).height, 11, 1e-6);
+  const auto space = must(danger_space(flight, 1000, 11, scene));
+  EXPECT_EQ(space.from, 0);
+  EXPECT_NEAR(space.to, std::sqrt((radius + 11) * (radius + 11) - (radius + 10) * (radius + 10)), 0.01);
+  EXPECT_NEAR(frames.geodetic(flight.at_range(space.to)->position).height, 11, 1e-6);
 }
 
 TEST(DangerSpaceOverGround, RefusesWhatHasNone) {

@@ -407,17 +407,15 @@ TEST(Field, a_zero_and_an_aim_hit_in_it) {
   e.wind.field = wind_by([](double t, const Vec3d& x) { return Vec3d{0, 0, 6 * t + 0.01 * x.x}; });
   e.force = force_by([](double t, const Vec3d&, const Vec3d&, double m) { return Vec3d{0, 5 * t * m, 0}; });
   const Fidelity f = Fidelity::simulation();
-  const auto elevation = zero_elevation(bullet_308(), {.speed = 800}, e, f, 400);
-  ASSERT_TRUE(elevation) << elevation.error().text();
+  const auto elevation = must(zero_elevation(bullet_308(), {.speed = 800}, e, f, 400));
   const Flight zeroed =
-      fly(bullet_308(), {.speed = 800, .elevation = *elevation}, e, f, {}, {.ground = {}, .range = 400});
+      fly(bullet_308(), {.speed = 800, .elevation = elevation}, e, f, {}, {.ground = {}, .range = 400});
   EXPECT_LT(std::abs(zeroed.end().position.y), 1e-6);
   const Vec3d target{700, 20, 5};
-  const auto aimed = aim(bullet_308(), {.speed = 800}, e, f, {.position = target});
-  ASSERT_TRUE(aimed) << aimed.error().text();
-  ASSERT_TRUE(aimed->low.has_value());
-  EXPECT_LT(aimed->low->miss, 1e-3);
-  const Flight again = fly(bullet_308(), aimed->low->launch, e, f, {}, {.ground = {}, .time = aimed->low->time});
+  const auto aimed = must(aim(bullet_308(), {.speed = 800}, e, f, {.position = target}));
+  ASSERT_TRUE(aimed.low.has_value());
+  EXPECT_LT(aimed.low->miss, 1e-3);
+  const Flight again = fly(bullet_308(), aimed.low->launch, e, f, {}, {.ground = {}, .time = aimed.low->time});
   EXPECT_LT(length(again.end().position - target), 2e-3);
 }
 
@@ -428,20 +426,17 @@ TEST(Field, auto_fidelity_measures_against_it) {
   const Purpose purpose{.error = 0.05, .time = 1};
   const ProjectileDef p{.mass = 5, .diameter = 0.05};
   AutoFidelityCache cache;
-  const auto without = cache.cheapest_within(p, launch, calm, purpose);
-  ASSERT_TRUE(without) << without.error().text();
-  EXPECT_EQ((*without)->fidelity.motion, Motion::closed_form);
-  const auto with = cache.cheapest_within(p, launch, e, purpose);
-  ASSERT_TRUE(with) << with.error().text();
-  EXPECT_EQ((*with)->fidelity.motion, Motion::force) << "only it knows forces";
+  const auto without = must(cache.cheapest_within(p, launch, calm, purpose));
+  EXPECT_EQ(without->fidelity.motion, Motion::closed_form);
+  const auto with = must(cache.cheapest_within(p, launch, e, purpose));
+  EXPECT_EQ(with->fidelity.motion, Motion::force) << "only it knows forces";
   EXPECT_EQ(cache.computed(), 2u);
-  EXPECT_EQ(cache.cheapest_within(p, launch, e, purpose)->get(), with->get()) << "the same function, the same launch";
+  EXPECT_EQ(cache.cheapest_within(p, launch, e, purpose)->get(), with.get()) << "the same function, the same launch";
   EXPECT_EQ(cache.computed(), 2u);
   e.force = force_by([](double, const Vec3d&, const Vec3d&, double) { return Vec3d{}; });
-  const auto another = cache.cheapest_within(p, launch, e, purpose);
-  ASSERT_TRUE(another);
+  const auto another = must(cache.cheapest_within(p, launch, e, purpose));
   EXPECT_EQ(cache.computed(), 3u);
-  EXPECT_EQ((*another)->fidelity.motion, Motion::closed_form);
+  EXPECT_EQ(another->fidelity.motion, Motion::closed_form);
 }
 
 }  // namespace flight_field_test

@@ -129,14 +129,13 @@ TEST(FirstUsers, a_rocket_from_rest_has_a_farthest_range) {
   rocket.drag = {.table = DragTable::constant, .coefficient = 0.6};
   rocket.motor = {.thrust = {{0, 10}, {0.8, 10}, {0.9, 0}}, .propellant_mass = 0.01};
   Launch launch{.position = {0, 0.5, 0}, .rail_length = 1};
-  const auto far = max_range(rocket, launch, {}, Fidelity::simulation(), 0);
-  ASSERT_TRUE(far) << far.error().text();
+  const auto far = must(max_range(rocket, launch, {}, Fidelity::simulation(), 0));
   const auto range_at = [&](double elevation) {
     launch.elevation = elevation;
     return fly(rocket, launch, {}, Fidelity::simulation()).end().position.x;
   };
-  EXPECT_NEAR(range_at(far->elevation), far->range, 1e-3);
-  for (const double by : {-0.1, -0.02, 0.02, 0.1}) EXPECT_LT(range_at(far->elevation + by), far->range) << by;
+  EXPECT_NEAR(range_at(far.elevation), far.range, 1e-3);
+  for (const double by : {-0.1, -0.02, 0.02, 0.1}) EXPECT_LT(range_at(far.elevation + by), far.range) << by;
 }
 
 TEST(FirstUsers, two_points_of_thrust_at_one_time_are_a_step) {

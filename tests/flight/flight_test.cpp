@@ -57,9 +57,8 @@ TEST(Flight, at_range_hits_the_range_along_the_line_of_sight) {
         .speed = 800, .elevation = look + 0.01, .azimuth = 0.4, .sight = {.height = 0.05, .look_angle = look}};
     const Flight flight = fly(bullet_308(), launch, {}, {}, {}, {.ground = {}, .range = 900});
     for (double range = 0; range < 900; range += 37) {
-      const auto s = flight.at_range(range);
-      ASSERT_TRUE(s) << range;
-      EXPECT_NEAR(s->range, range, 1e-10);
+      const auto s = must(flight.at_range(range), range);
+      EXPECT_NEAR(s.range, range, 1e-10);
     }
   }
 }
@@ -69,9 +68,8 @@ TEST(Flight, at_range_reaches_the_very_end) {
   for (int i = 1; i <= 200; ++i) {
     const double range = 10.3 * i;
     const Flight flight = fly(bullet_308(), {.speed = 800}, {}, {}, {1e-6, 1e-6}, {.ground = {}, .range = range});
-    const auto s = flight.at_range(range);
-    ASSERT_TRUE(s) << range << ": " << s.error().text();
-    EXPECT_NEAR(s->range, range, 1e-9);
+    const auto s = must(flight.at_range(range), range);
+    EXPECT_NEAR(s.range, range, 1e-9);
   }
 }
 
@@ -80,9 +78,8 @@ TEST(Flight, at_height_reaches_the_ground_it_landed_on) {
     const double ground = -0.37 * i;
     const Flight flight = fly(bullet_308(), {.speed = 300}, {}, {}, {1e-6, 1e-6}, {.ground = ground});
     ASSERT_EQ(flight.outcome(), Outcome::landed);
-    const auto s = flight.at_height(ground, Crossing::falling);
-    ASSERT_TRUE(s) << ground << ": " << s.error().text();
-    EXPECT_NEAR(s->time, flight.duration(), 1e-9);
+    const auto s = must(flight.at_height(ground, Crossing::falling), ground);
+    EXPECT_NEAR(s.time, flight.duration(), 1e-9);
   }
 }
 
@@ -249,9 +246,8 @@ TEST(Flight, copies_share_their_record) {
 TEST(Flight, at_range_takes_the_end_for_a_range_that_is_rounding_longer) {
   const double end = 1500 * 0.9144;
   const Flight flight = fly(bullet_308(), {.speed = 800, .elevation = 0.03}, {}, {}, {}, {.ground = {}, .range = end});
-  const auto there = flight.at_range(end * (1 + 4e-16));
-  ASSERT_TRUE(there) << there.error().text();
-  EXPECT_EQ(there->time, flight.duration());
+  const auto there = must(flight.at_range(end * (1 + 4e-16)));
+  EXPECT_EQ(there.time, flight.duration());
   EXPECT_FALSE(flight.at_range(end * (1 + 1e-9)));
 }
 

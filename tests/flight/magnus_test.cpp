@@ -320,9 +320,8 @@ TEST(Magnus, batches_and_float32_agree) {
 
 TEST(Magnus, a_world_flies_the_bits_of_a_flight) {
   WorldDef def;
-  auto made = World::create(def);
-  ASSERT_TRUE(made);
-  World world = std::move(made.value());
+  auto made = must(World::create(def));
+  World world = std::move(made);
   ProjectileDef p = presets::golf_ball().projectile;
   p.fidelity = spinning(Integrator::rk4);
   Launch launch{.speed = 70, .elevation = 0.2, .azimuth = 0.3};

@@ -133,9 +133,8 @@ TEST(SceneFlight, a_bounce_breaks_the_velocity_and_not_the_path) {
     ASSERT_EQ(of_kind(flight, EventKind::time).size(), 2u);  // and the end
     EXPECT_NEAR(of_kind(flight, EventKind::time)[0].time, 2.5, 1e-12);
     EXPECT_NEAR(of_kind(flight, EventKind::time)[0].value, 2.5, 1e-12);
-    const auto again = flight.at_height(1, Crossing::rising);
-    ASSERT_TRUE(again);
-    EXPECT_NEAR(again->time, crossings[1], 1e-7);
+    const auto again = must(flight.at_height(1, Crossing::rising));
+    EXPECT_NEAR(again.time, crossings[1], 1e-7);
     EXPECT_NEAR(flight.at_range(7)->time, 7.0 / 4, 1e-8);
     for (std::size_t i = 1; i < flight.events().size(); ++i)
       EXPECT_LE(flight.events()[i - 1].time, flight.events()[i].time);
@@ -181,14 +180,12 @@ TEST(SceneFlight, a_flight_and_a_world_meet_things_alike_to_rounding) {
         launch.spin = {.backspin = 200, .sidespin = 50, .gyrospin = 30};
         WorldDef def;
         def.ground.mode = GroundMode::none;
-        World world = make_world(def);
-        ASSERT_TRUE(world.set_scene(scene));
+        World world = make_world(def, scene);
         BodyDef body;
         body.can_sleep = false;
         body.restitution = 0.95;
         body.collision = {.on_hit = OnHit::bounce, .radius = radius};
-        const auto id = world.spawn(p, launch, body);
-        ASSERT_TRUE(id) << id.error().text();
+        const auto id = must(world.spawn(p, launch, body));
         Until until = meeting(scene, OnHit::bounce, radius);
         until.contact.restitution = 0.95;
         until.time = 4;
@@ -201,8 +198,8 @@ TEST(SceneFlight, a_flight_and_a_world_meet_things_alike_to_rounding) {
           if (world.time() > flight.duration()) break;
           const Sample s = flight.at(world.time());
           const double within = fidelity.precision == Precision::float32 ? 1e-4 : 1e-11;
-          ASSERT_LE(length(world[*id].position() - s.position), within) << world.time();
-          ASSERT_LE(length(world[*id].velocity() - s.velocity), 35 * within) << world.time();
+          ASSERT_LE(length(world[id].position() - s.position), within) << world.time();
+          ASSERT_LE(length(world[id].velocity() - s.velocity), 35 * within) << world.time();
         }
         const auto told = of_kind(flight, EventKind::bounced);
         ASSERT_GT(told.size(), 4u);

@@ -189,12 +189,11 @@ TEST(MeetingFlight, rockets_and_spin_drift_meet_things_where_they_fly_without) {
     Until until{.ground = std::nullopt, .time = 8};
     const Flight free = fly(rocket, pad, vacuum_of(kG), rung(integrator), fine, until);
     ASSERT_FALSE(free.error()) << free.error()->text();
-    const auto there = free.at_height(80);
-    ASSERT_TRUE(there);
+    const auto there = must(free.at_height(80));
     until.scene = &roof;
     const Flight stopped = fly(rocket, pad, vacuum_of(kG), rung(integrator), fine, until);
     ASSERT_EQ(stopped.outcome(), Outcome::hit);
-    EXPECT_NEAR(stopped.duration(), there->time, 1e-9);
+    EXPECT_NEAR(stopped.duration(), there.time, 1e-9);
     EXPECT_EQ(of_kind(stopped, EventKind::hit)[0].instance, ceiling);
     EXPECT_EQ(of_kind(stopped, EventKind::rail_exit).size(), 1u);
     until.contact.collision.on_hit = OnHit::bounce;
@@ -232,16 +231,14 @@ TEST(MeetingFlight, a_world_goes_on_with_a_flight_that_has_bounced) {
     WorldDef def;
     def.ground.mode = GroundMode::none;
     def.environment = vacuum_of(kG);
-    World world = make_world(def);
-    ASSERT_TRUE(world.set_scene(floor));
+    World world = make_world(def, floor);
     BodyDef body;
     body.restitution = 0.9;
     body.collision.on_hit = OnHit::bounce;
-    const auto id = world.spawn(flight, 1.0, body);
-    ASSERT_TRUE(id) << id.error().text();
+    const auto id = must(world.spawn(flight, 1.0, body));
     for (int i = 1; i <= 120; ++i) {
       world.step(1.0 / 64);
-      ASSERT_LT(length(world[*id].position() - flight.at(1 + i / 64.0).position), 1e-6) << i;
+      ASSERT_LT(length(world[id].position() - flight.at(1 + i / 64.0).position), 1e-6) << i;
     }
   }
 }

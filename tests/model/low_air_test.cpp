@@ -72,11 +72,10 @@ State by_law(const Station& s, long double z) {
 void expect_laws(const Station& s, double low, double high, double tolerance) {
   for (int i = 0; i <= 400; ++i) {
     const double z = low + (high - low) * i / 400;
-    const auto air = air_at(s.environment(), z);
-    ASSERT_TRUE(air) << air.error().text();
+    const auto air = must(air_at(s.environment(), z));
     const State law = by_law(s, z);
-    EXPECT_NEAR(air->density / static_cast<double>(law.density), 1, tolerance) << s.temperature << ' ' << z;
-    EXPECT_NEAR(air->sound_speed / static_cast<double>(law.sound), 1, tolerance) << s.temperature << ' ' << z;
+    EXPECT_NEAR(air.density / static_cast<double>(law.density), 1, tolerance) << s.temperature << ' ' << z;
+    EXPECT_NEAR(air.sound_speed / static_cast<double>(law.sound), 1, tolerance) << s.temperature << ' ' << z;
     if (testing::Test::HasFailure()) return;
   }
 }

@@ -1,4 +1,5 @@
 // Presets of projectiles: all can be spawned, and those of the original fly as they did.
+#include "must.hpp"
 #include "physim/body.hpp"
 
 #include <gtest/gtest.h>
@@ -11,13 +12,12 @@ namespace prepare_presets_test {
 TEST(Presets, AreNamedDescribedAndSpawn) {
   World world;
   for (const std::string_view name : projectile_presets()) {
-    const auto preset = projectile_preset(name);
-    ASSERT_TRUE(preset) << name;
-    EXPECT_EQ(preset->projectile.name, name);
-    EXPECT_FALSE(preset->doc.empty()) << name;
-    EXPECT_FALSE(preset->source.empty()) << name;
-    EXPECT_GT(preset->speed, 0) << name;
-    EXPECT_TRUE(world.spawn(preset->projectile, {.position = {0, 1, 0}, .speed = preset->speed}, preset->body)) << name;
+    const auto preset = must(projectile_preset(name), name);
+    EXPECT_EQ(preset.projectile.name, name);
+    EXPECT_FALSE(preset.doc.empty()) << name;
+    EXPECT_FALSE(preset.source.empty()) << name;
+    EXPECT_GT(preset.speed, 0) << name;
+    EXPECT_TRUE(world.spawn(preset.projectile, {.position = {0, 1, 0}, .speed = preset.speed}, preset.body)) << name;
   }
   EXPECT_FALSE(projectile_preset("rifle_bulet"));
 }

@@ -15,9 +15,8 @@ FlownStudy drawn_right(const Distribution& right, std::size_t bars) {
   Study study = scatter();
   study.inputs[0].distribution = right;
   study.shots = 40'960;
-  const auto plan = plan_study(study, scattered);
-  EXPECT_TRUE(plan) << plan.error().text();
-  return report::told_study(*plan, run_study(*plan).value(), bars);
+  const auto plan = must(plan_study(study, scattered));
+  return report::told_study(plan, run_study(plan).value(), bars);
 }
 
 /// Of the bars of `right` in a picture: the part of shots that they have, 1 for all.

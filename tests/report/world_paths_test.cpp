@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <map>
 
+#include "must.hpp"
 #include "report/world_log.hpp"
 #include "scenario/scenario.hpp"
 
@@ -32,9 +33,8 @@ ground = "none"
 )";
 
 WorldLog logged(const std::string& text) {
-  const Result<Scenario> scenario = parse_scenario(text, "f.toml");
-  EXPECT_TRUE(scenario) << (scenario ? "" : scenario.error().text());
-  return run_world(*scenario, {.parts = {.paths = true}}).value();
+  const Scenario scenario = must(parse_scenario(text, "f.toml"));
+  return run_world(scenario, {.parts = {.paths = true}}).value();
 }
 
 TEST(WorldPaths, AreEvenlyOutOfAllLaunches) {
@@ -96,9 +96,8 @@ apex_events = true
 )";
 
 TEST(FilesForOthers, PathsOfWorldsHaveASampleAtEveryCorner) {
-  const Result<Scenario> scenario = parse_scenario(kBalls, "f.toml");
-  ASSERT_TRUE(scenario) << scenario.error().text();
-  const WorldLog log = run_world(*scenario, {.parts = {.samples = true, .events = true}, .interval = 0.5}).value();
+  const Scenario scenario = must(parse_scenario(kBalls, "f.toml"));
+  const WorldLog log = run_world(scenario, {.parts = {.samples = true, .events = true}, .interval = 0.5}).value();
   std::map<std::uint64_t, std::vector<WorldSample>> paths;
   log.each_sample([&](const WorldSample& sample, bool) { paths[sample.launched.number].push_back(sample); });
   ASSERT_EQ(paths.size(), 5u);
@@ -121,9 +120,8 @@ TEST(FilesForOthers, PathsOfWorldsHaveASampleAtEveryCorner) {
 TEST(FilesForOthers, EventsOfWorldsAreInOrderOfTimeWithThoseOfTheWall) {
   std::string text = kBalls;
   text.replace(text.find("ground = \"bounce\""), 17, "ground = \"bounce\"\nwall = \"5 m\"\nstep = \"50 ms\"");
-  const Result<Scenario> scenario = parse_scenario(text, "f.toml");
-  ASSERT_TRUE(scenario) << scenario.error().text();
-  const WorldLog log = run_world(*scenario, {.parts = {.events = true}}).value();
+  const Scenario scenario = must(parse_scenario(text, "f.toml"));
+  const WorldLog log = run_world(scenario, {.parts = {.events = true}}).value();
   EXPECT_EQ(std::ranges::count(log.events, true, &LoggedEvent::at_wall), 5);
   EXPECT_TRUE(std::ranges::is_sorted(log.events, {}, &LoggedEvent::time));
 }

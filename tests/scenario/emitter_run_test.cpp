@@ -41,9 +41,7 @@ WorldRun run_to_end(const Scenario& scenario) {
 double figure_of(const WorldGroup& group, const std::string& quantity) {
   Expectation asked;
   asked.quantity = quantity;
-  const Result<double> value = measure(group, asked);
-  EXPECT_TRUE(value) << (value ? "" : value.error().text());
-  return value ? *value : NAN;
+  return must(measure(group, asked));
 }
 
 TEST(EmitterRun, TellsPathsByTheirClosedForm) {

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "must.hpp"
 #include "scenario/scenario.hpp"
 #include "scenario/world_run.hpp"
 

@@ -62,10 +62,9 @@ TEST(SurfaceScenario, is_read_as_it_is_written) {
 /// The smaller friction takes the parcel along: u t - u^2 / (2 mu g).
 TEST(SurfaceScenario, carries_what_lies_on_it) {
   for (const std::string& text : {kBelt + kWorld, kParcel + kRunningGround}) {
-    Result<WorldRun> run = WorldRun::create(parsed(kVacuum + text));
-    ASSERT_TRUE(run) << run.error().text();
-    const World& world = run->world();
-    while (world.time() < 1.99) run->step();
+    WorldRun run = must(WorldRun::create(parsed(kVacuum + text)));
+    const World& world = run.world();
+    while (world.time() < 1.99) run.step();
     ASSERT_EQ(world.size(), 1u);
     const ProjectileId id = world.ids().front();
     EXPECT_NEAR(world[id].velocity().x, 2, 1e-9);

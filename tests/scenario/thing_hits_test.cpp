@@ -237,9 +237,8 @@ TEST(ThingHits, CountPassagesByThing) {
 
 TEST(ThingHits, AreJudgedByExpectations) {
   const std::string expect = "[[expect]]\nthing = \"second\"\nquantity = \"hits\"\nequals = 3\nwithin = 0\n";
-  const auto scenario = parse_scenario(kVacuum + kThrough + expect, "f.toml");
-  ASSERT_TRUE(scenario) << scenario.error().text();
-  EXPECT_EQ(scenario->expect[0].thing, "second");
+  const auto scenario = must(parse_scenario(kVacuum + kThrough + expect, "f.toml"));
+  EXPECT_EQ(scenario.expect[0].thing, "second");
   const auto error_of = [&](const std::string& keys) {
     return parse_scenario(kVacuum + kThrough + "[[expect]]\n" + keys + "\nequals = 3\nwithin = 0\n", "f")
         .error()
@@ -261,8 +260,7 @@ TEST(ThingHits, GoOnInASaveAndARestoredRun) {
   WorldRun run = run_of(kVacuum + kThrough);
   for (int i = 0; i < 8; ++i) run.step();
   const RunSnapshot snapshot = run.snapshot();
-  const auto bytes = run.save();
-  ASSERT_TRUE(bytes);
+  const auto bytes = must(run.save());
   const auto finish = [](WorldRun& r) {
     while (r.world().time() < 1 - 1e-9) r.step();
     return r.groups()[0];
@@ -272,9 +270,8 @@ TEST(ThingHits, GoOnInASaveAndARestoredRun) {
   const WorldGroup again = finish(run);
   EXPECT_EQ(again.hits, once.hits);
   EXPECT_EQ(again.by_thing[1].speed_after.mean, once.by_thing[1].speed_after.mean);
-  Result<WorldRun> loaded = WorldRun::load(run.scenario(), *bytes);
-  ASSERT_TRUE(loaded) << loaded.error().text();
-  const WorldGroup later = finish(*loaded);
+  WorldRun loaded = must(WorldRun::load(run.scenario(), bytes));
+  const WorldGroup later = finish(loaded);
   EXPECT_EQ(later.hits, once.hits);
   EXPECT_EQ(later.by_thing[1].speed_after.mean, once.by_thing[1].speed_after.mean);
 }
@@ -283,11 +280,10 @@ TEST(ThingHits, GoOnInASaveAndARestoredRun) {
 TEST(ThingHits, AreOfTheSceneThatASaveIsOf) {
   WorldRun run = run_of(kVacuum + kThrough);
   run.step();
-  const auto bytes = run.save();
-  ASSERT_TRUE(bytes);
+  const auto bytes = must(run.save());
   Scenario other = run.scenario();
   other.things[2].position.x = 21;
-  EXPECT_FALSE(WorldRun::load(other, *bytes));
+  EXPECT_FALSE(WorldRun::load(other, bytes));
 }
 
 }  // namespace scenario_thing_hits_test

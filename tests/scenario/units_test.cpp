@@ -1,5 +1,6 @@
 // Quantities as people write them.
 #include "scenario/units.hpp"
+#include "must.hpp"
 
 #include <gtest/gtest.h>
 
@@ -178,9 +179,8 @@ TEST(Quantities, AreWrittenAsTheyAreTyped) {
 TEST(Quantities, HaveNoTextInAUnitThatReadsAsOtherBits) {
   EXPECT_EQ(number_with(0.9144, Quantity::length, " ft"), std::nullopt);
   EXPECT_EQ(number_with(0.9144, Quantity::length, " yd"), "1 yd");
-  const auto nearest = number_with(0.9144, Quantity::length, " ft", ReadsAs::nearest);
-  ASSERT_TRUE(nearest);
-  EXPECT_NEAR(parse_quantity(*nearest, Quantity::length).value(), 0.9144, 1e-15);
+  const auto nearest = must(number_with(0.9144, Quantity::length, " ft", ReadsAs::nearest));
+  EXPECT_NEAR(parse_quantity(nearest, Quantity::length).value(), 0.9144, 1e-15);
 }
 
 TEST(Quantities, TextIsReadable) {

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "must.hpp"
 #include "scenario/reader.hpp"
 #include "scenario/scenario.hpp"
 #include "scenario/unread.hpp"
@@ -12,12 +13,10 @@ namespace scenario_unread_test {
 
 /// Notes made when they are asked for, as in Python, are those made with the scenario.
 void expect_same_notes_later(const std::string& text, const std::vector<std::string>& notes) {
-  const Result<Value> document = parse_document(text, "f.toml");
-  ASSERT_TRUE(document);
-  const Result<Scenario> without = read_scenario(*document, "f.toml", Checks::together);
-  ASSERT_TRUE(without);
-  EXPECT_TRUE(without->notes.empty());
-  EXPECT_EQ(*physim::notes_of(*without, *document), notes) << text;
+  const Value document = must(parse_document(text, "f.toml"));
+  const Scenario without = must(read_scenario(document, "f.toml", Checks::together));
+  EXPECT_TRUE(without.notes.empty());
+  EXPECT_EQ(*physim::notes_of(without, document), notes) << text;
 }
 
 std::vector<std::string> notes_of(const std::string& text) {

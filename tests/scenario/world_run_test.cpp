@@ -311,9 +311,8 @@ TEST(Scatter, WithoutSpreadChangesNothing) {
 }
 
 TEST(WorldRun, GoesBackToASnapshotWithItsLaunchesAndCounts) {
-  const Result<Scenario> scenario = load_scenario(PHYSIM_SOURCE_DIR "/scenarios/world_machine_gun.toml");
-  ASSERT_TRUE(scenario);
-  WorldRun run = std::move(WorldRun::create(*scenario).value());
+  const Scenario scenario = must(load_scenario(PHYSIM_SOURCE_DIR "/scenarios/world_machine_gun.toml"));
+  WorldRun run = std::move(WorldRun::create(scenario).value());
   for (int i = 0; i < 25; ++i) run.step();
   const RunSnapshot then = run.snapshot();
   EXPECT_EQ(then.time(), run.world().time());
@@ -327,7 +326,7 @@ TEST(WorldRun, GoesBackToASnapshotWithItsLaunchesAndCounts) {
   EXPECT_EQ(run.world().hash(), hash);
   EXPECT_EQ(run.groups()[0].spawned, spawned);
   EXPECT_EQ(run.groups()[0].hits, hits);
-  WorldRun other = std::move(WorldRun::create(*scenario).value());
+  WorldRun other = std::move(WorldRun::create(scenario).value());
   EXPECT_FALSE(other.restore(then));
   EXPECT_FALSE(run.restore(RunSnapshot{}));
 }

@@ -59,12 +59,10 @@ TEST(StudyByDistance, an_impulse_varies_as_its_points_do_together) {
   for (const double length : {0.01, 0.5, 3.0, 1e6}) {
     const StudyPlan plan = plan_of(burning(length));
     const double expected = expected_deviation(length);
-    const auto linear = propagate_linearly(plan);
-    ASSERT_TRUE(linear) << linear.error().text();
-    EXPECT_NEAR(std::sqrt(linear->covariance[0]), expected, 1e-5) << length;
-    const auto result = run_study(plan);
-    ASSERT_TRUE(result) << result.error().text();
-    EXPECT_NEAR(result->quantities[0].deviation, expected, 4 * expected / std::sqrt(2.0 * (1 << 14))) << length;
+    const auto linear = must(propagate_linearly(plan));
+    EXPECT_NEAR(std::sqrt(linear.covariance[0]), expected, 1e-5) << length;
+    const auto result = must(run_study(plan));
+    EXPECT_NEAR(result.quantities[0].deviation, expected, 4 * expected / std::sqrt(2.0 * (1 << 14))) << length;
     EXPECT_GT(expected, before) << "what is off alike does not cancel";
     before = expected;
   }
@@ -78,13 +76,12 @@ TEST(StudyByDistance, names_the_points_that_are_drawn) {
   study.inputs = {wind("shot.speed"), wind("environment.wind.profile.4.velocity.z"),
                   wind("environment.wind.profile.2.velocity.z"), wind("environment.wind.profile.1.velocity.x"),
                   wind("environment.wind.profile.2.velocity.z")};
-  const auto with = correlated_by_distance(study, "environment.wind.profile.N.velocity.z", 45);
-  ASSERT_TRUE(with) << with.error().text();
-  EXPECT_EQ(with->inputs, (std::vector<std::size_t>{1, 2}));
-  ASSERT_EQ(with->matrix.size(), 4u);
-  EXPECT_EQ(with->matrix[0], 1);
-  EXPECT_NEAR(with->matrix[1], std::exp(-2), 1e-15);
-  EXPECT_EQ(with->matrix[1], with->matrix[2]);
+  const auto with = must(correlated_by_distance(study, "environment.wind.profile.N.velocity.z", 45));
+  EXPECT_EQ(with.inputs, (std::vector<std::size_t>{1, 2}));
+  ASSERT_EQ(with.matrix.size(), 4u);
+  EXPECT_EQ(with.matrix[0], 1);
+  EXPECT_NEAR(with.matrix[1], std::exp(-2), 1e-15);
+  EXPECT_EQ(with.matrix[1], with.matrix[2]);
 }
 
 TEST(StudyByDistance, refuses_what_has_no_distance) {

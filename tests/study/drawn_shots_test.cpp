@@ -31,12 +31,11 @@ Study drawn_study(Sampling sampling) {
 
 TEST(DrawnShots, are_those_of_their_shards) {
   for (const Sampling sampling : {Sampling::random, Sampling::latin_hypercube, Sampling::sobol}) {
-    const auto plan = plan_study(drawn_study(sampling), scattered);
-    ASSERT_TRUE(plan) << plan.error().text();
+    const auto plan = must(plan_study(drawn_study(sampling), scattered));
     for (const std::uint64_t shard : {0u, 1u, 17u, 47u}) {
-      const StudyShots all = fly_shots_of(*plan, shard);
+      const StudyShots all = fly_shots_of(plan, shard);
       for (std::size_t place = 0; place < 64 && !testing::Test::HasFailure(); ++place) {
-        const std::vector<double> drawn = draws_of(*plan, shard * 64 + place);
+        const std::vector<double> drawn = draws_of(plan, shard * 64 + place);
         ASSERT_EQ(drawn.size(), 6U);
         for (std::size_t i = 0; i < drawn.size(); ++i)
           EXPECT_TRUE(same_bits(drawn[i], all.inputs[i][place])) << name(sampling) << ' ' << shard << ' ' << place;

@@ -316,12 +316,11 @@ TEST(StudyIndices, a_correlated_group_is_one_input) {
   expect_indices(run, {group / all, 2.25 / all}, {group / all, 2.25 / all});
 
   const auto plan = plan_study(study, sum);
-  const auto linear = propagate_linearly(*plan);
-  ASSERT_TRUE(linear);
-  EXPECT_NEAR(linear->covariance[0], all, 1e-9);
-  EXPECT_NEAR(linear->rows[0].share[0], group / all, 1e-9);
-  EXPECT_EQ(linear->rows[1].share[0], 0) << "stands in the group's first row";
-  EXPECT_NEAR(linear->rows[2].slope[0], 1, 1e-9);
+  const auto linear = must(propagate_linearly(*plan));
+  EXPECT_NEAR(linear.covariance[0], all, 1e-9);
+  EXPECT_NEAR(linear.rows[0].share[0], group / all, 1e-9);
+  EXPECT_EQ(linear.rows[1].share[0], 0) << "stands in the group's first row";
+  EXPECT_NEAR(linear.rows[2].slope[0], 1, 1e-9);
 }
 
 /// Half a cell at most, against numbers that are sorted.

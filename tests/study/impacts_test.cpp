@@ -46,11 +46,10 @@ TEST(StudyImpacts, on_the_ground_end_parabolas) {
     const std::vector<double> drawn = draws_of(plan, shot);
     expect_parabola(fly_shot_of(plan, shot), drawn[0], drawn[1], 3, 0.5);
   }
-  const auto result = run_study(plan);
-  ASSERT_TRUE(result) << result.error().text();
-  EXPECT_EQ(result->not_arrived, 0U);
-  EXPECT_EQ(result->quantities[1].quantity, StudyQuantity::obliquity);
-  EXPECT_GT(result->quantities[1].deviation, 0.05);
+  const auto result = must(run_study(plan));
+  EXPECT_EQ(result.not_arrived, 0U);
+  EXPECT_EQ(result.quantities[1].quantity, StudyQuantity::obliquity);
+  EXPECT_GT(result.quantities[1].deviation, 0.05);
 }
 
 TEST(StudyImpacts, have_the_mass_that_was_drawn) {
@@ -207,11 +206,10 @@ TEST(StudyImpacts, are_the_first) {
   }
   EXPECT_GT(walls, 10);
   study.until.time = 1;  // the ground is 1.43 s away
-  const auto result = run_study(plan_of(study));
-  ASSERT_TRUE(result) << result.error().text();
-  EXPECT_GT(result->not_arrived, 10U);
-  EXPECT_LT(result->not_arrived, 54U);
-  EXPECT_TRUE(near(result->quantities[2].most, result->quantities[2].least, 0.1)) << "of those that hit the wall";
+  const auto result = must(run_study(plan_of(study)));
+  EXPECT_GT(result.not_arrived, 10U);
+  EXPECT_LT(result.not_arrived, 54U);
+  EXPECT_TRUE(near(result.quantities[2].most, result.quantities[2].least, 0.1)) << "of those that hit the wall";
 }
 
 TEST(StudyImpacts, same_bits_with_threads_and_saved) {

@@ -27,11 +27,9 @@ void moved(std::span<const std::span<const double>> in, std::span<const std::spa
 }
 
 LinearResult linear_of(const Study& study) {
-  const auto plan = plan_study(study, moved);
-  EXPECT_TRUE(plan);
-  const auto linear = propagate_linearly(*plan);
-  EXPECT_TRUE(linear);
-  return *linear;
+  const auto plan = must(plan_study(study, moved));
+  const auto linear = must(propagate_linearly(plan));
+  return linear;
 }
 
 TEST(StudyMisses, of_a_strip_are_those_of_the_error_function) {

@@ -32,18 +32,17 @@ TEST(ShardMemory, of_one_shard_does_not_show_in_another) {
   study.quantities = {StudyQuantity::time};
   study.shard_shots = 256;
   study.shots = 1024;
-  const auto plan = plan_study(study, add);
-  ASSERT_TRUE(plan) << plan.error().text();
+  const auto plan = must(plan_study(study, add));
   std::vector<std::vector<std::byte>> parts;
-  for (std::uint64_t shard = 0; shard < 4; ++shard) parts.push_back(save_part(run_shard(*plan, shard)));
-  EXPECT_EQ(plan->record().spare->count(), 1u);
-  for (std::uint64_t shard = 4; shard-- > 0;) EXPECT_EQ(save_part(run_shard(*plan, shard)), parts[shard]) << shard;
+  for (std::uint64_t shard = 0; shard < 4; ++shard) parts.push_back(save_part(run_shard(plan, shard)));
+  EXPECT_EQ(plan.record().spare->count(), 1u);
+  for (std::uint64_t shard = 4; shard-- > 0;) EXPECT_EQ(save_part(run_shard(plan, shard)), parts[shard]) << shard;
   std::vector<std::thread> threads;
   for (std::uint64_t shard = 0; shard < 4; ++shard)
-    threads.emplace_back([&, shard] { EXPECT_EQ(save_part(run_shard(*plan, shard)), parts[shard]) << shard; });
+    threads.emplace_back([&, shard] { EXPECT_EQ(save_part(run_shard(plan, shard)), parts[shard]) << shard; });
   for (std::thread& thread : threads) thread.join();
-  EXPECT_GE(plan->record().spare->count(), 1u);
-  EXPECT_LE(plan->record().spare->count(), 4u);
+  EXPECT_GE(plan.record().spare->count(), 1u);
+  EXPECT_LE(plan.record().spare->count(), 4u);
 }
 
 }  // namespace study_shard_memory_test

@@ -54,13 +54,12 @@ TEST(StudyShots, are_those_that_numbers_give_again) {
   Study study = scatter();
   study.shard_shots = 32;
   study.shots = 128;
-  const auto plan = plan_study(study, scattered);
-  ASSERT_TRUE(plan);
-  const StudyShots shots = fly_shots_of(*plan, 2);
+  const auto plan = must(plan_study(study, scattered));
+  const StudyShots shots = fly_shots_of(plan, 2);
   ASSERT_EQ(shots.inputs.size(), 2U);
   ASSERT_EQ(shots.quantities[1].size(), 32U);
   for (const std::size_t i : {0U, 7U, 31U}) {
-    const std::vector<double> drawn = draws_of(*plan, 64 + i), flown = fly_shot_of(*plan, 64 + i);
+    const std::vector<double> drawn = draws_of(plan, 64 + i), flown = fly_shot_of(plan, 64 + i);
     for (std::size_t k = 0; k < 2; ++k) {
       EXPECT_EQ(shots.inputs[k][i], drawn[k]);
       EXPECT_EQ(shots.quantities[k][i], flown[k]);
@@ -83,16 +82,14 @@ TEST(StudyShots, fly_in_profiles_of_wind_of_their_own) {
   study.tolerance.step = 1e-3;
   study.shard_shots = 16;
   study.shots = 32;
-  const auto plan = plan_study(study);
-  ASSERT_TRUE(plan) << plan.error().text();
-  const StudyShots shots = fly_shots_of(*plan, 1);
+  const auto plan = must(plan_study(study));
+  const StudyShots shots = fly_shots_of(plan, 1);
   for (const std::size_t i : {0U, 5U, 15U}) {
     Environment own = study.environment;
     for (WindPoint& point : own.wind.profile)
       point.velocity.x += shots.inputs[0][i], point.velocity.z += shots.inputs[1][i];
     own.atmosphere.temperature = shots.inputs[2][i];
-    const Flight flight =
-        fly(study.projectile, study.launch, own, study.fidelity, plan->study().tolerance, study.until);
+    const Flight flight = fly(study.projectile, study.launch, own, study.fidelity, plan.study().tolerance, study.until);
     ASSERT_EQ(flight.outcome(), Outcome::event);
     EXPECT_EQ(shots.quantities[0][i], flight.end().position.z) << i;
     EXPECT_EQ(shots.quantities[1][i], flight.end().position.y) << i;

@@ -47,9 +47,7 @@ inline StudyResult result_of(const Study& study, const StudyFunction& function, 
     ADD_FAILURE() << plan.error().text();
     return {};
   }
-  const auto result = run_study(*plan, runner);
-  if (!result) ADD_FAILURE() << result.error().text();
-  return result ? *result : StudyResult{};
+  return must(run_study(*plan, runner));
 }
 
 inline StudyPlan plan_of(const Study& study) {

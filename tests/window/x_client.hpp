@@ -24,6 +24,7 @@
 #include <vector>
 
 #include "cli/program.hpp"
+#include "must.hpp"
 
 namespace physim::testing_window {
 

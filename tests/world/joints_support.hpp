@@ -38,11 +38,7 @@ inline BodyDef weightless() {
   return body;
 }
 
-inline JointId join(World& world, const Joint& joint) {
-  const auto id = world.add_joint(joint);
-  EXPECT_TRUE(id) << (id ? "" : id.error().text());
-  return id ? *id : JointId{};
-}
+inline JointId join(World& world, const Joint& joint) { return must(world.add_joint(joint)); }
 
 /// Kinetic energy, and potential energy in constant gravity [J].
 inline double energy(const World& world, std::span<const ProjectileId> ids, double gravity = kGravity) {

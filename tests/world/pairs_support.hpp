@@ -33,9 +33,7 @@ inline BodyDef ball(double radius, double restitution = 1, double friction = 0) 
 
 inline ProjectileId put(World& world, const ProjectileDef& p, const BodyDef& body, const Vec3d& x,
                         const Vec3d& v = {}) {
-  const auto id = world.spawn(p, {.position = x, .velocity = v}, body);
-  EXPECT_TRUE(id) << (id ? "" : id.error().text());
-  return id ? *id : ProjectileId{};
+  return must(world.spawn(p, {.position = x, .velocity = v}, body));
 }
 
 }  // namespace physim::test_pairs

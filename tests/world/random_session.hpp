@@ -3,6 +3,7 @@
 
 #include <random>
 
+#include "must.hpp"
 #include "physim/physim.hpp"
 #include "random_emitters.hpp"
 

@@ -54,11 +54,8 @@ void expect_at(const World& world, ProjectileId id, const BodyState& want) {
 
 /// A world that is saved and loaded is the same.
 void expect_saved(const World& world) {
-  const auto saved = world.save();
-  ASSERT_TRUE(saved);
-  const auto loaded = World::load(*saved);
-  ASSERT_TRUE(loaded);
-  EXPECT_EQ(loaded->hash(), world.hash());
+  const auto loaded = reloaded(world);
+  EXPECT_EQ(loaded.hash(), world.hash());
 }
 
 /// Changes something in flight, twice; what it is after the change follows from where it was.

@@ -146,10 +146,9 @@ TEST(EmitterLead, saves_snapshots_and_recordings_go_on_bit_for_bit) {
     for (int i = 0; i < 3; ++i) w.step(0.01);
     ASSERT_NE(w.hash(), hash);
     ASSERT_TRUE(w.restore(snapshot));
-    auto loaded = World::load(w.save().value());
-    ASSERT_TRUE(loaded) << loaded.error().text();
-    ASSERT_EQ(loaded->hash(), hash);
-    w = std::move(*loaded);
+    auto loaded = reloaded(w);
+    ASSERT_EQ(loaded.hash(), hash);
+    w = std::move(loaded);
     guide(w);
   });
   expect_same(born, whole, 60);
@@ -160,10 +159,7 @@ TEST(EmitterLead, saves_snapshots_and_recordings_go_on_bit_for_bit) {
     return {};
   }));
   expect_same(births(recorded, 60, Guide(added(recorded, led(recorded)), 0.2)), whole, 60);
-  ASSERT_TRUE(recorded.stop_recording());
-  const auto report = replay(bytes);
-  ASSERT_TRUE(report) << report.error().text();
-  EXPECT_FALSE(report->difference) << report->difference->what;
+  replayed(recorded, bytes);
 }
 
 TEST(EmitterLead, a_move_or_a_jump_ends_the_way_where_it_is) {

@@ -127,9 +127,7 @@ TEST(JointBreak, it_is_kept_and_played_again_to_the_bit) {
   const ProjectileId ball = put(world, mass_of(2), bob(), {1, 0, 0});
   const JointId rod = join(world, {.a = ball, .break_force = 2.9 * 2 * kGravity});
   for (int i = 0; i < 20; ++i) world.step(1.0 / 60);
-  const auto saved = world.save();
-  ASSERT_TRUE(saved);
-  World loaded = World::load(*saved).value();
+  World loaded = reloaded(world);
   EXPECT_EQ(loaded.joint(rod)->break_force, 2.9 * 2 * kGravity);
   const Snapshot before = world.snapshot();
   EXPECT_EQ(breaks_until(world, 1.0 / 60, 1).size(), 1u);
@@ -139,10 +137,7 @@ TEST(JointBreak, it_is_kept_and_played_again_to_the_bit) {
   ASSERT_TRUE(world.restore(before));
   EXPECT_EQ(breaks_until(world, 1.0 / 60, 1).size(), 1u);
   EXPECT_EQ(world.hash(), after);
-  ASSERT_TRUE(world.stop_recording());
-  const auto report = replay(recorded);
-  ASSERT_TRUE(report) << report.error().text();
-  EXPECT_FALSE(report->difference) << report->difference->what;
+  replayed(world, recorded);
 }
 
 TEST(JointBreak, bad_forces_are_refused_with_a_place) {

@@ -269,9 +269,8 @@ TEST(Life, a_drag_scale_is_in_the_zero) {
   ASSERT_TRUE(id);
   ProjectileDef dragged = p;
   dragged.drag.ballistic_coefficient /= 2;
-  const auto elevation = zero_elevation(dragged, launch, def.environment, p.fidelity, 200);
-  ASSERT_TRUE(elevation);
-  EXPECT_NEAR(std::atan2(world[id].velocity().y, world[id].velocity().x), *elevation, 1e-12);
+  const auto elevation = must(zero_elevation(dragged, launch, def.environment, p.fidelity, 200));
+  EXPECT_NEAR(std::atan2(world[id].velocity().y, world[id].velocity().x), elevation, 1e-12);
 }
 
 TEST(Life, an_updraught_that_throws_a_leaf_up_again_lands_it_before) {

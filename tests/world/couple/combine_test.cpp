@@ -65,8 +65,7 @@ TEST(Combine, a_bounce_off_a_thing_or_the_ground_keeps_what_the_later_rule_says)
   for (const Combine own : kRules)
     for (const Combine other : kRules) {
       for (const double radius : {0.0, 0.1}) {
-        World world = make_world(space());
-        ASSERT_TRUE(world.set_scene(slab({.restitution = kOther, .combine = {.restitution = other}})));
+        World world = make_world(space(), slab({.restitution = kOther, .combine = {.restitution = other}}));
         ASSERT_TRUE(world.spawn(marble(), {.position = {0, radius + 0.05, 0}, .velocity = Vec3d{0, -10, 0}},
                                 bouncy(own, radius)));
         EXPECT_NEAR(kept(run_for(world, 0.1)), by_rule(own, other), 1e-9) << name_of(own, other);
@@ -115,8 +114,7 @@ TEST(Combine, two_projectiles_part_by_the_later_of_their_rules) {
 TEST(Combine, friction_is_combined_by_its_own_rule) {
   for (const Combine own : kRules)
     for (const Combine other : kRules) {
-      World world = make_world(space());
-      ASSERT_TRUE(world.set_scene(slab({.restitution = 0, .friction = kOther, .combine = {.friction = other}})));
+      World world = make_world(space(), slab({.restitution = 0, .friction = kOther, .combine = {.friction = other}}));
       BodyDef body = bouncy(Combine::maximum);
       body.restitution = 0;
       body.friction = kOwn;
@@ -140,8 +138,7 @@ TEST(Combine, flights_and_predictions_have_the_same_rules) {
     const Flight flight = fly(marble(), down, vacuum_of(kG), marble().fidelity, {}, until);
     const auto events = flight.events();
     EXPECT_NEAR(kept({events.begin(), events.end()}), by_rule(own, Combine::mean), 1e-9) << name(own);
-    World world = make_world(space());
-    ASSERT_TRUE(world.set_scene(scene));
+    World world = make_world(space(), scene);
     const ProjectileId id = *world.spawn(marble(), down, bouncy(own));
     Until ahead = meeting(scene, OnHit::bounce);
     ahead.scene = nullptr;
@@ -184,13 +181,11 @@ TEST(Combine, rules_are_kept_by_saves_and_recordings) {
   const World product = played(Combine::product, one);
   World maximum = played(Combine::maximum, other);
   EXPECT_NE(product.hash(), maximum.hash());
-  const auto report = replay(other);
-  ASSERT_TRUE(report) << report.error().text();
-  EXPECT_FALSE(report->difference) << report->difference->what;
-  Result<World> loaded = World::load(*maximum.save());
-  ASSERT_TRUE(loaded) << loaded.error().text();
-  run_for(*loaded, 1), run_for(maximum, 1);
-  EXPECT_EQ(loaded->hash(), maximum.hash());
+  const auto report = must(replay(other));
+  EXPECT_FALSE(report.difference) << report.difference->what;
+  World loaded = reloaded(maximum);
+  run_for(loaded, 1), run_for(maximum, 1);
+  EXPECT_EQ(loaded.hash(), maximum.hash());
 }
 
 }  // namespace world_combine_test

@@ -26,9 +26,8 @@ TEST(EmitterEdges, births_by_distance_go_on_where_they_fall_on_frames) {
     const double from = world.time();
     while (world.time() < 12) ASSERT_TRUE(world.step(1 / rate));
     EXPECT_NEAR(double(world.emitter_counts(id).born), 360 * (world.time() - from), 1.001) << rate;
-    const auto saved = world.save();
-    ASSERT_TRUE(saved);
-    EXPECT_TRUE(World::load(*saved));
+    const auto saved = must(world.save());
+    EXPECT_TRUE(World::load(saved));
   }
 }
 

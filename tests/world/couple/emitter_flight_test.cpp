@@ -406,18 +406,12 @@ TEST(EmitterFlight, snapshots_saves_and_recordings_go_on_bit_for_bit) {
   fill(world);
   hashes_of(world, 40);
   const Snapshot snapshot = world.snapshot();
-  const auto saved = world.save();
-  ASSERT_TRUE(saved);
-  auto loaded = World::load(*saved);
-  ASSERT_TRUE(loaded) << loaded.error().text();
+  auto loaded = reloaded(world);
   const auto hashes = hashes_of(world, 40);
-  EXPECT_EQ(hashes, hashes_of(*loaded, 40));
+  EXPECT_EQ(hashes, hashes_of(loaded, 40));
   ASSERT_TRUE(world.restore(snapshot));
   EXPECT_EQ(hashes, hashes_of(world, 40));
-  ASSERT_TRUE(world.stop_recording());
-  const auto report = replay(bytes);
-  ASSERT_TRUE(report) << report.error().text();
-  EXPECT_FALSE(report->difference) << report->difference->what;
+  replayed(world, bytes);
 }
 
 TEST(EmitterFlight, predictions_go_where_the_world_does) {

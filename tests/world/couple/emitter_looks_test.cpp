@@ -112,16 +112,13 @@ TEST(EmitterLooks, go_through_saves_and_snapshots) {
   step_to(f.world, 0.7, 60);
   const std::vector<Looks> before = f.all();
   const Snapshot snapshot = f.world.snapshot();
-  const auto saved = f.world.save();
-  ASSERT_TRUE(saved);
+  const auto saved = must(f.world.save());
   step_to(f.world, 1, 60);
   EXPECT_NE(f.all(), before);
   const std::vector<Looks> after = f.all();
   ASSERT_TRUE(f.world.restore(snapshot));
   EXPECT_EQ(f.all(), before);
-  auto loaded = World::load(*saved);
-  ASSERT_TRUE(loaded) << loaded.error().text();
-  f.world = std::move(*loaded);
+  f.world = must(World::load(saved));
   EXPECT_EQ(f.all(), before);
   step_to(f.world, 1, 60);
   EXPECT_EQ(f.all(), after);

@@ -175,9 +175,7 @@ TEST_F(Churn, all_go_where_each_alone_would) {
   steps(3);
   add(0);  // in the place of the one that went
   steps(6);
-  const auto saved = world_.save();
-  ASSERT_TRUE(saved);
-  world_ = std::move(World::load(*saved).value());
+  world_ = reloaded(world_);
   steps(3);
   EXPECT_GT(compared_, 5000u);
 }

@@ -44,11 +44,10 @@ TEST(EmitterPast, one_that_is_prewarmed_is_as_if_it_had_waited) {
 TEST(EmitterPast, one_that_follows_stands_still_in_its_past) {
   World world = make_world({.ground = {.mode = GroundMode::none}});
   const KindId kind = kind_of(world, spark(), {.use_gravity = false});
-  const auto led = world.spawn(kind, {.position = {3, 2, 1}, .velocity = Vec3d{10, 0, 0}});
-  ASSERT_TRUE(led);
+  const auto led = must(world.spawn(kind, {.position = {3, 2, 1}, .velocity = Vec3d{10, 0, 0}}));
   EmitterDef def;
   def.kind = kind;
-  def.follows = *led;
+  def.follows = led;
   def.inherit_velocity = 1;
   def.per_second = {5};
   def.start.speed = {0};

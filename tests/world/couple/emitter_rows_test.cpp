@@ -25,9 +25,8 @@ struct Stage {
     Scene scene;
     EXPECT_TRUE(scene.add({.shape = *scene.add_shape(BoxShape{{0.5, 9, 9}}), .transform = {.position = {5, 9, 0}}}));
     EXPECT_TRUE(world.set_scene(scene));
-    const auto thrown = world.spawn(kind, {.position = {0, 2, 0}, .velocity = Vec3d{0.5, 6, 1}});
-    EXPECT_TRUE(thrown);
-    carrier = *thrown;
+    const auto thrown = must(world.spawn(kind, {.position = {0, 2, 0}, .velocity = Vec3d{0.5, 6, 1}}));
+    carrier = thrown;
     heir = spray(kind, 0, 0.2);
     heir.cycle.plays = false;
     def = spray(kind, 20, 0.9);

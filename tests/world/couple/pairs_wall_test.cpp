@@ -30,8 +30,7 @@ std::vector<Vec3d> at_cushion(double restitution, double gap, double rate) {
   const MaterialId smooth = *scene.add_material({.restitution = 1, .friction = 0});
   put(scene, BoxShape{{40, 0.5, 5}}, {0, -0.5, 0}, smooth);
   put(scene, BoxShape{{0.5, 5, 5}}, {2.5 + gap, 0, 0}, smooth);
-  World world = make_world(space());
-  EXPECT_TRUE(world.set_scene(scene));
+  World world = make_world(space(), scene);
   std::vector<ProjectileId> ids;
   for (const bool comes : {true, false})
     ids.push_back(*world.spawn(
@@ -71,8 +70,7 @@ TEST(PairsWall, what_lies_in_a_floor_by_a_rounding_meets_walls) {
         const MaterialId smooth = *scene.add_material({.restitution = 0, .friction = 0});
         put(scene, BoxShape{{40, 0.5, 5}}, {0, -0.5, 0}, smooth);
         put(scene, BoxShape{{0.5, 5, 5}}, {2.5, 0, 0}, smooth);
-        World world = make_world(space());
-        ASSERT_TRUE(world.set_scene(scene));
+        World world = make_world(space(), scene);
         const ProjectileId id = *world.spawn(
             ball(), {.position = {0.9, radius - depth, 0}, .velocity = Vec3d{kSpeed, 0, 0}}, bouncing(radius, 0, 0));
         run_for(world, 1, 1 / rate);
@@ -91,8 +89,7 @@ TEST(PairsWall, a_blow_goes_through_a_row_on_a_lift) {
                              .transform = {.position = {0, -0.5, 0}},
                              .material = smooth,
                              .motion = SteadyMotion{.velocity = {0, rises, 0}}}));
-      World world = make_world(space());
-      ASSERT_TRUE(world.set_scene(scene));
+      World world = make_world(space(), scene);
       std::vector<ProjectileId> ids;
       for (int i = 0; i < 5; ++i)
         ids.push_back(*world.spawn(ball(),

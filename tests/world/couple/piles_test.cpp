@@ -53,11 +53,7 @@ Scene floor_of_wood(const ConveyorDef& belt = {}) {
   EXPECT_TRUE(scene.add({.shape = *scene.add_shape(PlaneShape{}), .material = wood, .conveyor = belt}));
   return scene;
 }
-World world_with(const ConveyorDef& belt = {}) {
-  World world = make_world(falling());
-  EXPECT_TRUE(world.set_scene(floor_of_wood(belt)));
-  return world;
-}
+World world_with(const ConveyorDef& belt = {}) { return make_world(falling(), floor_of_wood(belt)); }
 
 /// Balls on top of each other.
 std::vector<ProjectileId> stack(World& world, int count, const ProjectileDef& p = wooden(),
@@ -265,10 +261,7 @@ TEST(Piles, are_the_same_straight_on_loaded_rolled_back_and_replayed) {
   ASSERT_TRUE(world.restore(before));
   run_for(world, 0.5, 1 / kHz);
   EXPECT_EQ(world.hash(), slept);
-  ASSERT_TRUE(world.stop_recording());
-  const auto report = replay(recording);
-  ASSERT_TRUE(report) << report.error().text();
-  EXPECT_FALSE(report->difference) << report->difference->what;
+  replayed(world, recording);
 }
 
 }  // namespace world_piles_test

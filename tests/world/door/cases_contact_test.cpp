@@ -41,11 +41,7 @@ void add(Scene& scene, const ShapeDef& shape, const Vec3d& at, MaterialId made_o
                          .material = made_of,
                          .motion = motion}));
 }
-World world_in(const Scene& scene) {
-  World world = make_world(falling());
-  EXPECT_TRUE(world.set_scene(scene));
-  return world;
-}
+World world_in(const Scene& scene) { return make_world(falling(), scene); }
 std::string at(double rate, const char* what = "") { return what + (" at " + std::to_string(rate)) + " Hz"; }
 
 // ------------------------------------------------------------------------------------------------- sliding and rolling

@@ -24,11 +24,7 @@ BodyDef stopping() {
   body.collision.on_hit = OnHit::stop;
   return body;
 }
-World world_in(const Scene& scene, const WorldDef& def = space()) {
-  World world = make_world(def);
-  EXPECT_TRUE(world.set_scene(scene));
-  return world;
-}
+World world_in(const Scene& scene, const WorldDef& def = space()) { return make_world(def, scene); }
 MaterialId hard(Scene& scene) { return *scene.add_material({.restitution = 1, .friction = 1}); }
 
 // ------------------------------------------------------------------------------------------------------------ bounces

@@ -1,6 +1,7 @@
 // A projectile that changes its rung flies on as one that was on it from the start.
 #include <gtest/gtest.h>
 
+#include "must.hpp"
 #include "physim/physim.hpp"
 
 namespace physim {
@@ -35,9 +36,8 @@ TEST(ChangeRung, a_step_can_be_as_short_against_the_age_as_steps_can_be) {
   def.ground.mode = GroundMode::none;
   def.environment.gravity.model = GravityModel::off;
   def.environment.atmosphere.model = AirModel::vacuum;
-  Result<World> made = World::create(def);
-  ASSERT_TRUE(made);
-  World& world = *made;
+  World made = must(World::create(def));
+  World& world = made;
   ProjectileDef p;
   p.fidelity = Fidelity::constant_air();
   const ProjectileId id = *world.spawn(p, {.position = {0, 100, 0}, .velocity = Vec3d{1, 0, 0}});

@@ -19,9 +19,8 @@ TEST(Doors, events_stay_readable_while_the_world_is_changed) {
     if (event.kind != EventKind::landed) continue;
     EXPECT_EQ(event.position.x, landed++);
     for (int i = 0; i < 50; ++i) {  // debris; it outgrows every list of events
-      const auto piece = world.spawn(stone(), {.position = event.position + Vec3d{0, 1, 0}});
-      ASSERT_TRUE(piece);
-      world[*piece].despawn();
+      const auto piece = must(world.spawn(stone(), {.position = event.position + Vec3d{0, 1, 0}}));
+      world[piece].despawn();
     }
   }
   EXPECT_EQ(landed, 100);
@@ -125,11 +124,8 @@ TEST(Doors, a_refused_value_leaves_the_recording_whole) {
   wild.fidelity.drag = odd<DragModel>();
   EXPECT_FALSE(world.spawn(wild, {}));
   EXPECT_TRUE(world.step(0.01));
-  ASSERT_TRUE(world.stop_recording());
-  const auto report = replay(bytes);
-  ASSERT_TRUE(report) << report.error().text();
-  EXPECT_FALSE(report->difference);
-  EXPECT_EQ(report->spawned, 1u);
+  const ReplayReport report = replayed(world, bytes);
+  EXPECT_EQ(report.spawned, 1u);
 }
 
 // ------------------------------------------------------------------------------------------- re-entry
@@ -244,9 +240,8 @@ TEST(Doors, a_world_that_is_destroyed_by_its_force_ends_its_step_first) {
     if (recorded) {
       ReplayOptions options;
       options.custom_forces = {{[](const ForceBatch&) {}}};
-      const auto report = replay(bytes, options);
-      ASSERT_TRUE(report) << report.error().text();
-      EXPECT_EQ(report->steps, 1u) << "its end was handed over";
+      const auto report = must(replay(bytes, options));
+      EXPECT_EQ(report.steps, 1u) << "its end was handed over";
     }
   }
 }
@@ -291,10 +286,9 @@ TEST(Doors, a_sink_that_changes_its_world_is_refused) {
   ASSERT_TRUE(world.stop_recording());
   EXPECT_GT(tried.calls, 4 * 40);
   EXPECT_EQ(tried.refused, tried.calls);
-  const auto report = replay(bytes);
-  ASSERT_TRUE(report) << report.error().text();
-  EXPECT_FALSE(report->difference);
-  EXPECT_EQ(report->spawned, 1u);
+  const auto report = must(replay(bytes));
+  EXPECT_FALSE(report.difference);
+  EXPECT_EQ(report.spawned, 1u);
 }
 
 TEST(Doors, a_world_that_is_destroyed_by_its_sink_ends_its_call_first) {

@@ -71,8 +71,7 @@ TEST(EngineScene, what_bounces_meets_what_it_would_meet_in_a_scene_of_its_own) {
   const Scene scene = room({5, 3, 4}, {.restitution = 0.8, .friction = 0.3});
   for (const Precision precision : {Precision::float64, Precision::float32})
     for (const double radius : {0.0, 0.11}) {
-      World own = make_world(in_the_open()), asking = make_world(in_the_open());
-      ASSERT_TRUE(own.set_scene(scene));
+      World own = make_world(in_the_open(), scene), asking = make_world(in_the_open());
       ASSERT_TRUE(asking.set_scene(answered_by(scene, 1)));
       BodyDef body;
       body.restitution = 1;
@@ -93,8 +92,7 @@ TEST(EngineScene, what_goes_through_is_as_thick_as_it_would_be) {
   ASSERT_TRUE(scene.add({plank, {{17, 0, 0}, {0.9, 0, 0, 0.4}, 1}, fir}));
   ASSERT_TRUE(scene.add({wall, {.position = {20, 0, 0}}, concrete}));
   for (const double radius : {0.0, 0.003}) {
-    World own = make_world(in_the_open()), asking = make_world(in_the_open());
-    ASSERT_TRUE(own.set_scene(scene));
+    World own = make_world(in_the_open(), scene), asking = make_world(in_the_open());
     ASSERT_TRUE(asking.set_scene(answered_by(scene, 2)));
     BodyDef body;
     body.collision = {.on_hit = OnHit::impact, .radius = radius};
@@ -110,8 +108,7 @@ TEST(EngineScene, what_goes_through_is_as_thick_as_it_would_be) {
 
 TEST(EngineScene, who_passes_is_told_of_every_way_in_and_out) {
   const Scene scene = room({3, 3, 3}, {});
-  World own = make_world(in_the_open()), asking = make_world(in_the_open());
-  ASSERT_TRUE(own.set_scene(scene));
+  World own = make_world(in_the_open(), scene), asking = make_world(in_the_open());
   ASSERT_TRUE(asking.set_scene(answered_by(scene, 1)));
   BodyDef body;
   body.collision.on_hit = OnHit::pass;
@@ -135,8 +132,7 @@ TEST(EngineScene, a_step_asks_once_about_all_that_fly_free_from_the_thread_that_
     for (const SceneSegment& s : batch.segments) EXPECT_EQ(s.radius, 0) << "a ray";
   };
   ASSERT_TRUE(scene.set_engine({nothing_there}));
-  World world = make_world(in_the_open(4));
-  ASSERT_TRUE(world.set_scene(scene));
+  World world = make_world(in_the_open(4), scene);
   BodyDef body;
   spray(world, body, 50, Precision::float64);
   spray(world, body, 50, Precision::float32);
@@ -170,8 +166,7 @@ TEST(EngineScene, a_skin_keeps_what_bounces_and_rolls_above_a_floor_that_rounds)
     for (const double radius : {0.0, 0.05}) {
       Scene scene;
       ASSERT_TRUE(scene.set_engine({worn_floor(), kSkin}));
-      World world = make_world(in_the_open());
-      ASSERT_TRUE(world.set_scene(scene));
+      World world = make_world(in_the_open(), scene);
       BodyDef body;
       body.rolling_resistance = 0.3;
       body.collision = {.on_hit = OnHit::bounce, .radius = radius};
@@ -196,8 +191,7 @@ TEST(EngineScene, a_skin_keeps_what_bounces_and_rolls_above_a_floor_that_rounds)
 TEST(EngineScene, the_first_touch_is_where_a_closed_form_has_it) {
   Scene scene;
   ASSERT_TRUE(scene.set_engine({worn_floor(), 1e-3}));
-  World world = make_world(in_the_open());
-  ASSERT_TRUE(world.set_scene(scene));
+  World world = make_world(in_the_open(), scene);
   const BodyDef body{.collision = {.on_hit = OnHit::stop, .radius = 0.1}};
   ProjectileDef p = stone();
   p.fidelity.integrator = Integrator::rk4;
@@ -217,8 +211,7 @@ TEST(EngineScene, bad_answers_meet_nothing_and_nothing_throws) {
   for (const SceneHit& answer : {nan, far, flat}) {
     Scene scene;
     ASSERT_TRUE(scene.set_engine({[&](const EngineBatch& b) { std::ranges::fill(b.hits, answer); }}));
-    World world = make_world(in_the_open()), alone = make_world(in_the_open());
-    ASSERT_TRUE(world.set_scene(scene));
+    World world = make_world(in_the_open(), scene), alone = make_world(in_the_open());
     const auto ids = spray(world, {}, 30, Precision::float64);
     spray(alone, {}, 30, Precision::float64);
     EXPECT_TRUE(run_for(world, 1).size() == run_for(alone, 1).size());
@@ -227,8 +220,7 @@ TEST(EngineScene, bad_answers_meet_nothing_and_nothing_throws) {
   }
   Scene scene;
   ASSERT_TRUE(scene.set_engine({[](const EngineBatch&) { throw std::runtime_error("no"); }}));
-  World world = make_world(in_the_open());
-  ASSERT_TRUE(world.set_scene(scene));
+  World world = make_world(in_the_open(), scene);
   spray(world, {}, 30, Precision::float64);
   world.step(1.0 / 64);
   EXPECT_EQ(world.size(), 100u);
@@ -272,11 +264,10 @@ TEST(EngineScene, saves_and_recordings_want_the_function_again) {
   const Snapshot moment = world.snapshot();
   const std::vector<std::byte> save = *world.save();
   EXPECT_EQ(World::load(save).error().place, "engine_queries");
-  auto loaded = World::load(save, {.engine_queries = {query}});
-  ASSERT_TRUE(loaded) << loaded.error().text();
-  EXPECT_EQ(loaded->hash(), world.hash());
-  for (int i = 0; i < 50; ++i) world.single_step(), loaded->single_step();
-  EXPECT_EQ(loaded->hash(), world.hash());
+  auto loaded = must(World::load(save, {.engine_queries = {query}}));
+  EXPECT_EQ(loaded.hash(), world.hash());
+  for (int i = 0; i < 50; ++i) world.single_step(), loaded.single_step();
+  EXPECT_EQ(loaded.hash(), world.hash());
   const std::uint64_t then = world.hash();
   ASSERT_TRUE(world.restore(moment));
   for (int i = 0; i < 50; ++i) world.single_step();
@@ -285,10 +276,9 @@ TEST(EngineScene, saves_and_recordings_want_the_function_again) {
   world.single_step();
   ASSERT_TRUE(world.stop_recording());
   EXPECT_EQ(replay(recording, {.engine_queries = {query}}).error().place, "engine_queries");
-  const auto report = replay(recording, {.engine_queries = {query, query}});
-  ASSERT_TRUE(report) << report.error().text();
-  EXPECT_FALSE(report->difference);
-  EXPECT_TRUE(report->complete);
+  const auto report = must(replay(recording, {.engine_queries = {query, query}}));
+  EXPECT_FALSE(report.difference);
+  EXPECT_TRUE(report.complete);
 }
 
 TEST(EngineScene, flights_and_predictions_meet_it_too) {
@@ -309,8 +299,7 @@ TEST(EngineScene, flights_and_predictions_meet_it_too) {
     for (double t = 0; t < own.duration(); t += 0.05)
       ASSERT_LT(length(foreign.at(t).position - own.at(t).position), 1e-3) << t;
   }
-  World world = make_world(in_the_open());
-  ASSERT_TRUE(world.set_scene(asking));
+  World world = make_world(in_the_open(), asking);
   BodyDef body;
   body.collision = {.on_hit = OnHit::bounce, .radius = 0.1};
   const ProjectileId id = *world.spawn(stone(), {.speed = 15}, body);

@@ -135,10 +135,9 @@ TEST(LaunchInside, an_emitter_that_follows_it_begins_with_it) {
   smoke.follows = id;
   smoke.per_second = {0};
   smoke.per_metre = 1;
-  const auto emitter = world.add_emitter(smoke);
-  ASSERT_TRUE(emitter) << emitter.error().text();
+  const auto emitter = must(world.add_emitter(smoke));
   for (int i = 0; i < 6; ++i) world.single_step();
-  EXPECT_EQ(world.emitter_counts(*emitter).born, 14u);  // (0.2 - 0.0501) 100 m
+  EXPECT_EQ(world.emitter_counts(emitter).born, 14u);  // (0.2 - 0.0501) 100 m
   for (const Event& e : events_of(world, EventKind::spawned)) EXPECT_NEAR(e.position.x, 100 * (e.time - 0.0501), 1e-9);
 }
 

@@ -284,15 +284,14 @@ TEST(SpawnFlight, goes_on_as_the_flight_does) {
     ASSERT_EQ(flight.outcome(), Outcome::landed);
     const double start = 30 * step;
     World world = make_world(def);
-    const auto id = world.spawn(flight, start);
-    ASSERT_TRUE(id) << id.error().text();
-    EXPECT_EQ(world[*id].fidelity_in_use().fidelity.rotation, flight.fidelity_in_use().fidelity.rotation);
-    EXPECT_NEAR(world[*id].age(), start, 1e-12);
+    const auto id = must(world.spawn(flight, start));
+    EXPECT_EQ(world[id].fidelity_in_use().fidelity.rotation, flight.fidelity_in_use().fidelity.rotation);
+    EXPECT_NEAR(world[id].age(), start, 1e-12);
     for (int i = 1; i <= 60; ++i) {
       world.step(step);
       const Sample there = flight.at(start + i * step);
-      ASSERT_TRUE(near(world[*id].position(), there.position, 1e-12, 1e-10)) << i;
-      ASSERT_NEAR(world[*id].mass(), there.mass, 1e-12) << i;
+      ASSERT_TRUE(near(world[id].position(), there.position, 1e-12, 1e-10)) << i;
+      ASSERT_NEAR(world[id].mass(), there.mass, 1e-12) << i;
     }
   }
 }
@@ -303,11 +302,10 @@ TEST(SpawnFlight, and_back_again) {
   for (int i = 0; i < 20; ++i) world.step(kStep);
   const Flight flight = world.predict(id, 60, kStep);
   World other;
-  const auto there = other.spawn(flight, 0);
-  ASSERT_TRUE(there);
+  const auto there = must(other.spawn(flight, 0));
   for (int i = 0; i < 30; ++i) {
     world.step(kStep), other.step(kStep);
-    ASSERT_EQ(world[id].position(), other[*there].position());
+    ASSERT_EQ(world[id].position(), other[there].position());
   }
 }
 
@@ -325,11 +323,10 @@ TEST(SpawnFlight, is_recorded) {
   EXPECT_FALSE(world.spawn_departed(p, Departure{.age = -1}));
   for (int i = 0; i < 40; ++i) world.step(kStep);
   ASSERT_TRUE(world.stop_recording());
-  auto again = Replay::open(bytes);
-  ASSERT_TRUE(again) << again.error().text();
-  while (again->next()) {
+  auto again = must(Replay::open(bytes));
+  while (again.next()) {
   }
-  EXPECT_EQ(again->world().hash(), world.hash());
+  EXPECT_EQ(again.world().hash(), world.hash());
 }
 
 TEST(SpawnFlight, refuses_what_is_not_on_its_way) {

@@ -20,9 +20,8 @@ BodyDef ball_of(double radius, std::uint32_t layers = 1) {
   return body;
 }
 ProjectileId put(World& world, const Vec3d& place, const BodyDef& body, double delay = 0) {
-  const auto id = world.spawn(stone(), {.position = place}, body, delay);
-  EXPECT_TRUE(id);
-  return *id;
+  const auto id = must(world.spawn(stone(), {.position = place}, body, delay));
+  return id;
 }
 using Ids = std::vector<ProjectileId>;
 

@@ -26,9 +26,7 @@ World trough() {
                                                 {.time = 2, .position = {8, 2, 0}}}}}));
   WorldDef def;
   def.ground.mode = GroundMode::none;
-  World world = make_world(def);
-  EXPECT_TRUE(world.set_scene(scene));
-  return world;
+  return make_world(def, scene);
 }
 
 void throw_in(World& world, int number) {
@@ -45,20 +43,18 @@ TEST(SceneMoments, a_save_goes_on_as_the_world_does) {
   World world = trough();
   throw_in(world, 24);
   run_for(world, 0.7, 1.0 / 60);
-  const auto save = world.save();
-  ASSERT_TRUE(save);
-  Result<World> loaded = World::load(*save);
-  ASSERT_TRUE(loaded) << loaded.error().text();
-  EXPECT_EQ(loaded->hash(), world.hash());
-  EXPECT_EQ(loaded->save().value(), *save);
+  const auto save = must(world.save());
+  World loaded = must(World::load(save));
+  EXPECT_EQ(loaded.hash(), world.hash());
+  EXPECT_EQ(loaded.save().value(), save);
   for (int i = 0; i < 90; ++i) {
-    world.step(1.0 / 60), loaded->step(1.0 / 60);
-    ASSERT_EQ(loaded->hash(), world.hash()) << i;
-    ASSERT_EQ(loaded->events().size(), world.events().size());
+    world.step(1.0 / 60), loaded.step(1.0 / 60);
+    ASSERT_EQ(loaded.hash(), world.hash()) << i;
+    ASSERT_EQ(loaded.events().size(), world.events().size());
   }
   const InstanceId added = *world.add_instance({.shape = *world.add_shape(SphereShape{2})});
-  ASSERT_EQ(*loaded->add_instance({.shape = *loaded->add_shape(SphereShape{2})}), added);
-  EXPECT_EQ(loaded->hash(), world.hash());
+  ASSERT_EQ(*loaded.add_instance({.shape = *loaded.add_shape(SphereShape{2})}), added);
+  EXPECT_EQ(loaded.hash(), world.hash());
 }
 
 /// What one projectile meets at one time is told in one order, wherever its row lies.
@@ -67,22 +63,20 @@ TEST(SceneMoments, what_is_met_at_once_is_told_in_one_order) {
   const ShapeId box = *scene.add_shape(BoxShape{{0.5, 50, 50}});
   for (int i = 0; i < 4; ++i)
     ASSERT_TRUE(scene.add({.shape = box, .transform = {.position = {5.5, 0, 0}}, .sensor = true}));
-  World world = make_world({});
-  ASSERT_TRUE(world.set_scene(scene));
+  World world = make_world({}, scene);
   BodyDef body;
   body.gravity_scale = 0;
   std::vector<ProjectileId> ids;
   for (int i = 0; i < 80; ++i) ids.push_back(*world.spawn(stone(), {.position = {0, 1, 0.1 * i}, .speed = 100}, body));
   for (std::size_t i = 0; i < 40; ++i) EXPECT_TRUE(world[ids[i * 37 % 40]].despawn());
   world.step(1.0 / 60);
-  Result<World> loaded = World::load(*world.save());
-  ASSERT_TRUE(loaded);
+  World loaded = reloaded(world);
   std::size_t told = 0;
   for (int i = 0; i < 3; ++i) {
-    world.step(1.0 / 60), loaded->step(1.0 / 60);
-    ASSERT_EQ(world.events().size(), loaded->events().size());
+    world.step(1.0 / 60), loaded.step(1.0 / 60);
+    ASSERT_EQ(world.events().size(), loaded.events().size());
     for (std::size_t e = 0; e < world.events().size(); ++e) {
-      const Event &one = world.events()[e], &other = loaded->events()[e];
+      const Event &one = world.events()[e], &other = loaded.events()[e];
       EXPECT_EQ(one.instance, other.instance) << e;
       EXPECT_EQ(one.id, other.id);
       if (one.kind != EventKind::sensed) continue;
@@ -102,8 +96,7 @@ TEST(SceneMoments, chance_follows_from_what_is_hashed) {
     EXPECT_TRUE(scene.add({.shape = *scene.add_shape(BoxShape{{0.009, 5, 5}}),
                            .transform = {.position = {50, 0, 0}},
                            .material = *scene.add_material(loose)}));
-    World world = make_world({});
-    EXPECT_TRUE(world.set_scene(scene));
+    World world = make_world({}, scene);
     for (int i = 0; i < steps; ++i) world.step(0.25 / steps);
     world.step(1.0 / 64);
     BodyDef body;
@@ -213,8 +206,7 @@ TEST(SceneMoments, what_comes_by_wakes_who_sleeps) {
     ASSERT_TRUE(c.on_it || scene.add({.shape = floor, .transform = {.position = {0, -0.5, 0}}}));
     WorldDef def;
     def.ground.mode = GroundMode::none;
-    World world = make_world(def);
-    ASSERT_TRUE(world.set_scene(scene));
+    World world = make_world(def, scene);
     BodyDef body;
     body.restitution = 0;
     body.sleep_time = 0.1;
@@ -291,12 +283,8 @@ TEST(SceneMoments, a_recording_plays_every_change_again) {
   ASSERT_TRUE(world.remove_instance(added));
   ASSERT_TRUE(world.remove_shape(ball));
   run_for(world, 0.2, 1.0 / 60);
-  ASSERT_TRUE(world.stop_recording());
-  const auto report = replay(bytes);
-  ASSERT_TRUE(report) << report.error().text();
-  EXPECT_FALSE(report->difference) << report->difference->what;
-  EXPECT_TRUE(report->complete);
-  EXPECT_GT(report->hashes, 60u);
+  const ReplayReport report = replayed(world, bytes);
+  EXPECT_GT(report.hashes, 60u);
 }
 
 TEST(SceneMoments, changes_of_no_scene_are_refused) {

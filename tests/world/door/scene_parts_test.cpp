@@ -28,9 +28,7 @@ World world_with(const Scene& scene, double g = 0) {
   WorldDef def = nothing_but_things();
   def.environment.gravity = {.model = GravityModel::constant, .acceleration = g};
   if (g == 0) def.environment.gravity.model = GravityModel::off;
-  World world = make_world(def);
-  EXPECT_TRUE(world.set_scene(scene));
-  return world;
+  return make_world(def, scene);
 }
 
 /// A box from one corner to the opposite one, and what it is made of; none: the thing's.
@@ -51,9 +49,8 @@ Scene of_parts(const std::vector<Block>& blocks, const Transform& at = {}, const
     if (!materials.contains(b.material)) materials[b.material] = *scene.add_material(*b.material);
     shape.parts.back().material = materials[b.material];
   }
-  const auto compound = scene.add_shape(shape);
-  EXPECT_TRUE(compound) << compound.error().text();
-  EXPECT_TRUE(scene.add({.shape = *compound, .transform = at, .material = tin, .motion = motion}));
+  const auto compound = must(scene.add_shape(shape));
+  EXPECT_TRUE(scene.add({.shape = compound, .transform = at, .material = tin, .motion = motion}));
   return scene;
 }
 /// Each block a thing of its own, at the same places.
@@ -367,13 +364,11 @@ TEST(SceneParts, are_held_by_saves_snapshots_and_recordings) {
   static_cast<void>(run_for(other, 0.3, kStep));
   EXPECT_EQ(other.hash(), whole.hash());
   ASSERT_TRUE(other.stop_recording());
-  const auto report = replay(recording);
-  ASSERT_TRUE(report) << report.error().text();
-  EXPECT_TRUE(report->complete && !report->difference);
-  auto loaded = World::load(save);
-  ASSERT_TRUE(loaded) << loaded.error().text();
-  static_cast<void>(run_for(*loaded, 0.3, kStep));
-  EXPECT_EQ(loaded->hash(), whole.hash());
+  const auto report = must(replay(recording));
+  EXPECT_TRUE(report.complete && !report.difference);
+  auto loaded = must(World::load(save));
+  static_cast<void>(run_for(loaded, 0.3, kStep));
+  EXPECT_EQ(loaded.hash(), whole.hash());
   ASSERT_TRUE(other.restore(snapshot));
   static_cast<void>(run_for(other, 0.3, kStep));
   EXPECT_EQ(other.hash(), whole.hash());

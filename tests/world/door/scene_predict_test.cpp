@@ -41,8 +41,7 @@ TEST(ScenePredict, predictions_meet_things_as_the_world_then_does_to_the_bit) {
   for (const bool pushed : {false, true}) {
     WorldDef def;
     def.ground.mode = GroundMode::none;
-    World world = make_world(def);
-    ASSERT_TRUE(world.set_scene(playground()));
+    World world = make_world(def, playground());
     if (pushed) {
       ASSERT_TRUE(world.add_force({.law = ConstantForce{{0, 0.02, 0.01}}, .target = ForceTarget::everything()}));
     }
@@ -64,9 +63,8 @@ TEST(ScenePredict, predictions_meet_things_as_the_world_then_does_to_the_bit) {
       launch.elevation = r.in(-0.5, 0.8);
       launch.azimuth = r.in(-0.4, 0.4);
       if (i % 4 == 2) launch.spin = {.backspin = 100, .sidespin = 40};
-      const auto id = world.spawn(p, launch, body);
-      ASSERT_TRUE(id) << id.error().text();
-      ids.push_back(*id);
+      const auto id = must(world.spawn(p, launch, body));
+      ids.push_back(id);
     }
     for (int part = 0; part < 4; ++part) {
       std::map<ProjectileId, Flight> flights;

@@ -30,11 +30,7 @@ InstanceId put(Scene& scene, const ShapeDef& shape, const Vec3d& at, const Mater
                      .motion = motion});
 }
 
-World world_with(const Scene& scene, const WorldDef& def = nothing_but_things()) {
-  World world = make_world(def);
-  EXPECT_TRUE(world.set_scene(scene));
-  return world;
-}
+World world_with(const Scene& scene, const WorldDef& def = nothing_but_things()) { return make_world(def, scene); }
 
 std::size_t count(const std::vector<Event>& events, EventKind kind) {
   return static_cast<std::size_t>(

@@ -38,8 +38,7 @@ TEST(SceneWorld, elastic_bounces_in_a_room_follow_the_closed_form) {
     for (const double speed : {10.0, 100.0, 300.0})
       for (const double radius : {0.0, 0.11}) {
         WorldDef def = no_ground();
-        World world = make_world(def);
-        ASSERT_TRUE(world.set_scene(scene));
+        World world = make_world(def, scene);
         ProjectileDef p = stone();
         p.fidelity.precision = precision;
         BodyDef body;
@@ -77,8 +76,7 @@ TEST(SceneWorld, a_ball_on_a_plane_bounces_as_on_the_ground) {
     WorldDef def;
     def.ground.mode = GroundMode::bounce;
     World on_ground = make_world(def);
-    World on_plane = make_world(no_ground());
-    ASSERT_TRUE(on_plane.set_scene(scene));
+    World on_plane = make_world(no_ground(), scene);
     ProjectileDef p = stone();
     p.fidelity.integrator = integrator;
     BodyDef body;
@@ -107,8 +105,7 @@ TEST(SceneWorld, every_preset_meets_a_plane_where_it_would_land) {
     WorldDef def;
     World landing = make_world(def);
     def.ground.mode = GroundMode::none;
-    World meeting = make_world(def);
-    ASSERT_TRUE(meeting.set_scene(scene));
+    World meeting = make_world(def, scene);
     ProjectileDef p = bullet();
     p.fidelity = fidelity;
     const Launch launch{.position = {0, 1.5, 0}, .speed = 300, .elevation = 0.002};
@@ -138,8 +135,7 @@ TEST(SceneWorld, what_meets_nothing_flies_as_without_a_scene) {
                                    Fidelity::small_arms(), Fidelity::artillery()}) {
     WorldDef def = no_ground();
     def.environment.atmosphere.model = AirModel::isa;
-    World with = make_world(def), without = make_world(def);
-    ASSERT_TRUE(with.set_scene(scene));
+    World with = make_world(def, scene), without = make_world(def);
     ProjectileDef p = bullet();
     p.fidelity = fidelity;
     std::vector<ProjectileId> ids;
@@ -166,8 +162,7 @@ TEST(SceneWorld, projectiles_do_what_their_kind_says) {
                                       .transform = {.position = {10, 0, 0}},
                                       .material = steel,
                                       .layers = 2});
-  World world = make_world(no_ground());
-  ASSERT_TRUE(world.set_scene(scene));
+  World world = make_world(no_ground(), scene);
   const auto fire = [&](const CollisionDef& collision) {
     BodyDef body;
     body.collision = collision;
@@ -203,8 +198,7 @@ TEST(SceneWorld, what_is_passed_is_told_with_the_time_of_the_closed_form) {
   const InstanceId solid = *scene.add({.shape = box, .transform = {.position = {5, 0, 0}}});
   const InstanceId sensor = *scene.add({.shape = box, .transform = {.position = {15, 0, 0}}, .sensor = true});
   for (const OnHit on_hit : {OnHit::pass, OnHit::stop}) {
-    World world = make_world(no_ground());
-    ASSERT_TRUE(world.set_scene(scene));
+    World world = make_world(no_ground(), scene);
     BodyDef body;
     body.collision.on_hit = on_hit;
     const double beyond = on_hit == OnHit::pass ? 0 : 7;  // starts behind the box that would stop it
@@ -258,8 +252,7 @@ TEST(SceneWorld, nothing_tunnels_and_nothing_is_hit_that_was_missed) {
         ASSERT_TRUE(scene.add({.shape = *scene.add_shape(sheet.shape), .transform = {.position = middle}}));
         WorldDef def = no_ground();
         def.environment.atmosphere.model = AirModel::isa;
-        World world = make_world(def);
-        ASSERT_TRUE(world.set_scene(scene));
+        World world = make_world(def, scene);
         ProjectileDef p = bullet();
         p.fidelity = fidelity;
         p.fidelity.precision = precision;
@@ -297,8 +290,7 @@ TEST(SceneWorld, rounding_that_adds_up_from_step_to_step_carries_nothing_through
       Scene scene;
       ASSERT_TRUE(
           scene.add({.shape = *scene.add_shape(BoxShape{{0.0005, 1, 1}}), .transform = {.position = {kFar, 0, 0}}}));
-      World world = make_world(no_ground());
-      ASSERT_TRUE(world.set_scene(scene));
+      World world = make_world(no_ground(), scene);
       ProjectileDef p = bullet();
       p.fidelity = fidelity;
       p.fidelity.precision = Precision::float32;
@@ -322,8 +314,7 @@ TEST(SceneWorld, a_block_slides_down_a_slope_as_friction_lets_it) {
     ASSERT_TRUE(scene.add({.shape = *scene.add_shape(PlaneShape{}),
                            .transform = {.rotation = {std::cos(kSlope / 2), 0, 0, -std::sin(kSlope / 2)}},
                            .material = ice}));
-    World world = make_world(no_ground());
-    ASSERT_TRUE(world.set_scene(scene));
+    World world = make_world(no_ground(), scene);
     BodyDef body;
     body.restitution = 0;
     body.rolling_resistance = resistance;
@@ -343,8 +334,7 @@ TEST(SceneWorld, a_block_slides_down_a_slope_as_friction_lets_it) {
 TEST(SceneWorld, a_wall_that_goes_wakes_what_leans_on_it) {
   Scene scene;
   const InstanceId table = *scene.add({.shape = *scene.add_shape(BoxShape{{1, 0.1, 1}})});
-  World world = make_world(no_ground());
-  ASSERT_TRUE(world.set_scene(scene));
+  World world = make_world(no_ground(), scene);
   BodyDef body;
   body.restitution = 0.2;
   body.collision = {.on_hit = OnHit::bounce, .radius = 0.05};
@@ -369,8 +359,7 @@ TEST(SceneWorld, a_wall_that_goes_wakes_what_leans_on_it) {
 TEST(SceneWorld, a_start_inside_of_something_is_told) {
   Scene scene;
   ASSERT_TRUE(scene.add({.shape = *scene.add_shape(BoxShape{{1, 1, 1}})}));
-  World world = make_world(no_ground());
-  ASSERT_TRUE(world.set_scene(scene));
+  World world = make_world(no_ground(), scene);
   BodyDef body;
   body.collision.on_hit = OnHit::bounce;
   const ProjectileId id = *world.spawn(stone(), {.position = {0.5, 0, 0}, .speed = 50}, body);
@@ -387,8 +376,7 @@ TEST(SceneWorld, what_leaves_all_numbers_beside_a_thing_is_retired) {
   for (const Precision precision : {Precision::float32, Precision::float64}) {
     WorldDef def;
     def.ground.mode = GroundMode::none;
-    World world = make_world(def);
-    ASSERT_TRUE(world.set_scene(room({50, 50, 50}, {.restitution = 1, .friction = 0})));
+    World world = make_world(def, room({50, 50, 50}, {.restitution = 1, .friction = 0}));
     ProjectileDef p = stone();
     p.fidelity = Fidelity::game();
     p.fidelity.precision = precision;
@@ -396,16 +384,14 @@ TEST(SceneWorld, what_leaves_all_numbers_beside_a_thing_is_retired) {
     p.mass = 1e-3;
     BodyDef body;
     body.collision = {.on_hit = OnHit::bounce, .radius = 0.1};
-    const auto kind = world.add_kind(p, body);
-    ASSERT_TRUE(kind) << kind.error().text();
-    const auto id = world.spawn(*kind, {.velocity = Vec3d{3, 0, 0}});
-    ASSERT_TRUE(id) << id.error().text();
+    const auto kind = must(world.add_kind(p, body));
+    const auto id = must(world.spawn(kind, {.velocity = Vec3d{3, 0, 0}}));
     const auto pushes = [](const ForceBatch& b) {
       for (std::size_t i = 0; i < b.force.size(); ++i) b.force[i] = {b.time > 0.5 ? 1e308 : 0, 0, 0};
     };
     ASSERT_TRUE(world.add_force({.law = CustomForce{pushes}, .target = ForceTarget::everything()}));
-    for (int step = 0; step < 200 && world[*id].is_alive(); ++step) world.step(1.0 / 60);
-    EXPECT_FALSE(world[*id].is_alive());
+    for (int step = 0; step < 200 && world[id].is_alive(); ++step) world.step(1.0 / 60);
+    EXPECT_FALSE(world[id].is_alive());
   }
 }
 
@@ -414,8 +400,7 @@ TEST(SceneWorld, threads_and_kernels_change_nothing) {
   for (const unsigned threads : {1u, 2u, 7u}) {
     WorldDef def = no_ground();
     def.threading = {.threads = threads, .rows_per_thread = 64};
-    World world = make_world(def);
-    ASSERT_TRUE(world.set_scene(room({5, 3, 4}, {.restitution = 0.9, .friction = 0.3})));
+    World world = make_world(def, room({5, 3, 4}, {.restitution = 0.9, .friction = 0.3}));
     Random r(3);
     for (int i = 0; i < 300; ++i) {
       ProjectileDef p = bullet();

@@ -23,17 +23,9 @@ LoadOptions with_functions(std::size_t count = 1000) {
   return options;
 }
 
-Bytes save_of(const World& world) {
-  auto saved = world.save();
-  if (!saved) ADD_FAILURE() << saved.error().text();
-  return saved ? std::move(*saved) : Bytes();
-}
+Bytes save_of(const World& world) { return must(world.save()); }
 
-World load(const Bytes& save, const LoadOptions& options = {}) {
-  auto loaded = World::load(save, options);
-  if (!loaded) ADD_FAILURE() << loaded.error().text();
-  return loaded ? std::move(*loaded) : World();
-}
+World load(const Bytes& save, const LoadOptions& options = {}) { return must(World::load(save, options)); }
 
 void expect_same(const World& a, const World& b) {
   ASSERT_EQ(a.hash(), b.hash());
@@ -182,9 +174,8 @@ TEST(Save, a_recording_may_begin_at_one) {
     for (int i = 0; i < 500; ++i) session.act();
     const std::uint64_t hash = world.hash();
     ASSERT_TRUE(world.stop_recording());
-    auto opened = Replay::open(bytes, with_functions());
-    ASSERT_TRUE(opened) << opened.error().text();
-    Replay& player = *opened;
+    auto opened = must(Replay::open(bytes, with_functions()));
+    Replay& player = opened;
     while (player.next()) continue;
     ASSERT_FALSE(player.report().difference)
         << player.report().difference->call << ": " << player.report().difference->what;
@@ -245,9 +236,8 @@ TEST(Save, of_another_version_is_read_and_named_where_it_makes_no_sense) {
   ASSERT_TRUE(world.spawn(stone(), {.position = {0, 9, 0}}));
   Bytes save = save_of(world);
   save[kVersionPlace] = std::byte{'7'};
-  const auto loaded = World::load(with_sum(save));
-  ASSERT_TRUE(loaded) << loaded.error().text();
-  expect_same(*loaded, world);
+  const auto loaded = must(World::load(with_sum(save)));
+  expect_same(loaded, world);
   save[save.size() - 9] = std::byte{0xff};  // the last of its content: a list that is longer than what follows
   const std::string why = ": PhySim 7" + std::string(kVersion).substr(1) + " wrote it, and this is PhySim " + kVersion;
   EXPECT_EQ(World::load(with_sum(save)).error().message, "its bytes make no sense" + why);

@@ -19,8 +19,7 @@ BodyDef asks(double radius = 0) {
 
 /// A room in which some ask what happens.
 World asking_room(const HitFunction& function = answer_by_place) {
-  World world = make_world(in_the_open());
-  EXPECT_TRUE(world.set_scene(room({5, 3, 4}, {.restitution = 0.8, .friction = 0.3})));
+  World world = make_world(in_the_open(), room({5, 3, 4}, {.restitution = 0.8, .friction = 0.3}));
   EXPECT_TRUE(world.set_hit_function(function));
   return world;
 }
@@ -154,11 +153,10 @@ TEST(AskHitsDoors, saves_and_snapshots_go_on_the_same) {
   const auto refused = World::load(save);
   ASSERT_FALSE(refused);
   EXPECT_EQ(refused.error().place, "hit_function");
-  auto loaded = World::load(save, {.hit_function = answer_by_place});
-  ASSERT_TRUE(loaded) << loaded.error().text();
-  EXPECT_EQ(*loaded->save(), save);
-  for (int i = 0; i < 40; ++i) world.step(1.0 / 60), loaded->step(1.0 / 60);
-  EXPECT_EQ(loaded->hash(), world.hash());
+  auto loaded = must(World::load(save, {.hit_function = answer_by_place}));
+  EXPECT_EQ(*loaded.save(), save);
+  for (int i = 0; i < 40; ++i) world.step(1.0 / 60), loaded.step(1.0 / 60);
+  EXPECT_EQ(loaded.hash(), world.hash());
   const std::uint64_t then = world.hash();
   ASSERT_TRUE(world.restore(moment));
   for (int i = 0; i < 40; ++i) world.step(1.0 / 60);
@@ -210,11 +208,10 @@ TEST(AskHitsDoors, a_replay_has_the_answers) {
     for (int i = 0; i < 10; ++i) recorded.step(1.0 / 60);
     ASSERT_TRUE(recorded.stop_recording());
     EXPECT_GT(recorded.hit_counts().refused, 0u);
-    const auto report = replay(recording);
-    ASSERT_TRUE(report) << report.error().text();
-    EXPECT_TRUE(report->complete);
-    EXPECT_EQ(report->hashes, 50u);
-    if (report->difference) ADD_FAILURE() << report->difference->call << ": " << report->difference->what;
+    const auto report = must(replay(recording));
+    EXPECT_TRUE(report.complete);
+    EXPECT_EQ(report.hashes, 50u);
+    if (report.difference) ADD_FAILURE() << report.difference->call << ": " << report.difference->what;
   }
 }
 
@@ -242,16 +239,13 @@ TEST(AskHitsDoors, random_sessions_replay_and_go_on) {
     options.custom_forces.assign(1000, {[](const ForceBatch& b) {
                                    for (std::size_t i = 0; i < b.id.size(); ++i) b.force[i].y += b.mass[i] * 3;
                                  }});
-    const auto report = replay(recording, options);
-    ASSERT_TRUE(report) << report.error().text();
-    EXPECT_TRUE(report->complete);
-    if (report->difference)
-      ADD_FAILURE() << seed << ", " << report->difference->call << ": " << report->difference->what;
+    const auto report = must(replay(recording, options));
+    EXPECT_TRUE(report.complete);
+    if (report.difference) ADD_FAILURE() << seed << ", " << report.difference->call << ": " << report.difference->what;
     options.hit_function = test::answer_somehow;
-    auto loaded = World::load(*world.save(), options);
-    ASSERT_TRUE(loaded) << loaded.error().text();
-    for (int i = 0; i < 30; ++i) world.single_step(), loaded->single_step();
-    EXPECT_EQ(loaded->hash(), world.hash()) << seed;
+    auto loaded = reloaded(world, options);
+    for (int i = 0; i < 30; ++i) world.single_step(), loaded.single_step();
+    EXPECT_EQ(loaded.hash(), world.hash()) << seed;
   }
   EXPECT_GT(asked, 100u);
 }

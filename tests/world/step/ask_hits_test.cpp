@@ -143,8 +143,7 @@ TEST(AskHits, a_step_asks_in_rounds_in_order_of_time) {
   for (const double side : {1.5, -1.5}) put(scene, BoxShape{{0.5, 50, 50}}, {side, 0, 0}, elastic);
   WorldDef def = in_the_open();
   def.environment.gravity.model = GravityModel::off;
-  World world = make_world(def);
-  ASSERT_TRUE(world.set_scene(scene));
+  World world = make_world(def, scene);
   std::vector<std::vector<HitQuestion>> calls;
   ASSERT_TRUE(world.set_hit_function([&](const HitBatch& batch) {
     calls.emplace_back(batch.questions.begin(), batch.questions.end());
@@ -193,8 +192,7 @@ TEST(AskHits, threads_change_no_bit_and_no_question) {
   std::vector<HitQuestion> asked[2];
   const unsigned threads[2] = {1, 3};
   for (int i = 0; i < 2; ++i) {
-    World world = make_world(in_the_open(threads[i]));
-    ASSERT_TRUE(world.set_scene(crowded_room()));
+    World world = make_world(in_the_open(threads[i]), crowded_room());
     const std::thread::id stepping = std::this_thread::get_id();
     ASSERT_TRUE(world.set_hit_function([&, i](const HitBatch& batch) {
       EXPECT_EQ(std::this_thread::get_id(), stepping);
@@ -225,8 +223,7 @@ TEST(AskHits, a_velocity_of_ones_own_goes_through) {
     const InstanceId plank = put(scene, BoxShape{{0.05, 2, 2}}, {10, 0, 0});
     WorldDef def = in_the_open();
     def.environment.gravity.model = GravityModel::off;
-    World world = make_world(def);
-    ASSERT_TRUE(world.set_scene(scene));
+    World world = make_world(def, scene);
     HitQuestion asked;
     ASSERT_TRUE(world.set_hit_function([&](const HitBatch& batch) {
       asked = batch.questions[0];
@@ -261,8 +258,7 @@ TEST(AskHits, a_velocity_of_ones_own_bounces) {
   ASSERT_TRUE(scene.add({.shape = *scene.add_shape(BoxShape{{0.5, 50, 50}}),
                          .transform = {.position = {10.5, 0, 0}},
                          .motion = SteadyMotion{.velocity = {-10, 0, 0}}}));
-  World world = make_world(in_the_open());
-  ASSERT_TRUE(world.set_scene(scene));
+  World world = make_world(in_the_open(), scene);
   ASSERT_TRUE(world.set_hit_function([&](const HitBatch& batch) {
     EXPECT_EQ(batch.questions[0].surface_velocity, (Vec3d{-10, 0, 0}));
     batch.answers[0] = {OnHit::bounce, Vec3d{-40, 20, 5}};
@@ -285,8 +281,7 @@ TEST(AskHits, a_velocity_of_ones_own_bounces) {
 TEST(AskHits, a_velocity_along_the_surface_slides) {
   Scene scene;
   put(scene, BoxShape{{50, 1, 50}}, {0, -1, 0}, *scene.add_material({.restitution = 0.5, .friction = 0}));
-  World world = make_world(in_the_open());
-  ASSERT_TRUE(world.set_scene(scene));
+  World world = make_world(in_the_open(), scene);
   ASSERT_TRUE(world.set_hit_function([&](const HitBatch& batch) {
     Vec3d along = batch.questions[0].velocity;
     along.y = 0;
@@ -306,8 +301,7 @@ TEST(AskHits, a_velocity_along_the_surface_slides) {
 TEST(AskHits, what_passes_meets_what_stands_behind) {
   Scene scene;
   for (int i = 0; i < 5; ++i) put(scene, BoxShape{{0.05, 2, 2}}, {10.0 + 0.1 * i, 0, 0});  // they touch
-  World world = make_world(in_the_open());
-  ASSERT_TRUE(world.set_scene(scene));
+  World world = make_world(in_the_open(), scene);
   int calls = 0;
   ASSERT_TRUE(world.set_hit_function([&](const HitBatch& batch) {
     ++calls;

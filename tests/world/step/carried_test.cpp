@@ -32,8 +32,7 @@ OnDisc on_disc(double turns, double friction, const BodyDef& body, const Vec3d& 
                          .transform = {.position = {0, -0.25, 0}},
                          .material = made_of,
                          .motion = SteadyMotion{.angular_velocity = {0, turns, 0}}}));
-  World world = make_world(space());
-  EXPECT_TRUE(world.set_scene(scene));
+  World world = make_world(space(), scene);
   const ProjectileId id =
       *world.spawn(puck(), {.position = {0.5, body.collision.radius + 1e-10, 0}, .velocity = velocity}, body);
   run_for(world, seconds, 1 / rate);
@@ -83,8 +82,7 @@ TEST(Carried, what_slides_or_rolls_on_a_plank_that_tilts_follows_the_equation_of
       ASSERT_TRUE(scene.add({.shape = *scene.add_shape(plank),
                              .material = made_of,
                              .motion = SteadyMotion{.angular_velocity = {0, 0, w}}}));
-      World world = make_world(space());
-      ASSERT_TRUE(world.set_scene(scene));
+      World world = make_world(space(), scene);
       BodyDef body = bouncing(radius, 0, 1);
       if (k > 0) body.angular_velocity = {0, 0, w - speed / radius};
       const ProjectileId id = *world.spawn(
@@ -112,8 +110,7 @@ TEST(Carried, what_lies_on_a_train_slides_from_the_moment_at_which_it_stops_or_s
                                    {.time = to, .position = {speed * (to - from), -0.5, 0}}}};
         ASSERT_TRUE(
             scene.add({.shape = *scene.add_shape(BoxShape{{80, 0.5, 5}}), .material = made_of, .motion = train}));
-        World world = make_world(space());
-        ASSERT_TRUE(world.set_scene(scene));
+        World world = make_world(space(), scene);
         const ProjectileId id = *world.spawn(
             puck(), {.position = {0, 1e-10, 0}, .velocity = Vec3d{stops ? speed : 0, 0, 0}}, bouncing(0, 0, friction));
         run_for(world, 2.5, 1 / rate);
@@ -155,8 +152,7 @@ TEST(Carried, a_point_that_slides_over_an_edge_falls_from_there) {
                                .transform = {.position = {edge - 5, -0.5, 0}},
                                .material = made_of,
                                .motion = SteadyMotion{.velocity = {0, rises, 0}}}));
-        World world = make_world(space());
-        ASSERT_TRUE(world.set_scene(scene));
+        World world = make_world(space(), scene);
         const double friction = rough ? 0.1 : 0, slows = friction * kG;
         const ProjectileId id = *world.spawn(puck(), {.position = {0, 1e-10, 0}, .velocity = Vec3d{speed, rises, 0}},
                                              bouncing(0, 0, friction));
@@ -241,8 +237,7 @@ TEST(Carried, a_sensor_reports_what_slides_on_a_lift_in_its_time) {
                            .motion = SteadyMotion{.velocity = {0, 1, 0}}}));
     ASSERT_TRUE(scene.add(
         {.shape = *scene.add_shape(BoxShape{{0.5, 9, 9}}), .transform = {.position = {1.5, 0, 0}}, .sensor = true}));
-    World world = make_world(space());
-    ASSERT_TRUE(world.set_scene(scene));
+    World world = make_world(space(), scene);
     ASSERT_TRUE(world.spawn(puck(), {.position = {0, 1e-10, 0}, .velocity = Vec3d{speed, 1, 0}}, bouncing(0, 0, 0.5)));
     const std::vector<Event> all = run_for(world, 1, 1 / rate);
     const auto when = [&](double x) { return (speed - std::sqrt(speed * speed - 2 * slows * x)) / slows; };
@@ -294,8 +289,7 @@ TEST(Carried, a_wedge_lifts_what_does_not_move_along_its_way) {
            .transform = {.position = normal * -half, .rotation = quat_from_axis_angle(Vec3d{0, 0, -1}, slope)},
            .material = smooth,
            .motion = SteadyMotion{.velocity = {speed, 0, 0}}}));
-      World world = make_world(space());
-      ASSERT_TRUE(world.set_scene(scene));
+      World world = make_world(space(), scene);
       BodyDef body = bouncing(radius, 0, 0);
       body.frozen = Axes::x;
       const Vec3d place{0, radius / std::cos(slope) + 1e-10, 0}, rises{0, speed * std::tan(slope), 0};
@@ -319,8 +313,7 @@ TEST(Carried, a_plate_that_turns_fast_presses_and_is_followed_in_parts_of_its_tu
         for (const double z : {-9.0, 9.0}) plate.points.push_back({x, y, z});
     ASSERT_TRUE(scene.add(
         {.shape = *scene.add_shape(plate), .material = smooth, .motion = SteadyMotion{.angular_velocity = {0, 0, w}}}));
-    World world = make_world(in_the_open());
-    ASSERT_TRUE(world.set_scene(scene));
+    World world = make_world(in_the_open(), scene);
     const ProjectileId id = *world.spawn(
         puck(), {.position = {start, radius + 1e-10, 0}, .velocity = Vec3d{speed - w * radius, w * start, 0}},
         bouncing(radius, 0, 0));

@@ -30,11 +30,7 @@ BodyDef body_of(double radius, double restitution, double friction) {
   return body;
 }
 
-World world_with(const Scene& scene) {
-  World world = make_world(falling());
-  EXPECT_TRUE(world.set_scene(scene));
-  return world;
-}
+World world_with(const Scene& scene) { return make_world(falling(), scene); }
 
 Quatd turned_about_z(double angle) { return {std::cos(angle / 2), 0, 0, std::sin(angle / 2)}; }
 

@@ -66,8 +66,7 @@ TEST(Conveyor, takes_points_along_at_any_frame_rate) {
 /// A solid ball is turned by the belt until it rolls on it, at 2/7 of its speed: slower than what cannot turn.
 TEST(Conveyor, turns_balls_until_they_roll_on_it) {
   for (const double rate : kRates) {
-    World world = make_world(space());
-    ASSERT_TRUE(world.set_scene(belt({kBelt, 0, 0})));
+    World world = make_world(space(), belt({kBelt, 0, 0}));
     const ProjectileId free = *world.spawn(parcel(), {.position = {0, 0.1, 0}}, laid(0.1));
     BodyDef held = laid(0.1);
     held.frozen_rotation = Axes::all;
@@ -108,8 +107,7 @@ TEST(Conveyor, pulls_at_what_bounces) {
 TEST(Conveyor, runs_along_the_surface_of_a_thing_that_is_turned) {
   const double angle = 30 * test::kDegree;
   for (const Vec3d& velocity : {Vec3d{kBelt, 0, 0}, Vec3d{kBelt, 7, 0}}) {
-    World world = make_world(space());
-    ASSERT_TRUE(world.set_scene(belt(velocity, about_z(angle))));
+    World world = make_world(space(), belt(velocity, about_z(angle)));
     const ProjectileId id = *world.spawn(parcel(), {}, laid(0, 1));
     run_for(world, 2, 1.0 / 60);
     const Vec3d up{std::cos(angle), std::sin(angle), 0};
@@ -132,8 +130,7 @@ TEST(Conveyor, moves_with_its_thing) {
     InstanceDef def = belt_in(scene, {kBelt, 0, 0});
     def.motion = SteadyMotion{.velocity = {train, 0, 0}};
     ASSERT_TRUE(scene.add(def));
-    World world = make_world(space());
-    ASSERT_TRUE(world.set_scene(scene));
+    World world = make_world(space(), scene);
     const ProjectileId id = *world.spawn(parcel(), {.velocity = Vec3d{train, 0, 0}}, laid());
     run_for(world, 2, 1.0 / 60);
     EXPECT_NEAR(world[id].velocity().x, train + kBelt, 1e-9) << train;
@@ -144,8 +141,7 @@ TEST(Conveyor, moves_with_its_thing) {
 /// What comes to the end of a belt falls off it with the speed of the belt.
 TEST(Conveyor, throws_what_it_carries_off_its_end) {
   for (const double radius : {0.0, 0.1}) {
-    World world = make_world(space());
-    ASSERT_TRUE(world.set_scene(belt({kBelt, 0, 0}, {}, 3)));
+    World world = make_world(space(), belt({kBelt, 0, 0}, {}, 3));
     BodyDef body = laid(radius, 1);
     if (radius > 0) body.frozen_rotation = Axes::all;
     const ProjectileId id = *world.spawn(parcel(), {.position = {0, radius, 0}, .velocity = Vec3d{kBelt, 0, 0}}, body);
@@ -157,8 +153,7 @@ TEST(Conveyor, throws_what_it_carries_off_its_end) {
 
 /// What lies on a belt does not sleep, however slow it is; what slept wakes when the belt starts, and stops after it.
 TEST(Conveyor, starts_and_stops_by_a_call) {
-  World world = make_world(space());
-  ASSERT_TRUE(world.set_scene(belt({})));
+  World world = make_world(space(), belt({}));
   const ProjectileId id = *world.spawn(parcel(), {}, laid());
   run_for(world, 2, 1.0 / 60);
   EXPECT_TRUE(world[id].is_asleep());
@@ -186,8 +181,7 @@ TEST(Conveyor, starts_and_stops_by_a_call) {
 
 /// A ball that is pushed by another one on a belt, both carried.
 TEST(Conveyor, acts_in_meetings) {
-  World world = make_world(space());
-  ASSERT_TRUE(world.set_scene(belt({kBelt, 0, 0})));
+  World world = make_world(space(), belt({kBelt, 0, 0}));
   BodyDef body = laid(0.1, 0.5);
   body.frozen_rotation = Axes::all;
   body.collision.others = 1;
@@ -242,18 +236,14 @@ TEST(Conveyor, is_kept_by_snapshots_saves_and_recordings) {
   EXPECT_NE(world.hash(), before);
   run_for(world, 2, 1.0 / 60);
   EXPECT_NEAR(world[id].velocity().x, -kBelt, 1e-9);
-  Result<World> loaded = World::load(*world.save());
-  ASSERT_TRUE(loaded) << loaded.error().text();
-  EXPECT_EQ(loaded->hash(), world.hash());
-  EXPECT_EQ(loaded->scene()->instance({1, 1})->conveyor.velocity, (Vec3d{-kBelt, 0, 0}));
+  World loaded = reloaded(world);
+  EXPECT_EQ(loaded.hash(), world.hash());
+  EXPECT_EQ(loaded.scene()->instance({1, 1})->conveyor.velocity, (Vec3d{-kBelt, 0, 0}));
   ASSERT_TRUE(world.restore(moment));
   EXPECT_EQ(world.hash(), before);
   run_for(world, 2, 1.0 / 60);
   EXPECT_NEAR(world[id].velocity().x, kBelt, 1e-9);
-  ASSERT_TRUE(world.stop_recording());
-  const auto report = replay(recording);
-  ASSERT_TRUE(report) << report.error().text();
-  EXPECT_FALSE(report->difference) << report->difference->what;
+  replayed(world, recording);
 }
 
 }  // namespace world_conveyor_test

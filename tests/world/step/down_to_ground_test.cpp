@@ -54,8 +54,7 @@ constexpr Slider kSliders[] = {
 TEST(DownToGround, what_comes_down_a_slope_goes_on_over_the_ground_from_that_moment) {
   for (const Slider& who : kSliders)
     for (const double rate : kRates) {
-      World world = make_world(on_ground(GroundMode::bounce));
-      ASSERT_TRUE(world.set_scene(chute(who.radius)));
+      World world = make_world(on_ground(GroundMode::bounce), chute(who.radius));
       const ProjectileId id = *world.spawn(puck(), {.position = {0, kFall + 1e-10, 0}, .velocity = Vec3d{}},
                                            bouncing(who.radius, 0, who.friction));
       const Arrival comes = arrival(who.part);
@@ -76,8 +75,7 @@ TEST(DownToGround, it_bounces_off_the_ground_with_the_energy_that_it_came_with) 
   for (const Precision precision : {Precision::float64, Precision::float32})
     for (const Slider& who : kSliders)
       for (const double rate : kRates) {
-        World world = make_world(on_ground(GroundMode::bounce, 1));
-        ASSERT_TRUE(world.set_scene(chute(who.radius)));
+        World world = make_world(on_ground(GroundMode::bounce, 1), chute(who.radius));
         const ProjectileId id = *world.spawn(puck(precision), {.position = {0, kFall + 1e-6, 0}, .velocity = Vec3d{}},
                                              bouncing(who.radius, 1, who.friction));
         const double rounding = precision == Precision::float32 ? 1e-4 : 1e-6;
@@ -121,8 +119,7 @@ TEST(DownToGround, it_lands_or_sticks_at_the_moment_at_which_it_comes_down_in_wo
     const BodyDef body = bouncing(who.radius, 0, who.friction);
     for (const GroundMode mode : {GroundMode::land, GroundMode::stick})
       for (const double rate : kRates) {
-        World world = make_world(on_ground(mode));
-        ASSERT_TRUE(world.set_scene(scene));
+        World world = make_world(on_ground(mode), scene);
         const ProjectileId id = *world.spawn(puck(), launch, body);
         const Flight predicted = world.predict(id, Until{.ground = 0.0, .time = 2}, 1 / rate);
         EXPECT_NEAR(predicted.duration(), comes.time, 1e-7) << who.part << ' ' << rate;

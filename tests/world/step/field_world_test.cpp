@@ -247,11 +247,10 @@ TEST(FieldWorld, zeros_and_rungs_are_found_for_the_time_of_the_launch) {
   lifting.force = [](const FieldForceBatch& b) {
     for (std::size_t i = 0; i < b.time.size(); ++i) b.force[i] = {0, 9 * b.mass[i], 0};
   };
-  const auto elevation = zero_elevation(p, launch, lifting, p.fidelity, 400);
-  ASSERT_TRUE(elevation);
+  const auto elevation = must(zero_elevation(p, launch, lifting, p.fidelity, 400));
   for (const ProjectileId id : {now, pending}) {
     const Vec3d v = world[id].velocity();
-    EXPECT_NEAR(std::atan2(v.y, v.x), *elevation, 1e-9);
+    EXPECT_NEAR(std::atan2(v.y, v.x), elevation, 1e-9);
   }
   World chosen = make_world(open_world(pushing_from(2, {0, 0, 30})));
   const auto motion_of = [&] {
@@ -388,9 +387,8 @@ TEST(FieldWorld, saves_need_their_functions) {
     ASSERT_FALSE(refused);
     EXPECT_EQ(refused.error().place, missing);
   }
-  auto loaded = World::load(save, with_fields());
-  ASSERT_TRUE(loaded) << loaded.error().text();
-  World again = std::move(*loaded);
+  auto loaded = must(World::load(save, with_fields()));
+  World again = std::move(loaded);
   EXPECT_EQ(*again.save(), save);
   for (int i = 0; i < 60; ++i) {
     ASSERT_EQ(world.hash(), again.hash()) << i;
@@ -417,10 +415,9 @@ TEST(FieldWorld, replays_need_them_in_the_order_in_which_they_came) {
     EXPECT_EQ(refused.error().place, "wind_fields");
     ReplayOptions all = with_fields();
     all.wind_fields.push_back(gusts(5));
-    const auto report = replay(bytes, all);
-    ASSERT_TRUE(report) << report.error().text();
-    EXPECT_FALSE(report->difference);
-    EXPECT_EQ(report->steps, 40u);
+    const auto report = must(replay(bytes, all));
+    EXPECT_FALSE(report.difference);
+    EXPECT_EQ(report.steps, 40u);
     std::swap(all.wind_fields[0], all.wind_fields[1]);
     EXPECT_TRUE(replay(bytes, all)->difference);
   }

@@ -168,8 +168,7 @@ TEST(FirstOrder, what_skims_a_round_thing_gains_no_energy) {
       ProjectileDef p{.mass = 0.7, .diameter = 2 * kRadius};
       p.fidelity = rung;
       p.fidelity.drag = DragModel::off;
-      World world = make_world(open_world());
-      ASSERT_TRUE(world.set_scene(scene));
+      World world = make_world(open_world(), scene);
       BodyDef body;
       body.collision = {.on_hit = OnHit::bounce, .radius = kRadius};
       body.restitution = 0, body.friction = 0;

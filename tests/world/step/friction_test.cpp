@@ -60,8 +60,7 @@ TEST(Friction, points_and_balls_that_may_not_turn_slide_to_rest_on_things) {
   const double right = 25 / (2 * 0.5 * kG);
   for (const double radius : {0.0, 0.1})
     for (const double rate : kRates) {
-      World world = make_world(space());
-      ASSERT_TRUE(world.set_scene(slope_of(0)));
+      World world = make_world(space(), slope_of(0));
       const ProjectileId id =
           *world.spawn(puck(), {.position = {0, radius, 0}, .velocity = Vec3d{5, 0, 0}}, sliding(0.5, radius));
       run_for(world, 3, 1 / rate);
@@ -80,8 +79,7 @@ TEST(Friction, slopes_hold_what_friction_can_hold) {
                falls = kG * (std::sin(angle) - mu * std::cos(angle));
   const double top = 25 / (2 * rises), time = 5 / rises + std::sqrt(2 * top / falls);
   for (const double radius : {0.0, 0.1}) {
-    World world = make_world(space());
-    ASSERT_TRUE(world.set_scene(slope_of(angle)));
+    World world = make_world(space(), slope_of(angle));
     const ProjectileId held = *world.spawn(puck(), {.position = normal * radius}, sliding(1, radius));
     const ProjectileId slides =
         *world.spawn(puck(), {.position = normal * radius, .velocity = up * 5}, sliding(mu, radius));
@@ -97,8 +95,7 @@ TEST(Friction, slopes_hold_what_friction_can_hold) {
 TEST(Friction, a_belt_takes_points_along) {
   for (const double radius : {0.0, 0.1})
     for (const double rate : {24.0, 60.0, 240.0}) {
-      World world = make_world(space());
-      ASSERT_TRUE(world.set_scene(slope_of(0, 1, {2, 0, 0})));
+      World world = make_world(space(), slope_of(0, 1, {2, 0, 0}));
       const ProjectileId id = *world.spawn(puck(), {.position = {0, radius, 0}}, sliding(0.2, radius));
       run_for(world, 2, 1 / rate);
       EXPECT_NEAR(world[id].velocity().x, 2, 1e-3) << radius << ' ' << rate;
@@ -116,8 +113,7 @@ TEST(Friction, a_bounce_takes_the_slip_of_what_cannot_turn) {
   const Axes all = Axes::x | Axes::y | Axes::z;
   for (const auto& [frozen, left] :
        {Case{all, {0, 0, 0}}, Case{Axes::none, {15.0 / 7, 0, 20.0 / 7}}, Case{Axes::y, {15.0 / 7, 0, 20.0 / 7}}}) {
-    World world = make_world(space());
-    ASSERT_TRUE(world.set_scene(slope_of(0, 10)));
+    World world = make_world(space(), slope_of(0, 10));
     BodyDef body = sliding(1, 0.1);
     body.frozen_rotation = frozen;
     const ProjectileId id = *world.spawn(puck(), {.position = {0, 0.2, 0}, .velocity = Vec3d{3, -5, 4}}, body);

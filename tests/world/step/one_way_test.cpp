@@ -68,8 +68,7 @@ TEST(OneWay, is_passed_from_below_and_lands_what_falls_on_it) {
       for (const double rate : {24.0, 60.0, 1000.0})
         for (const Precision precision : {Precision::float64, Precision::float32}) {
           const std::string label = platform.name + ' ' + std::to_string(radius) + ' ' + std::to_string(rate);
-          World world = make_world(space());
-          ASSERT_TRUE(world.set_scene(with(platform)));
+          World world = make_world(space(), with(platform));
           constexpr double kUp = 8;
           const ProjectileId id = *world.spawn(
               stone_of(precision), {.position = {0.3, 0, 0.4}, .velocity = Vec3d{0, kUp, 0}}, landing(radius));
@@ -111,8 +110,7 @@ TEST(OneWay, turns_with_its_thing) {
                          .transform = {.rotation = {half, 0, 0, half}},  // y becomes -x
                          .passage = {.front = {0, 1, 0}}}));
   for (const OnHit on_hit : {OnHit::stop, OnHit::stick, OnHit::bounce}) {
-    World world = make_world(space(0));
-    ASSERT_TRUE(world.set_scene(scene));
+    World world = make_world(space(0), scene);
     const ProjectileId comes =
         *world.spawn(stone_of(), {.position = {-5, 0, 0}, .velocity = Vec3d{20, 0, 0}}, landing(0, on_hit));
     const ProjectileId goes =
@@ -134,8 +132,7 @@ TEST(OneWay, turns_with_its_thing) {
 
 /// A lift takes along what stands on it, and lets through what comes from below.
 TEST(OneWay, moves_with_its_thing) {
-  World world = make_world(space());
-  ASSERT_TRUE(world.set_scene(with(platforms().front(), SteadyMotion{.velocity = {0, 0.5, 0}})));
+  World world = make_world(space(), with(platforms().front(), SteadyMotion{.velocity = {0, 0.5, 0}}));
   const ProjectileId stands = *world.spawn(stone_of(), {.position = {1, kTop + 0.1, 0}}, landing(0.1));
   const ProjectileId comes =
       *world.spawn(stone_of(), {.position = {-1, 0, 0}, .velocity = Vec3d{0, 9, 0}}, landing(0.1));
@@ -146,8 +143,7 @@ TEST(OneWay, moves_with_its_thing) {
 
 /// Two in a pile stay on it; one that comes from below through the platform is not pushed out of it.
 TEST(OneWay, carries_piles) {
-  World world = make_world(space());
-  ASSERT_TRUE(world.set_scene(with(platforms().front())));
+  World world = make_world(space(), with(platforms().front()));
   BodyDef body = landing(0.1);
   body.collision.others = 1;
   const ProjectileId low = *world.spawn(stone_of(), {.position = {0, kTop + 0.1, 0}}, body);
@@ -189,15 +185,11 @@ TEST(OneWay, is_kept_by_saves_and_recordings) {
   ASSERT_TRUE(world.set_scene(with(platforms().front())));
   ASSERT_TRUE(world.spawn(stone_of(), {.velocity = Vec3d{0, 8, 0}}, landing(0.1)));
   run_for(world, 0.4, 1.0 / 60);
-  Result<World> loaded = World::load(*world.save());
-  ASSERT_TRUE(loaded) << loaded.error().text();
-  run_for(world, 2, 1.0 / 60), run_for(*loaded, 2, 1.0 / 60);
-  EXPECT_EQ(loaded->hash(), world.hash());
-  EXPECT_NEAR((*loaded)[loaded->ids().front()].position().y, kTop + 0.1, 1e-8);
-  ASSERT_TRUE(world.stop_recording());
-  const auto report = replay(recording);
-  ASSERT_TRUE(report) << report.error().text();
-  EXPECT_FALSE(report->difference) << report->difference->what;
+  World loaded = reloaded(world);
+  run_for(world, 2, 1.0 / 60), run_for(loaded, 2, 1.0 / 60);
+  EXPECT_EQ(loaded.hash(), world.hash());
+  EXPECT_NEAR(loaded[loaded.ids().front()].position().y, kTop + 0.1, 1e-8);
+  replayed(world, recording);
 }
 
 // ------------------------------------------------------------------------------------------------------- sensors
@@ -210,8 +202,7 @@ TEST(SensorStays, are_told_between_in_and_out) {
                                           .transform = {.position = {5.03, 0, 0}},
                                           .sensor = true,
                                           .passage = {.tells_stay = tells}});
-      World world = make_world(space(0));
-      ASSERT_TRUE(world.set_scene(scene));
+      World world = make_world(space(0), scene);
       ASSERT_TRUE(world.spawn(stone_of(), {.velocity = Vec3d{8, 0, 0}}, landing()));
       const auto all = run_for(world, 1, 1 / rate);
       const auto in = of_kind(all, EventKind::sensed), stays = of_kind(all, EventKind::stayed),
@@ -240,8 +231,7 @@ TEST(SensorStays, end_before_the_way_out_at_the_end_of_a_step) {
                              .transform = {.position = {10, 0, 0}},
                              .sensor = true,
                              .passage = {.tells_stay = true}}));
-      World world = make_world(space(0));
-      ASSERT_TRUE(world.set_scene(scene));
+      World world = make_world(space(0), scene);
       ASSERT_TRUE(world.spawn(stone_of(), {.velocity = Vec3d{speed, 0, 0}}, landing()));
       const auto all = run_for(world, 12 / speed, 1 / rate);
       const auto in = of_kind(all, EventKind::sensed), stays = of_kind(all, EventKind::stayed),

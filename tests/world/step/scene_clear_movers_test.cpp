@@ -162,9 +162,7 @@ TEST(SceneClear, what_moves_is_met_after_moments_saves_and_frames) {
         pair.things = things;
       }
       if (step == 60) {
-        auto loaded = World::load(*pair.clear.save());
-        ASSERT_TRUE(loaded);
-        pair.clear = std::move(*loaded);
+        pair.clear = reloaded(pair.clear);
       }
       EXPECT_EQ(pair.clear.advance(frame), pair.asking.advance(frame));
       expect_the_same(pair, step);

@@ -61,8 +61,7 @@ class SpinOfBounce : public testing::TestWithParam<RotationModel> {
     p.fidelity.earth = EarthModel::flat;
     p.diameter = 2 * radius;
     p.inertia.moments = {1e-5, 1e-5, 1e-5};
-    World world = make_world(open_space(AirModel::isa));
-    EXPECT_TRUE(world.set_scene(floor_of({.restitution = 0.8, .friction = friction})));
+    World world = make_world(open_space(AirModel::isa), floor_of({.restitution = 0.8, .friction = friction}));
     BodyDef body = bouncing(radius);
     body.collision.inertia = k;
     Launch launch;
@@ -120,8 +119,7 @@ TEST(SceneContact, a_ball_on_a_slope_slides_or_rolls_as_friction_lets_it) {
   const double g_along = kG * std::sin(kSlope), g_on = kG * std::cos(kSlope);
   for (const auto& [friction, acceleration] :
        {Case{1, g_along / 1.4}, Case{0.1, g_along - 0.1 * g_on}, Case{0, g_along}}) {
-    World world = make_world(open_space());
-    ASSERT_TRUE(world.set_scene(floor_of({.restitution = 0, .friction = friction}, kSlope)));
+    World world = make_world(open_space(), floor_of({.restitution = 0, .friction = friction}, kSlope));
     const Vec3d normal{std::sin(kSlope), std::cos(kSlope), 0};
     const ProjectileId id = *world.spawn(stone(), {.position = normal * (0.05 + 1e-9)}, bouncing(0.05, 0));
     run_for(world, 2, 1.0 / 60);
@@ -146,8 +144,7 @@ TEST(SceneContact, a_ball_in_a_groove_goes_along_it) {
     ASSERT_TRUE(scene.add(
         {.shape = plane, .transform = {.rotation = fall * Quatd{std::cos(a), 0, 0, std::sin(a)}}, .material = ice}));
   }
-  World world = make_world(open_space());
-  ASSERT_TRUE(world.set_scene(scene));
+  World world = make_world(open_space(), scene);
   const Vec3d up{0, std::cos(kFall), std::sin(kFall)}, down{0, -std::sin(kFall), std::cos(kFall)};
   const ProjectileId id = *world.spawn(stone(), {.position = up * 0.2}, bouncing(0.1, 0));
   run_for(world, 3, 1.0 / 60);
@@ -161,8 +158,7 @@ TEST(SceneContact, a_ball_in_a_groove_goes_along_it) {
 
 /// A ball that slides, without spin at first, rolls with 5/7 of its speed in the end.
 TEST(SceneContact, sliding_becomes_rolling_with_five_sevenths_of_the_speed) {
-  World world = make_world(open_space());
-  ASSERT_TRUE(world.set_scene(floor_of({.restitution = 0, .friction = 0.2})));
+  World world = make_world(open_space(), floor_of({.restitution = 0, .friction = 0.2}));
   Launch launch;
   launch.position = {0, 0.03 + 1e-9, 0};
   launch.velocity = Vec3d{7, 0, 0};
@@ -186,8 +182,7 @@ TEST(SceneContact, a_wall_that_moves_strikes_what_stands) {
                              .transform = {.position = {-10, 0, 0}},
                              .material = hard,
                              .motion = motion}));
-      World world = make_world(open_space());
-      ASSERT_TRUE(world.set_scene(scene));
+      World world = make_world(open_space(), scene);
       BodyDef body = bouncing(radius);
       body.gravity_scale = 0;
       body.can_sleep = true;
@@ -208,8 +203,7 @@ TEST(SceneContact, a_platform_carries_what_lies_on_it) {
   const InstanceId lift = *scene.add({.shape = *scene.add_shape(BoxShape{{50, 0.5, 5}}),
                                       .material = rough,
                                       .motion = SteadyMotion{.velocity = {1, 0.5, 0}}});
-  World world = make_world(open_space());
-  ASSERT_TRUE(world.set_scene(scene));
+  World world = make_world(open_space(), scene);
   BodyDef body = bouncing(0, 0);
   body.rolling_resistance = 0.3;
   body.can_sleep = true;
@@ -230,8 +224,7 @@ TEST(SceneContact, a_bullet_goes_through_a_plank_and_stops_in_a_wall) {
       {.shape = *scene.add_shape(BoxShape{{0.01, 1, 1}}), .transform = {.position = {10, 0, 0}}, .material = plank});
   const InstanceId second = *scene.add(
       {.shape = *scene.add_shape(BoxShape{{5, 10, 10}}), .transform = {.position = {25, 0, 0}}, .material = wall});
-  World world = make_world(open_space());
-  ASSERT_TRUE(world.set_scene(scene));
+  World world = make_world(open_space(), scene);
   BodyDef body;
   body.collision.on_hit = OnHit::impact;
   body.gravity_scale = 0;
@@ -263,8 +256,7 @@ TEST(SceneContact, a_bullet_goes_through_a_plank_and_stops_in_a_wall) {
 TEST(SceneContact, a_ball_skips_off_water_and_a_steep_one_does_not) {
   Scene scene = floor_of(materials::water());
   for (const double angle : {4 * test::kDegree, 60 * test::kDegree}) {
-    World world = make_world(open_space());
-    ASSERT_TRUE(world.set_scene(scene));
+    World world = make_world(open_space(), scene);
     BodyDef body;
     body.collision.on_hit = OnHit::impact;
     ProjectileDef p = stone();
@@ -306,8 +298,7 @@ double depth_of(const ShapeDef& shape) {
 
 /// The first hit of a ball of 0.2 m that is launched with its middle at a place.
 Event first_hit_of_ball(const Scene& scene, const Vec3d& middle, const Vec3d& velocity) {
-  World world = make_world(open_space());
-  EXPECT_TRUE(world.set_scene(scene));
+  World world = make_world(open_space(), scene);
   ProjectileDef ball = stone();
   ball.fidelity = Fidelity::constant_air();
   const auto id = world.spawn(ball, {.position = middle, .velocity = velocity}, bouncing(0.2));
@@ -341,8 +332,7 @@ TEST(SceneContact, a_ball_whose_middle_lies_at_a_surface_is_pushed_out_wherever_
   ASSERT_TRUE(scene.add({.shape = *scene.add_shape(BoxShape{{9, 1, 9}}), .transform = {.position = {0.1, -0.7, 0}}}));
   for (const double above : {0.0, 1e-14, -1e-14, -1e-12})
     for (const Vec3d& velocity : {Vec3d{1, 0, 0.5}, Vec3d{}, Vec3d{0, 1e-3, 0}}) {
-      World world = make_world(open_space());
-      ASSERT_TRUE(world.set_scene(scene));
+      World world = make_world(open_space(), scene);
       ProjectileDef ball = stone();
       ball.fidelity = Fidelity::constant_air();
       const ProjectileId id =

@@ -42,8 +42,7 @@ TEST(Staying, what_rolls_to_rest_rolls_as_far_at_every_step_and_height) {
         for (const double radius : {0.0, 0.1}) {
           Scene scene;
           put(scene, shapes[i], {-aside[i], height - below[i], -aside[i]});
-          World world = make_world(space());
-          ASSERT_TRUE(world.set_scene(scene));
+          World world = make_world(space(), scene);
           ProjectileDef ball{.mass = 1, .diameter = 0.2};
           ball.fidelity = rung(Integrator::rk4);
           Launch launch{.position = {0.3, height + radius, 0.2}, .velocity = Vec3d{0.3, 0, 0.4}};
@@ -67,8 +66,7 @@ TEST(Staying, what_rolls_on_is_hit_once) {
     for (const Precision precision : {Precision::float32, Precision::float64}) {
       Scene scene;
       put(scene, BoxShape{{100, 1, 100}}, {0, -1, 0});
-      World world = make_world(space());
-      ASSERT_TRUE(world.set_scene(scene));
+      World world = make_world(space(), scene);
       ProjectileDef ball{.mass = 1, .diameter = 0.2};
       ball.fidelity = rung(Integrator::rk4, precision);
       BodyDef body = rolling(0, 0.1);
@@ -93,8 +91,7 @@ TEST(Staying, a_lift_carries_and_lets_go) {
     keys.keys = {{.time = 0, .position = {0, -0.1, 0}}, {.time = 0.5, .position = {0, 0.9, 0}}};
     lift.motion = keys;
     ASSERT_TRUE(scene.add(lift));
-    World world = make_world(space());
-    ASSERT_TRUE(world.set_scene(scene));
+    World world = make_world(space(), scene);
     ProjectileDef ball{.mass = 1, .diameter = 0.1};
     ball.fidelity = rung(Integrator::rk4);
     const ProjectileId id = *world.spawn(ball, {.position = {0, 0.05, 0}}, rolling(0, 0.05));
@@ -131,8 +128,7 @@ TEST(Staying, hits_tell_the_energy_that_they_take) {
                            .material = *scene.add_material({.restitution = 0.8, .friction = 0})}));
     WorldDef def = space();
     def.environment = vacuum_of(0);
-    World world = make_world(def);
-    ASSERT_TRUE(world.set_scene(scene));
+    World world = make_world(def, scene);
     ProjectileDef ball{.mass = 2};
     ball.fidelity = rung(Integrator::rk4);
     BodyDef body = rolling(0, 0);

@@ -49,8 +49,7 @@ TEST(OnItsWay, a_wall_in_the_way_changes_nothing_of_how_far_a_point_slides) {
       for (const double rate : kRates) {
         WorldDef def = space();
         if (on_ground) def.ground = {.mode = GroundMode::bounce, .restitution = 0, .friction = 1};
-        World world = make_world(def);
-        ASSERT_TRUE(world.set_scene(wall_and_floor(!on_ground)));
+        World world = make_world(def, wall_and_floor(!on_ground));
         const ProjectileId id = *world.spawn(
             puck(), {.position = {0, on_ground ? 0 : 1e-10, 0}, .velocity = Vec3d{speed, 0, 0}}, point.body);
         const double slides = speed * speed / (2 * point.slows);
@@ -87,8 +86,7 @@ TEST(OnItsWay, what_starts_to_roll_or_slide_comes_to_a_wall_in_its_time) {
         };
         ASSERT_TRUE(scene.add({.shape = slab, .transform = at({0, -0.5 - kind.radius, 0}), .material = made_of}));
         ASSERT_TRUE(scene.add({.shape = wall, .transform = at({way + 0.5 + kind.radius, 0, 0}), .material = made_of}));
-        World world = make_world(space());
-        ASSERT_TRUE(world.set_scene(scene));
+        World world = make_world(space(), scene);
         ASSERT_TRUE(world.spawn(puck(), {.position = rotate(turn, Vec3d{0, 1e-10, 0}), .velocity = Vec3d{}},
                                 bouncing(kind.radius, 0, kind.friction)));
         const double a = kind.part * pull;
@@ -144,8 +142,7 @@ TEST(OnItsWay, a_way_whose_length_no_number_holds_goes_by_sensors) {
   for (const double far : {1e150, 1e160, 1e200, 1e300}) {
     Scene scene;
     ASSERT_TRUE(scene.add({.shape = *scene.add_shape(BoxShape{{1, 1, 1}}), .sensor = true}));
-    World world = make_world(space());
-    ASSERT_TRUE(world.set_scene(scene));
+    World world = make_world(space(), scene);
     const ProjectileId id =
         *world.spawn(puck(), {.position = {far, 0, 0}, .velocity = Vec3d{-far, 0, 0}}, movers()[0].body);
     world.step(1);
