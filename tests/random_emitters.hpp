@@ -109,8 +109,7 @@ inline void add_shapes(Random& r, EmitterDef& def) {
 /// One that fires `kind`; `others` are emitters of the same world that it may set off.
 inline EmitterDef random_emitter(Random& r, KindId kind, std::span<const EmitterId> others) {
   const IeeeMode mode;
-  EmitterDef def;
-  def.kind = kind;
+  EmitterDef def{.kind = kind};
   if (r.one_in(2)) def.seed = static_cast<std::uint64_t>(r.below(1000));
   def.position = r.vector(20);
   def.position.y = r.in(0, 20);

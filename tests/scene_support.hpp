@@ -14,26 +14,17 @@ inline constexpr double kG = 9.80665;
 using test::of_kind;
 
 inline Environment vacuum_of(double g) {
-  Environment environment;
-  environment.atmosphere.model = AirModel::vacuum;
-  environment.gravity = {.model = g == 0 ? GravityModel::off : GravityModel::constant, .acceleration = g};
-  return environment;
+  return {.gravity = {.model = g == 0 ? GravityModel::off : GravityModel::constant, .acceleration = g},
+          .atmosphere = {.model = AirModel::vacuum}};
 }
 
 /// Neither air nor ground.
-inline WorldDef space(double g = kG) {
-  WorldDef def;
-  def.environment = vacuum_of(g);
-  def.ground.mode = GroundMode::none;
-  return def;
-}
+inline WorldDef space(double g = kG) { return {.environment = vacuum_of(g), .ground = {.mode = GroundMode::none}}; }
 /// No air, and things alone; by several threads.
 inline WorldDef in_the_open(unsigned threads = 1) {
-  WorldDef def;
-  def.ground.mode = GroundMode::none;
-  def.environment.atmosphere.model = AirModel::vacuum;
-  def.threading = {.threads = threads, .rows_per_thread = 64};
-  return def;
+  return {.environment = {.atmosphere = {.model = AirModel::vacuum}},
+          .ground = {.mode = GroundMode::none},
+          .threading = {.threads = threads, .rows_per_thread = 64}};
 }
 
 /// A path between two walls at -half and half, unfolded: where it is, and which way it goes.
@@ -71,13 +62,11 @@ inline InstanceId put(Scene& scene, const ShapeDef& shape, const Vec3d& position
 
 /// A ball, or a point, that bounces and rolls without resistance, and does not sleep.
 inline BodyDef bouncing(double radius, double restitution = 1, double friction = 1) {
-  BodyDef body;
-  body.restitution = restitution;
-  body.friction = friction;
-  body.rolling_resistance = 0;
-  body.can_sleep = false;
-  body.collision = {.on_hit = OnHit::bounce, .radius = radius};
-  return body;
+  return {.can_sleep = false,
+          .restitution = restitution,
+          .friction = friction,
+          .rolling_resistance = 0,
+          .collision = {.on_hit = OnHit::bounce, .radius = radius}};
 }
 
 /// A hollow box of six walls a metre thick about a room.

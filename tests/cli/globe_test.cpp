@@ -38,10 +38,9 @@ fidelity = { preset = "simulation", earth = "ellipsoid", gravity = "wgs84", drag
 
 /// The same shot through the library.
 Flight the_flight() {
-  Environment e;
-  e.altitude = 50;
-  e.atmosphere.model = AirModel::vacuum;
-  e.earth = {.latitude = 53 * kDegree, .longitude = 170 * kDegree, .azimuth = 80 * kDegree};
+  Environment e{.altitude = 50,
+                .atmosphere = {.model = AirModel::vacuum},
+                .earth = {.latitude = 53 * kDegree, .longitude = 170 * kDegree, .azimuth = 80 * kDegree}};
   Fidelity f = Fidelity::simulation();
   f.earth = EarthModel::ellipsoid;
   f.gravity = GravityModel::wgs84;

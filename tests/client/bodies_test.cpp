@@ -41,8 +41,7 @@ TEST(Bodies, AreWhatScenariosFire) {
                                                       {"table_tennis", BodyShape::ball}};
   for (const auto& [scenario, shape] : wanted)
     EXPECT_EQ(static_cast<int>(shape_in(scenario)), static_cast<int>(shape)) << scenario;
-  ProjectileDef cock;
-  cock.name = "Shuttlecock";
+  ProjectileDef cock{.name = "Shuttlecock"};
   EXPECT_EQ(look_of(cock).shape, BodyShape::shuttlecock);
 }
 

@@ -147,8 +147,7 @@ TEST(OriginalMode, the_comparison_flies_what_is_fired) {
 TEST(OriginalMode, saves_what_it_fires) {
   Client client = client_of();
   client.launcher.cycle_motion(), client.launcher.cycle_gravity(), client.launcher.cycle_drag();
-  Scenario scenario;
-  scenario.shots = {client.launcher.shot()};
+  Scenario scenario{.shots = {client.launcher.shot()}};
   const Result<Scenario> again = parse_scenario(scenario_text(scenario), "f.toml");
   ASSERT_TRUE(again.ok()) << again.error().text();
   const Flight a = fly_shot(scenario, scenario.shots[0]), b = fly_shot(*again, again->shots[0]);

@@ -97,15 +97,12 @@ TEST(Hits, StayOnThingsThatMove) {
   const SteadyMotion motion{.velocity = {0, 1, 0}, .angular_velocity = {0, 0.5, 0}};
   const InstanceId door =
       scene.add({.shape = box, .transform = {.position = {10, 0, 0}}, .name = "door", .motion = motion}).value();
-  WorldDef def;
-  def.ground.mode = GroundMode::none;
-  def.environment.gravity.model = GravityModel::off;
+  WorldDef def{.environment = {.gravity = {.model = GravityModel::off}}, .ground = {.mode = GroundMode::none}};
   World world = std::move(World::create(def).value());
   ASSERT_TRUE(world.set_scene(scene));
   ProjectileDef ball;
   ball.name = "ball";
-  Launch launch;
-  launch.velocity = Vec3d{40, 0, 0};
+  Launch launch{.velocity = Vec3d{40, 0, 0}};
   ASSERT_TRUE(world.spawn(ball, launch));
   HitLog log;
   for (int i = 0; i < 60 && log.count() == 0; ++i) world.step(1.0 / 60), log.look_at(world, world.events());

@@ -84,9 +84,7 @@ TEST(CastCrowd, every_kernel_finds_the_same) {
 /// A clear part is not shorter for what a sphere beside a triangle would touch if that had no corners.
 TEST(CastCrowd, a_clear_part_reaches_the_box_of_a_triangle) {
   Scene scene;
-  MeshShape needle;
-  needle.vertices = {{10, 0, 0}, {30, 0, 0.05}, {30, 0, -0.05}};
-  needle.triangles = {{0, 1, 2}};
+  MeshShape needle{.vertices = {{10, 0, 0}, {30, 0, 0.05}, {30, 0, -0.05}}, .triangles = {{0, 1, 2}}};
   ASSERT_TRUE(scene.add({.shape = *scene.add_shape(needle)}));
   const SceneSegment towards{
       {0, 0, 0}, {20, 0, 0}, 0.5};  // its tip is at 10, the prism about its sides begins before 0

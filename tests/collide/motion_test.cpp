@@ -289,9 +289,7 @@ TEST(SceneMotion, answers_do_not_depend_on_what_is_covered) {
 TEST(SceneMotion, a_wall_that_moves_lets_nothing_through) {
   Random r(39);
   Scene scene;
-  MeshShape sheet;
-  sheet.vertices = {{0, -1, -1}, {0, 1, -1}, {0, 1, 1}, {0, -1, 1}};
-  sheet.triangles = {{0, 1, 2}, {0, 2, 3}};
+  MeshShape sheet{.vertices = {{0, -1, -1}, {0, 1, -1}, {0, 1, 1}, {0, -1, 1}}, .triangles = {{0, 1, 2}, {0, 2, 3}}};
   const ShapeId shapes[] = {scene.add_shape(sheet).value(), scene.add_shape(BoxShape{{0.0005, 1, 1}}).value()};
   for (const ShapeId shape : shapes)
     for (const double spin : {0.0, 3.0}) {

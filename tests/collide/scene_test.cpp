@@ -368,10 +368,9 @@ TEST(Scene, compounds_are_their_parts) {
 TEST(Scene, materials_are_those_of_triangles_or_of_the_thing) {
   Scene scene;
   const auto steel = scene.add_material({.name = "steel"}), wood = scene.add_material({.name = "wood"});
-  MeshShape two;
-  two.vertices = {{0, 0, 0}, {0, 1, 0}, {0, 0, 1}, {0, 1, 1}};
-  two.triangles = {{0, 1, 2}, {2, 1, 3}};
-  two.materials = {*steel, MaterialId{}};
+  MeshShape two{.vertices = {{0, 0, 0}, {0, 1, 0}, {0, 0, 1}, {0, 1, 1}},
+                .triangles = {{0, 1, 2}, {2, 1, 3}},
+                .materials = {*steel, MaterialId{}}};
   ASSERT_TRUE(scene.add({.shape = scene.add_shape(two).value(), .material = *wood}));
   two.materials.clear();
   ASSERT_TRUE(

@@ -24,9 +24,7 @@ GeodeticGrid square_about(double latitude, double longitude, double height) {
 }
 
 TEST(Terrain, falls_away_with_the_earth) {
-  Environment environment;
-  environment.earth.latitude = 45 * kDegree;
-  environment.earth.longitude = 7 * kDegree;
+  Environment environment{.earth = {.latitude = 45 * kDegree, .longitude = 7 * kDegree}};
   for (const double azimuth : {0.0, 180.0, 225.0}) {
     environment.earth.azimuth = azimuth * kDegree;
     const EarthFrames frames(environment, EarthModel::ellipsoid);

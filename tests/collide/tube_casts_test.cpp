@@ -31,8 +31,7 @@ SceneSegment somewhere_along(Random& r) {
 
 /// Inside of a tube, of a part of its time; or with some that reach beyond.
 SceneSegment within(Random& r, const SceneSegment& tube, bool beyond = false) {
-  SceneSegment s;
-  s.radius = r.one_in(2) ? 0 : r.in(0, 1) * tube.radius;
+  SceneSegment s{.radius = r.one_in(2) ? 0 : r.in(0, 1) * tube.radius};
   const double room = beyond && r.one_in(9) ? 3 * tube.radius : tube.radius - s.radius;
   const auto place = [&] {
     const Vec3d off = r.vector(1);

@@ -14,14 +14,7 @@ using test::kNan;
 using Change = std::function<void(EmitterDef&)>;
 using NumberOf = std::function<DrawnNumber&(EmitterDef&)>;
 
-EmitterDef good() {
-  EmitterDef def;
-  def.bursts = {{}};
-  def.gun.barrels = {{}};
-  def.flight.limit = {9};
-  def.subs = {{}};
-  return def;
-}
+EmitterDef good() { return {.bursts = {{}}, .gun = {.barrels = {{}}}, .flight = {.limit = {9}}, .subs = {{}}}; }
 
 void expect_refused(const Change& change, const std::string& place) {
   EmitterDef def = good();

@@ -20,9 +20,7 @@ double never() {
 
 /// Start speeds at a phase of the cycle.
 std::vector<double> speeds(const DrawnNumber& speed, double phase, std::size_t count = test::kSamples) {
-  EmitterDef def;
-  def.start.speed = speed;
-  const Emission emission(def, 11);
+  const Emission emission({.start = {.speed = speed}}, 11);
   std::vector<double> all;
   for (std::size_t i = 0; i < count; ++i) all.push_back(emission.newborn({.number = i, .phase = phase}).speed);
   return all;

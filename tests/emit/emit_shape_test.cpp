@@ -18,11 +18,7 @@ using Pairs = std::vector<std::array<double, 2>>;
 
 constexpr double kTurn = 2 * 3.14159265358979323846;
 
-EmitterDef from(const EmitFrom& shape) {
-  EmitterDef def;
-  def.from = shape;
-  return def;
-}
+EmitterDef from(const EmitFrom& shape) { return {.from = shape}; }
 
 void expect_unit(const Vec3d& direction) { ASSERT_NEAR(length(direction), 1, 1e-15 * 4); }
 

@@ -109,8 +109,7 @@ TEST(FlightLaw, rates_of_drag_by_age_are_those_that_slow_down) {
   constexpr std::size_t kPack = FlightLaw::kPack;
   test::Random r(8);
   for (int round = 0; round < 30; ++round) {
-    ParticleFlight def;
-    def.drag = test::random_number(r, 0.1, 3);
+    ParticleFlight def{.drag = test::random_number(r, 0.1, 3)};
     const FlightLaw law(def, 9);
     ASSERT_TRUE(law.is_drag_by_age());
     std::array<std::uint64_t, kPack> number;
@@ -127,8 +126,7 @@ TEST(FlightLaw, rates_of_drag_by_age_are_those_that_slow_down) {
 
 TEST(FlightLaw, whatever_acts_beside_drag_by_age_is_told) {
   const auto alone = [](const auto& change) {
-    ParticleFlight def;
-    def.drag = {1};
+    ParticleFlight def{.drag = {1}};
     change(def);
     return FlightLaw(def, 1).is_drag_by_age();
   };

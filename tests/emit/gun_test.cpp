@@ -14,12 +14,7 @@ namespace emit_gun_test {
 using test::kInfinity;
 using test::near;
 
-EmitterDef with_gun(const GunDef& gun) {
-  EmitterDef def;
-  def.per_second = {0};
-  def.gun = gun;
-  return def;
-}
+EmitterDef with_gun(const GunDef& gun) { return {.per_second = {0}, .gun = gun}; }
 
 std::vector<double> times_of(const EmitterDef& def, std::size_t most) {
   const Emission emission(def, 1);

@@ -47,8 +47,7 @@ TEST(Aim, in_vacuum_both_solutions_are_those_of_the_parabola) {
 }
 
 TEST(Aim, holds_under_the_aerodynamic_jump) {
-  Environment e;
-  e.wind.velocity = {2, 0, -8};
+  Environment e{.wind = {.velocity = {2, 0, -8}}};
   Fidelity f = Fidelity::small_arms();
   f.aerodynamic_jump = true;
   const ProjectileDef p = bullet_308();
@@ -96,8 +95,7 @@ TEST(Aim, next_to_the_farthest_range_is_found_and_beyond_it_is_not) {
 
 TEST(Aim, a_moving_target_is_led) {
   // Without gravity: |T + V t| = v t has a positive root t; the direction is (T + V t) / (v t).
-  Environment empty;
-  empty.gravity.model = GravityModel::off;
+  Environment empty{.gravity = {.model = GravityModel::off}};
   const Target target{{400, 50, -100}, {-30, 5, 60}};
   const double v = 200, a = v * v - length_squared(target.velocity), b = dot(target.position, target.velocity);
   const double time = (b + std::sqrt(b * b + a * length_squared(target.position))) / a;
@@ -110,8 +108,7 @@ TEST(Aim, a_moving_target_is_led) {
 }
 
 TEST(Aim, an_accelerating_target_is_led_through_air_and_wind) {
-  Environment windy;
-  windy.wind.velocity = {2, 0, -9};
+  Environment windy{.wind = {.velocity = {2, 0, -9}}};
   const Target target{{500, 30, 80}, {-12, 1, 15}, {0.5, -0.2, -1}};
   const Aim answer = aimed(bullet_308(), {.speed = 800}, windy, Fidelity::simulation(), target);
   ASSERT_TRUE(answer.low);
@@ -137,9 +134,7 @@ TEST(Aim, with_linear_drag_it_is_the_closed_form) {
 }
 
 TEST(Aim, hits_on_every_rung) {
-  Environment e;
-  e.wind.profile = {{0, {1, 0, -3}}, {500, {4, 0, -8}}};
-  e.earth.latitude = 0.8;
+  Environment e{.wind = {.profile = {{0, {1, 0, -3}}, {500, {4, 0, -8}}}}, .earth = {.latitude = 0.8}};
   ProjectileDef p = bullet_308();
   p.drag.k2 = 2e-6;
   const Target target{{900, 60, 25}};
@@ -160,8 +155,7 @@ TEST(Aim, hits_on_every_rung) {
 
 TEST(Aim, over_a_round_earth_reaches_across_a_tenth_of_it) {
   ProjectileDef p{.mass = 100, .diameter = 0.3};
-  Environment e;
-  e.earth = {.latitude = 0.6, .longitude = 0.2, .azimuth = 1};
+  Environment e{.earth = {.latitude = 0.6, .longitude = 0.2, .azimuth = 1}};
   Fidelity f = vacuum();
   f.gravity = GravityModel::j2;
   f.earth = EarthModel::ellipsoid;
@@ -207,9 +201,7 @@ TEST(Aim, the_nearest_is_a_solution_where_there_is_one) {
 }
 
 TEST(Aim, a_velocity_gives_its_magnitude_and_the_sight_is_not_read) {
-  Launch launch;
-  launch.velocity = Vec3d{0, 0, 300};
-  launch.sight = {.height = 1, .look_angle = 0.4, .cant = 1, .zero_range = 0};
+  Launch launch{.velocity = Vec3d{0, 0, 300}, .sight = {.height = 1, .look_angle = 0.4, .cant = 1, .zero_range = 0}};
   const Aim answer = aimed({}, launch, constant_gravity(), vacuum(), {{3000, 0, 0}});
   ASSERT_TRUE(answer.low);
   EXPECT_EQ(answer.low->launch.speed, 300);
@@ -237,9 +229,7 @@ TEST(Aim, bad_input_is_refused_with_its_place) {
   EXPECT_EQ(place(good, there, {.tolerance = 0}), "options.tolerance");
   EXPECT_EQ(place(good, there, {.time = -1}), "options.time");
   EXPECT_EQ(place(good, there, {.ground = kNan}), "options.ground");
-  ProjectileDef massless;
-  massless.mass = -1;
-  const Result<Aim> refused = aim(massless, good, {}, {}, there);
+  const Result<Aim> refused = aim({.mass = -1}, good, {}, {}, there);
   ASSERT_FALSE(refused);
   EXPECT_EQ(refused.error().place, "projectile.mass");
   Environment stormy;
@@ -295,9 +285,7 @@ TEST(MaxRange, steps_that_pilots_find_carry_as_far_as_adaptive_ones) {
 }
 
 TEST(MaxRange, what_does_not_come_down_is_refused) {
-  Environment weightless;
-  weightless.gravity.model = GravityModel::off;
-  const auto far = max_range({}, {.speed = 100}, weightless, vacuum(), 0, 0, 60);
+  const auto far = max_range({}, {.speed = 100}, {.gravity = {.model = GravityModel::off}}, vacuum(), 0, 0, 60);
   ASSERT_FALSE(far);
   EXPECT_NE(far.error().message.find("does not come down"), std::string::npos);
   EXPECT_FALSE(max_range({}, {.speed = 0}, {}, {}));
@@ -333,20 +321,15 @@ TEST(TimeToRange, of_a_parabola) {
 
 /// A rocket that starts from rest, with a tail that needs no attitude.
 ProjectileDef rocket_from_rest() {
-  ProjectileDef p;
-  p.mass = 0.2;
-  p.diameter = 0.03;
-  p.drag.table = DragTable::constant;
-  p.drag.coefficient = 0.5;
-  p.motor.thrust = {{0, 12}, {1.5, 12}, {1.8, 0}};
-  p.motor.propellant_mass = 0.02;
-  return p;
+  return {.mass = 0.2,
+          .diameter = 0.03,
+          .drag = {.table = DragTable::constant, .coefficient = 0.5},
+          .motor = {.thrust = {{0, 12}, {1.5, 12}, {1.8, 0}}, .propellant_mass = 0.02}};
 }
 
 TEST(AimRocket, from_rest_hits_where_flown_rockets_came_by) {
   const ProjectileDef p = rocket_from_rest();
-  Environment e;
-  e.wind.velocity = {1, 0, -3};
+  Environment e{.wind = {.velocity = {1, 0, -3}}};
   for (const Fidelity& f : {Fidelity::constant_air(), Fidelity::small_arms()})
     for (const double elevation : {0.3, 0.8, 1.3})
       for (const double azimuth : {0.0, -2.2}) {
@@ -373,8 +356,7 @@ TEST(AimRocket, from_rest_hits_where_flown_rockets_came_by) {
 TEST(AimRocket, the_steep_way_is_found_between_long_steps) {
   ProjectileDef p = rocket_from_rest();
   p.motor.thrust = {{0, 40}, {1.8, 40}, {1.8, 0}};
-  Environment e;
-  e.atmosphere.model = AirModel::vacuum;
+  Environment e{.atmosphere = {.model = AirModel::vacuum}};
   const Fidelity f = Fidelity::constant_air();
   const auto carry = [&](double elevation) {
     return fly(p, {.elevation = elevation, .rail_length = 1}, e, f).end().position.x;

@@ -21,10 +21,7 @@ struct Case {
 };
 
 Environment windy() {
-  Environment environment;
-  environment.wind.velocity = {1, 0, -3};
-  environment.earth = {.latitude = 45 * test::kDegree, .azimuth = 90 * test::kDegree};
-  return environment;
+  return {.wind = {.velocity = {1, 0, -3}}, .earth = {.latitude = 45 * test::kDegree, .azimuth = 90 * test::kDegree}};
 }
 
 Environment nothing_but_weight() {
@@ -211,9 +208,7 @@ Result<AutoFidelity> bullet_in_wind(double speed, const Purpose& purpose) {
                              .length = 1.226_in,
                              .twist = 12_in,
                              .drag = {.table = DragTable::g7, .ballistic_coefficient = 0.218_lb_in2}};
-  Environment environment;
-  environment.wind.velocity = {0, 0, -2};
-  return cheapest_within(bullet, {.speed = speed, .elevation = 0.2_deg}, environment, purpose);
+  return cheapest_within(bullet, {.speed = speed, .elevation = 0.2_deg}, {.wind = {.velocity = {0, 0, -2}}}, purpose);
 }
 
 // The table of docs/auto_fidelity.md, and the sentence quoted there.

@@ -134,8 +134,7 @@ TEST(BatchThreads, attitudes) {
 
 TEST(BatchThreads, bad_common_input_refuses_all) {
   const std::vector<Launch> some = launches(5000);
-  Environment nowhere;
-  nowhere.altitude = kNan;
+  Environment nowhere{.altitude = kNan};
   const auto pool = make_thread_pool(3);
   expect_same(fly_batch(bullet_308(), some, nowhere, Fidelity::game()),
               fly_batch(bullet_308(), some, nowhere, Fidelity::game(), {}, {}, pool.get()), "nowhere");

@@ -21,10 +21,7 @@ Fidelity simple(GravityModel gravity) {
   return fidelity;
 }
 Environment airless() {
-  Environment environment;
-  environment.gravity = {.model = GravityModel::constant, .acceleration = kG};
-  environment.atmosphere.model = AirModel::vacuum;
-  return environment;
+  return {.gravity = {.model = GravityModel::constant, .acceleration = kG}, .atmosphere = {.model = AirModel::vacuum}};
 }
 
 Scene slope(double tilt) {

@@ -13,10 +13,8 @@ namespace flight_edge_cases_test {
 constexpr double kG = 9.80665;
 
 Environment still(double density) {
-  Environment e;
-  e.gravity.model = GravityModel::constant;
-  e.atmosphere = {.model = AirModel::constant, .density = density, .sound_speed = 340};
-  return e;
+  return {.gravity = {.model = GravityModel::constant},
+          .atmosphere = {.model = AirModel::constant, .density = density, .sound_speed = 340}};
 }
 
 TEST(EdgeCases, a_level_shot_from_the_ground_has_landed) {
@@ -43,9 +41,7 @@ TEST(EdgeCases, a_shot_that_never_leaves_the_underground_lands_at_its_apex) {
 }
 
 TEST(EdgeCases, thrust_lifts_a_level_shot_off_the_ground) {
-  ProjectileDef rocket;
-  rocket.force = {0, 2 * kG, 0};
-  rocket.force_duration = 1;
+  ProjectileDef rocket{.force = {0, 2 * kG, 0}, .force_duration = 1};
   const Flight flight = fly(rocket, {.speed = 10}, still(0), Fidelity::constant_air());
   EXPECT_EQ(flight.outcome(), Outcome::landed);
   // Up with g for 1 s, then a lob from g/2 with speed g: t = 1 + (1 + sqrt(2)).
@@ -53,8 +49,7 @@ TEST(EdgeCases, thrust_lifts_a_level_shot_off_the_ground) {
 }
 
 TEST(EdgeCases, a_range_crossed_out_and_back_in_one_step_is_seen) {
-  ProjectileDef grain;
-  grain.drag.k1 = 0.5;
+  ProjectileDef grain{.drag = {.k1 = 0.5}};
   Environment e = still(1.2);
   e.wind.velocity = {-60, 0, 0};
   Fidelity f = Fidelity::arcade();
@@ -73,8 +68,7 @@ TEST(EdgeCases, a_range_crossed_out_and_back_in_one_step_is_seen) {
 
 TEST(EdgeCases, a_speed_passed_twice_in_one_step_is_seen_twice) {
   const double slowest = 100 * std::cos(0.5235987755982988);
-  Until until;
-  until.events = {{EventKind::speed, slowest + 0.1}};
+  Until until{.events = {{EventKind::speed, slowest + 0.1}}};
   for (const Integrator integrator : test::kAdaptive) {
     Fidelity f = Fidelity::simulation();
     f.integrator = integrator;
@@ -110,8 +104,7 @@ TEST(EdgeCases, a_spline_that_would_overshoot_is_not_granted) {
 }
 
 TEST(EdgeCases, spin_drift_needs_air_and_a_stability_that_means_something) {
-  ProjectileDef bullet;
-  bullet.mass = 0.0109, bullet.diameter = 0.00782, bullet.length = 0.031, bullet.twist = 0.3;
+  ProjectileDef bullet{.mass = 0.0109, .diameter = 0.00782, .length = 0.031, .twist = 0.3};
   Environment e = still(0);
   for (const AirModel model : {AirModel::vacuum, AirModel::constant}) {
     e.atmosphere.model = model;
@@ -119,24 +112,19 @@ TEST(EdgeCases, spin_drift_needs_air_and_a_stability_that_means_something) {
     EXPECT_EQ(flight.fidelity_in_use().fidelity.rotation, RotationModel::none);
     EXPECT_EQ(flight.end().windage, 0);
   }
-  Environment high;
-  high.altitude = 80000;
+  Environment high{.altitude = 80000};
   EXPECT_EQ(fly(bullet, {.speed = 800, .elevation = 0.1}, high, Fidelity::small_arms()).end().windage, 0);
 }
 
 TEST(EdgeCases, more_vapour_than_air_is_refused) {
-  Environment e;
-  e.atmosphere.temperature = 350;
-  e.atmosphere.pressure = 200;
-  e.atmosphere.humidity = 1;
+  Environment e{.atmosphere = {.temperature = 350, .pressure = 200, .humidity = 1}};
   const Flight flight = fly({}, {.speed = 100, .elevation = 0.5}, e, Fidelity::simulation());
   ASSERT_TRUE(flight.error());
   EXPECT_EQ(flight.error()->place, "environment.atmosphere.humidity");
 }
 
 TEST(EdgeCases, derived_k2_equals_the_drag_equation_at_launch_with_wind_and_bands) {
-  ProjectileDef p;
-  p.drag = {.table = DragTable::g7, .bands = {{0, 100}, {600, 200}}};
+  ProjectileDef p{.drag = {.table = DragTable::g7, .bands = {{0, 100}, {600, 200}}}};
   Environment e = still(1.2);
   e.wind.velocity = {-20, 0, 5};
   Fidelity exact = Fidelity::constant_air();
@@ -149,8 +137,7 @@ TEST(EdgeCases, derived_k2_equals_the_drag_equation_at_launch_with_wind_and_band
 }
 
 TEST(EdgeCases, planar_effects_add_up) {
-  Environment e;
-  e.wind.velocity = {0, 0, 10};
+  Environment e{.wind = {.velocity = {0, 0, 10}}};
   Fidelity f = Fidelity::artillery();
   f.planar = true;
   const Accelerations a = fly({}, {.speed = 300, .elevation = 0.7}, e, f).accelerations(3);
@@ -214,9 +201,7 @@ TEST(EdgeCases, precision_alone_may_be_lowered) {
 }
 
 TEST(EdgeCases, what_is_left_out_is_said) {
-  ProjectileDef pushed;
-  pushed.force = {1, 0, 0};
-  const Flight flight = fly(pushed, {.speed = 10, .elevation = 1}, {}, Fidelity::arcade());
+  const Flight flight = fly({.force = {1, 0, 0}}, {.speed = 10, .elevation = 1}, {}, Fidelity::arcade());
   bool said = false;
   for (const FidelityNote& note : flight.fidelity_in_use().notes) said = said || note.effect == "motion";
   EXPECT_TRUE(said);

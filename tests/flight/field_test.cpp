@@ -27,12 +27,7 @@ ForceFunction force_by(F on) {
   };
 }
 
-Environment nothing() {
-  Environment e;
-  e.gravity.model = GravityModel::off;
-  e.atmosphere.model = AirModel::vacuum;
-  return e;
-}
+Environment nothing() { return {.gravity = {.model = GravityModel::off}, .atmosphere = {.model = AirModel::vacuum}}; }
 
 /// Wind that changes with place and time, smoothly and without elementary functions of the library.
 Vec3d swirl(double t, const Vec3d& x) {
@@ -178,9 +173,7 @@ TEST(Field, planar_flight_takes_up_what_leads_out_of_it) {
 
 // ------------------------------------------------------------------------------------------------ rungs
 TEST(Field, what_a_rung_does_not_know_is_told) {
-  Environment e;
-  e.wind.field = wind_by(swirl);
-  e.force = force_by(tug);
+  Environment e{.wind = {.field = wind_by(swirl)}, .force = force_by(tug)};
   const auto noted = [&](const Fidelity& f, const char* effect, const char* reason) {
     bool found = false;
     for (const FidelityNote& note : grant(f, bullet_308(), e).notes)
@@ -246,9 +239,7 @@ TEST(Field, functions_are_equal_where_they_are_shared) {
 
 TEST(Field, a_flight_keeps_its_functions) {
   Flight flight = [] {
-    Environment e;
-    e.wind.field = wind_by(swirl);
-    e.force = force_by(tug);
+    Environment e{.wind = {.field = wind_by(swirl)}, .force = force_by(tug)};
     Fidelity f = Fidelity::simulation();
     f.rotation = RotationModel::none;
     return fly(bullet_308(), {.speed = 800}, e, f, {}, {.ground = {}, .time = 1});
@@ -277,9 +268,7 @@ std::vector<Shot> some_shots(unsigned count) {
 }
 
 TEST_F(FieldBatch, gives_the_numbers_of_flights) {
-  Environment e;
-  e.wind.field = wind_by(swirl);
-  e.force = force_by(tug);
+  Environment e{.wind = {.field = wind_by(swirl)}, .force = force_by(tug)};
   const Until until{.ground = -100.0, .time = 8, .events = {{.kind = EventKind::mach, .value = 1}}};
   const auto shots = some_shots(37);
   for (const std::string& kernel : kernels())
@@ -307,8 +296,7 @@ TEST_F(FieldBatch, gives_the_numbers_of_flights) {
 }
 
 TEST_F(FieldBatch, a_mach_number_is_that_in_the_wind_of_the_moment) {
-  Environment e;
-  e.wind.field = wind_by(swirl);
+  Environment e{.wind = {.field = wind_by(swirl)}};
   const Until until{.ground = {}, .time = 6, .events = {{.kind = EventKind::mach, .value = 1, .terminal = true}}};
   Fidelity f = Fidelity::simulation();
   f.rotation = RotationModel::none;  // a drift that is added to the path has a speed of its own
@@ -386,9 +374,7 @@ TEST(Field, wrong_from_the_start_ends_every_kind_of_body) {
 
 // ------------------------------------------------------------------------------------------------ who flies many times
 TEST(Field, a_pilots_step_keeps_the_error) {
-  Environment e;
-  e.wind.field = wind_by(swirl);
-  e.force = force_by(tug);
+  Environment e{.wind = {.field = wind_by(swirl)}, .force = force_by(tug)};
   Fidelity f = Fidelity::simulation();
   f.rotation = RotationModel::none;
   const Launch launch{.speed = 600, .elevation = 0.3};

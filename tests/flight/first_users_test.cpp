@@ -63,8 +63,7 @@ TEST(FirstUsers, a_flight_that_has_landed_at_once_says_why) {
 }
 
 TEST(FirstUsers, a_standard_drag_function_alone_says_whose_mass_and_size_are_flown) {
-  ProjectileDef p;
-  p.drag.table = DragTable::g7;
+  ProjectileDef p{.drag = {.table = DragTable::g7}};
   const Launch launch{.position = {0, 1, 0}, .speed = 800};
   EXPECT_TRUE(has_note(fly(p, launch, {}, Fidelity::simulation()), "drag", "1 kg and 0.1 m"));
   p.drag.ballistic_coefficient = 150;
@@ -108,8 +107,7 @@ TEST(FirstUsers, models_beyond_where_they_hold_say_so) {
   rocket.mass = 0.1;
   rocket.motor.thrust = {{0, 10}, {1, 0}};
   rocket.motor.propellant_mass = 0.01;
-  Environment windy;
-  windy.wind.velocity = {0, 0, 8};
+  Environment windy{.wind = {.velocity = {0, 0, 8}}};
   const Launch up{.speed = 1, .elevation = 1.5, .rail_length = 1};
   EXPECT_TRUE(has_note(fly(rocket, up, windy, Fidelity::simulation()), "rotation", "follows the air at once"));
   EXPECT_FALSE(has_note(fly(rocket, up, {}, Fidelity::simulation()), "rotation", "follows the air at once"));
@@ -144,9 +142,7 @@ TEST(FirstUsers, two_points_of_thrust_at_one_time_are_a_step) {
   p.motor = {.thrust = {{0, 50}, {1, 50}, {1, 20}, {3, 20}}, .propellant_mass = 0};
   EXPECT_EQ(total_impulse(p.motor), 90);
   const Launch up{.elevation = kDegree * 90, .rail_length = 1e-3};
-  Environment space;
-  space.gravity.model = GravityModel::off;
-  space.atmosphere.model = AirModel::vacuum;
+  Environment space{.gravity = {.model = GravityModel::off}, .atmosphere = {.model = AirModel::vacuum}};
   for (const Integrator integrator : {Integrator::rk4, Integrator::tsit5}) {
     Fidelity f = Fidelity::simulation();
     f.integrator = integrator;

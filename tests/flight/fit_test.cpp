@@ -71,8 +71,7 @@ TEST(Fit, finds_the_muzzle_speed_too) {
 
 TEST(Fit, linear_drag_is_recovered_in_closed_form) {
   // v = v0 - k x along a level path without gravity, k = k1 / m.
-  Environment weightless;
-  weightless.gravity.model = GravityModel::off;
+  Environment weightless{.gravity = {.model = GravityModel::off}};
   ProjectileDef p{.mass = 0.5};
   p.drag.k1 = 0.05;
   Fidelity f = vacuum();
@@ -128,8 +127,7 @@ TEST(Fit, a_published_table_gives_the_ballistic_coefficient_it_was_made_with) {
   constexpr double kFoot = 0.3048, kInch = 0.0254, kPerSquareInch = 0.45359237 / (0.0254 * 0.0254);
   ProjectileDef p = bullet_308();
   p.drag = {.table = DragTable::g7, .ballistic_coefficient = 100};
-  Environment e;
-  e.wind.velocity = {1.580525, 0, -1.580525};
+  Environment e{.wind = {.velocity = {1.580525, 0, -1.580525}}};
   const Launch launch{.speed = 2750 * kFoot, .elevation = 1.2278391e-3, .sight = {.height = 2 * kInch}};
   const std::vector<Measurement> table{{.range = 1500 * kFoot, .speed = 1814 * kFoot, .drop = -56.2 * kInch},
                                        {.range = 3000 * kFoot, .drop = -399.9 * kInch}};

@@ -137,9 +137,7 @@ TEST(Flight, fixed_steps_are_counted_so_that_time_gathers_no_rounding) {
 }
 
 TEST(Flight, a_planar_one_never_leaves_the_vertical_plane_of_fire) {
-  Environment e;
-  e.wind.profile = {{0, {3, 1, -9}}, {100, {-4, 0, 12}}};
-  e.earth.latitude = 1;
+  Environment e{.wind = {.profile = {{0, {3, 1, -9}}, {100, {-4, 0, 12}}}}, .earth = {.latitude = 1}};
   ProjectileDef p = bullet_308();
   p.drag.k1 = 1e-3;
   p.drag.damping = 0.7;
@@ -165,8 +163,7 @@ TEST(Flight, a_planar_one_never_leaves_the_vertical_plane_of_fire) {
 }
 
 TEST(Flight, planar_changes_nothing_where_nothing_acts_sideways) {
-  Fidelity f;
-  f.rotation = RotationModel::none;
+  Fidelity f{.rotation = RotationModel::none};
   const Flight free = shot(f);
   f.planar = true;
   EXPECT_TRUE(near(shot(f).end().position, free.end().position, 1e-12));
@@ -174,8 +171,7 @@ TEST(Flight, planar_changes_nothing_where_nothing_acts_sideways) {
 
 TEST(Flight, float32_agrees_with_float64_to_its_rounding) {
   for (const Integrator integrator : kIntegrators) {
-    Fidelity f;
-    f.integrator = integrator;
+    Fidelity f{.integrator = integrator};
     const Until until{.ground = {}, .time = 1.2};
     const Tolerance tolerance{2e-6, 2e-6, 1.0 / 512};
     const auto fly_in = [&](Precision precision) {
@@ -191,8 +187,7 @@ TEST(Flight, float32_agrees_with_float64_to_its_rounding) {
 }
 
 TEST(Flight, integrators_agree_with_each_other_and_with_closed_forms) {
-  ProjectileDef p;
-  p.drag.k1 = 0.2;
+  ProjectileDef p{.drag = {.k1 = 0.2}};
   Environment e = constant_gravity();
   e.wind.velocity = {4, 0, -3};
   Fidelity f = vacuum();
@@ -217,8 +212,7 @@ TEST(Flight, integrators_agree_with_each_other_and_with_closed_forms) {
 }
 
 TEST(Flight, motion_velocity_and_motion_force_agree_where_both_know_the_effects) {
-  ProjectileDef p;
-  p.drag.damping = 0.6;
+  ProjectileDef p{.drag = {.damping = 0.6}};
   for (const Integrator integrator : {Integrator::semi_implicit_euler, Integrator::rk4, Integrator::tsit5}) {
     Fidelity f = vacuum(integrator);
     f.drag = DragModel::damping;

@@ -32,12 +32,7 @@ Environment air_of(double density) {
 
 /// A ball whose lift is kappa x v in air of 1.2 kg/m^3, without drag.
 ProjectileDef trochoid_ball() {
-  ProjectileDef p;
-  p.mass = 0.4;
-  p.diameter = 0.2;
-  p.drag.coefficient = 0;
-  p.magnus.lift = 1.5;
-  return p;
+  return {.mass = 0.4, .diameter = 0.2, .drag = {.coefficient = 0}, .magnus = {.lift = 1.5}};
 }
 double spin_of_kappa(double kappa) {  // kappa = rho A l r omega / (2 m)
   const double area = 3.14159265358979323846 * 0.01;
@@ -67,9 +62,7 @@ TEST(Magnus, a_constant_one_flies_a_trochoid) {
   // Spin about the launch: right is z; up and forward lie in the plane of fire.
   for (const auto& [back, side, gyro] :
        {std::tuple{0.5, 0.0, 0.0}, {0.0, 1.0, 0.0}, {0.3, -0.4, 1.2}, {-2.0, 0.5, 0.1}}) {
-    Launch launch;
-    launch.velocity = v0;
-    launch.spin = {spin_of_kappa(back), spin_of_kappa(side), spin_of_kappa(gyro)};
+    Launch launch{.velocity = v0, .spin = {spin_of_kappa(back), spin_of_kappa(side), spin_of_kappa(gyro)}};
     const Vec3d forward = v0 * (1 / length(v0));
     const Vec3d up{-forward.y, forward.x, 0};
     const Vec3d kappa = Vec3d{0, 0, back} - up * side + forward * gyro;
@@ -162,8 +155,7 @@ TEST(Magnus, the_spin_dies_away) {
 }
 
 TEST(Magnus, tables_are_bilinear_and_held) {
-  MagnusDef m;
-  m.table = {{10, 100, 0.2, 0.1}, {10, 200, 0.4, 0.3}, {20, 100, 0.6, 0.5}, {20, 200, 1.2, 0.9}};
+  MagnusDef m{.table = {{10, 100, 0.2, 0.1}, {10, 200, 0.4, 0.3}, {20, 100, 0.6, 0.5}, {20, 200, 1.2, 0.9}}};
   const MagnusGrid g = magnus_grid(m);
   ASSERT_TRUE(is_full(g, 4));
   EXPECT_NEAR(magnus_at(g, 10, 100, 9).drag, 0.2, 1e-15);
@@ -250,8 +242,7 @@ TEST(Magnus, a_published_fly_ball) {
 /// Lift coefficient of a table-tennis ball at a speed and a spin, from the accelerations at launch.
 double lift_coefficient(double speed, double spin) {
   const ProjectileDef ball = presets::table_tennis_ball().projectile;
-  Environment e;
-  e.atmosphere.model = AirModel::constant;
+  Environment e{.atmosphere = {.model = AirModel::constant}};
   Launch launch{.speed = speed};
   launch.spin.backspin = spin;
   const Flight flight = fly(ball, launch, e, spinning(), {}, {.ground = {}, .time = 0.01});

@@ -62,9 +62,7 @@ TEST(Outcome, left_domain) {
 
 TEST(Outcome, non_finite) {
   // A huge push overflows; whatever the integrator, the flight ends where it last was sound.
-  ProjectileDef p;
-  p.mass = 1e-300;
-  p.force = {1e300, 0, 0};
+  ProjectileDef p{.mass = 1e-300, .force = {1e300, 0, 0}};
   for (const Integrator integrator : kIntegrators)
     for (const Precision precision : {Precision::float32, Precision::float64}) {
       Fidelity f = vacuum(integrator);
@@ -78,8 +76,7 @@ TEST(Outcome, non_finite) {
 
 TEST(Outcome, steps_that_are_far_too_long_are_braked) {
   // Quadratic drag of such steps would blow up.
-  ProjectileDef p;
-  p.drag.k2 = 10;
+  ProjectileDef p{.drag = {.k2 = 10}};
   for (const Integrator integrator :
        {Integrator::explicit_euler, Integrator::semi_implicit_euler, Integrator::heun, Integrator::rk4}) {
     Fidelity f = vacuum(integrator);
@@ -91,8 +88,7 @@ TEST(Outcome, steps_that_are_far_too_long_are_braked) {
 
 TEST(Outcome, stalled) {
   // A wall of wind after 100 s: no step short enough to enter it moves the clock.
-  ProjectileDef p;
-  p.drag.k1 = 1;
+  ProjectileDef p{.drag = {.k1 = 1}};
   Environment e = constant_gravity();
   e.gravity.acceleration = 0;
   e.wind = {.profile = {{0, {10, 0, 0}}, {1000, {1e15, 0, 0}}},
@@ -115,8 +111,7 @@ TEST(Outcome, stalled_at_a_drag_that_overflows) {
   // Each try is shorter than the last one, until none is left; the bends of the wind are looked for in all of them.
   ProjectileDef p{.mass = 0.01, .diameter = 1e140};
   p.drag.table = DragTable::g7;
-  Environment e;
-  e.wind.profile = {{0, {1, 0, 0}}, {100, {5, 0, 0}}};
+  Environment e{.wind = {.profile = {{0, {1, 0, 0}}, {100, {5, 0, 0}}}}};
   for (const Integrator integrator : kAdaptive) {
     Fidelity f = Fidelity::simulation();
     f.integrator = integrator;

@@ -12,9 +12,7 @@ namespace flight_rail_test {
 using namespace test;
 
 TEST(Rail, a_constant_push_along_it) {
-  ProjectileDef p;
-  p.mass = 2;
-  p.force = {};
+  ProjectileDef p{.mass = 2, .force = {}};
   p.motor.thrust = {{0, 50}, {10, 50}};  // no propellant: the mass stays
   const double elevation = 40 * kDegree;
   for (const Integrator integrator : {Integrator::semi_implicit_euler, Integrator::heun, Integrator::rk4,
@@ -37,8 +35,7 @@ TEST(Rail, a_constant_push_along_it) {
 }
 
 TEST(Rail, holds_until_thrust_overcomes_weight) {
-  ProjectileDef p;
-  p.mass = 3;
+  ProjectileDef p{.mass = 3};
   p.motor.thrust = {{0, 0}, {4, 80}, {5, 80}};  // 20 N/s; no propellant
   const double elevation = 75 * kDegree;
   const double pull = kG * std::sin(elevation);

@@ -178,13 +178,9 @@ TEST(SceneFlight, a_flight_and_a_world_meet_things_alike_to_rounding) {
         p.drag.damping = 0.9;
         Launch launch{.position = {0.5, 0.25, 0.125}, .speed = 35, .elevation = 0.4, .azimuth = 0.3};
         launch.spin = {.backspin = 200, .sidespin = 50, .gyrospin = 30};
-        WorldDef def;
-        def.ground.mode = GroundMode::none;
+        WorldDef def{.ground = {.mode = GroundMode::none}};
         World world = make_world(def, scene);
-        BodyDef body;
-        body.can_sleep = false;
-        body.restitution = 0.95;
-        body.collision = {.on_hit = OnHit::bounce, .radius = radius};
+        BodyDef body{.can_sleep = false, .restitution = 0.95, .collision = {.on_hit = OnHit::bounce, .radius = radius}};
         const auto id = must(world.spawn(p, launch, body));
         Until until = meeting(scene, OnHit::bounce, radius);
         until.contact.restitution = 0.95;

@@ -181,9 +181,7 @@ TEST(MeetingFlight, rockets_and_spin_drift_meet_things_where_they_fly_without) {
   rocket.mass = 1;
   rocket.motor.thrust = {{0, 60}, {0.8, 40}, {1, 0}};
   rocket.motor.propellant_mass = 0.2;
-  Launch pad;
-  pad.elevation = 1.4;
-  pad.rail_length = 2;
+  Launch pad{.elevation = 1.4, .rail_length = 2};
   for (const Integrator integrator : {Integrator::rk4, Integrator::tsit5}) {
     const Tolerance fine{.step = 1.0 / 500};
     Until until{.ground = std::nullopt, .time = 8};
@@ -228,14 +226,8 @@ TEST(MeetingFlight, a_world_goes_on_with_a_flight_that_has_bounced) {
     ProjectileDef p = stone();
     const Flight flight =
         fly(p, {.position = {0, 2, 0}, .speed = 4}, vacuum_of(kG), fidelity, {.step = 1.0 / 64}, until);
-    WorldDef def;
-    def.ground.mode = GroundMode::none;
-    def.environment = vacuum_of(kG);
-    World world = make_world(def, floor);
-    BodyDef body;
-    body.restitution = 0.9;
-    body.collision.on_hit = OnHit::bounce;
-    const auto id = must(world.spawn(flight, 1.0, body));
+    World world = make_world({.environment = vacuum_of(kG), .ground = {.mode = GroundMode::none}}, floor);
+    const auto id = must(world.spawn(flight, 1.0, {.restitution = 0.9, .collision = {.on_hit = OnHit::bounce}}));
     for (int i = 1; i <= 120; ++i) {
       world.step(1.0 / 64);
       ASSERT_LT(length(world[id].position() - flight.at(1 + i / 64.0).position), 1e-6) << i;
@@ -307,8 +299,7 @@ TEST(MeetingFlight, batches_refuse_a_scene) {
   EXPECT_EQ(batch.error->place, "until.scene");
   EXPECT_EQ(batch.shots[1].outcome, Outcome::refused);
   const double speeds[] = {10, 20, 30};
-  LaunchColumns columns;
-  columns.speed = speeds;
+  LaunchColumns columns{.speed = speeds};
   EXPECT_EQ(fly_columns(stone(), columns, {}, Fidelity::game(), {}, meeting(scene), {}).refused, 3u);
 }
 

@@ -31,8 +31,7 @@ Shot random_shot(std::mt19937_64& random, int way) {
   const auto between = [&](double low, double high) {  // evenly in the logarithm
     return low * std::pow(high / low, std::uniform_real_distribution<double>(0, 1)(random));
   };
-  Shot shot;
-  shot.projectile.diameter = between(0.003, 0.2);
+  Shot shot{.projectile = {.diameter = between(0.003, 0.2)}};
   shot.projectile.mass = std::pow(shot.projectile.diameter, 3) * between(20, 6000);
   constexpr std::array tables{DragTable::constant, DragTable::g1, DragTable::g7, DragTable::sphere};
   shot.projectile.drag.table = tables[random() % tables.size()];

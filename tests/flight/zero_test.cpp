@@ -101,8 +101,7 @@ TEST(Zero, is_shot_upright_and_cant_comes_afterwards) {
 }
 
 TEST(Zero, in_calm_air_or_in_the_wind_as_asked) {
-  Environment headwind;
-  headwind.wind.velocity = {-20, 0, 0};
+  Environment headwind{.wind = {.velocity = {-20, 0, 0}}};
   Launch launch{.speed = 400, .sight = {.zero_range = 300, .zero_in_calm_air = true}};
   const double calm = fly(bullet_308(), launch, headwind, {}).elevation();
   launch.sight.zero_in_calm_air = false;
@@ -130,8 +129,7 @@ TEST(Zero, every_motion_and_precision_is_zeroed_by_its_own_physics) {
 TEST(PilotStep, keeps_the_position_error) {
   const Launch launch{.speed = 800, .elevation = 0.01};
   const Until until{.ground = {}, .range = 800};
-  Fidelity f;
-  f.integrator = Integrator::dop853;
+  Fidelity f{.integrator = Integrator::dop853};
   const Flight exact = fly(bullet_308(), launch, {}, f, {1e-13, 1e-13}, until);
   for (const auto& [integrator, error] : {std::pair{Integrator::semi_implicit_euler, 0.1},
                                           {Integrator::heun, 1e-3},
@@ -177,11 +175,10 @@ TEST(PilotStep, is_not_flown_where_a_step_is_given_or_none_is_needed) {
 
 TEST(Zero, near_the_end_of_the_reach_lies_between_the_steps_of_the_search) {
   // Right: an own DOP853 at 1e-11, US76 and G7 by PCHIP; the shot carries 4300.97 m.
-  ProjectileDef bullet;
-  bullet.mass = 168 * 6.479891e-5;
-  bullet.diameter = 0.308 * 0.0254;
-  bullet.drag.table = DragTable::g7;
-  bullet.drag.ballistic_coefficient = 0.218 * 0.45359237 / (0.0254 * 0.0254);
+  ProjectileDef bullet{
+      .mass = 168 * 6.479891e-5,
+      .diameter = 0.308 * 0.0254,
+      .drag = {.table = DragTable::g7, .ballistic_coefficient = 0.218 * 0.45359237 / (0.0254 * 0.0254)}};
   const Launch launch{.speed = 2600 * 0.3048, .sight = {.height = 1.5 * 0.0254}};
   for (const auto& [range, degrees] : {std::pair{4250.0, 30.2035}, {4290.0, 33.2455}, {4300.0, 35.1172}}) {
     const auto e = must(zero_elevation(bullet, launch, {}, Fidelity::small_arms(), range), range);

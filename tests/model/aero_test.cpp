@@ -27,20 +27,12 @@ Fidelity in_air(BodyForm form, Integrator integrator = Integrator::dop853) {
   f.air = AirModel::constant;
   return f;
 }
-ProjectileDef shell() {
-  ProjectileDef p;
-  p.mass = 15;
-  p.diameter = 0.1;
-  p.twist = 2;
-  p.inertia.moments = {0.02, 0.2, 0.2};
-  return p;
-}
+ProjectileDef shell() { return {.mass = 15, .diameter = 0.1, .twist = 2, .inertia = {.moments = {0.02, 0.2, 0.2}}}; }
 constexpr double kArea = 0.25 * 3.14159265358979323846 * 0.01;
 
 // A body that flies off to infinity was given a cell behind the last one: a row beyond the end of its table.
 TEST(AeroTables, no_number_is_in_a_cell_behind_the_last) {
-  AeroDef aero;
-  aero.lift = {{.mach = 0.5, .value = 1}, {.mach = 1.5, .value = 2}};
+  AeroDef aero{.lift = {{.mach = 0.5, .value = 1}, {.mach = 1.5, .value = 2}}};
   TablePool pool;
   Rotor<double> r{};
   add_aero(aero, pool, r);
@@ -203,9 +195,7 @@ TEST(Aero, both_forms_fly_the_same_shell) {
   p.aero.magnus_moment = {{0, 0, -0.3}, {0, 0.01, 0.1}};
   Launch launch{.speed = 250, .elevation = 0.8};
   launch.attitude.rates = {0, 1, 2};
-  Environment e;
-  e.wind.velocity = {-3, 0.5, 4};
-  e.earth = {.latitude = 0.8, .azimuth = 1};
+  Environment e{.wind = {.velocity = {-3, 0.5, 4}}, .earth = {.latitude = 0.8, .azimuth = 1}};
   const auto flown = [&](BodyForm form) {
     Fidelity f = Fidelity::simulation();
     f.integrator = Integrator::dop853;

@@ -14,11 +14,7 @@
 namespace physim {
 namespace model_air_levels_test {
 
-Environment with_levels(std::vector<AirPoint> profile) {
-  Environment e;
-  e.atmosphere.profile = std::move(profile);
-  return e;
-}
+Environment with_levels(std::vector<AirPoint> profile) { return {.atmosphere = {.profile = std::move(profile)}}; }
 
 /// A morning with an inversion below a humid layer; pressures as a radiosonde measures them, to 10 Pa.
 std::vector<AirPoint> morning() {
@@ -178,10 +174,7 @@ TEST(AirLevels, are_the_same_behind_every_door) {
     EXPECT_EQ(batch.shots[3].position, flight.end().position);
     const Flight standard = fly(shell, launch, {}, f, {}, until);
     EXPECT_GT(std::abs(standard.end().position.y - flight.end().position.y), 5) << "it is not the standard";
-    WorldDef def;
-    def.environment = e;
-    def.ground.mode = GroundMode::none;
-    World world = make_world(def);
+    World world = make_world({.environment = e, .ground = {.mode = GroundMode::none}});
     const ProjectileId id = *world.spawn(shell, launch);
     for (int i = 0; i < 320; ++i) world.step(1.0 / 64);
     auto loaded = reloaded(world);

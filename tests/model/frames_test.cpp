@@ -10,10 +10,7 @@ namespace model_frames_test {
 double degrees(int whole, int minutes, double seconds) { return (whole + minutes / 60.0 + seconds / 3600) * kDegree; }
 
 double along_ground(const Geodetic& from, const Geodetic& to, EarthModel earth) {
-  Environment e;
-  e.earth.latitude = 0.4;
-  e.earth.longitude = 1.1;
-  const EarthFrames frames(e, earth);
+  const EarthFrames frames({.earth = {.latitude = 0.4, .longitude = 1.1}}, earth);
   return frames.ground_distance(frames.position(from), frames.position(to));
 }
 

@@ -118,9 +118,10 @@ Conditions<double> over_ellipsoid(const Environment& e) {
 }
 
 Environment somewhere(Random& r) {
-  Environment e;
-  e.altitude = r.one_in(3) ? 0 : r.one_in(2) ? r.in(-4000, 10000) : r.in(0, 1e6);
-  e.earth = {.latitude = r.in(-1.57, 1.57), .azimuth = r.in(-3, 3)};
+  Environment e{.altitude = r.one_in(3)   ? 0
+                            : r.one_in(2) ? r.in(-4000, 10000)
+                                          : r.in(0, 1e6),
+                .earth = {.latitude = r.in(-1.57, 1.57), .azimuth = r.in(-3, 3)}};
   if (r.one_in(8)) e.earth.latitude = 0;
   if (r.one_in(8)) e.earth.latitude = r.one_in(2) ? kPi / 2 : -kPi / 2;
   return e;

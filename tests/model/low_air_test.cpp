@@ -20,10 +20,8 @@ struct Station {
   double altitude = 0, temperature = 288.15, pressure = 101325, humidity = 0;
 
   [[nodiscard]] Environment environment() const {
-    Environment e;
-    e.altitude = altitude;
-    e.atmosphere.temperature = temperature, e.atmosphere.pressure = pressure, e.atmosphere.humidity = humidity;
-    return e;
+    return Environment{.altitude = altitude,
+                       .atmosphere = {.temperature = temperature, .pressure = pressure, .humidity = humidity}};
   }
 };
 

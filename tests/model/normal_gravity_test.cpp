@@ -26,9 +26,7 @@ constexpr Row kRows[] = {
 };
 
 Accelerations felt_at(double latitude, double height, GravityModel gravity, EarthModel earth) {
-  Environment e;
-  e.altitude = height;
-  e.earth.latitude = latitude * kDegree;
+  Environment e{.altitude = height, .earth = {.latitude = latitude * kDegree}};
   Fidelity f = vacuum();
   f.gravity = gravity;
   f.earth = earth;
@@ -126,8 +124,7 @@ TEST(NormalGravity, constant_gravity_is_weight_and_follows_the_vertical) {
 }
 
 TEST(NormalGravity, floats_are_as_good_as_floats) {
-  Environment e;
-  e.earth = {.latitude = 0.7, .azimuth = 1};
+  Environment e{.earth = {.latitude = 0.7, .azimuth = 1}};
   for (const GravityModel model : {GravityModel::inverse_square, GravityModel::j2, GravityModel::wgs84}) {
     Fidelity f = vacuum();
     f.gravity = model;

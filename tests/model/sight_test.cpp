@@ -67,8 +67,7 @@ TEST(Sight, cant_swings_the_bore_to_its_side) {
 }
 
 TEST(Sight, a_given_velocity_sets_the_plane_of_fire) {
-  Launch launch;
-  launch.velocity = Vec3d{-30, 40, 30};
+  Launch launch{.velocity = Vec3d{-30, 40, 30}};
   EXPECT_EQ(launch_velocity(launch, 0.9), (Vec3d{-30, 40, 30}));
   const SightFrame s = sight_frame(launch);
   EXPECT_TRUE(near(s.forward, {-std::sqrt(0.5), 0, std::sqrt(0.5)}, 1e-15));

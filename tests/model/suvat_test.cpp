@@ -78,8 +78,7 @@ TEST(Suvat, a_ball_passes_a_height_twice_as_a_flight_does) {
   const auto both = must(suvat({.s = 20, .u = 30, .a = -9.81}));
   ASSERT_EQ(both.size(), 2U);
   ProjectileDef ball;
-  Environment vacuum;
-  vacuum.gravity = {.model = GravityModel::constant, .acceleration = 9.81};
+  Environment vacuum{.gravity = {.model = GravityModel::constant, .acceleration = 9.81}};
   vacuum.atmosphere.model = AirModel::vacuum;
   Fidelity fidelity = Fidelity::simulation();
   fidelity.gravity = GravityModel::constant;

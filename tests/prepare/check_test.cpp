@@ -376,8 +376,7 @@ TEST(Check, every_number_of_a_launch_is_looked_at) {
     }
   }
   // A sum that overflows says nothing.
-  Launch far;
-  far.position = {1.5e308, 1.5e308, 0};
+  Launch far{.position = {1.5e308, 1.5e308, 0}};
   EXPECT_TRUE(check(far));
 }
 

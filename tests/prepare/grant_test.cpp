@@ -387,8 +387,7 @@ TEST(Grant, a_tolerance_of_a_fidelity_stands_in_where_none_is_given) {
 TEST(Grant, what_starts_at_rest_in_the_air_has_drag_by_k2_too) {
   ProjectileDef ball = presets::baseball().projectile;
   const Launch drop{.position = {0, 100, 0}};
-  Environment air;
-  air.atmosphere.model = AirModel::constant;
+  Environment air{.atmosphere = {.model = AirModel::constant}};
   const double in_vacuum = fly(ball, drop, air, Fidelity::arcade()).duration();
   const double in_air = fly(ball, drop, air, Fidelity::constant_air()).duration();
   const double in_game = fly(ball, drop, air, Fidelity::game()).duration();

@@ -24,9 +24,7 @@ TEST(Presets, AreNamedDescribedAndSpawn) {
 
 // The published frame of test 5 of the original: the shell with (0, 2, 40) m/s; here x is downrange.
 TEST(Presets, ArtilleryFliesAsTheOriginals) {
-  WorldDef def;
-  def.ground.mode = GroundMode::none;
-  World world = World::create(def).value();
+  World world = World::create({.ground = {.mode = GroundMode::none}}).value();
   const ProjectilePreset shell = presets::artillery();
   const ProjectileId id =
       *world.spawn(shell.projectile, {.position = {0, 1.5, 0}, .velocity = Vec3d{40, 4, 0}}, shell.body);

@@ -39,8 +39,7 @@ WorldRun run_to_end(const Scenario& scenario) {
 }
 
 double figure_of(const WorldGroup& group, const std::string& quantity) {
-  Expectation asked;
-  asked.quantity = quantity;
+  Expectation asked{.quantity = quantity};
   return must(measure(group, asked));
 }
 
@@ -228,8 +227,7 @@ TEST(EmitterRun, CountsWhatWasWarmedUp) {
 }
 
 TEST(EmitterRun, AnExpectationOfEmittersNeedsOne) {
-  WorldGroup group;
-  group.name = "gun";
+  WorldGroup group{.name = "gun"};
   Expectation born;
   born.quantity = "born";
   born.place = "f.toml:9:1";

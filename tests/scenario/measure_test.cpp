@@ -14,8 +14,7 @@ const double kSide = kSpeed * std::sqrt(0.5);  // both components of 45 degrees
 Flight lob() {
   Fidelity fidelity = Fidelity::arcade();
   fidelity.precision = Precision::float64;
-  const Launch launch{.speed = kSpeed, .elevation = std::atan(1.0)};
-  return fly({.mass = 2}, launch, {}, fidelity);
+  return fly({.mass = 2}, {.speed = kSpeed, .elevation = std::atan(1.0)}, {}, fidelity);
 }
 
 double figure(const std::string& quantity, ExpectAt at, double at_value = 0) {
@@ -77,8 +76,7 @@ TEST(Measure, LooksAtTheJerk) {
   fidelity.wind = WindModel::off;
   fidelity.earth = EarthModel::flat;
   fidelity.rotation = RotationModel::none;
-  const ProjectileDef projectile{.mass = 2, .drag = {.k1 = 2 * k}};
-  const Flight flight = fly(projectile, {.velocity = Vec3d{30, 20, 5}}, {}, fidelity);
+  const Flight flight = fly({.mass = 2, .drag = {.k1 = 2 * k}}, {.velocity = Vec3d{30, 20, 5}}, {}, fidelity);
   for (const std::string axis : {"x", "y", "z"}) {
     const auto at_one_second = [&](const std::string& what) {
       return *measure(flight, {.at = ExpectAt::time, .at_value = 1, .quantity = what + axis});

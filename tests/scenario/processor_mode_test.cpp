@@ -58,8 +58,7 @@ TEST(ProcessorMode, OfTheCallerChangesNoScenario) {
       {"fly_shot, measure",
        [&](Bits& bits) {
          const Flight flight = fly_shot(scenario, scenario.shots[0]);
-         Expectation expectation;
-         expectation.quantity = "energy";
+         Expectation expectation{.quantity = "energy"};
          bits << flight << *measure(flight, expectation);
        }},
       {"WorldRun",

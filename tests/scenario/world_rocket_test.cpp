@@ -50,10 +50,7 @@ TEST(WorldRocket, FliesInAWorldAsItDoesAlone) {
 
 TEST(WorldRocket, AVolleyOfThemScattersAboutTheRail) {
   Scenario scenario = rocket({"world.duration=40 s", "world.step=0.02 s", "world.apex_events=true"});
-  Volley volley;
-  volley.name = "salvo";
-  volley.shot = "rocket";
-  volley.count = 20;
+  Volley volley{.name = "salvo", .shot = "rocket", .count = 20};
   volley.spread.horizontal = volley.spread.vertical = 0.02;
   scenario.volleys.push_back(volley);
   WorldRun run = WorldRun::create(scenario).value();

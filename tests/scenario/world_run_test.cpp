@@ -262,11 +262,7 @@ TEST(WorldRun, AVelocityTakesThePlaceOfAPresetsSpeed) {
 }
 
 // --------------------------------------------------------------------------------------------------------- scatter
-Volley volley_of(Spread spread) {
-  Volley volley;
-  volley.spread = spread;
-  return volley;
-}
+Volley volley_of(Spread spread) { return {.spread = spread}; }
 
 TEST(Scatter, HasTheDeviationsAskedFor) {
   const Volley volley = volley_of({.horizontal = 0.01, .vertical = 0.02, .speed = 3});

@@ -41,8 +41,7 @@ INSTANTIATE_TEST_SUITE_P(Shipped, WrittenScenario, testing::ValuesIn(test::shipp
                          });
 
 TEST(ScenarioText, KeepsTextThatNeedsQuotes) {
-  Scenario scenario;
-  scenario.title = "a \"quoted\" title\nof two lines";
+  Scenario scenario{.title = "a \"quoted\" title\nof two lines"};
   scenario.shots.resize(1);
   scenario.shots[0].projectile.name = "one.two";
   const Scenario after = must(parse_scenario(scenario_text(scenario), "written.toml"));

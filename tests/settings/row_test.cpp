@@ -65,9 +65,7 @@ TEST(SettingRows, every_number_of_a_projectile_is_checked) {
   expect_refusals<kMagnusRows>(sound, "projectile.");
   expect_refusals<kInertiaRows>(sound, "projectile.");
   expect_refusals<kAeroRows>(sound, "projectile.");
-  ProjectileDef rocket;
-  rocket.motor.thrust = {{0, 10}, {1, 10}};
-  expect_refusals<kMotorRows>(rocket, "projectile.");
+  expect_refusals<kMotorRows>(ProjectileDef{.motor = {.thrust = {{0, 10}, {1, 10}}}}, "projectile.");
 }
 
 TEST(SettingRows, every_number_of_a_launch_is_checked) {

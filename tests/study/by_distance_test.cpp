@@ -12,14 +12,12 @@ constexpr double kDeviation = 2;  // of each point [N]
 
 /// Straight up on a motor that has burned out after 3 s; its points are off by as much each.
 Study burning(double length) {
-  Study study;
-  study.projectile.mass = 2;
-  study.projectile.motor.thrust = {{0, 40}, {0.5, 60}, {1, 50}, {2, 45}, {2.5, 0}};
-  study.launch = {.speed = 100, .elevation = 90 * kDegree};
-  study.environment.gravity.model = GravityModel::constant;
-  study.fidelity = vacuum();
-  study.until = {.time = 3};
-  study.quantities = {StudyQuantity::vy};
+  Study study{.projectile = {.mass = 2, .motor = {.thrust = {{0, 40}, {0.5, 60}, {1, 50}, {2, 45}, {2.5, 0}}}},
+              .launch = {.speed = 100, .elevation = 90 * kDegree},
+              .environment = {.gravity = {.model = GravityModel::constant}},
+              .fidelity = vacuum(),
+              .until = {.time = 3},
+              .quantities = {StudyQuantity::vy}};
   study.shard_shots = study.shots = 1 << 14;
   for (const char* path : {"shot.motor.thrust.2", "shot.motor.thrust.4", "shot.motor.thrust.1", "shot.motor.thrust.3"})
     study.inputs.push_back({.path = path, .distribution = NormalDistribution{0, kDeviation}, .added = true});
@@ -70,8 +68,7 @@ TEST(StudyByDistance, an_impulse_varies_as_its_points_do_together) {
 
 /// A point that is drawn twice, for occasions and rounds, goes by the first.
 TEST(StudyByDistance, names_the_points_that_are_drawn) {
-  Study study;
-  study.environment.wind.profile = {{0, {}}, {10, {}}, {40, {}}, {100, {}}};
+  Study study{.environment = {.wind = {.profile = {{0, {}}, {10, {}}, {40, {}}, {100, {}}}}}};
   const auto wind = [](const char* path) { return input(path, NormalDistribution{0, 1}); };
   study.inputs = {wind("shot.speed"), wind("environment.wind.profile.4.velocity.z"),
                   wind("environment.wind.profile.2.velocity.z"), wind("environment.wind.profile.1.velocity.x"),
@@ -85,11 +82,9 @@ TEST(StudyByDistance, names_the_points_that_are_drawn) {
 }
 
 TEST(StudyByDistance, refuses_what_has_no_distance) {
-  Study study;
-  study.projectile.drag.table = DragTable::custom;
-  study.projectile.drag.curve = {{0.5, 0.2}, {1, 0.4}, {2, 0.3}};
-  study.projectile.magnus.table = {{10, 1, 0.4, 0.1}, {20, 1, 0.4, 0.1}};
-  study.projectile.aero.magnus_force = {{1, 0, 0.5}, {1, 0.01, 0.6}};
+  Study study{.projectile = {.drag = {.table = DragTable::custom, .curve = {{0.5, 0.2}, {1, 0.4}, {2, 0.3}}},
+                             .magnus = {.table = {{10, 1, 0.4, 0.1}, {20, 1, 0.4, 0.1}}},
+                             .aero = {.magnus_force = {{1, 0, 0.5}, {1, 0.01, 0.6}}}}};
   const auto draw = [](const char* path) { return input(path, NormalDistribution{0.3, 0.01}); };
   study.inputs = {draw("shot.drag.curve.2"), draw("shot.magnus.table.1.lift"), draw("shot.magnus.table.2.lift"),
                   draw("shot.aero.magnus_force.1"), draw("shot.aero.magnus_force.2")};

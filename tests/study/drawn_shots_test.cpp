@@ -11,15 +11,14 @@ Study drawn_study(Sampling sampling) {
   const auto of_occasion = [](const char* path, const Distribution& distribution) {
     return StudyInput{.path = path, .distribution = distribution, .drawn_for = DrawnFor::occasion};
   };
-  Study study;
-  study.inputs = {
-      input("alone", UniformDistribution{1, 2}),  input("a", NormalDistribution{800, 3}),
-      input("b", LognormalDistribution{2, 0.7}),  of_occasion("day", TriangularDistribution{1, 2, 7}),
-      of_occasion("c", NormalDistribution{0, 1}), of_occasion("d", TruncatedNormalDistribution{1, 2, 0, 3})};
-  study.correlated = {{.inputs = {1, 2}, .matrix = {1, 0.6, 0.6, 1}}, {.inputs = {4, 5}, .matrix = {1, -0.4, -0.4, 1}}};
-  study.quantities = {StudyQuantity::right, StudyQuantity::up};
-  study.sampling = sampling;
-  study.rounds = 8;
+  Study study{
+      .inputs = {input("alone", UniformDistribution{1, 2}), input("a", NormalDistribution{800, 3}),
+                 input("b", LognormalDistribution{2, 0.7}), of_occasion("day", TriangularDistribution{1, 2, 7}),
+                 of_occasion("c", NormalDistribution{0, 1}), of_occasion("d", TruncatedNormalDistribution{1, 2, 0, 3})},
+      .correlated = {{.inputs = {1, 2}, .matrix = {1, 0.6, 0.6, 1}}, {.inputs = {4, 5}, .matrix = {1, -0.4, -0.4, 1}}},
+      .rounds = 8,
+      .sampling = sampling,
+      .quantities = {StudyQuantity::right, StudyQuantity::up}};
   if (sampling == Sampling::sobol) {  // it knows no occasions
     study.rounds = 1;
     for (StudyInput& each : study.inputs) each.drawn_for = DrawnFor::round;

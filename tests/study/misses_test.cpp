@@ -13,11 +13,9 @@ double beyond(double from, double deviation) { return std::erfc(from / (deviatio
 
 /// Wind and aim move the impact aside, the rifle in height.
 Study three_inputs(double aside = 0) {
-  Study study;
-  study.inputs = {input("wind", NormalDistribution{aside, 0.4}), input("aim", NormalDistribution{0, 0.3}),
-                  input("rifle", NormalDistribution{0, 0.2})};
-  study.quantities = {StudyQuantity::right, StudyQuantity::up};
-  return study;
+  return {.inputs = {input("wind", NormalDistribution{aside, 0.4}), input("aim", NormalDistribution{0, 0.3}),
+                     input("rifle", NormalDistribution{0, 0.2})},
+          .quantities = {StudyQuantity::right, StudyQuantity::up}};
 }
 void moved(std::span<const std::span<const double>> in, std::span<const std::span<double>> out) {
   for (std::size_t i = 0; i < out[0].size(); ++i) {

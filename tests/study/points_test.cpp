@@ -10,13 +10,11 @@ namespace study_points_test {
 using namespace test;
 
 Study shot_at(double range) {
-  Study study;
-  study.projectile.mass = 0.01;
-  study.projectile.diameter = 0.008;
-  study.launch = {.position = {0, 2, 0}, .speed = 600, .elevation = 0.01};
-  study.environment.gravity.model = GravityModel::constant;
-  study.until = {.range = range};
-  study.tolerance.position_error = 1e-5;
+  Study study{.projectile = {.mass = 0.01, .diameter = 0.008},
+              .launch = {.position = {0, 2, 0}, .speed = 600, .elevation = 0.01},
+              .environment = {.gravity = {.model = GravityModel::constant}},
+              .tolerance = {.position_error = 1e-5},
+              .until = {.range = range}};
   study.shard_shots = study.shots = 64;
   return study;
 }
@@ -72,14 +70,12 @@ TEST(StudyPoints, a_profile_of_one_point_is_a_wind) {
 
 /// Straight up on a motor that has burned out after 3 s.
 Study burning(const std::vector<ThrustPoint>& thrust) {
-  Study study;
-  study.projectile.mass = 2;
-  study.projectile.motor.thrust = thrust;
-  study.launch = {.speed = 100, .elevation = 90 * kDegree};
-  study.environment.gravity.model = GravityModel::constant;
-  study.fidelity = vacuum();
-  study.until = {.time = 3};
-  study.quantities = {StudyQuantity::vy};
+  Study study{.projectile = {.mass = 2, .motor = {.thrust = thrust}},
+              .launch = {.speed = 100, .elevation = 90 * kDegree},
+              .environment = {.gravity = {.model = GravityModel::constant}},
+              .fidelity = vacuum(),
+              .until = {.time = 3},
+              .quantities = {StudyQuantity::vy}};
   study.shard_shots = study.shots = 64;
   return study;
 }

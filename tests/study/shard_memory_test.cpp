@@ -27,11 +27,10 @@ TEST(ShardMemory, of_one_shard_does_not_show_in_another) {
   const auto add = [](auto inputs, auto quantities) {
     for (std::size_t i = 0; i < quantities[0].size(); ++i) quantities[0][i] = inputs[0][i] < 0 ? kNan : inputs[0][i];
   };
-  Study study;
-  study.inputs = {{.path = "a", .distribution = NormalDistribution{0.5, 1}}};
-  study.quantities = {StudyQuantity::time};
-  study.shard_shots = 256;
-  study.shots = 1024;
+  Study study{.inputs = {{.path = "a", .distribution = NormalDistribution{0.5, 1}}},
+              .shots = 1024,
+              .shard_shots = 256,
+              .quantities = {StudyQuantity::time}};
   const auto plan = must(plan_study(study, add));
   std::vector<std::vector<std::byte>> parts;
   for (std::uint64_t shard = 0; shard < 4; ++shard) parts.push_back(save_part(run_shard(plan, shard)));

@@ -69,19 +69,19 @@ TEST(StudyShots, are_those_that_numbers_give_again) {
 
 /// An uncertain wind that is added to a profile moves all of it: each shot is a flight in such an environment.
 TEST(StudyShots, fly_in_profiles_of_wind_of_their_own) {
-  Study study;
-  study.projectile = {.mass = 0.145, .diameter = 0.0737, .drag = {.coefficient = 0.4}};
-  study.launch = {.position = {0, 1, 0}, .speed = 40, .elevation = 0.6};
-  study.environment.wind.profile = {{0, {-1, 0, 2}}, {30, {-3, 0, 5}}};
-  study.fidelity = Fidelity::simulation();
-  study.until.events = {{.kind = EventKind::apex, .terminal = true}};
-  study.inputs = {{.path = "environment.wind.velocity.x", .distribution = NormalDistribution{0, 2}, .added = true},
-                  {.path = "environment.wind.velocity.z", .distribution = NormalDistribution{0, 2}, .added = true},
-                  {.path = "environment.atmosphere.temperature", .distribution = NormalDistribution{290, 5}}};
-  study.quantities = {StudyQuantity::z, StudyQuantity::y};
-  study.tolerance.step = 1e-3;
-  study.shard_shots = 16;
-  study.shots = 32;
+  Study study{
+      .projectile = {.mass = 0.145, .diameter = 0.0737, .drag = {.coefficient = 0.4}},
+      .launch = {.position = {0, 1, 0}, .speed = 40, .elevation = 0.6},
+      .environment = {.wind = {.profile = {{0, {-1, 0, 2}}, {30, {-3, 0, 5}}}}},
+      .fidelity = Fidelity::simulation(),
+      .tolerance = {.step = 1e-3},
+      .until = {.events = {{.kind = EventKind::apex, .terminal = true}}},
+      .inputs = {{.path = "environment.wind.velocity.x", .distribution = NormalDistribution{0, 2}, .added = true},
+                 {.path = "environment.wind.velocity.z", .distribution = NormalDistribution{0, 2}, .added = true},
+                 {.path = "environment.atmosphere.temperature", .distribution = NormalDistribution{290, 5}}},
+      .shots = 32,
+      .shard_shots = 16,
+      .quantities = {StudyQuantity::z, StudyQuantity::y}};
   const auto plan = must(plan_study(study));
   const StudyShots shots = fly_shots_of(plan, 1);
   for (const std::size_t i : {0U, 5U, 15U}) {

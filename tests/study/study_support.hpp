@@ -34,11 +34,9 @@ inline StudyInput input(const char* path, const Distribution& distribution) {
 
 /// Impacts that scatter normally about a point.
 inline Study scatter(double right = 0, double up = 0) {
-  Study study;
-  study.inputs = {input("right", NormalDistribution{right, 1}), input("up", NormalDistribution{up, 1})};
-  study.quantities = {StudyQuantity::right, StudyQuantity::up};
-  study.shots = 1'000'000;
-  return study;
+  return {.inputs = {input("right", NormalDistribution{right, 1}), input("up", NormalDistribution{up, 1})},
+          .shots = 1'000'000,
+          .quantities = {StudyQuantity::right, StudyQuantity::up}};
 }
 
 inline StudyResult result_of(const Study& study, const StudyFunction& function, TaskRunner* runner = nullptr) {

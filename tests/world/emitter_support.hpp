@@ -30,9 +30,7 @@ inline EmitterId added(World& world, const EmitterDef& def) { return must(world.
 
 /// A spray upwards of so many a second that live for so long.
 inline EmitterDef spray(KindId kind, double per_second, double lifetime) {
-  EmitterDef def;
-  def.kind = kind;
-  def.seed = 7;
+  EmitterDef def{.kind = kind, .seed = 7};
   def.rotation = {0.7071067811865476, 0, 0, 0.7071067811865476};  // forwards is up
   def.per_second = {per_second};
   def.maximum = 1u << 30;

@@ -27,11 +27,7 @@ inline ProjectileDef mass_of(double mass, Precision precision = Precision::float
   return p;
 }
 
-inline BodyDef bob() {
-  BodyDef body;
-  body.can_sleep = false;
-  return body;
-}
+inline BodyDef bob() { return {.can_sleep = false}; }
 inline BodyDef weightless() {
   BodyDef body = bob();
   body.gravity_scale = 0;

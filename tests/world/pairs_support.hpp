@@ -8,10 +8,7 @@ namespace physim::test_pairs {
 using test::of_kind;
 
 inline WorldDef space(GroundMode ground = GroundMode::none) {
-  WorldDef def;
-  def.ground.mode = ground;
-  def.environment.atmosphere.model = AirModel::vacuum;
-  return def;
+  return {.environment = {.atmosphere = {.model = AirModel::vacuum}}, .ground = {.mode = ground}};
 }
 
 inline ProjectileDef mass_of(double mass, Precision precision = Precision::float64) {
@@ -22,13 +19,11 @@ inline ProjectileDef mass_of(double mass, Precision precision = Precision::float
 }
 
 inline BodyDef ball(double radius, double restitution = 1, double friction = 0) {
-  BodyDef body;
-  body.gravity_scale = 0;
-  body.restitution = restitution;
-  body.friction = friction;
-  body.can_sleep = false;
-  body.collision = {.on_hit = OnHit::bounce, .radius = radius, .others = 1};
-  return body;
+  return {.gravity_scale = 0,
+          .can_sleep = false,
+          .restitution = restitution,
+          .friction = friction,
+          .collision = {.on_hit = OnHit::bounce, .radius = radius, .others = 1}};
 }
 
 inline ProjectileId put(World& world, const ProjectileDef& p, const BodyDef& body, const Vec3d& x,

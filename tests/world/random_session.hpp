@@ -10,18 +10,14 @@
 namespace physim::test {
 
 inline WorldDef session_world() {
-  WorldDef def;
-  def.environment.wind.velocity = {1, 0, -3};
-  def.environment.wind.profile = {{0, {0, 0, 0}}, {100, {2, 0, -3}}};
-  def.environment.atmosphere.temperature = 290;
-  def.ground = {GroundMode::bounce, 0, 0.8, 0.7};
-  def.apex_events = true;
-  def.step = 1.0 / 60;
-  def.pools = {{"few", 40, WhenFull::replace_oldest}, {"many", 400, WhenFull::refuse}};
-  def.detail.rungs = {{Fidelity::constant_air(), 300, 4}, {Fidelity::game()}};
-  def.detail.layers = 2;
-  def.max_projectiles = 300;
-  return def;
+  return {.environment = {.atmosphere = {.temperature = 290},
+                          .wind = {.velocity = {1, 0, -3}, .profile = {{0, {0, 0, 0}}, {100, {2, 0, -3}}}}},
+          .ground = {GroundMode::bounce, 0, 0.8, 0.7},
+          .step = 1.0 / 60,
+          .apex_events = true,
+          .pools = {{"few", 40, WhenFull::replace_oldest}, {"many", 400, WhenFull::refuse}},
+          .detail = {.rungs = {{Fidelity::constant_air(), 300, 4}, {Fidelity::game()}}, .layers = 2},
+          .max_projectiles = 300};
 }
 
 /// What there is; nobody where there is an error.
@@ -158,8 +154,7 @@ class RandomSession {
       world_.restore(snapshots_[static_cast<std::size_t>(below(static_cast<int>(snapshots_.size())))]);
   }
   void surroundings() {
-    Environment e;
-    e.wind.velocity = vector(5);
+    Environment e{.wind = {.velocity = vector(5)}};
     switch (below(5)) {
       case 0:
         if (environments_ < 4 && world_.add_environment(e)) ++environments_;

@@ -45,15 +45,9 @@ inline ProjectileDef stone() {
 }
 
 inline ProjectileDef bullet() {
-  ProjectileDef p;
-  p.mass = 0.01134;
-  p.diameter = 0.00782;
-  p.drag.table = DragTable::g7;
-  p.drag.ballistic_coefficient = 170;
-  p.drag.damping = 0.9;
-  p.drag.k1 = 0.001;
-  p.drag.k2 = 0.00002;
-  return p;
+  return {.mass = 0.01134,
+          .diameter = 0.00782,
+          .drag = {.table = DragTable::g7, .ballistic_coefficient = 170, .damping = 0.9, .k1 = 0.001, .k2 = 0.00002}};
 }
 
 /// Steps until `seconds` have passed and gathers the events.

@@ -36,16 +36,14 @@ OnLine line(double time) {
 }
 
 EmitterDef led(World& world) {
-  EmitterDef def;
-  def.kind = kind_of(world, spark(), {.use_gravity = false});
-  def.seed = 5;
-  def.position = kCorners[0].position;
-  def.per_second = {311};
-  def.per_metre = 3.7;
-  def.start.speed = {0};
-  def.inherit_velocity = 1;
-  def.maximum = 1u << 30;
-  return def;
+  return {.kind = kind_of(world, spark(), {.use_gravity = false}),
+          .seed = 5,
+          .position = kCorners[0].position,
+          .inherit_velocity = 1,
+          .per_second = {311},
+          .per_metre = 3.7,
+          .start = {.speed = {0}},
+          .maximum = 1u << 30};
 }
 
 /// Tells the legs that begin up to `ahead` from now.

@@ -162,9 +162,7 @@ TEST(JointAnchor, a_crane_that_starts_wakes_what_hangs_from_it) {
       {.motion = KeyedMotion{{{.time = 0}, {.time = 2}, {.time = 4, .position = {1, 0, 0}}}, MotionCurve::straight}},
       crane);
   World world = make_world(falling(), scene);
-  BodyDef sleeper;
-  sleeper.sleep_time = 0.3;
-  const ProjectileId load = put(world, mass_of(50), sleeper, {0, -3, 0});
+  const ProjectileId load = put(world, mass_of(50), {.sleep_time = 0.3}, {0, -3, 0});
   join(world, {.kind = JointKind::cable, .a = load, .thing = crane});
   for (int i = 0; i < 110; ++i) world.step(1.0 / 60);
   EXPECT_TRUE(world[load].is_asleep());
@@ -237,9 +235,7 @@ TEST(JointAnchor, it_is_kept_and_played_again_to_the_bit) {
   run(world, 40, 120);
   EXPECT_EQ(world.hash(), hash);
   for (const unsigned threads : {1u, 3u}) {
-    LoadOptions options;
-    options.threading = {threads, 1};
-    auto loaded = must(World::load(saved, options));
+    auto loaded = must(World::load(saved, {.threading = {threads, 1}}));
     run(loaded, 40, 120);
     EXPECT_EQ(loaded.hash(), hash);
   }

@@ -98,9 +98,7 @@ TEST(JointBreak, the_weakest_link_of_a_chain_breaks_and_what_it_held_falls) {
 TEST(JointBreak, what_slept_falls_if_its_cable_breaks) {
   // A ball that sleeps on its cable gets heavier than that can hold.
   World world = World::create(falling()).value();
-  BodyDef sleeper;
-  sleeper.sleep_time = 0.3;
-  const ProjectileId ball = put(world, mass_of(1), sleeper, {0, -1, 0});
+  const ProjectileId ball = put(world, mass_of(1), {.sleep_time = 0.3}, {0, -1, 0});
   join(world, {.kind = JointKind::cable, .a = ball, .break_force = 1.5 * kGravity});
   for (int i = 0; i < 60; ++i) world.step(1.0 / 60);
   ASSERT_TRUE(world[ball].is_asleep());

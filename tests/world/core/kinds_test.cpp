@@ -75,8 +75,7 @@ void flood(World& world) {
 }
 
 TEST(Kinds, one_that_is_idle_for_the_longest_is_not_let_go_as_it_is_spawned) {
-  WorldDef def;
-  def.pools = {{"one", 1, WhenFull::replace_oldest}};
+  WorldDef def{.pools = {{"one", 1, WhenFull::replace_oldest}}};
   World world = make_world(def);
   for (int round = 0; round < 5; ++round)
     for (std::size_t i = 0; i <= kMostIdleKinds + 1; ++i) {  // the next one is always the one idle for the longest
@@ -89,9 +88,7 @@ TEST(Kinds, one_that_is_idle_for_the_longest_is_not_let_go_as_it_is_spawned) {
 }
 
 TEST(Kinds, a_snapshot_keeps_what_it_needs) {
-  WorldDef def;
-  def.ground.mode = GroundMode::none;
-  World world = make_world(def);
+  World world = make_world({.ground = {.mode = GroundMode::none}});
   for (int i = 0; i < 20; ++i) ASSERT_TRUE(world.spawn(stone_of(1 + i), {.position = {0, 50, 0}}));
   const Snapshot then = world.snapshot();
   const std::uint64_t hash = world.hash();

@@ -35,25 +35,18 @@ ProjectileDef marble() {
   return p;
 }
 BodyDef bouncy(Combine rule, double radius = 0) {
-  BodyDef body;
-  body.restitution = kOwn;
-  body.friction = 0;
-  body.combine.restitution = rule;
-  body.can_sleep = false;
-  body.collision = {.on_hit = OnHit::bounce, .radius = radius};
-  return body;
+  return {.can_sleep = false,
+          .restitution = kOwn,
+          .friction = 0,
+          .combine = {.restitution = rule},
+          .collision = {.on_hit = OnHit::bounce, .radius = radius}};
 }
 Scene slab(const Material& material) {
   Scene scene;
   put(scene, BoxShape{{100, 0.5, 100}}, {0, -0.5, 0}, *scene.add_material(material));
   return scene;
 }
-WorldDef space(GroundMode mode = GroundMode::none) {
-  WorldDef def;
-  def.environment = vacuum_of(kG);
-  def.ground.mode = mode;
-  return def;
-}
+WorldDef space(GroundMode mode = GroundMode::none) { return {.environment = vacuum_of(kG), .ground = {.mode = mode}}; }
 /// The speed behind the first bounce over that before it, of what comes down with 10 m/s from its start.
 double kept(const std::vector<Event>& events) {
   const auto bounces = of_kind(events, EventKind::bounced);
@@ -154,8 +147,7 @@ TEST(Combine, what_is_no_rule_is_refused_with_its_place) {
   Scene scene;
   EXPECT_EQ(scene.add_material({.combine = {.restitution = none}}).error().place, "material.combine.restitution");
   EXPECT_EQ(scene.add_material({.combine = {.friction = none}}).error().place, "material.combine.friction");
-  WorldDef def;
-  def.ground.combine.friction = none;
+  WorldDef def{.ground = {.combine = {.friction = none}}};
   EXPECT_EQ(World::create(def).error().place, "ground.combine.friction");
   World world;
   EXPECT_EQ(world.spawn(stone(), {}, bouncy(none)).error().place, "body.combine.restitution");

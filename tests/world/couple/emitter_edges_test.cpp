@@ -16,12 +16,11 @@ TEST(EmitterEdges, births_by_distance_go_on_where_they_fall_on_frames) {
     World world = empty_world();
     const KindId kind = kind_of(world, spark());
     while (world.time() < 1.1333) ASSERT_TRUE(world.step(1 / rate));
-    EmitterDef def;
-    def.kind = kind;
-    def.per_second = {0};
-    def.per_metre = 6;
-    def.maximum = 100000;
-    def.motion = SteadyMotion{.velocity = {60, 0, 0}};
+    EmitterDef def{.kind = kind,
+                   .motion = SteadyMotion{.velocity = {60, 0, 0}},
+                   .per_second = {0},
+                   .per_metre = 6,
+                   .maximum = 100000};
     const EmitterId id = added(world, def);
     const double from = world.time();
     while (world.time() < 12) ASSERT_TRUE(world.step(1 / rate));
@@ -105,13 +104,10 @@ TEST(EmitterEdges, what_is_put_up_after_a_prewarm_is_met) {
   const ShapeId box = *scene.add_shape(BoxShape{{0.1, 50, 50}});
   ASSERT_TRUE(scene.add({.shape = box, .transform = {.position = {900, 0, 0}}}));
   ASSERT_TRUE(world.set_scene(scene));
-  EmitterDef def;
-  def.kind = kind_of(world, spark(), {.collision = {.on_hit = OnHit::stop}});
-  def.cycle.duration = 0.5;
-  def.cycle.prewarm = true;
-  def.per_second = {20};
-  def.start.speed = {10};
-  def.start.lifetime = {20};
+  EmitterDef def{.kind = kind_of(world, spark(), {.collision = {.on_hit = OnHit::stop}}),
+                 .cycle = {.duration = 0.5, .prewarm = true},
+                 .per_second = {20},
+                 .start = {.lifetime = {20}, .speed = {10}}};
   const EmitterId id = added(world, def);
   ASSERT_TRUE(world.add_instance({.shape = box, .transform = {.position = {25, 0, 0}}}));
   ASSERT_TRUE(world.stop_emitter(id));
@@ -122,8 +118,7 @@ TEST(EmitterEdges, what_is_put_up_after_a_prewarm_is_met) {
 TEST(EmitterEdges, functions_asked_about_the_past_change_nothing) {
   World world = empty_world();
   int refused = 0;
-  EmitterDef def;
-  def.kind = kind_of(world, spark(), {.collision = {.on_hit = OnHit::stop}});
+  EmitterDef def{.kind = kind_of(world, spark(), {.collision = {.on_hit = OnHit::stop}})};
   Scene scene;
   ASSERT_TRUE(
       scene.set_engine({.query = [&](const EngineBatch&) { refused += world.spawn(def.kind, Launch{}) ? 0 : 1; }}));

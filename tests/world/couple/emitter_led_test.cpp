@@ -12,11 +12,7 @@ constexpr double kG = 9.80665;
 
 /// Marks that stay where they are born.
 EmitterDef marks(World& world) {
-  EmitterDef def;
-  def.kind = kind_of(world, spark(), {.use_gravity = false});
-  def.per_second = {0};
-  def.start.speed = {0};
-  return def;
+  return {.kind = kind_of(world, spark(), {.use_gravity = false}), .per_second = {0}, .start = {.speed = {0}}};
 }
 
 /// A stone in a vacuum that is thrown up from the ground and bounces off it, by its closed form.

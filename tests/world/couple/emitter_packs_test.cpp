@@ -97,8 +97,7 @@ TEST(EmitterPacks, births_and_deaths_on_other_rungs_of_one_stage_are_as_settled)
 TEST(EmitterPacks, births_and_deaths_of_what_emitters_push_are_as_settled) {
   test::Random r(5);
   for (int round = 0; round < 12; ++round) {
-    ParticleFlight flight;
-    flight.drag = {1, 4, {{0, 1}, {1, 0}}};
+    ParticleFlight flight{.drag = {1, 4, {{0, 1}, {1, 0}}}};
     if (round % 2 == 1) flight = test::random_flight(r);
     const Fidelity fidelity = rung(static_cast<DragModel>(round % 4), kPrecisions[round / 4 % 2]);
     const Told known = second_of(fidelity, false, round % 3, flight);

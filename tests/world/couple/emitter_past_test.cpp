@@ -45,13 +45,12 @@ TEST(EmitterPast, one_that_follows_stands_still_in_its_past) {
   World world = make_world({.ground = {.mode = GroundMode::none}});
   const KindId kind = kind_of(world, spark(), {.use_gravity = false});
   const auto led = must(world.spawn(kind, {.position = {3, 2, 1}, .velocity = Vec3d{10, 0, 0}}));
-  EmitterDef def;
-  def.kind = kind;
-  def.follows = led;
-  def.inherit_velocity = 1;
-  def.per_second = {5};
-  def.start.speed = {0};
-  def.cycle = {.duration = 1, .prewarm = true};
+  EmitterDef def{.kind = kind,
+                 .cycle = {.duration = 1, .prewarm = true},
+                 .follows = led,
+                 .inherit_velocity = 1,
+                 .per_second = {5},
+                 .start = {.speed = {0}}};
   const auto all = alive(world, added(world, def));
   ASSERT_EQ(all.size(), 5u);
   for (const auto& [number, state] : all) {

@@ -15,15 +15,13 @@ constexpr double kDensity = 1;     // [1/m^3]
 
 /// Drops that keep their velocity: down, with some wind.
 EmitterDef rain(KindId kind) {
-  EmitterDef def;
-  def.kind = kind;
-  def.seed = 3;
-  def.rotation = quat_from_axis_angle(Vec3d{0, 0, 1}, -1.5707963267948966);
-  def.per_second = {0};
-  def.rain = {.density = kDensity, .size = kBox, .drift = {2, 0, -1}};
-  def.start = {.lifetime = {kInfinity}, .speed = {7, 11}, .gravity = {0}};
-  def.maximum = 1u << 20;
-  return def;
+  return {.kind = kind,
+          .seed = 3,
+          .rotation = quat_from_axis_angle(Vec3d{0, 0, 1}, -1.5707963267948966),
+          .per_second = {0},
+          .rain = {.density = kDensity, .size = kBox, .drift = {2, 0, -1}},
+          .start = {.lifetime = {kInfinity}, .speed = {7, 11}, .gravity = {0}},
+          .maximum = 1u << 20};
 }
 World empty_world() { return make_world({.ground = {.mode = GroundMode::none}}); }
 

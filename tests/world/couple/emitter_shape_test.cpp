@@ -26,14 +26,11 @@ MeshShape waves(std::uint32_t side) {
 }
 
 EmitterDef steam(KindId kind, const SharedShape& shape) {
-  EmitterDef def;
-  def.kind = kind;
-  def.per_second = {200};
-  def.position = {5, 2, 1};
-  def.start = {.lifetime = {0.5}, .speed = {2}};
-  def.from.shape = EmitShape::mesh;
-  def.from.surface = {.shape = shape, .along = EmitAlong::smooth};
-  return def;
+  return {.kind = kind,
+          .position = {5, 2, 1},
+          .per_second = {200},
+          .from = {.shape = EmitShape::mesh, .surface = {.shape = shape, .along = EmitAlong::smooth}},
+          .start = {.lifetime = {0.5}, .speed = {2}}};
 }
 
 TEST(EmitterShape, particles_come_out_of_a_mesh_as_it_stands) {

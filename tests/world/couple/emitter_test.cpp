@@ -90,11 +90,8 @@ TEST(Emitter, each_hit_of_a_wall_fires_once) {
     const ShapeId box = *scene.add_shape(BoxShape{{0.001, 50, 50}});
     ASSERT_TRUE(scene.add({.shape = box, .transform = {.position = {5, 0, 0}}}));
     ASSERT_TRUE(world.set_scene(scene));
-    EmitterDef def;
-    def.kind = kind_of(world, spark());
-    def.cycle.plays = false;
-    def.maximum = 1u << 30;
-    def.start.lifetime = {0.01};
+    EmitterDef def{
+        .kind = kind_of(world, spark()), .cycle = {.plays = false}, .start = {.lifetime = {0.01}}, .maximum = 1u << 30};
     const EmitterId sparks = added(world, def);
     def.kind = kind_of(world, spark(), {.collision = {.on_hit = OnHit::stop}});
     def.seed = 3;
@@ -127,12 +124,10 @@ TEST(Emitter, each_hit_of_a_wall_fires_once) {
 TEST(Emitter, ages_apexes_and_births_set_off_too) {
   for (const int rate : kFrameRates) {
     World world = make_world({.ground = {.mode = GroundMode::none}, .apex_events = true});
-    EmitterDef def;
-    def.kind = kind_of(world, spark());
-    def.cycle.plays = false;
-    def.maximum = 1u << 30;
-    def.start.lifetime = {0.5};
-    def.start.speed = {0};
+    EmitterDef def{.kind = kind_of(world, spark()),
+                   .cycle = {.plays = false},
+                   .start = {.lifetime = {0.5}, .speed = {0}},
+                   .maximum = 1u << 30};
     const EmitterId marks = added(world, def);
     def = spray(def.kind, 100, 3);
     def.subs = {{.on = SubEvent::age, .emitter = marks, .age = 0.2005},
@@ -328,13 +323,11 @@ TEST(Emitter, fires_kinds_of_any_rung) {
   rocket.fidelity.integrator = Integrator::rk4;
   rocket.motor.thrust = {{0, 50}, {1, 50}};
   rocket.motor.propellant_mass = 0.1;
-  EmitterDef def;
-  def.kind = kind_of(world, rocket);
-  def.launch.rail_length = 0.5;
-  def.per_second = {4};
-  def.start.speed = {0};
-  def.start.lifetime = {kInfinity};
-  def.rotation = {0.7071067811865476, 0, 0, 0.7071067811865476};
+  EmitterDef def{.kind = kind_of(world, rocket),
+                 .launch = {.rail_length = 0.5},
+                 .rotation = {0.7071067811865476, 0, 0, 0.7071067811865476},
+                 .per_second = {4},
+                 .start = {.lifetime = {kInfinity}, .speed = {0}}};
   const EmitterId id = added(world, def);
   step_to(world, 1, 100);
   ASSERT_EQ(alive(world, id).size(), 4u);

@@ -32,12 +32,7 @@ std::vector<Trail> trails_of(const World& world, EmitterId emitter) {
 
 /// Sparks that fly straight at 10 m/s.
 EmitterDef straight(KindId kind, const TrailDef& trail) {
-  EmitterDef def;
-  def.kind = kind;
-  def.per_second = {20};
-  def.start = {.lifetime = {2}, .speed = {10}, .gravity = {0}};
-  def.trail = trail;
-  return def;
+  return {.kind = kind, .per_second = {20}, .start = {.lifetime = {2}, .speed = {10}, .gravity = {0}}, .trail = trail};
 }
 
 TEST(EmitterTrail, tells_where_each_particle_has_been) {

@@ -66,8 +66,7 @@ TEST(JointContacts, a_dumb_bell_falls_on_the_ground_and_comes_to_rest_on_it) {
   WorldDef def = falling();
   def.ground = {GroundMode::bounce, 0, 1, 1};
   World world = World::create(def).value();
-  BodyDef body;
-  body.restitution = 0.4;
+  BodyDef body{.restitution = 0.4};
   const ProjectileId a = put(world, mass_of(1), body, {0, 1, 0}, {1, 0, 0.5});
   const ProjectileId b = put(world, mass_of(2), body, {0.6, 1.8, 0});
   const JointId rod = join(world, {.a = a, .b = b});

@@ -126,8 +126,7 @@ TEST(JointDoors, kinematic_and_pending_ends_stand_still) {
 
 TEST(JointDoors, a_net_sleeps_and_wakes_as_a_whole) {
   World world = World::create(falling()).value();
-  BodyDef sleeper;
-  sleeper.sleep_time = 0.3;
+  BodyDef sleeper{.sleep_time = 0.3};
   std::vector<ProjectileId> links;
   for (int i = 1; i <= 5; ++i) {
     links.push_back(put(world, mass_of(1), sleeper, {0, -1.0 * i, 0}));
@@ -229,9 +228,7 @@ TEST(JointDoors, kernels_and_threads_change_no_bit) {
     for (const unsigned threads : {1u, 3u}) {
       ASSERT_TRUE(use_kernel(kernel));
       World source = net();
-      LoadOptions options;
-      options.threading = {threads, 4};
-      World world = *World::load(*source.save(), options);
+      World world = *World::load(*source.save(), {.threading = {threads, 4}});
       for (int i = 0; i < 60; ++i) world.step(1.0 / 60);
       hashes.push_back(world.hash());
     }

@@ -19,11 +19,7 @@ ProjectileDef by_rk4(double diameter = 0.2, Precision precision = Precision::flo
   p.fidelity = rung(Integrator::rk4, precision);
   return p;
 }
-BodyDef stopping() {
-  BodyDef body;
-  body.collision.on_hit = OnHit::stop;
-  return body;
-}
+BodyDef stopping() { return {.collision = {.on_hit = OnHit::stop}}; }
 World world_in(const Scene& scene, const WorldDef& def = space()) { return make_world(def, scene); }
 MaterialId hard(Scene& scene) { return *scene.add_material({.restitution = 1, .friction = 1}); }
 
@@ -221,8 +217,7 @@ TEST(CasesOfEmitters, puffs_behind_a_fast_emitter_are_as_old_as_their_places_say
     for (const double step : {1.0 / 60, 0.1, 1.0}) {
       World world = make_world(space(0));
       ProjectileDef puff = by_rk4(0.01);
-      EmitterDef def;
-      def.kind = *world.add_kind(puff);
+      EmitterDef def{.kind = *world.add_kind(puff)};
       def.rotation = {0.7071067811865476, 0, 0, 0.7071067811865476};  // forwards is up
       def.motion = SteadyMotion{.velocity = {60, 0, 0}};
       def.per_second = {by_metre ? 0.0 : 120.0};
@@ -247,14 +242,11 @@ TEST(CasesOfEmitters, puffs_behind_a_fast_emitter_are_as_old_as_their_places_say
 TEST(CasesOfEmitters, what_begins_and_ends_between_two_frames_fires_all) {
   for (const double step : {1.0 / 60, 1.0}) {
     World world = make_world(space(0));
-    EmitterDef def;
-    def.kind = *world.add_kind(by_rk4(1e-3));
-    def.cycle.duration = 0.01;
-    def.cycle.looping = false;
-    def.cycle.delay = {0.003};
-    def.per_second = {1000};
-    def.bursts = {{.time = 0.005, .count = {7}, .cycles = 2, .interval = 0.002}};
-    def.start.lifetime = {10};
+    EmitterDef def{.kind = *world.add_kind(by_rk4(1e-3)),
+                   .cycle = {.duration = 0.01, .looping = false, .delay = {0.003}},
+                   .per_second = {1000},
+                   .bursts = {{.time = 0.005, .count = {7}, .cycles = 2, .interval = 0.002}},
+                   .start = {.lifetime = {10}}};
     added(world, def);
     const auto born = of_kind(run_for(world, 1, step), EventKind::spawned);
     ASSERT_EQ(born.size(), 24u) << step;

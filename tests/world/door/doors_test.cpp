@@ -31,8 +31,7 @@ TEST(Doors, events_stay_readable_while_the_world_is_changed) {
 }
 
 TEST(Doors, events_that_nobody_reads_do_not_pile_up) {
-  WorldDef def;
-  def.pools = {{"one", 1, WhenFull::replace_oldest}};
+  WorldDef def{.pools = {{"one", 1, WhenFull::replace_oldest}}};
   World world = make_world(def);
   const KindId kind = *world.add_kind(stone());
   for (int i = 0; i < 500'000; ++i) ASSERT_TRUE(world.spawn(kind, {.position = {0, 9, 0}}));
@@ -98,8 +97,7 @@ TEST(Doors, enumerators_out_of_range_are_refused) {
   rule.rungs.resize(2);
   rule.rungs[0].fidelity.precision = odd<Precision>();
   EXPECT_TRUE(names_its_place(world.set_detail(rule)));
-  Environment environment;
-  environment.atmosphere.model = odd<AirModel>();
+  Environment environment{.atmosphere = {.model = odd<AirModel>()}};
   EXPECT_TRUE(names_its_place(world.set_environment(0, environment)));
   EXPECT_FALSE(world.add_environment(environment));
   EXPECT_TRUE(world.step(0.01));
@@ -189,8 +187,7 @@ void try_all(World& world, ProjectileId id, const Snapshot& snapshot, Tried& tri
 }
 
 TEST(Doors, a_force_that_changes_its_world_is_refused) {
-  WorldDef def;
-  def.ground.mode = GroundMode::none;
+  WorldDef def{.ground = {.mode = GroundMode::none}};
   World world = make_world(def);
   World calm = make_world(def);
   ProjectileDef p = stone();
@@ -323,9 +320,7 @@ class Meddler final : public TaskRunner {
 };
 
 TEST(Doors, a_task_runner_that_changes_its_world_is_refused) {
-  WorldDef def;
-  def.threading = {2, 1};
-  World world = make_world(def);
+  World world = make_world({.threading = {2, 1}});
   Meddler meddler(world);
   world.set_task_runner(&meddler);
   for (int i = 0; i < 10; ++i) ASSERT_TRUE(world.spawn(stone(), {.position = {0, 50, 0}}));

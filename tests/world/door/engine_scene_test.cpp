@@ -31,9 +31,7 @@ std::vector<ProjectileId> spray(World& world, const BodyDef& body, double speed,
   p.fidelity.precision = precision;
   std::vector<ProjectileId> ids;
   for (int i = 0; i < 100; ++i) {
-    Launch launch;
-    launch.position = {0.1, 0.2, 0.3};
-    launch.velocity = r.vector(speed);
+    Launch launch{.position = {0.1, 0.2, 0.3}, .velocity = r.vector(speed)};
     ids.push_back(*world.spawn(p, launch, body));
   }
   return ids;
@@ -73,9 +71,7 @@ TEST(EngineScene, what_bounces_meets_what_it_would_meet_in_a_scene_of_its_own) {
     for (const double radius : {0.0, 0.11}) {
       World own = make_world(in_the_open(), scene), asking = make_world(in_the_open());
       ASSERT_TRUE(asking.set_scene(answered_by(scene, 1)));
-      BodyDef body;
-      body.restitution = 1;
-      body.collision = {.on_hit = OnHit::bounce, .radius = radius};
+      BodyDef body{.restitution = 1, .collision = {.on_hit = OnHit::bounce, .radius = radius}};
       const auto ids = spray(own, body, 20, precision);
       EXPECT_EQ(spray(asking, body, 20, precision), ids);
       expect_alike(own, asking, ids, 60, 1e-4);
@@ -94,8 +90,7 @@ TEST(EngineScene, what_goes_through_is_as_thick_as_it_would_be) {
   for (const double radius : {0.0, 0.003}) {
     World own = make_world(in_the_open(), scene), asking = make_world(in_the_open());
     ASSERT_TRUE(asking.set_scene(answered_by(scene, 2)));
-    BodyDef body;
-    body.collision = {.on_hit = OnHit::impact, .radius = radius};
+    BodyDef body{.collision = {.on_hit = OnHit::impact, .radius = radius}};
     std::vector<ProjectileId> ids;
     for (int i = 0; i < 20; ++i) {
       Launch launch{.position = {0, -0.5 + 0.05 * i, 0.02 * i}, .speed = 300.0 + 20 * i, .elevation = 0.002 * i};
@@ -110,8 +105,7 @@ TEST(EngineScene, who_passes_is_told_of_every_way_in_and_out) {
   const Scene scene = room({3, 3, 3}, {});
   World own = make_world(in_the_open(), scene), asking = make_world(in_the_open());
   ASSERT_TRUE(asking.set_scene(answered_by(scene, 1)));
-  BodyDef body;
-  body.collision.on_hit = OnHit::pass;
+  BodyDef body{.collision = {.on_hit = OnHit::pass}};
   const ProjectileId id = *own.spawn(stone(), {.speed = 30}, body);
   EXPECT_EQ(*asking.spawn(stone(), {.speed = 30}, body), id);
   const auto right = run_for(own, 1), told = run_for(asking, 1);
@@ -167,9 +161,7 @@ TEST(EngineScene, a_skin_keeps_what_bounces_and_rolls_above_a_floor_that_rounds)
       Scene scene;
       ASSERT_TRUE(scene.set_engine({worn_floor(), kSkin}));
       World world = make_world(in_the_open(), scene);
-      BodyDef body;
-      body.rolling_resistance = 0.3;
-      body.collision = {.on_hit = OnHit::bounce, .radius = radius};
+      BodyDef body{.rolling_resistance = 0.3, .collision = {.on_hit = OnHit::bounce, .radius = radius}};
       std::vector<ProjectileId> ids;
       for (int i = 0; i < 30; ++i) {
         Launch launch{.position = {0, 0.2 + 0.1 * i, 0}, .speed = 0.5 * i, .elevation = -0.03 * i};
@@ -257,9 +249,7 @@ TEST(EngineScene, saves_and_recordings_want_the_function_again) {
   std::vector<std::byte> recording;
   ASSERT_TRUE(world.record(record_into(recording)));
   ASSERT_TRUE(world.set_scene(answered_by(scene, 1)));
-  BodyDef body;
-  body.collision.on_hit = OnHit::bounce;
-  spray(world, body, 20, Precision::float64);
+  spray(world, {.collision = {.on_hit = OnHit::bounce}}, 20, Precision::float64);
   for (int i = 0; i < 50; ++i) world.single_step();
   const Snapshot moment = world.snapshot();
   const std::vector<std::byte> save = *world.save();
@@ -300,9 +290,7 @@ TEST(EngineScene, flights_and_predictions_meet_it_too) {
       ASSERT_LT(length(foreign.at(t).position - own.at(t).position), 1e-3) << t;
   }
   World world = make_world(in_the_open(), asking);
-  BodyDef body;
-  body.collision = {.on_hit = OnHit::bounce, .radius = 0.1};
-  const ProjectileId id = *world.spawn(stone(), {.speed = 15}, body);
+  const ProjectileId id = *world.spawn(stone(), {.speed = 15}, {.collision = {.on_hit = OnHit::bounce, .radius = 0.1}});
   const Flight ahead = world.predict(id, Until{.ground = std::nullopt, .time = 2}, 1.0 / 64);
   for (int i = 1; i <= 100; ++i) {
     world.step(1.0 / 64);

@@ -26,12 +26,9 @@ std::vector<Rung> rungs() {
 
 /// Nothing acts: all fly straight on every rung.
 WorldDef empty_space() {
-  WorldDef def;
-  def.environment.gravity.model = GravityModel::off;
-  def.environment.atmosphere.model = AirModel::vacuum;
-  def.ground.mode = GroundMode::none;
-  def.step = 1.0 / 64;
-  return def;
+  return {.environment = {.gravity = {.model = GravityModel::off}, .atmosphere = {.model = AirModel::vacuum}},
+          .ground = {.mode = GroundMode::none},
+          .step = 1.0 / 64};
 }
 
 ProjectileDef thing(const Fidelity& fidelity) { return {.mass = 1, .fidelity = fidelity}; }

@@ -140,9 +140,7 @@ TEST(Reading, a_step_too_short_to_be_divided_is_refused) {
   ASSERT_FALSE(status);
   EXPECT_EQ(status.error().place, "dt");
   EXPECT_TRUE(world.step(1e-9));
-  WorldDef def;
-  def.step = 1e-30;
-  const auto made = World::create(def);
+  const auto made = World::create({.step = 1e-30});
   ASSERT_FALSE(made);
   EXPECT_EQ(made.error().place, "world.step");
 }

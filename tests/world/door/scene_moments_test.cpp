@@ -24,17 +24,14 @@ World trough() {
                          .motion = KeyedMotion{{{.time = 0, .position = {8, 2, 0}},
                                                 {.time = 1, .position = {2, 2, 0}},
                                                 {.time = 2, .position = {8, 2, 0}}}}}));
-  WorldDef def;
-  def.ground.mode = GroundMode::none;
-  return make_world(def, scene);
+  return make_world({.ground = {.mode = GroundMode::none}}, scene);
 }
 
 void throw_in(World& world, int number) {
   for (int i = 0; i < number; ++i) {
     ProjectileDef p = bullet();
     p.fidelity = i % 3 == 0 ? Fidelity::small_arms() : i % 3 == 1 ? Fidelity::game() : Fidelity::arcade();
-    BodyDef body;
-    body.collision = {.on_hit = i % 4 == 0 ? OnHit::impact : OnHit::bounce, .radius = i % 2 * 0.1};
+    BodyDef body{.collision = {.on_hit = i % 4 == 0 ? OnHit::impact : OnHit::bounce, .radius = i % 2 * 0.1}};
     ASSERT_TRUE(world.spawn(p, {.position = {0.3 * i - 3, 4 + 0.1 * i, 0.2 * i}, .speed = 3.0 * i}, body));
   }
 }
@@ -64,8 +61,7 @@ TEST(SceneMoments, what_is_met_at_once_is_told_in_one_order) {
   for (int i = 0; i < 4; ++i)
     ASSERT_TRUE(scene.add({.shape = box, .transform = {.position = {5.5, 0, 0}}, .sensor = true}));
   World world = make_world({}, scene);
-  BodyDef body;
-  body.gravity_scale = 0;
+  BodyDef body{.gravity_scale = 0};
   std::vector<ProjectileId> ids;
   for (int i = 0; i < 80; ++i) ids.push_back(*world.spawn(stone(), {.position = {0, 1, 0.1 * i}, .speed = 100}, body));
   for (std::size_t i = 0; i < 40; ++i) EXPECT_TRUE(world[ids[i * 37 % 40]].despawn());
@@ -99,8 +95,7 @@ TEST(SceneMoments, chance_follows_from_what_is_hashed) {
     World world = make_world({}, scene);
     for (int i = 0; i < steps; ++i) world.step(0.25 / steps);
     world.step(1.0 / 64);
-    BodyDef body;
-    body.collision.on_hit = OnHit::impact;
+    BodyDef body{.collision = {.on_hit = OnHit::impact}};
     EXPECT_TRUE(world.spawn(bullet(), {.position = {0, 2, 0}, .speed = 780}, body));
     return world;
   };
@@ -127,8 +122,7 @@ TEST(SceneMoments, chance_follows_from_what_is_hashed) {
 TEST(SceneMoments, the_first_scene_changes_no_path) {
   const Scene far = *trough().scene();
   for (const Fidelity& fidelity : {Fidelity::classic(), Fidelity::game(), Fidelity::small_arms()}) {
-    WorldDef def;
-    def.ground.mode = GroundMode::none;
+    WorldDef def{.ground = {.mode = GroundMode::none}};
     World alone = make_world(def), meets = make_world(def);
     ProjectileDef p = bullet();
     p.fidelity = fidelity;
@@ -150,9 +144,7 @@ TEST(SceneMoments, the_first_scene_changes_no_path) {
 TEST(SceneMoments, every_change_wakes_who_sleeps_then) {
   World world = trough();
   const ShapeId ball = *world.add_shape(SphereShape{1});
-  BodyDef body;
-  body.collision.on_hit = OnHit::bounce;
-  const ProjectileId id = *world.spawn(stone(), {.position = {0, 50, 0}}, body);
+  const ProjectileId id = *world.spawn(stone(), {.position = {0, 50, 0}}, {.collision = {.on_hit = OnHit::bounce}});
   const auto change = [&] { return *world.add_instance({.shape = ball, .transform = {.position = {0, 100, 0}}}); };
   const auto put_to_sleep = [&] { return world[id].sleep().ok() && world[id].is_asleep(); };
   for (int i = 0; i < 3; ++i) {
@@ -204,13 +196,8 @@ TEST(SceneMoments, what_comes_by_wakes_who_sleeps) {
                            .motion = c.motion}));
     const ShapeId floor = *scene.add_shape(BoxShape{{5, 0.5, 5}});
     ASSERT_TRUE(c.on_it || scene.add({.shape = floor, .transform = {.position = {0, -0.5, 0}}}));
-    WorldDef def;
-    def.ground.mode = GroundMode::none;
-    World world = make_world(def, scene);
-    BodyDef body;
-    body.restitution = 0;
-    body.sleep_time = 0.1;
-    body.collision = {.on_hit = OnHit::bounce, .radius = 0.05};
+    World world = make_world({.ground = {.mode = GroundMode::none}}, scene);
+    BodyDef body{.sleep_time = 0.1, .restitution = 0, .collision = {.on_hit = OnHit::bounce, .radius = 0.05}};
     const ProjectileId id = *world.spawn(stone(), {.position = {0, 0.0500001, 0}}, body);
     run_for(world, 0.9, 1.0 / 60);
     ASSERT_TRUE(world[id].is_asleep());
@@ -307,9 +294,7 @@ TEST(SceneMoments, changes_of_no_scene_are_refused) {
 TEST(SceneMoments, bad_collisions_are_refused_with_their_place) {
   World world{};
   const auto why = [&](const CollisionDef& collision) {
-    BodyDef body;
-    body.collision = collision;
-    const auto kind = world.add_kind(stone(), body);
+    const auto kind = world.add_kind(stone(), {.collision = collision});
     return kind ? "" : kind.error().text();
   };
   EXPECT_NE(why({.on_hit = static_cast<OnHit>(17)}).find("body.collision.on_hit"), std::string::npos);

@@ -39,9 +39,7 @@ TEST(ScenePredict, predictions_meet_things_as_the_world_then_does_to_the_bit) {
   Random r(17);
   int compared = 0, bounced = 0, ended = 0;
   for (const bool pushed : {false, true}) {
-    WorldDef def;
-    def.ground.mode = GroundMode::none;
-    World world = make_world(def, playground());
+    World world = make_world({.ground = {.mode = GroundMode::none}}, playground());
     if (pushed) {
       ASSERT_TRUE(world.add_force({.law = ConstantForce{{0, 0.02, 0.01}}, .target = ForceTarget::everything()}));
     }
@@ -55,8 +53,7 @@ TEST(ScenePredict, predictions_meet_things_as_the_world_then_does_to_the_bit) {
       if (i % 4 == 2) p.fidelity.rotation = RotationModel::magnus;
       if (i % 8 == 0 && !pushed) p.fidelity.motion = Motion::closed_form;
       p.fidelity.precision = r.one_in(2) ? Precision::float32 : Precision::float64;
-      BodyDef body;
-      body.can_sleep = false;
+      BodyDef body{.can_sleep = false};
       const OnHit acts[] = {OnHit::bounce, OnHit::impact, OnHit::bounce, OnHit::pass, OnHit::stick, OnHit::stop};
       body.collision = {.on_hit = acts[i % 6], .radius = i % 3 == 0 ? 0.05 : 0.0};
       Launch launch{.position = {r.in(-2, 2), r.in(1, 3), r.in(-3, 3)}, .speed = r.in(5, 60)};
@@ -115,9 +112,7 @@ TEST(ScenePredict, another_scene_is_refused) {
   World world = make_world({});
   const ProjectileId id = *world.spawn(stone(), {.position = {0, 5, 0}});
   const Scene scene = playground();
-  Until until;
-  until.scene = &scene;
-  const Flight flight = world.predict(id, until);
+  const Flight flight = world.predict(id, {.scene = &scene});
   ASSERT_TRUE(flight.error());
   EXPECT_EQ(flight.error()->place, "until.scene");
 }

@@ -275,8 +275,7 @@ TEST(SceneSurface, a_ball_rolls_on_what_turns_its_slip_around) {
     EXPECT_LT(events.size(), 10 * 2 / dt);
     EXPECT_NEAR(length(world[id].velocity()), kG * std::sin(kSlope) / 1.4 * world.time(), 0.01);
   }
-  WorldDef windy;
-  windy.ground.mode = GroundMode::none;
+  WorldDef windy{.ground = {.mode = GroundMode::none}};
   Scene floor;
   put(floor, PlaneShape{}, {}, {.restitution = 0.5, .friction = 1, .grip_restitution = 0.5});
   World world = world_with(floor, windy);
@@ -380,10 +379,12 @@ TEST(SceneSurface, what_slides_along_an_edge_of_triangles_stays_on_them) {
                                .transform = {.position = rotate(turn, Vec3d{-60, 0, -60}), .rotation = turn},
                                .material = *scene.add_material({.restitution = 0, .friction = 1})}));
         World world = world_with(scene);
-        BodyDef body;
-        body.restitution = 0, body.friction = friction, body.rolling_resistance = 0, body.can_sleep = false;
-        body.frozen_rotation = Axes::x | Axes::y | Axes::z;
-        body.collision = {.on_hit = OnHit::bounce, .radius = radius};
+        BodyDef body{.frozen_rotation = Axes::x | Axes::y | Axes::z,
+                     .can_sleep = false,
+                     .restitution = 0,
+                     .friction = friction,
+                     .rolling_resistance = 0,
+                     .collision = {.on_hit = OnHit::bounce, .radius = radius}};
         ProjectileDef p = thrown();
         p.diameter = 0.2;
         const Vec3d along = rotate(turn, Vec3d{-1, 0, 0}), up = rotate(turn, Vec3d{0, 1, 0});
@@ -400,17 +401,14 @@ TEST(SceneSurface, what_slides_along_an_edge_of_triangles_stays_on_them) {
 /// Adaptive steps look for contacts by spheres as small as a path bends, which the next ones follow.
 TEST(SceneSurface, points_that_slide_far_from_the_origin_stay_on_large_triangles) {
   test::Random r(5);
-  MeshShape slope;
-  slope.vertices = {{-3000, 900, -3000}, {-3000, 700, 3000}, {3000, 100, -3000}, {3000, -100, 3000}};
-  slope.triangles = {{0, 1, 2}, {2, 1, 3}};
+  MeshShape slope{.vertices = {{-3000, 900, -3000}, {-3000, 700, 3000}, {3000, 100, -3000}, {3000, -100, 3000}},
+                  .triangles = {{0, 1, 2}, {2, 1, 3}}};
   Scene scene;
   put(scene, slope, {}, {.restitution = 0.5, .friction = 0.05});
   World world = world_with(scene, {.ground = {.mode = GroundMode::none}});  // through air
   ProjectileDef p = stone();
   p.fidelity = Fidelity::small_arms();
-  BodyDef body;
-  body.collision.on_hit = OnHit::bounce;
-  body.restitution = 0.5;
+  BodyDef body{.restitution = 0.5, .collision = {.on_hit = OnHit::bounce}};
   std::vector<ProjectileId> points;
   const Vec3d normal = normalized(Vec3d{0.8 / 6, 1, 0.2 / 6});
   const auto height = [&](const Vec3d& x) { return dot(normal, x - slope.vertices[0]); };

@@ -48,9 +48,9 @@ struct Laid {
 };
 
 Laid laid(const Case& c, double speed, double friction, double resistance) {
-  WorldDef def;
-  def.environment = vacuum_of(kG);
-  def.ground = {.mode = c.on == On::ground ? GroundMode::bounce : GroundMode::none, .restitution = 0, .friction = 1};
+  WorldDef def{
+      .environment = vacuum_of(kG),
+      .ground = {.mode = c.on == On::ground ? GroundMode::bounce : GroundMode::none, .restitution = 0, .friction = 1}};
   Laid made{make_world(def), {}};
   if (c.on != On::ground) {
     Scene scene;
@@ -161,10 +161,7 @@ TEST(SurfaceMotion, on_a_slope_it_is_that_of_what_slides_or_rolls_down) {
 /// On a round body it turns with its way: v^2 / (R + r) towards the middle, beside g sin(a) 5/7 along it.
 TEST(SurfaceMotion, on_a_round_body_it_has_what_turns_its_way) {
   const double large = 5;
-  WorldDef def;
-  def.environment = vacuum_of(kG);
-  def.ground.mode = GroundMode::none;
-  World world = make_world(def);
+  World world = make_world({.environment = vacuum_of(kG), .ground = {.mode = GroundMode::none}});
   Scene scene;
   put(scene, SphereShape{large}, {0, 0, 0}, *scene.add_material({.restitution = 0, .friction = 1000}));
   ASSERT_TRUE(world.set_scene(scene));
@@ -184,10 +181,7 @@ TEST(SurfaceMotion, on_a_round_body_it_has_what_turns_its_way) {
 TEST(SurfaceMotion, on_what_moves_it_has_what_takes_it_along) {
   const double turns = 0.7;
   for (const bool is_table : {true, false}) {
-    WorldDef def;
-    def.environment = vacuum_of(kG);
-    def.ground.mode = GroundMode::none;
-    World world = make_world(def);
+    World world = make_world({.environment = vacuum_of(kG), .ground = {.mode = GroundMode::none}});
     Scene scene;
     InstanceDef thing{.shape = *scene.add_shape(CylinderShape{9, 0.5}),
                       .transform = {.position = {0, -0.5, 0}},

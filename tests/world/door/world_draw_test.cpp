@@ -50,10 +50,7 @@ struct Drawn {
   ProjectileId ball, point, still;
 
   Drawn() {
-    BodyDef body;
-    body.collision.radius = 0.25;
-    body.collision.on_hit = OnHit::bounce;
-    body.label = "ball";
+    BodyDef body{.collision = {.on_hit = OnHit::bounce, .radius = 0.25}, .label = "ball"};
     const KindId balls = world.add_kind(stone(), body).value();
     const KindId points = world.add_kind(stone(), {.layers = 2}).value();
     const KindId stills = world.add_kind(stone(), {.kinematic = true, .layers = 2}).value();

@@ -186,8 +186,7 @@ TEST(Moments, hash_is_that_of_the_state_not_of_the_way_there) {
 }
 
 TEST(Moments, whatever_decides_the_future_is_in_the_hash) {
-  WorldDef def;
-  def.pools = {{"a", 3, WhenFull::replace_oldest}};
+  WorldDef def{.pools = {{"a", 3, WhenFull::replace_oldest}}};
   const auto base = [&](World& w) {
     for (int i = 0; i < 3; ++i)
       w.spawn(ball(), {.position = {0, 5, 0}, .speed = 4}, BodyDef{.despawn = {.farther = 50, .older = 9}});

@@ -175,11 +175,8 @@ TEST(Recording, seeks_back_and_forwards_to_the_same_worlds) {
                                          .duration = 0.3});
       ASSERT_TRUE(lift) << lift.error().text();
     }
-    BodyDef body;
-    body.collision.on_hit = OnHit::bounce;
-    body.despawn.older = 1 + i % 3;
-    ProjectileDef p;
-    p.mass = 1 + i % 5;
+    BodyDef body{.collision = {.on_hit = OnHit::bounce}, .despawn = {.older = 1.0 + i % 3}};
+    ProjectileDef p{.mass = 1.0 + i % 5};
     if (i % 7 == 0) world.spawn(world.add_kind(p, body).value(), Launch{.speed = 40.0 + i % 10, .elevation = 0.2});
     world.step(1.0 / 60);
   }

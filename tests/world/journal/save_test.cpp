@@ -68,15 +68,11 @@ TEST(Save, random_sessions_go_on_from_any_moment) {
 }
 
 TEST(Save, rockets_go_on_with_what_is_left_of_their_burn) {
-  WorldDef def;
-  def.ground.mode = GroundMode::none;
-  World world = make_world(def);
-  ProjectileDef rocket;
-  rocket.mass = 2;
-  rocket.diameter = 0.1;
-  rocket.length = 1;
-  rocket.motor.thrust = {{0, 100}, {0.5, 300}, {1, 100}, {2, 0}};
-  rocket.motor.propellant_mass = 0.5;
+  World world = make_world({.ground = {.mode = GroundMode::none}});
+  ProjectileDef rocket{.mass = 2,
+                       .diameter = 0.1,
+                       .length = 1,
+                       .motor = {.thrust = {{0, 100}, {0.5, 300}, {1, 100}, {2, 0}}, .propellant_mass = 0.5}};
   for (const double delay : {0.0, 0.35}) {
     rocket.motor.ignition_delay = delay;
     for (const Fidelity& rung : {Fidelity::game(), Fidelity::constant_air(), Fidelity::simulation()}) {

@@ -10,12 +10,7 @@ namespace world_ask_hits_doors_test {
 
 using namespace test_ask;
 
-BodyDef asks(double radius = 0) {
-  BodyDef body;
-  body.restitution = 0.9;
-  body.collision = {.on_hit = OnHit::ask, .radius = radius};
-  return body;
-}
+BodyDef asks(double radius = 0) { return {.restitution = 0.9, .collision = {.on_hit = OnHit::ask, .radius = radius}}; }
 
 /// A room in which some ask what happens.
 World asking_room(const HitFunction& function = answer_by_place) {
@@ -116,11 +111,10 @@ TEST(AskHitsDoors, the_function_may_destroy_its_world) {
       world.reset();
       batch.answers[0].then = OnHit::bounce;
     }));
-    EmitterDef def;
-    def.kind = *world->add_kind(stone(), asks());
-    def.start.speed = {300};
-    def.per_second = {steps ? 600.0 : 0.0};
-    def.cycle = {.duration = 1, .prewarm = !steps};
+    EmitterDef def{.kind = *world->add_kind(stone(), asks()),
+                   .cycle = {.duration = 1, .prewarm = !steps},
+                   .per_second = {steps ? 600.0 : 0.0},
+                   .start = {.speed = {300}}};
     ASSERT_TRUE(world->spawn(stone(), {.velocity = Vec3d{50, 0, 0}}, asks()));
     if (steps) static_cast<void>(asking->step(0.2));
     if (!steps) def.per_second = {100}, static_cast<void>(asking->add_emitter(def));
@@ -131,13 +125,10 @@ TEST(AskHitsDoors, the_function_may_destroy_its_world) {
 /// It is let out between two steps, into the past of the emitter, and asks there.
 TEST(AskHitsDoors, who_is_let_out_between_steps_asks_then) {
   World world = asking_room(always({.then = OnHit::bounce}));
-  EmitterDef def;
-  def.kind = *world.add_kind(stone(), asks());
-  def.per_second = {100};
-  def.start.speed = {20, 30};
-  def.start.lifetime = {2};
-  def.cycle.prewarm = true;
-  def.cycle.duration = 1;
+  EmitterDef def{.kind = *world.add_kind(stone(), asks()),
+                 .cycle = {.duration = 1, .prewarm = true},
+                 .per_second = {100},
+                 .start = {.lifetime = {2}, .speed = {20, 30}}};
   ASSERT_TRUE(world.add_emitter(def));
   world.step(1.0 / 60);
   EXPECT_GT(world.hit_counts().questions, 50u);
@@ -192,10 +183,7 @@ TEST(AskHitsDoors, a_replay_has_the_answers) {
       }));
     }
     spray(recorded, 60);
-    EmitterDef def;
-    def.kind = *recorded.add_kind(stone(), asks());
-    def.start.speed = {300};
-    def.start.lifetime = {0.5};
+    EmitterDef def{.kind = *recorded.add_kind(stone(), asks()), .start = {.lifetime = {0.5}, .speed = {300}}};
     const EmitterId emitter = *recorded.add_emitter(def);
     for (int i = 0; i < 30; ++i) {
       recorded.step(1.0 / 60);

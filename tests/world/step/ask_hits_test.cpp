@@ -59,9 +59,7 @@ void expect_as_the_kind(const Scene& scene, const Rung& rung, OnHit on_hit, doub
   World own = make_world(in_the_open()), asking = make_world(in_the_open());
   ASSERT_TRUE(own.set_scene(scene) && asking.set_scene(scene));
   ASSERT_TRUE(asking.set_hit_function(always({.then = on_hit})));
-  BodyDef body;
-  body.restitution = 0.9;
-  body.collision = {.on_hit = on_hit, .radius = radius};
+  BodyDef body{.restitution = 0.9, .collision = {.on_hit = on_hit, .radius = radius}};
   spray(own, rung.fidelity, body, on_hit == OnHit::impact ? 300 : 40);
   body.collision.on_hit = OnHit::ask;
   spray(asking, rung.fidelity, body, on_hit == OnHit::impact ? 300 : 40);
@@ -106,9 +104,8 @@ TEST(AskHits, so_do_balls_that_meet_each_other_and_particles) {
     World& world = worlds[i];
     ASSERT_TRUE(world.set_scene(crowded_room()));
     ASSERT_TRUE(world.set_hit_function(always({.then = OnHit::bounce})));
-    BodyDef body;
-    body.restitution = 0.9;
-    body.collision = {.on_hit = i == 0 ? OnHit::bounce : OnHit::ask, .radius = 0.1, .others = 1};
+    BodyDef body{.restitution = 0.9,
+                 .collision = {.on_hit = i == 0 ? OnHit::bounce : OnHit::ask, .radius = 0.1, .others = 1}};
     ProjectileDef p = stone();
     p.mass = 0.1;
     Random r(11);

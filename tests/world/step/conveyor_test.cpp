@@ -21,13 +21,11 @@ ProjectileDef parcel() {
   return p;
 }
 BodyDef laid(double radius = 0, double friction = kFriction) {
-  BodyDef body;
-  body.restitution = 0;
-  body.friction = friction;
-  body.rolling_resistance = 0;
-  body.can_sleep = true;
-  body.collision = {.on_hit = OnHit::bounce, .radius = radius};
-  return body;
+  return {.can_sleep = true,
+          .restitution = 0,
+          .friction = friction,
+          .rolling_resistance = 0,
+          .collision = {.on_hit = OnHit::bounce, .radius = radius}};
 }
 InstanceDef belt_in(Scene& scene, const Vec3d& velocity, const Quatd& turn = {}, double length = 60) {
   return {.shape = *scene.add_shape(BoxShape{{length, 0.5, 5}}),

@@ -31,17 +31,10 @@ ForceFunction tugs(double later = 0) {
       b.force[i] = tug(later + b.time[i], b.position[i], b.velocity[i], b.mass[i]);
   };
 }
-Environment both(double later = 0) {
-  Environment e;
-  e.wind.field = gusts(later);
-  e.force = tugs(later);
-  return e;
-}
+Environment both(double later = 0) { return {.wind = {.field = gusts(later)}, .force = tugs(later)}; }
 /// Nothing but a force of m a0 from a time of the world on.
 Environment pushing_from(double start, const Vec3d& a0) {
-  Environment e;
-  e.gravity.model = GravityModel::off;
-  e.atmosphere.model = AirModel::vacuum;
+  Environment e{.gravity = {.model = GravityModel::off}, .atmosphere = {.model = AirModel::vacuum}};
   e.force = [start, a0](const FieldForceBatch& b) {
     for (std::size_t i = 0; i < b.time.size(); ++i) b.force[i] = a0 * (b.time[i] >= start ? b.mass[i] : 0);
   };
@@ -49,11 +42,7 @@ Environment pushing_from(double start, const Vec3d& a0) {
 }
 
 WorldDef open_world(const Environment& environment) {
-  WorldDef def;
-  def.environment = environment;
-  def.ground.mode = GroundMode::none;
-  def.step = kStep;
-  return def;
+  return {.environment = environment, .ground = {.mode = GroundMode::none}, .step = kStep};
 }
 
 ProjectileDef on(Fidelity f, Integrator integrator = Integrator::rk4) {
@@ -346,12 +335,7 @@ TEST(FieldWorld, wrong_answers_retire_whom_they_concern) {
 }
 
 // ---------------------------------------- moments, saves, replays
-LoadOptions with_fields() {
-  LoadOptions options;
-  options.wind_fields = {gusts()};
-  options.force_fields = {tugs()};
-  return options;
-}
+LoadOptions with_fields() { return {.wind_fields = {gusts()}, .force_fields = {tugs()}}; }
 
 World busy_world() {
   World world = make_world(open_world(both()));
@@ -405,8 +389,7 @@ TEST(FieldWorld, replays_need_them_in_the_order_in_which_they_came) {
     ASSERT_TRUE(world.record(record_into(bytes), {.from_now = from_now}));
     ASSERT_TRUE(world.spawn(on(Fidelity::simulation()), kLaunch));
     for (int i = 0; i < 20; ++i) world.step(kStep);
-    Environment other;
-    other.wind.field = gusts(5);
+    Environment other{.wind = {.field = gusts(5)}};
     ASSERT_TRUE(world.set_environment(0, other));
     for (int i = 0; i < 20; ++i) world.step(kStep);
     ASSERT_TRUE(world.stop_recording());

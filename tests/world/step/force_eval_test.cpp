@@ -296,9 +296,7 @@ Vec3d drag_in_flight(const ProjectileDef& projectile, const Vec3d& v) {
   fidelity.gravity = GravityModel::off;
   fidelity.drag = DragModel::equation;
   fidelity.air = AirModel::constant;
-  Environment environment;
-  environment.atmosphere.density = 1.225;
-  const test::Prepared p(projectile, {}, environment, fidelity);
+  const test::Prepared p(projectile, {}, {.atmosphere = {.density = 1.225}}, fidelity);
   return p.acceleration(0, {{}, v}) * projectile.mass;
 }
 

@@ -21,12 +21,11 @@ ProjectileDef puck() {
   return p;
 }
 BodyDef sliding(double friction, double radius = 0) {
-  BodyDef body;
-  body.restitution = 0;
-  body.friction = friction;
-  body.rolling_resistance = 0;
-  body.can_sleep = false;
-  body.collision = {.on_hit = OnHit::bounce, .radius = radius};
+  BodyDef body{.can_sleep = false,
+               .restitution = 0,
+               .friction = friction,
+               .rolling_resistance = 0,
+               .collision = {.on_hit = OnHit::bounce, .radius = radius}};
   if (radius > 0) body.frozen_rotation = Axes::x | Axes::y | Axes::z;
   return body;
 }

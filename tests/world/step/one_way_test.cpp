@@ -21,11 +21,7 @@ ProjectileDef stone_of(Precision precision = Precision::float64) {
   return p;
 }
 BodyDef landing(double radius = 0, OnHit on_hit = OnHit::bounce) {
-  BodyDef body;
-  body.restitution = 0;
-  body.friction = 1;
-  body.collision = {.on_hit = on_hit, .radius = radius};
-  return body;
+  return {.restitution = 0, .friction = 1, .collision = {.on_hit = on_hit, .radius = radius}};
 }
 HeightFieldShape field() {
   HeightFieldShape shape{.columns = 9, .rows = 9, .spacing_x = 1, .spacing_z = 1};

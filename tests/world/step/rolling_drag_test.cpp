@@ -51,19 +51,16 @@ Laid laid(const Slide& slide, double k1, double k2, double friction, const Vec3d
     made.thing = scene.add({.shape = box, .transform = {.position = {0, -1, 0}}, .material = rough}).value();
     EXPECT_TRUE(world.set_scene(scene));
   }
-  ProjectileDef p;
-  p.mass = 2;
+  ProjectileDef p{.mass = 2};
   p.drag.k1 = k1 * p.mass, p.drag.k2 = k2 * p.mass;
   p.fidelity = Fidelity::game();
   p.fidelity.integrator = slide.integrator;
   p.fidelity.precision = slide.precision;
-  BodyDef body;
-  body.collision.on_hit = OnHit::bounce;
-  body.collision.radius = slide.on_thing ? slide.radius : 0;
-  body.friction = friction;
-  body.restitution = 0;
-  body.rolling_resistance = 0;
-  body.can_sleep = false;
+  BodyDef body{.can_sleep = false,
+               .restitution = 0,
+               .friction = friction,
+               .rolling_resistance = 0,
+               .collision = {.on_hit = OnHit::bounce, .radius = slide.on_thing ? slide.radius : 0}};
   const Launch launch{.position = {0, slide.on_thing ? slide.radius : 0, 0}, .velocity = velocity};
   made.id = world.spawn(world.add_kind(p, body).value(), launch).value();
   return made;
@@ -132,8 +129,7 @@ TEST(RollingDrag, a_flight_slides_through_air_as_its_closed_form) {
       Scene scene;
       const ShapeId box = scene.add_shape(BoxShape{{500, 1, 500}}).value();
       ASSERT_TRUE(scene.add({.shape = box, .transform = {.position = {0, -1, 0}}}));
-      ProjectileDef p;
-      p.mass = 2;
+      ProjectileDef p{.mass = 2};
       const double k = 0.02, v0 = 50;
       p.drag.k2 = k * p.mass;
       Fidelity fidelity = Fidelity::game();

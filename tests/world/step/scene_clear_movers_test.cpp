@@ -195,9 +195,7 @@ struct Hanging {
   ShapeId ball;  // of a metre
 
   Hanging(const Vec3d& velocity, double radius, Precision precision) {
-    WorldDef def;
-    def.ground.mode = GroundMode::none;
-    def.environment.atmosphere.model = AirModel::vacuum;
+    WorldDef def{.environment = {.atmosphere = {.model = AirModel::vacuum}}, .ground = {.mode = GroundMode::none}};
     world = make_world(def);
     Scene scene;
     put(scene, PlaneShape{}, {0, -40, 0});
@@ -205,10 +203,7 @@ struct Hanging {
     EXPECT_TRUE(world.set_scene(scene));
     ProjectileDef p = stone();
     p.fidelity.precision = precision;
-    BodyDef body;
-    body.gravity_scale = 0;
-    body.can_sleep = false;
-    body.collision = {.on_hit = OnHit::stop, .radius = radius};
+    BodyDef body{.gravity_scale = 0, .can_sleep = false, .collision = {.on_hit = OnHit::stop, .radius = radius}};
     id = *world.spawn(p, {.position = {0, 0, 0}, .velocity = velocity}, body);
   }
 

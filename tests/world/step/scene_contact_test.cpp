@@ -18,10 +18,7 @@ using test_scene::bouncing;
 constexpr double kG = 9.80665;
 
 WorldDef open_space(AirModel air = AirModel::vacuum) {
-  WorldDef def;
-  def.ground.mode = GroundMode::none;
-  def.environment.atmosphere.model = air;
-  return def;
+  return {.environment = {.atmosphere = {.model = air}}, .ground = {.mode = GroundMode::none}};
 }
 
 Scene floor_of(const Material& material, double slope = 0) {
@@ -64,9 +61,7 @@ class SpinOfBounce : public testing::TestWithParam<RotationModel> {
     World world = make_world(open_space(AirModel::isa), floor_of({.restitution = 0.8, .friction = friction}));
     BodyDef body = bouncing(radius);
     body.collision.inertia = k;
-    Launch launch;
-    launch.position = {0, radius + 1e-3, 0};
-    launch.velocity = Vec3d{before.speed_along, -down, 0};
+    Launch launch{.position = {0, radius + 1e-3, 0}, .velocity = Vec3d{before.speed_along, -down, 0}};
     const ProjectileId id = *world.spawn(p, launch, body);
     EXPECT_TRUE(world[id].set_angular_velocity({0, 0, before.spin}));
     if (GetParam() == RotationModel::magnus) {  // its spin is that of its launch
@@ -159,9 +154,7 @@ TEST(SceneContact, a_ball_in_a_groove_goes_along_it) {
 /// A ball that slides, without spin at first, rolls with 5/7 of its speed in the end.
 TEST(SceneContact, sliding_becomes_rolling_with_five_sevenths_of_the_speed) {
   World world = make_world(open_space(), floor_of({.restitution = 0, .friction = 0.2}));
-  Launch launch;
-  launch.position = {0, 0.03 + 1e-9, 0};
-  launch.velocity = Vec3d{7, 0, 0};
+  Launch launch{.position = {0, 0.03 + 1e-9, 0}, .velocity = Vec3d{7, 0, 0}};
   const ProjectileId id = *world.spawn(stone(), launch, bouncing(0.03, 0));
   const double rolls_after = 7 * 2.0 / 7 / (0.2 * kG);  // u / (mu g (1 + 1/k))
   run_for(world, 0.5 * rolls_after, 1.0 / 240);
@@ -225,9 +218,7 @@ TEST(SceneContact, a_bullet_goes_through_a_plank_and_stops_in_a_wall) {
   const InstanceId second = *scene.add(
       {.shape = *scene.add_shape(BoxShape{{5, 10, 10}}), .transform = {.position = {25, 0, 0}}, .material = wall});
   World world = make_world(open_space(), scene);
-  BodyDef body;
-  body.collision.on_hit = OnHit::impact;
-  body.gravity_scale = 0;
+  BodyDef body{.gravity_scale = 0, .collision = {.on_hit = OnHit::impact}};
   ProjectileDef p = bullet();
   p.fidelity = stone().fidelity;
   const ProjectileId id = *world.spawn(p, {.speed = 500}, body);
@@ -257,14 +248,11 @@ TEST(SceneContact, a_ball_skips_off_water_and_a_steep_one_does_not) {
   Scene scene = floor_of(materials::water());
   for (const double angle : {4 * test::kDegree, 60 * test::kDegree}) {
     World world = make_world(open_space(), scene);
-    BodyDef body;
-    body.collision.on_hit = OnHit::impact;
+    BodyDef body{.collision = {.on_hit = OnHit::impact}};
     ProjectileDef p = stone();
     p.mass = 5;
     p.diameter = 0.1;
-    Launch launch;
-    launch.position = {0, 1e-3, 0};
-    launch.velocity = Vec3d{std::cos(angle), -std::sin(angle), 0} * 200.0;
+    Launch launch{.position = {0, 1e-3, 0}, .velocity = Vec3d{std::cos(angle), -std::sin(angle), 0} * 200.0};
     ASSERT_TRUE(world.spawn(p, launch, body));
     world.step(1.0 / 60);
     const bool skips = angle < 0.2;

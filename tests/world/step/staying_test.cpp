@@ -13,13 +13,11 @@ namespace world_staying_test {
 using namespace test_scene;
 
 BodyDef rolling(double resistance, double radius) {
-  BodyDef body;
-  body.restitution = 0;
-  body.friction = 0.4;
-  body.rolling_resistance = resistance;
-  body.can_sleep = false;
-  body.collision = {.on_hit = OnHit::bounce, .radius = radius};
-  return body;
+  return {.can_sleep = false,
+          .restitution = 0,
+          .friction = 0.4,
+          .rolling_resistance = resistance,
+          .collision = {.on_hit = OnHit::bounce, .radius = radius}};
 }
 MeshShape square(double half) {
   return {{{-half, 0, -half}, {half, 0, -half}, {half, 0, half}, {-half, 0, half}}, {{0, 2, 1}, {0, 3, 2}}, {}};
@@ -86,9 +84,8 @@ TEST(Staying, a_lift_carries_and_lets_go) {
     InstanceDef lift{.shape = *scene.add_shape(BoxShape{{1, 0.1, 1}}),
                      .transform = {.position = {0, -0.1, 0}},
                      .material = *scene.add_material({.restitution = 0, .friction = 1})};
-    KeyedMotion keys;
-    keys.curve = MotionCurve::smooth;
-    keys.keys = {{.time = 0, .position = {0, -0.1, 0}}, {.time = 0.5, .position = {0, 0.9, 0}}};
+    KeyedMotion keys{.keys = {{.time = 0, .position = {0, -0.1, 0}}, {.time = 0.5, .position = {0, 0.9, 0}}},
+                     .curve = MotionCurve::smooth};
     lift.motion = keys;
     ASSERT_TRUE(scene.add(lift));
     World world = make_world(space(), scene);
