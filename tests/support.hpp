@@ -20,6 +20,16 @@
 #include "prepare/launch.hpp"
 #include "prepare/watch_list.hpp"
 
+namespace physim {
+
+/// Adds a thing of this shape to a scene.
+inline InstanceId add_thing(Scene& scene, const ShapeDef& shape, InstanceDef thing = {}) {
+  thing.shape = must(scene.add_shape(shape));
+  return must(scene.add(thing));
+}
+
+}  // namespace physim
+
 namespace physim::test {
 
 inline constexpr double kDegree = 3.14159265358979323846 / 180;

@@ -6,6 +6,7 @@
 #include "collide/crowd_support.hpp"
 #include "collide/scene_by_motion.hpp"
 #include "physim/flight.hpp"
+#include "support.hpp"
 
 namespace physim {
 namespace collide_cast_crowd_test {
@@ -58,7 +59,7 @@ TEST(CastCrowd, segments_that_meet_thousands_of_boxes_are_as_alone) {
 TEST(CastCrowd, the_deepest_tree_has_room) {
   Random r(52);
   Scene scene;
-  ASSERT_TRUE(scene.add({.shape = *scene.add_shape(series())}));
+  add_thing(scene, series());
   std::vector<SceneSegment> segments;
   for (int i = 0; i < 400; ++i) {
     const double far = std::ldexp(1.0, static_cast<int>(r.below(40)));
@@ -85,7 +86,7 @@ TEST(CastCrowd, every_kernel_finds_the_same) {
 TEST(CastCrowd, a_clear_part_reaches_the_box_of_a_triangle) {
   Scene scene;
   MeshShape needle{.vertices = {{10, 0, 0}, {30, 0, 0.05}, {30, 0, -0.05}}, .triangles = {{0, 1, 2}}};
-  ASSERT_TRUE(scene.add({.shape = *scene.add_shape(needle)}));
+  add_thing(scene, needle);
   const SceneSegment towards{
       {0, 0, 0}, {20, 0, 0}, 0.5};  // its tip is at 10, the prism about its sides begins before 0
   EXPECT_GT(scene.clear_part(towards), 0.474);

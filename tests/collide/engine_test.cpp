@@ -145,8 +145,7 @@ TEST(Engine, surfaces_are_met_a_skin_before_they_are_there) {
 TEST(Engine, own_things_and_the_engines_are_met_in_order) {
   Scene scene;
   ASSERT_TRUE(scene.set_engine({floor_off_by(0), 1e-6}));
-  const InstanceId table =
-      *scene.add({.shape = *scene.add_shape(BoxShape{{1, 0.5, 1}}), .transform = {.position = {0, 0.5, 0}}});
+  const InstanceId table = add_thing(scene, BoxShape{{1, 0.5, 1}}, {.transform = {.position = {0, 0.5, 0}}});
   const SceneSegment through{{0, 5, 0}, {0, -5, 0}}, beside{{3, 5, 0}, {3, -5, 0}};
   EXPECT_EQ(scene.first_hit(through).instance, table);
   EXPECT_EQ(scene.first_hit(beside).instance.generation, kEngineGeneration);

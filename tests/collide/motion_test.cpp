@@ -375,9 +375,9 @@ TEST(SceneMotion, bad_input_is_refused_with_its_place) {
 TEST(Motion, in_next_to_no_time_things_stand_where_they_are) {
   Scene scene;
   for (const ShapeDef& shape : {ShapeDef(PlaneShape{}), ShapeDef(BoxShape{{1, 1, 1}}), ShapeDef(SphereShape{1})})
-    ASSERT_TRUE(scene.add({.shape = *scene.add_shape(shape),
-                           .transform = {.position = {0, -1, 0}},
-                           .motion = SteadyMotion{.velocity = {0, 1, 0}, .angular_velocity = {0, 2, 1}}}));
+    add_thing(scene, shape,
+              {.transform = {.position = {0, -1, 0}},
+               .motion = SteadyMotion{.velocity = {0, 1, 0}, .angular_velocity = {0, 2, 1}}});
   for (const double radius : {0.0, 0.2}) {
     const SceneSegment at_once{{0.3, 5, 0.1}, {0.3, -5, 0.1}, radius, 0.25, 0};
     const SceneHit wanted = scene.first_hit(at_once);

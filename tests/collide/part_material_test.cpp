@@ -118,7 +118,7 @@ TEST(PartMaterials, at_an_edge_the_first_triangle_is_told) {
     MeshShape sheet{{{0, -1, -1}, {0, 1, -1}, {0, 1, 1}, {0, -1, 1}}, {{0, 2, 1}, {0, 3, 2}}, {one, two}};
     if (swapped) std::swap(sheet.triangles[0], sheet.triangles[1]), std::swap(sheet.materials[0], sheet.materials[1]);
     const ShapeId part = *scene.add_shape(sheet);
-    ASSERT_TRUE(scene.add({.shape = *scene.add_shape(CompoundShape{{{part, {}}}})}));
+    add_thing(scene, CompoundShape{{{part, {}}}});
     const SceneSegment s{{-1, 0.25, 0.25}, {1, 0.25, 0.25}};
     EXPECT_EQ(scene.first_hit(s).material, swapped ? two : one);
     ASSERT_EQ(scene.all_hits(s).size(), 1u);
@@ -142,7 +142,7 @@ Scene small_scene(MaterialId of = {2}) {
   static_cast<void>(scene.add_material({.name = "wood"}));
   static_cast<void>(scene.add_material({.name = "steel"}));
   const ShapeId box = *scene.add_shape(BoxShape{});
-  EXPECT_TRUE(scene.add({.shape = *scene.add_shape(CompoundShape{{{box, {}}, {box, {{3, 0, 0}, {}, 1}, of}}})}));
+  add_thing(scene, CompoundShape{{{box, {}}, {box, {{3, 0, 0}, {}, 1}, of}}});
   return scene;
 }
 

@@ -219,7 +219,7 @@ std::vector<ShapeDef> shapes_below_the_origin() {
 TEST(Scene, what_leaves_from_a_surface_does_not_meet_it) {
   const auto expect = [](const ShapeDef& shape, const Vec3d& at) {
     Scene scene;
-    ASSERT_TRUE(scene.add({.shape = *scene.add_shape(shape), .transform = {.position = at}}));
+    add_thing(scene, shape, {.transform = {.position = at}});
     const Vec3d from{0.5, 0, 0.25};
     for (const Vec3d& way : {Vec3d{0, 1, 0}, Vec3d{1, 1e-3, 0}, Vec3d{-1, 2, 0.5}, Vec3d{1, 0, 0.5}}) {
       EXPECT_FALSE(scene.first_hit({from, from + way})) << shape.index() << ": " << way.y;
@@ -234,7 +234,7 @@ TEST(Scene, what_leaves_from_a_surface_does_not_meet_it) {
   expect(BoxShape{{5, 1, 5}}, {0, -1, 0});
   expect(CylinderShape{5, 1}, {0, -1, 0});
   Scene scene;
-  ASSERT_TRUE(scene.add({.shape = *scene.add_shape(CylinderShape{1, 1})}));
+  add_thing(scene, CylinderShape{1, 1});
   EXPECT_FALSE(scene.first_hit({{1, -0.5, 0}, {1, 0.5, 0}})) << "along its side";
 }
 

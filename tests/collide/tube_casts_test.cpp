@@ -1,5 +1,6 @@
 // Casts among what a tube may touch, and how far many ways are clear: each is as the scene says of it alone.
 #include "collide/tube_casts.hpp"
+#include "support.hpp"
 
 #include <gtest/gtest.h>
 
@@ -111,7 +112,7 @@ TEST(TubeCasts, heaps_and_slivers_are_asked_whole) {
     slivers.triangles.push_back({i, i + 1, i + 2});
   }
   Scene scene;
-  ASSERT_TRUE(scene.add({.shape = *scene.add_shape(slivers)}));
+  add_thing(scene, slivers);
   const ShapeId bumpy = *scene.add_shape(ball(12, 0.3));
   for (int i = 0; i < 12; ++i)
     ASSERT_TRUE(scene.add({.shape = bumpy, .transform = {.position = Vec3d{9, 0, 0} + r.vector(1)}}));

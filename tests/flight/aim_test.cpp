@@ -395,7 +395,7 @@ struct Walled {
   Scene scene;
   InstanceId wall;
   Walled(double at, double height) {
-    wall = *scene.add({.shape = *scene.add_shape(BoxShape{{0.5, height, 500}}), .transform = {.position = {at, 0, 0}}});
+    wall = add_thing(scene, BoxShape{{0.5, height, 500}}, {.transform = {.position = {at, 0, 0}}});
   }
 };
 
@@ -453,7 +453,7 @@ TEST(Aim, what_is_aimed_at_is_in_nobodys_way) {
   EXPECT_FALSE(answer.sight_ends);
   // On the ground itself the path ends at the target.
   Scene ground;
-  ASSERT_TRUE(ground.add({.shape = *ground.add_shape(PlaneShape{})}));
+  add_thing(ground, PlaneShape{});
   options = {.tolerance = 1e-3, .scene = &ground};
   EXPECT_TRUE(
       aimed({}, {.position = {0, 1, 0}, .speed = 120}, constant_gravity(), vacuum(), {{900, 0, 0}}, options).low);

@@ -15,8 +15,7 @@ using namespace test_scene;
 TEST(SceneFlight, a_parabola_meets_a_slope_and_a_sphere_where_the_closed_form_does) {
   const double slope = 0.3, speed = 40, elevation = 0.9;
   Scene hill;
-  ASSERT_TRUE(hill.add({.shape = *hill.add_shape(PlaneShape{}),
-                        .transform = {.rotation = {std::cos(slope / 2), 0, 0, std::sin(slope / 2)}}}));
+  add_thing(hill, PlaneShape{}, {.transform = {.rotation = {std::cos(slope / 2), 0, 0, std::sin(slope / 2)}}});
   // On a slope through the muzzle: t = 2 v sin(a - s) / (g cos s). Started above it, so that it is not met at once.
   const double time = 2 * speed * std::sin(elevation - slope) / (kG * std::cos(slope));
   const double range = speed * std::cos(elevation) * time;

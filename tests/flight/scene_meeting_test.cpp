@@ -12,12 +12,10 @@ using namespace test_scene;
 TEST(MeetingFlight, flights_do_what_collision_says) {
   Scene scene;
   const MaterialId steel = *scene.add_material({.name = "steel"});
-  const InstanceId wall = *scene.add({.shape = *scene.add_shape(BoxShape{{0.01, 5, 5}}),
-                                      .transform = {.position = {10, 0, 0}},
-                                      .material = steel,
-                                      .layers = 2});
-  const InstanceId gate = *scene.add(
-      {.shape = *scene.add_shape(BoxShape{{0.5, 5, 5}}), .transform = {.position = {5, 0, 0}}, .sensor = true});
+  const InstanceId wall =
+      add_thing(scene, BoxShape{{0.01, 5, 5}}, {.transform = {.position = {10, 0, 0}}, .material = steel, .layers = 2});
+  const InstanceId gate =
+      add_thing(scene, BoxShape{{0.5, 5, 5}}, {.transform = {.position = {5, 0, 0}}, .sensor = true});
   const auto fired = [&](const CollisionDef& collision) {
     Until until = meeting(scene);
     until.contact.collision = collision;
@@ -90,9 +88,8 @@ TEST(MeetingFlight, a_ball_slides_then_rolls_down_a_slope_and_rests_on_a_floor) 
   constexpr double kSlope = 30 * test::kDegree;
   Scene slope;
   const MaterialId rough = *slope.add_material({.restitution = 0, .friction = 1});
-  ASSERT_TRUE(slope.add({.shape = *slope.add_shape(PlaneShape{}),
-                         .transform = {.rotation = {std::cos(kSlope / 2), 0, 0, -std::sin(kSlope / 2)}},
-                         .material = rough}));
+  add_thing(slope, PlaneShape{},
+            {.transform = {.rotation = {std::cos(kSlope / 2), 0, 0, -std::sin(kSlope / 2)}}, .material = rough});
   for (const Fidelity& fidelity : {closed(), rung(Integrator::tsit5), rung(Integrator::rk4)}) {
     Until until = meeting(slope, OnHit::bounce, 0.1);
     until.contact.restitution = 0;
@@ -140,8 +137,7 @@ TEST(MeetingFlight, what_slides_past_a_range_ends_there) {
 
 TEST(MeetingFlight, moving_things_are_met_where_they_are_at_the_time) {
   Scene scene;
-  const InstanceId wall =
-      *scene.add({.shape = *scene.add_shape(BoxShape{{0.1, 5, 5}}), .transform = {.position = {100, 0, 0}}});
+  const InstanceId wall = add_thing(scene, BoxShape{{0.1, 5, 5}}, {.transform = {.position = {100, 0, 0}}});
   ASSERT_TRUE(scene.set_motion(wall, SteadyMotion{.velocity = {-20, 0, 0}}));
   for (const double begins : {0.0, 2.0}) {
     Until until = meeting(scene);
@@ -311,9 +307,8 @@ Scene cluttered(test::Random& r) {
     const Vec3d place{r.in(3, 28), r.in(-14, 14), r.in(-28, 28)};
     const Quatd turned = quat_from_yaw_pitch_roll(r.in(-3, 3), r.in(-1, 1), r.in(-3, 3));
     const ShapeDef shapes[] = {BoxShape{{0.5, 1, 2}}, SphereShape{1.5}, CapsuleShape{1, 0.5}};
-    EXPECT_TRUE(scene.add({.shape = *scene.add_shape(shapes[i % 3]),
-                           .transform = {.position = place, .rotation = turned},
-                           .material = i % 2 ? soft : MaterialId{}}));
+    add_thing(scene, shapes[i % 3],
+              {.transform = {.position = place, .rotation = turned}, .material = i % 2 ? soft : MaterialId{}});
   }
   return scene;
 }

@@ -105,7 +105,7 @@ TEST(CasesOfMeshes, a_board_far_from_the_origin_is_as_thick_as_its_file_says) {
   for (const std::string& file : files) {
     const auto mesh = must(read_mesh_file(file));
     Scene scene;
-    ASSERT_TRUE(scene.add({.shape = *scene.add_shape(mesh)}));
+    add_thing(scene, mesh);
     const auto hits = scene.all_hits({{499990, 0.1, 0.2}, {500010, 0.1, 0.2}, 0, 0, 0});
     ASSERT_EQ(hits.size(), 2u) << file;
     EXPECT_NEAR(hits[0].position.x, kNear, 1e-9) << file;

@@ -23,7 +23,7 @@ struct Stage {
 
   Stage() {
     Scene scene;
-    EXPECT_TRUE(scene.add({.shape = *scene.add_shape(BoxShape{{0.5, 9, 9}}), .transform = {.position = {5, 9, 0}}}));
+    add_thing(scene, BoxShape{{0.5, 9, 9}}, {.transform = {.position = {5, 9, 0}}});
     EXPECT_TRUE(world.set_scene(scene));
     const auto thrown = must(world.spawn(kind, {.position = {0, 2, 0}, .velocity = Vec3d{0.5, 6, 1}}));
     carrier = thrown;

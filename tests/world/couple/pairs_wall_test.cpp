@@ -85,10 +85,10 @@ TEST(PairsWall, a_blow_goes_through_a_row_on_a_lift) {
     for (const double rate : kRates) {
       Scene scene;
       const MaterialId smooth = *scene.add_material({.restitution = 0, .friction = 0});
-      ASSERT_TRUE(scene.add({.shape = *scene.add_shape(BoxShape{{40, 0.5, 5}}),
-                             .transform = {.position = {0, -0.5, 0}},
-                             .material = smooth,
-                             .motion = SteadyMotion{.velocity = {0, rises, 0}}}));
+      add_thing(scene, BoxShape{{40, 0.5, 5}},
+                {.transform = {.position = {0, -0.5, 0}},
+                 .material = smooth,
+                 .motion = SteadyMotion{.velocity = {0, rises, 0}}});
       World world = make_world(space(), scene);
       std::vector<ProjectileId> ids;
       for (int i = 0; i < 5; ++i)

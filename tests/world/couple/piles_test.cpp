@@ -50,7 +50,7 @@ BodyDef sleepy() {
 Scene floor_of_wood(const ConveyorDef& belt = {}) {
   Scene scene;
   const MaterialId wood = *scene.add_material({.restitution = 0.5, .friction = 1});
-  EXPECT_TRUE(scene.add({.shape = *scene.add_shape(PlaneShape{}), .material = wood, .conveyor = belt}));
+  add_thing(scene, PlaneShape{}, {.material = wood, .conveyor = belt});
   return scene;
 }
 World world_with(const ConveyorDef& belt = {}) { return make_world(falling(), floor_of_wood(belt)); }

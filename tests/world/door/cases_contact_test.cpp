@@ -36,10 +36,7 @@ MaterialId material(Scene& scene, double restitution, double friction) {
 }
 void add(Scene& scene, const ShapeDef& shape, const Vec3d& at, MaterialId made_of, const Quatd& turn = {1, 0, 0, 0},
          const SceneMotion& motion = {}) {
-  ASSERT_TRUE(scene.add({.shape = *scene.add_shape(shape),
-                         .transform = {.position = at, .rotation = turn},
-                         .material = made_of,
-                         .motion = motion}));
+  add_thing(scene, shape, {.transform = {.position = at, .rotation = turn}, .material = made_of, .motion = motion});
 }
 World world_in(const Scene& scene) { return make_world(falling(), scene); }
 std::string at(double rate, const char* what = "") { return what + (" at " + std::to_string(rate)) + " Hz"; }
@@ -408,8 +405,8 @@ TEST(CasesOfContacts, sensors_tell_each_way_in_and_out_whatever_the_step) {
   for (const double rate : {0.25, 1.0, 30.0, 60.0, 1000.0}) {
     Scene scene;
     add(scene, PlaneShape{}, {}, material(scene, 1, 1));
-    const InstanceId gate = *scene.add(
-        {.shape = *scene.add_shape(BoxShape{{1, 0.05, 1}}), .transform = {.position = {0, 0.4, 0}}, .sensor = true});
+    const InstanceId gate =
+        add_thing(scene, BoxShape{{1, 0.05, 1}}, {.transform = {.position = {0, 0.4, 0}}, .sensor = true});
     World world = world_in(scene);
     put(world, by_rk4(r), body_of(r, 1, 0), {0, r + h, 0});
     // The k-th time that its middle is y above its lowest place.

@@ -17,13 +17,13 @@ World trough() {
   for (const double side : {-1.0, 1.0})
     EXPECT_TRUE(scene.add(
         {.shape = plane, .transform = {.rotation = {1, 0, 0, side * 0.3}}, .material = hard, .name = "side"}));
-  EXPECT_TRUE(scene.add({.shape = *scene.add_shape(BoxShape{{0.1, 1, 3}}),
-                         .transform = {.position = {8, 2, 0}},
-                         .material = wood,
-                         .name = "plank",
-                         .motion = KeyedMotion{{{.time = 0, .position = {8, 2, 0}},
-                                                {.time = 1, .position = {2, 2, 0}},
-                                                {.time = 2, .position = {8, 2, 0}}}}}));
+  add_thing(scene, BoxShape{{0.1, 1, 3}},
+            {.transform = {.position = {8, 2, 0}},
+             .material = wood,
+             .name = "plank",
+             .motion = KeyedMotion{{{.time = 0, .position = {8, 2, 0}},
+                                    {.time = 1, .position = {2, 2, 0}},
+                                    {.time = 2, .position = {8, 2, 0}}}}});
   return make_world({.ground = {.mode = GroundMode::none}}, scene);
 }
 
@@ -89,9 +89,8 @@ TEST(SceneMoments, chance_follows_from_what_is_hashed) {
   loose.spread.deflection = 0.1;
   const auto world_after = [&](int steps) {
     Scene scene;
-    EXPECT_TRUE(scene.add({.shape = *scene.add_shape(BoxShape{{0.009, 5, 5}}),
-                           .transform = {.position = {50, 0, 0}},
-                           .material = *scene.add_material(loose)}));
+    add_thing(scene, BoxShape{{0.009, 5, 5}},
+              {.transform = {.position = {50, 0, 0}}, .material = *scene.add_material(loose)});
     World world = make_world({}, scene);
     for (int i = 0; i < steps; ++i) world.step(0.25 / steps);
     world.step(1.0 / 64);
@@ -191,9 +190,7 @@ TEST(SceneMoments, what_comes_by_wakes_who_sleeps) {
   for (const Case& c : cases) {
     Scene scene;
     const bool steady = std::holds_alternative<SteadyMotion>(c.motion);
-    ASSERT_TRUE(scene.add({.shape = *scene.add_shape(BoxShape{c.half}),
-                           .transform = {.position = {steady ? -100.4 : 0, 0.25, 0}},
-                           .motion = c.motion}));
+    add_thing(scene, BoxShape{c.half}, {.transform = {.position = {steady ? -100.4 : 0, 0.25, 0}}, .motion = c.motion});
     const ShapeId floor = *scene.add_shape(BoxShape{{5, 0.5, 5}});
     ASSERT_TRUE(c.on_it || scene.add({.shape = floor, .transform = {.position = {0, -0.5, 0}}}));
     World world = make_world({.ground = {.mode = GroundMode::none}}, scene);

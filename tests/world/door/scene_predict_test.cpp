@@ -20,11 +20,8 @@ Scene playground() {
   const MaterialId fir = *scene.add_material(materials::fir());
   const auto put = [&](const ShapeDef& shape, const Vec3d& place, MaterialId material, const SceneMotion& motion = {},
                        bool sensor = false) {
-    EXPECT_TRUE(scene.add({.shape = *scene.add_shape(shape),
-                           .transform = {.position = place},
-                           .material = material,
-                           .sensor = sensor,
-                           .motion = motion}));
+    add_thing(scene, shape,
+              {.transform = {.position = place}, .material = material, .sensor = sensor, .motion = motion});
   };
   put(PlaneShape{}, {}, hard);
   put(SphereShape{3}, {12, -1, 0}, hard);

@@ -24,10 +24,8 @@ ProjectileDef thrown() {
 
 InstanceId put(Scene& scene, const ShapeDef& shape, const Vec3d& at, const Material& material,
                const SceneMotion& motion = {}) {
-  return *scene.add({.shape = *scene.add_shape(shape),
-                     .transform = {.position = at},
-                     .material = *scene.add_material(material),
-                     .motion = motion});
+  return add_thing(scene, shape,
+                   {.transform = {.position = at}, .material = *scene.add_material(material), .motion = motion});
 }
 
 World world_with(const Scene& scene, const WorldDef& def = nothing_but_things()) { return make_world(def, scene); }
@@ -265,9 +263,8 @@ TEST(SceneSurface, a_ball_rolls_on_what_turns_its_slip_around) {
   for (const double dt : {kStep, 1.0 / 240}) {
     Scene scene;
     const MaterialId made_of = *scene.add_material({.restitution = 0, .friction = 1, .grip_restitution = 0.5});
-    ASSERT_TRUE(scene.add({.shape = *scene.add_shape(PlaneShape{}),
-                           .transform = {.rotation = {std::cos(kSlope / 2), 0, 0, -std::sin(kSlope / 2)}},
-                           .material = made_of}));
+    add_thing(scene, PlaneShape{},
+              {.transform = {.rotation = {std::cos(kSlope / 2), 0, 0, -std::sin(kSlope / 2)}}, .material = made_of});
     World world = world_with(scene);
     const Vec3d normal{std::sin(kSlope), std::cos(kSlope), 0};
     const ProjectileId id = *world.spawn(stone(), {.position = normal * 0.05000001}, body_that(OnHit::bounce, 0.05));
@@ -293,8 +290,7 @@ TEST(SceneSurface, sensors_are_told_of_what_slides_and_rolls) {
     for (const bool ground : {false, true}) {
       Scene scene;
       if (!ground) put(scene, PlaneShape{}, {}, {.restitution = 0, .friction = 0});
-      ASSERT_TRUE(scene.add(
-          {.shape = *scene.add_shape(BoxShape{{0.3, 1, 1}}), .transform = {.position = {2, 0.5, 0}}, .sensor = true}));
+      add_thing(scene, BoxShape{{0.3, 1, 1}}, {.transform = {.position = {2, 0.5, 0}}, .sensor = true});
       WorldDef def = nothing_but_things();
       if (ground) def.ground.mode = GroundMode::bounce;
       World world = world_with(scene, def);
@@ -375,9 +371,9 @@ TEST(SceneSurface, what_slides_along_an_edge_of_triangles_stays_on_them) {
     for (const double radius : {0.0, 0.1})
       for (const double hz : {60.0, 1000.0}) {
         Scene scene;
-        ASSERT_TRUE(scene.add({.shape = *scene.add_shape(shape),
-                               .transform = {.position = rotate(turn, Vec3d{-60, 0, -60}), .rotation = turn},
-                               .material = *scene.add_material({.restitution = 0, .friction = 1})}));
+        add_thing(scene, shape,
+                  {.transform = {.position = rotate(turn, Vec3d{-60, 0, -60}), .rotation = turn},
+                   .material = *scene.add_material({.restitution = 0, .friction = 1})});
         World world = world_with(scene);
         BodyDef body{.frozen_rotation = Axes::x | Axes::y | Axes::z,
                      .can_sleep = false,

@@ -66,7 +66,7 @@ TEST(SceneWorld, elastic_bounces_in_a_room_follow_the_closed_form) {
 TEST(SceneWorld, a_ball_on_a_plane_bounces_as_on_the_ground) {
   Scene scene;
   const MaterialId hard = *scene.add_material({.restitution = 1, .friction = 1});
-  ASSERT_TRUE(scene.add({.shape = *scene.add_shape(PlaneShape{}), .material = hard}));
+  add_thing(scene, PlaneShape{}, {.material = hard});
   for (const Integrator integrator : {Integrator::rk4, Integrator::semi_implicit_euler, Integrator::tsit5}) {
     World on_ground = make_world({.ground = {.mode = GroundMode::bounce}});
     World on_plane = make_world(no_ground(), scene);
@@ -89,7 +89,7 @@ TEST(SceneWorld, a_ball_on_a_plane_bounces_as_on_the_ground) {
 /// What ends a flight on the ground ends it at a plane there.
 TEST(SceneWorld, every_preset_meets_a_plane_where_it_would_land) {
   Scene scene;
-  ASSERT_TRUE(scene.add({.shape = *scene.add_shape(PlaneShape{})}));
+  add_thing(scene, PlaneShape{});
   for (const Fidelity& fidelity : {Fidelity::classic(), Fidelity::game(), Fidelity::constant_air(),
                                    Fidelity::small_arms(), Fidelity::artillery()}) {
     WorldDef def;
@@ -148,10 +148,8 @@ TEST(SceneWorld, what_meets_nothing_flies_as_without_a_scene) {
 TEST(SceneWorld, projectiles_do_what_their_kind_says) {
   Scene scene;
   const MaterialId steel = *scene.add_material({.name = "steel"});
-  const InstanceId wall = *scene.add({.shape = *scene.add_shape(BoxShape{{0.01, 5, 5}}),
-                                      .transform = {.position = {10, 0, 0}},
-                                      .material = steel,
-                                      .layers = 2});
+  const InstanceId wall =
+      add_thing(scene, BoxShape{{0.01, 5, 5}}, {.transform = {.position = {10, 0, 0}}, .material = steel, .layers = 2});
   World world = make_world(no_ground(), scene);
   const auto fire = [&](const CollisionDef& collision) {
     return *world.spawn(stone(), {.speed = 100}, {.collision = collision});
@@ -236,7 +234,7 @@ TEST(SceneWorld, nothing_tunnels_and_nothing_is_hit_that_was_missed) {
         Scene scene;
         const bool is_field = std::holds_alternative<HeightFieldShape>(sheet.shape);
         const Vec3d middle = is_field ? Vec3d{-1, 0, -1} : Vec3d{};
-        ASSERT_TRUE(scene.add({.shape = *scene.add_shape(sheet.shape), .transform = {.position = middle}}));
+        add_thing(scene, sheet.shape, {.transform = {.position = middle}});
         WorldDef def = no_ground();
         def.environment.atmosphere.model = AirModel::isa;
         World world = make_world(def, scene);
@@ -294,9 +292,8 @@ TEST(SceneWorld, a_block_slides_down_a_slope_as_friction_lets_it) {
     Scene scene;
     const MaterialId ice = *scene.add_material({.restitution = 0, .friction = 0});
     // The plane turned about z: it falls along +x.
-    ASSERT_TRUE(scene.add({.shape = *scene.add_shape(PlaneShape{}),
-                           .transform = {.rotation = {std::cos(kSlope / 2), 0, 0, -std::sin(kSlope / 2)}},
-                           .material = ice}));
+    add_thing(scene, PlaneShape{},
+              {.transform = {.rotation = {std::cos(kSlope / 2), 0, 0, -std::sin(kSlope / 2)}}, .material = ice});
     World world = make_world(no_ground(), scene);
     BodyDef body{
         .can_sleep = false, .restitution = 0, .rolling_resistance = resistance, .collision = {.on_hit = OnHit::bounce}};
@@ -313,7 +310,7 @@ TEST(SceneWorld, a_block_slides_down_a_slope_as_friction_lets_it) {
 
 TEST(SceneWorld, a_wall_that_goes_wakes_what_leans_on_it) {
   Scene scene;
-  const InstanceId table = *scene.add({.shape = *scene.add_shape(BoxShape{{1, 0.1, 1}})});
+  const InstanceId table = add_thing(scene, BoxShape{{1, 0.1, 1}});
   World world = make_world(no_ground(), scene);
   BodyDef body{.restitution = 0.2, .collision = {.on_hit = OnHit::bounce, .radius = 0.05}};
   const ProjectileId id = *world.spawn(stone(), {.position = {0, 0.5, 0}}, body);
@@ -336,7 +333,7 @@ TEST(SceneWorld, a_wall_that_goes_wakes_what_leans_on_it) {
 
 TEST(SceneWorld, a_start_inside_of_something_is_told) {
   Scene scene;
-  ASSERT_TRUE(scene.add({.shape = *scene.add_shape(BoxShape{{1, 1, 1}})}));
+  add_thing(scene, BoxShape{{1, 1, 1}});
   World world = make_world(no_ground(), scene);
   BodyDef body{.collision = {.on_hit = OnHit::bounce}};
   const ProjectileId id = *world.spawn(stone(), {.position = {0.5, 0, 0}, .speed = 50}, body);

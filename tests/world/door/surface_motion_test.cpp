@@ -56,9 +56,9 @@ Laid laid(const Case& c, double speed, double friction, double resistance) {
     Scene scene;
     const Quatd turn{std::cos(c.slope / 2), 0, 0, std::sin(c.slope / 2)};
     const Vec3d middle = c.on == On::box ? Vec3d{0, -1, 0} : c.on == On::field ? Vec3d{-60, 0, -60} : Vec3d{};
-    EXPECT_TRUE(scene.add({.shape = *scene.add_shape(shape_of(c.on)),
-                           .transform = {.position = rotate(turn, middle), .rotation = turn},
-                           .material = *scene.add_material({.restitution = 0, .friction = 1})}));
+    add_thing(scene, shape_of(c.on),
+              {.transform = {.position = rotate(turn, middle), .rotation = turn},
+               .material = *scene.add_material({.restitution = 0, .friction = 1})});
     EXPECT_TRUE(made.world.set_scene(scene));
   }
   ProjectileDef p{.mass = 2, .diameter = 2 * kRadius, .fidelity = rung(c.integrator, c.precision)};

@@ -19,10 +19,10 @@ Scene crowded_room() {
   fir.spread.deflection = 0.05;
   const MaterialId wood = *scene.add_material(fir);
   for (int i = 0; i < 3; ++i) put(scene, BoxShape{{0.01, 2, 3}}, {1.0 + 0.6 * i, -1, 0}, wood);
-  EXPECT_TRUE(scene.add({.shape = *scene.add_shape(BoxShape{{0.2, 1, 1}}),
-                         .transform = {.position = {-3, -2, 0}},
-                         .material = wood,
-                         .motion = SteadyMotion{.velocity = {0.5, 0.2, 0}, .angular_velocity = {0, 1, 0}}}));
+  add_thing(scene, BoxShape{{0.2, 1, 1}},
+            {.transform = {.position = {-3, -2, 0}},
+             .material = wood,
+             .motion = SteadyMotion{.velocity = {0.5, 0.2, 0}, .angular_velocity = {0, 1, 0}}});
   EXPECT_TRUE(
       scene.add({.shape = *scene.add_shape(SphereShape{1}), .transform = {.position = {0, 0, 2}}, .sensor = true}));
   return scene;
@@ -252,9 +252,8 @@ TEST(AskHits, a_velocity_of_ones_own_goes_through) {
 /// A clinch: it bounces off as somebody says, off a wall that moves, and flies on.
 TEST(AskHits, a_velocity_of_ones_own_bounces) {
   Scene scene;
-  ASSERT_TRUE(scene.add({.shape = *scene.add_shape(BoxShape{{0.5, 50, 50}}),
-                         .transform = {.position = {10.5, 0, 0}},
-                         .motion = SteadyMotion{.velocity = {-10, 0, 0}}}));
+  add_thing(scene, BoxShape{{0.5, 50, 50}},
+            {.transform = {.position = {10.5, 0, 0}}, .motion = SteadyMotion{.velocity = {-10, 0, 0}}});
   World world = make_world(in_the_open(), scene);
   ASSERT_TRUE(world.set_hit_function([&](const HitBatch& batch) {
     EXPECT_EQ(batch.questions[0].surface_velocity, (Vec3d{-10, 0, 0}));

@@ -30,9 +30,9 @@ Scene chute(double radius) {
   Scene scene;
   const Quatd turn{std::cos(kAngle / 2), 0, 0, -std::sin(kAngle / 2)};
   const Vec3d middle = Vec3d{0, kFall, 0} - rotate(turn, Vec3d{0, 0.5 + radius, 0});
-  EXPECT_TRUE(scene.add({.shape = *scene.add_shape(BoxShape{{20, 0.5, 5}}),
-                         .transform = {.position = middle, .rotation = turn},
-                         .material = *scene.add_material({.restitution = 1, .friction = 1})}));
+  add_thing(scene, BoxShape{{20, 0.5, 5}},
+            {.transform = {.position = middle, .rotation = turn},
+             .material = *scene.add_material({.restitution = 1, .friction = 1})});
   return scene;
 }
 
@@ -93,10 +93,10 @@ TEST(DownToGround, a_lift_that_goes_below_the_ground_leaves_its_passenger_there)
     for (const double rate : kRates) {
       World world = make_world(on_ground(GroundMode::bounce));
       Scene scene;
-      ASSERT_TRUE(scene.add({.shape = *scene.add_shape(BoxShape{{2, 0.5, 2}}),
-                             .transform = {.position = {0, 1 - 0.5 - radius, 0}},
-                             .material = *scene.add_material({.restitution = 0, .friction = 1}),
-                             .motion = SteadyMotion{.velocity = {0.2, -0.7, 0}}}));
+      add_thing(scene, BoxShape{{2, 0.5, 2}},
+                {.transform = {.position = {0, 1 - 0.5 - radius, 0}},
+                 .material = *scene.add_material({.restitution = 0, .friction = 1}),
+                 .motion = SteadyMotion{.velocity = {0.2, -0.7, 0}}});
       ASSERT_TRUE(world.set_scene(scene));
       const ProjectileId id = *world.spawn(puck(), {.position = {0, 1 + 1e-10, 0}, .velocity = Vec3d{0.2, -0.7, 0}},
                                            bouncing(radius, 0, 1));

@@ -128,7 +128,7 @@ TEST(FirstOrder, what_bounces_without_loss_rises_as_high_as_before) {
       World world = make_world(def);
       Scene scene;
       const MaterialId hard = *scene.add_material({.restitution = 1, .friction = 0});
-      ASSERT_TRUE(scene.add({.shape = *scene.add_shape(PlaneShape{}), .material = hard}));
+      add_thing(scene, PlaneShape{}, {.material = hard});
       if (on_thing) {
         ASSERT_TRUE(world.set_scene(scene));
       }
@@ -152,7 +152,7 @@ TEST(FirstOrder, what_bounces_without_loss_rises_as_high_as_before) {
 TEST(FirstOrder, what_skims_a_round_thing_gains_no_energy) {
   Scene scene;
   const MaterialId smooth = *scene.add_material({.restitution = 0, .friction = 0});
-  ASSERT_TRUE(scene.add({.shape = *scene.add_shape(SphereShape{2}), .material = smooth}));
+  add_thing(scene, SphereShape{2}, {.material = smooth});
   constexpr double kRadius = 0.07, kSpeed = 3.3, kShort = 0.0122;
   for (const Fidelity& rung : rungs(Fidelity::game(), {Integrator::semi_implicit_euler})) {
     for (const double angle : {0.2, 0.5, 0.8}) {  // from the horizontal [rad]

@@ -49,11 +49,11 @@ std::vector<Platform> platforms() {
 }
 Scene with(const Platform& platform, const SceneMotion& motion = AtRest{}) {
   Scene scene;
-  EXPECT_TRUE(scene.add({.shape = *scene.add_shape(platform.shape),
-                         .transform = {.position = platform.position},
-                         .material = *scene.add_material({.restitution = 0}),
-                         .motion = motion,
-                         .passage = {.front = {0, 3, 0}}}));
+  add_thing(scene, platform.shape,
+            {.transform = {.position = platform.position},
+             .material = *scene.add_material({.restitution = 0}),
+             .motion = motion,
+             .passage = {.front = {0, 3, 0}}});
   return scene;
 }
 
@@ -102,9 +102,9 @@ TEST(OneWay, is_passed_from_the_sides_and_by_what_turns_back_inside) {
 TEST(OneWay, turns_with_its_thing) {
   Scene scene;
   const double half = std::sqrt(0.5);
-  ASSERT_TRUE(scene.add({.shape = *scene.add_shape(BoxShape{{4, 0.25, 4}}),
-                         .transform = {.rotation = {half, 0, 0, half}},  // y becomes -x
-                         .passage = {.front = {0, 1, 0}}}));
+  add_thing(scene, BoxShape{{4, 0.25, 4}},
+            {.transform = {.rotation = {half, 0, 0, half}},  // y becomes -x
+             .passage = {.front = {0, 1, 0}}});
   for (const OnHit on_hit : {OnHit::stop, OnHit::stick, OnHit::bounce}) {
     World world = make_world(space(0), scene);
     const ProjectileId comes =
@@ -194,10 +194,9 @@ TEST(SensorStays, are_told_between_in_and_out) {
   for (const bool tells : {true, false})
     for (const double rate : {24.0, 60.0, 240.0}) {
       Scene scene;
-      const InstanceId gate = *scene.add({.shape = *scene.add_shape(BoxShape{{1, 1, 1}}),
-                                          .transform = {.position = {5.03, 0, 0}},
-                                          .sensor = true,
-                                          .passage = {.tells_stay = tells}});
+      const InstanceId gate =
+          add_thing(scene, BoxShape{{1, 1, 1}},
+                    {.transform = {.position = {5.03, 0, 0}}, .sensor = true, .passage = {.tells_stay = tells}});
       World world = make_world(space(0), scene);
       ASSERT_TRUE(world.spawn(stone_of(), {.velocity = Vec3d{8, 0, 0}}, landing()));
       const auto all = run_for(world, 1, 1 / rate);
@@ -223,10 +222,8 @@ TEST(SensorStays, end_before_the_way_out_at_the_end_of_a_step) {
   for (const double rate : {10.0, 20.0, 30.0, 60.0, 120.0, 240.0})
     for (const double speed : {1.0, 4.0, 8.0, 10.0, 20.0}) {
       Scene scene;
-      ASSERT_TRUE(scene.add({.shape = *scene.add_shape(SphereShape{1}),
-                             .transform = {.position = {10, 0, 0}},
-                             .sensor = true,
-                             .passage = {.tells_stay = true}}));
+      add_thing(scene, SphereShape{1},
+                {.transform = {.position = {10, 0, 0}}, .sensor = true, .passage = {.tells_stay = true}});
       World world = make_world(space(0), scene);
       ASSERT_TRUE(world.spawn(stone_of(), {.velocity = Vec3d{speed, 0, 0}}, landing()));
       const auto all = run_for(world, 12 / speed, 1 / rate);

@@ -24,9 +24,8 @@ WorldDef open_space(AirModel air = AirModel::vacuum) {
 Scene floor_of(const Material& material, double slope = 0) {
   Scene scene;
   const MaterialId made_of = *scene.add_material(material);
-  EXPECT_TRUE(scene.add({.shape = *scene.add_shape(PlaneShape{}),
-                         .transform = {.rotation = {std::cos(slope / 2), 0, 0, -std::sin(slope / 2)}},
-                         .material = made_of}));
+  add_thing(scene, PlaneShape{},
+            {.transform = {.rotation = {std::cos(slope / 2), 0, 0, -std::sin(slope / 2)}}, .material = made_of});
   return scene;
 }
 
@@ -171,10 +170,8 @@ TEST(SceneContact, a_wall_that_moves_strikes_what_stands) {
       const MaterialId hard = *scene.add_material({.restitution = 1, .friction = 0});
       SceneMotion motion = SteadyMotion{.velocity = {50, 0, 0}};
       if (keyed) motion = KeyedMotion{{{.time = 0, .position = {-10, 0, 0}}, {.time = 10, .position = {490, 0, 0}}}};
-      ASSERT_TRUE(scene.add({.shape = *scene.add_shape(BoxShape{{0.0005, 5, 5}}),
-                             .transform = {.position = {-10, 0, 0}},
-                             .material = hard,
-                             .motion = motion}));
+      add_thing(scene, BoxShape{{0.0005, 5, 5}},
+                {.transform = {.position = {-10, 0, 0}}, .material = hard, .motion = motion});
       World world = make_world(open_space(), scene);
       BodyDef body = bouncing(radius);
       body.gravity_scale = 0;
@@ -193,9 +190,8 @@ TEST(SceneContact, a_wall_that_moves_strikes_what_stands) {
 TEST(SceneContact, a_platform_carries_what_lies_on_it) {
   Scene scene;
   const MaterialId rough = *scene.add_material({.restitution = 0, .friction = 1});
-  const InstanceId lift = *scene.add({.shape = *scene.add_shape(BoxShape{{50, 0.5, 5}}),
-                                      .material = rough,
-                                      .motion = SteadyMotion{.velocity = {1, 0.5, 0}}});
+  const InstanceId lift =
+      add_thing(scene, BoxShape{{50, 0.5, 5}}, {.material = rough, .motion = SteadyMotion{.velocity = {1, 0.5, 0}}});
   World world = make_world(open_space(), scene);
   BodyDef body = bouncing(0, 0);
   body.rolling_resistance = 0.3;
@@ -213,10 +209,10 @@ TEST(SceneContact, a_bullet_goes_through_a_plank_and_stops_in_a_wall) {
   const MaterialId plank =
       *scene.add_material({.name = "plank", .penetration = BallisticLimitDef{.speed = 300, .a = 1, .p = 2}});
   const MaterialId wall = *scene.add_material(materials::oak());
-  const InstanceId first = *scene.add(
-      {.shape = *scene.add_shape(BoxShape{{0.01, 1, 1}}), .transform = {.position = {10, 0, 0}}, .material = plank});
-  const InstanceId second = *scene.add(
-      {.shape = *scene.add_shape(BoxShape{{5, 10, 10}}), .transform = {.position = {25, 0, 0}}, .material = wall});
+  const InstanceId first =
+      add_thing(scene, BoxShape{{0.01, 1, 1}}, {.transform = {.position = {10, 0, 0}}, .material = plank});
+  const InstanceId second =
+      add_thing(scene, BoxShape{{5, 10, 10}}, {.transform = {.position = {25, 0, 0}}, .material = wall});
   World world = make_world(open_space(), scene);
   BodyDef body{.gravity_scale = 0, .collision = {.on_hit = OnHit::impact}};
   ProjectileDef p = bullet();
@@ -304,7 +300,7 @@ TEST(SceneContact, a_ball_whose_middle_lies_at_a_surface_is_pushed_out_by_its_ra
       SCOPED_TRACE(name);
       Scene scene;
       const Vec3d place = where - Vec3d{0, depth_of(shape), 0};
-      ASSERT_TRUE(scene.add({.shape = *scene.add_shape(shape), .transform = {.position = place}}));
+      add_thing(scene, shape, {.transform = {.position = place}});
       for (const double above : {1e-16, 1e-15, 1e-14, 1e-13, 1e-12, 1e-10, -1e-16, -1e-15, -1e-14, -1e-13}) {
         const Vec3d middle = where + Vec3d{0, above, 0};
         const Event hit = first_hit_of_ball(scene, middle, {1e-3, -1, 3e-4});
@@ -317,7 +313,7 @@ TEST(SceneContact, a_ball_whose_middle_lies_at_a_surface_is_pushed_out_by_its_ra
 
 TEST(SceneContact, a_ball_whose_middle_lies_at_a_surface_is_pushed_out_wherever_it_moves) {
   Scene scene;
-  ASSERT_TRUE(scene.add({.shape = *scene.add_shape(BoxShape{{9, 1, 9}}), .transform = {.position = {0.1, -0.7, 0}}}));
+  add_thing(scene, BoxShape{{9, 1, 9}}, {.transform = {.position = {0.1, -0.7, 0}}});
   for (const double above : {0.0, 1e-14, -1e-14, -1e-12})
     for (const Vec3d& velocity : {Vec3d{1, 0, 0.5}, Vec3d{}, Vec3d{0, 1e-3, 0}}) {
       World world = make_world(open_space(), scene);
@@ -333,7 +329,7 @@ TEST(SceneContact, a_ball_whose_middle_lies_at_a_surface_is_pushed_out_wherever_
 
 TEST(SceneContact, a_ball_whose_middle_lies_at_an_edge_or_a_corner_is_pushed_out_by_its_radius) {
   Scene scene;
-  ASSERT_TRUE(scene.add({.shape = *scene.add_shape(BoxShape{{1, 1, 1}})}));
+  add_thing(scene, BoxShape{{1, 1, 1}});
   for (const Vec3d& out : {Vec3d{0, 1, 1}, Vec3d{1, 1, 1}})
     for (const double away : {1e-16, 1e-15, 1e-14, 1e-13, 1e-12}) {
       const Event hit = first_hit_of_ball(scene, out + normalized(out) * away, -out);

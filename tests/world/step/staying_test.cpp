@@ -121,8 +121,7 @@ TEST(Staying, a_flight_begins_on_a_thing) {
 TEST(Staying, hits_tell_the_energy_that_they_take) {
   for (const OnHit on_hit : {OnHit::bounce, OnHit::stop, OnHit::stick}) {
     Scene scene;
-    ASSERT_TRUE(scene.add({.shape = *scene.add_shape(PlaneShape{}),
-                           .material = *scene.add_material({.restitution = 0.8, .friction = 0})}));
+    add_thing(scene, PlaneShape{}, {.material = *scene.add_material({.restitution = 0.8, .friction = 0})});
     WorldDef def = space();
     def.environment = vacuum_of(0);
     World world = make_world(def, scene);

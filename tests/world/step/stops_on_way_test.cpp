@@ -115,8 +115,7 @@ TEST(OnItsWay, sensors_report_when_a_way_over_a_floor_goes_in_and_out) {
         if (!on_ground)
           put(scene, BoxShape{{50, 0.5, 5}}, {0, -0.5 - mover.radius, 0},
               *scene.add_material({.restitution = 0, .friction = 1}));
-        ASSERT_TRUE(scene.add(
-            {.shape = *scene.add_shape(BoxShape{{0.4, 1, 1}}), .transform = {.position = {1, 0, 0}}, .sensor = true}));
+        add_thing(scene, BoxShape{{0.4, 1, 1}}, {.transform = {.position = {1, 0, 0}}, .sensor = true});
         ASSERT_TRUE(world.set_scene(scene));
         const double speed = kSpeed;
         ASSERT_TRUE(world.spawn(puck(), {.position = {0, on_ground ? 0 : 1e-10, 0}, .velocity = Vec3d{speed, 0, 0}},
@@ -141,7 +140,7 @@ TEST(OnItsWay, sensors_report_when_a_way_over_a_floor_goes_in_and_out) {
 TEST(OnItsWay, a_way_whose_length_no_number_holds_goes_by_sensors) {
   for (const double far : {1e150, 1e160, 1e200, 1e300}) {
     Scene scene;
-    ASSERT_TRUE(scene.add({.shape = *scene.add_shape(BoxShape{{1, 1, 1}}), .sensor = true}));
+    add_thing(scene, BoxShape{{1, 1, 1}}, {.sensor = true});
     World world = make_world(space(), scene);
     const ProjectileId id =
         *world.spawn(puck(), {.position = {far, 0, 0}, .velocity = Vec3d{-far, 0, 0}}, movers()[0].body);
