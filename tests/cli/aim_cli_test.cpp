@@ -10,8 +10,7 @@
 
 #ifdef PHYSIM_CLI
 
-namespace physim::testing_cli {
-namespace cli_aim_cli_test {
+namespace physim::testing_cli::cli_aim_cli_test {
 
 constexpr double kG = 10;
 constexpr double kDegree = 3.14159265358979323846 / 180;
@@ -395,7 +394,5 @@ TEST(CliFit, TakesDropsAsAnglesAndAnswersInTheUnitsOfTheFile) {
   }
 }
 
-}  // namespace cli_aim_cli_test
-}  // namespace physim::testing_cli
-
+}  // namespace physim::testing_cli::cli_aim_cli_test
 #endif

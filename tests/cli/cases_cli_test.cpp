@@ -9,8 +9,7 @@
 
 #ifdef PHYSIM_CLI
 
-namespace physim::testing_cli {
-namespace cli_cases_cli_test {
+namespace physim::testing_cli::cli_cases_cli_test {
 
 using nlohmann::json;
 
@@ -360,7 +359,5 @@ TEST(CasesOfUnits, inputs_of_a_study_are_told_in_the_units_of_the_file) {
   EXPECT_TRUE(has(ran.out, "with shot.speed += ") && has(ran.out, " ft/s, shot.azimuth += ")) << ran.out;
 }
 
-}  // namespace cli_cases_cli_test
-}  // namespace physim::testing_cli
-
+}  // namespace physim::testing_cli::cli_cases_cli_test
 #endif

@@ -12,8 +12,7 @@
 
 #ifdef PHYSIM_CLI
 
-namespace physim::testing_cli {
-namespace cli_cli_test {
+namespace physim::testing_cli::cli_cli_test {
 
 constexpr const char* kBall = R"(physim = 1
 title = "A ball, it's {x} \"thrown\""
@@ -584,7 +583,5 @@ TEST(CliList, SettingsAsMarkdown) {
   EXPECT_TRUE(has(ran.out, "| `shot.mass` |"));
 }
 
-}  // namespace cli_cli_test
-}  // namespace physim::testing_cli
-
+}  // namespace physim::testing_cli::cli_cli_test
 #endif  // PHYSIM_CLI

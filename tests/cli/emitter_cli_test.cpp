@@ -9,8 +9,7 @@
 
 #ifdef PHYSIM_CLI
 
-namespace physim::testing_cli {
-namespace cli_emitter_cli_test {
+namespace physim::testing_cli::cli_emitter_cli_test {
 
 constexpr const char* kEmitters = R"(physim = 1
 [environment]
@@ -213,7 +212,5 @@ TEST(CliEmitter, SaysWhereAFileIsWrong) {
   EXPECT_TRUE(has(physim({"list", "settings"}).out, "emitter.start.lifetime"));
 }
 
-}  // namespace cli_emitter_cli_test
-}  // namespace physim::testing_cli
-
+}  // namespace physim::testing_cli::cli_emitter_cli_test
 #endif

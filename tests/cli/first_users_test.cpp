@@ -5,8 +5,7 @@
 
 #ifdef PHYSIM_CLI
 
-namespace physim::testing_cli {
-namespace cli_first_users_test {
+namespace physim::testing_cli::cli_first_users_test {
 
 constexpr const char* kBullet = R"(physim = 1
 [[shot]]
@@ -178,7 +177,5 @@ TEST(FirstUsers, AMotorOfACollectionIsReadThoughOthersAreFaulty) {
   EXPECT_TRUE(has(refused.err, "all.eng:3")) << refused.err;
 }
 
-}  // namespace cli_first_users_test
-}  // namespace physim::testing_cli
-
+}  // namespace physim::testing_cli::cli_first_users_test
 #endif

@@ -6,8 +6,7 @@
 #include "cli/program.hpp"
 #include "report/format.hpp"
 
-namespace physim::testing_cli {
-namespace cli_format_cli_test {
+namespace physim::testing_cli::cli_format_cli_test {
 
 using namespace report;
 
@@ -81,5 +80,4 @@ TEST(FormatOptions, RangeCardsAreWrittenInEveryFormatOfRecords) {
   }
 }
 
-}  // namespace cli_format_cli_test
-}  // namespace physim::testing_cli
+}  // namespace physim::testing_cli::cli_format_cli_test

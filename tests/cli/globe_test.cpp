@@ -14,8 +14,7 @@
 
 #ifdef PHYSIM_CLI
 
-namespace physim {
-namespace cli_globe_test {
+namespace physim::cli_globe_test {
 
 using nlohmann::json;
 
@@ -575,7 +574,5 @@ TEST(FilesForOthers, RealReadersReadPathsTimesAndHits) {
   }
 }
 
-}  // namespace cli_globe_test
-}  // namespace physim
-
+}  // namespace physim::cli_globe_test
 #endif  // PHYSIM_CLI

@@ -7,8 +7,7 @@
 
 #if defined(PHYSIM_CLI) && !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)
 
-namespace physim::testing_cli {
-namespace cli_large_output_test {
+namespace physim::testing_cli::cli_large_output_test {
 
 constexpr const char* kMany = R"(physim = 1
 [[shot]]
@@ -82,7 +81,5 @@ TEST(CliLarge, WhatWasAssumedIsFoundByShortFlights) {
   EXPECT_FALSE(json.at("shots").at(0).at("assumed").empty());
 }
 
-}  // namespace cli_large_output_test
-}  // namespace physim::testing_cli
-
+}  // namespace physim::testing_cli::cli_large_output_test
 #endif

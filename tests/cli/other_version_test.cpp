@@ -10,8 +10,7 @@
 
 #ifdef PHYSIM_CLI
 
-namespace physim::testing_cli {
-namespace cli_other_version_test {
+namespace physim::testing_cli::cli_other_version_test {
 
 /// A copy of a file that says another format, and version 7 of the program. Its check sums are wrong now: what they
 /// should be is a matter of the other format.
@@ -65,7 +64,5 @@ TEST(CliOtherVersion, ofAPartOfAStudyIsNamed) {
   EXPECT_EQ(read(part), before) << "it stays as it was";
 }
 
-}  // namespace cli_other_version_test
-}  // namespace physim::testing_cli
-
+}  // namespace physim::testing_cli::cli_other_version_test
 #endif

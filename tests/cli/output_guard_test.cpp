@@ -12,8 +12,7 @@
 #include "named_files.hpp"
 #include "physim/files.hpp"
 
-namespace physim {
-namespace cli_output_guard_test {
+namespace physim::cli_output_guard_test {
 
 namespace fs = std::filesystem;
 using testing_cli::Folder;
@@ -328,5 +327,4 @@ TEST(OutputGuard, what_is_gone_on_with_may_be_replaced) {
   EXPECT_TRUE(has(merged.err, "--resume cannot write: it is the part to be merged itself")) << merged.err;
 }
 
-}  // namespace cli_output_guard_test
-}  // namespace physim
+}  // namespace physim::cli_output_guard_test

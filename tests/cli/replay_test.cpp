@@ -10,8 +10,7 @@
 
 #ifdef PHYSIM_CLI
 
-namespace physim::testing_cli {
-namespace cli_replay_test {
+namespace physim::testing_cli::cli_replay_test {
 
 Ran replay(std::vector<std::string> arguments) {
   arguments.insert(arguments.begin(), "replay");
@@ -159,7 +158,5 @@ TEST(RecordingFile, SavesWhatIsInMemory) {
   EXPECT_EQ(folder.names().size(), 1u);
 }
 
-}  // namespace cli_replay_test
-}  // namespace physim::testing_cli
-
+}  // namespace physim::testing_cli::cli_replay_test
 #endif

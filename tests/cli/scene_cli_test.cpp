@@ -10,8 +10,7 @@
 
 #ifdef PHYSIM_CLI
 
-namespace physim::testing_cli {
-namespace cli_scene_cli_test {
+namespace physim::testing_cli::cli_scene_cli_test {
 
 constexpr double kDegree = 3.14159265358979323846 / 180;
 const std::string kMortar = PHYSIM_SOURCE_DIR "/scenarios/mortar_over_hill.toml";
@@ -246,7 +245,5 @@ TEST(CliScene, DangerSpaceOnTheSlopeOfTheHill) {
   EXPECT_TRUE(has(bare.err, "--terrain: error: the scenario has nothing to stand on")) << bare.err;
 }
 
-}  // namespace cli_scene_cli_test
-}  // namespace physim::testing_cli
-
+}  // namespace physim::testing_cli::cli_scene_cli_test
 #endif

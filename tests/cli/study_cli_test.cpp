@@ -13,8 +13,7 @@
 
 #ifdef PHYSIM_CLI
 
-namespace physim::testing_cli {
-namespace cli_study_cli_test {
+namespace physim::testing_cli::cli_study_cli_test {
 
 TEST(StudyCli, tells_figures_that_are_known) {
   const Folder folder;
@@ -449,7 +448,5 @@ TEST(StudyCli, bad_input_says_what_is_wrong) {
   EXPECT_TRUE(has(refusal({"--resume", folder / "no/folder"}), "folder"));
 }
 
-}  // namespace cli_study_cli_test
-}  // namespace physim::testing_cli
-
+}  // namespace physim::testing_cli::cli_study_cli_test
 #endif

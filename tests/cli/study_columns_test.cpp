@@ -14,8 +14,7 @@
 
 #ifdef PHYSIM_CLI
 
-namespace physim::testing_cli {
-namespace cli_study_columns_test {
+namespace physim::testing_cli::cli_study_columns_test {
 
 #if PHYSIM_HAS_HDF5
 
@@ -102,7 +101,5 @@ TEST(StudyColumns, need_hdf5) { GTEST_SKIP() << "built without HDF5: no file of 
 
 #endif
 
-}  // namespace cli_study_columns_test
-}  // namespace physim::testing_cli
-
+}  // namespace physim::testing_cli::cli_study_columns_test
 #endif

@@ -9,8 +9,7 @@
 
 #ifdef PHYSIM_CLI
 
-namespace physim::testing_cli {
-namespace cli_study_plot_test {
+namespace physim::testing_cli::cli_study_plot_test {
 
 const std::string kThrow = throw_study(8192, R"(, "shot.azimuth = +- 1 deg")");
 
@@ -119,7 +118,5 @@ TEST(StudyPlot, bad_input_says_what_is_wrong) {
   EXPECT_TRUE(has(quantity, "study.quantities[0]") && has(quantity, "right")) << quantity;
 }
 
-}  // namespace cli_study_plot_test
-}  // namespace physim::testing_cli
-
+}  // namespace physim::testing_cli::cli_study_plot_test
 #endif

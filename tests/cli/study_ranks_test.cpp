@@ -10,8 +10,7 @@
 
 #ifdef PHYSIM_CLI
 
-namespace physim::testing_cli {
-namespace cli_study_ranks_test {
+namespace physim::testing_cli::cli_study_ranks_test {
 
 constexpr const char* kRifle = R"(physim = 1
 title = "A rifle"
@@ -161,7 +160,5 @@ TEST(StudyRanks, need_mpi) { GTEST_SKIP() << "built without MPI: no job of ranks
 
 #endif
 
-}  // namespace cli_study_ranks_test
-}  // namespace physim::testing_cli
-
+}  // namespace physim::testing_cli::cli_study_ranks_test
 #endif

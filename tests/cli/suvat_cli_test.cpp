@@ -8,8 +8,7 @@
 
 #ifdef PHYSIM_CLI
 
-namespace physim::testing_cli {
-namespace cli_suvat_cli_test {
+namespace physim::testing_cli::cli_suvat_cli_test {
 
 TEST(SuvatCli, shows_both_motions) {
   const Ran ran = physim({"suvat", "u=30m/s", "a=-9.81m/s^2", "s=20m"});
@@ -58,7 +57,5 @@ TEST(SuvatCli, bad_input_is_named_with_a_hint) {
   }
 }
 
-}  // namespace cli_suvat_cli_test
-}  // namespace physim::testing_cli
-
+}  // namespace physim::testing_cli::cli_suvat_cli_test
 #endif  // PHYSIM_CLI

@@ -9,8 +9,7 @@
 
 #ifdef PHYSIM_CLI
 
-namespace physim::testing_cli {
-namespace cli_world_cli_test {
+namespace physim::testing_cli::cli_world_cli_test {
 
 constexpr const char* kWorld = R"(physim = 1
 title = "A burst, it's {x}"
@@ -323,7 +322,5 @@ TEST(CliWorld, ListsPresets) {
   for (const char* part : {"small_arms", "rifle_bullet", "tennis_ball", "artillery"}) EXPECT_TRUE(has(ran.out, part));
 }
 
-}  // namespace cli_world_cli_test
-}  // namespace physim::testing_cli
-
+}  // namespace physim::testing_cli::cli_world_cli_test
 #endif

@@ -6,8 +6,7 @@
 #include "collide/crowd_support.hpp"
 #include "physim/result.hpp"
 
-namespace physim {
-namespace collide_cast_batch_test {
+namespace physim::collide_cast_batch_test {
 
 using namespace test;
 using namespace test_crowd;
@@ -103,5 +102,4 @@ TEST(SceneBatch, batches_of_any_length_are_as_one_by_one) {
   }
 }
 
-}  // namespace collide_cast_batch_test
-}  // namespace physim
+}  // namespace physim::collide_cast_batch_test

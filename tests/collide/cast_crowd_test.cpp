@@ -8,8 +8,7 @@
 #include "physim/flight.hpp"
 #include "support.hpp"
 
-namespace physim {
-namespace collide_cast_crowd_test {
+namespace physim::collide_cast_crowd_test {
 
 using namespace test;
 using namespace test_crowd;
@@ -97,5 +96,4 @@ TEST(CastCrowd, a_clear_part_reaches_the_box_of_a_triangle) {
   for (const collide::ClearQuery& query : queries) EXPECT_EQ(query.part, parts.clear_part(towards, {}));
 }
 
-}  // namespace collide_cast_crowd_test
-}  // namespace physim
+}  // namespace physim::collide_cast_crowd_test

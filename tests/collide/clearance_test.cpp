@@ -5,8 +5,7 @@
 #include "physim/scene.hpp"
 #include "support.hpp"
 
-namespace physim {
-namespace collide_clearance_test {
+namespace physim::collide_clearance_test {
 
 using namespace test;
 
@@ -182,5 +181,4 @@ TEST(SceneClearance, does_not_depend_on_how_the_scene_came_to_be) {
   }
 }
 
-}  // namespace collide_clearance_test
-}  // namespace physim
+}  // namespace physim::collide_clearance_test

@@ -9,8 +9,7 @@
 #include "physim/scene.hpp"
 #include "support.hpp"
 
-namespace physim {
-namespace collide_convex_hull_test {
+namespace physim::collide_convex_hull_test {
 
 using namespace test;
 using collide::GridPoint;
@@ -223,5 +222,4 @@ TEST(ConvexHull, what_is_none_is_refused) {
   EXPECT_EQ(place({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1e-9}}), "none") << "thin, and a body";
 }
 
-}  // namespace collide_convex_hull_test
-}  // namespace physim
+}  // namespace physim::collide_convex_hull_test

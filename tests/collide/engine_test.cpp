@@ -9,8 +9,7 @@
 #include "engine_support.hpp"
 #include "support.hpp"
 
-namespace physim {
-namespace collide_engine_test {
+namespace physim::collide_engine_test {
 
 using test::answered_by;
 using test::Random;
@@ -255,5 +254,4 @@ TEST(Engine, saves_hold_the_skin_and_want_the_function_again) {
     EXPECT_FALSE(Scene::load(std::span(save).first(cut), floor_off_by(0)));
 }
 
-}  // namespace collide_engine_test
-}  // namespace physim
+}  // namespace physim::collide_engine_test

@@ -6,8 +6,7 @@
 #include "collide/scene_support.hpp"
 #include "physim/flight.hpp"
 
-namespace physim {
-namespace collide_height_field_test {
+namespace physim::collide_height_field_test {
 
 using namespace test;
 
@@ -294,5 +293,4 @@ TEST(HeightField, many_segments_meet_it_where_each_does_alone_whatever_the_kerne
   EXPECT_GT(some, 2000);
 }
 
-}  // namespace collide_height_field_test
-}  // namespace physim
+}  // namespace physim::collide_height_field_test

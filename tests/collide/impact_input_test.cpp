@@ -6,8 +6,7 @@
 #include "physim/scene.hpp"
 #include "support.hpp"
 
-namespace physim {
-namespace collide_impact_input_test {
+namespace physim::collide_impact_input_test {
 
 using test::kNan;
 
@@ -172,5 +171,4 @@ TEST(ImpactInput, extreme_numbers_give_numbers) {
             }
 }
 
-}  // namespace collide_impact_input_test
-}  // namespace physim
+}  // namespace physim::collide_impact_input_test

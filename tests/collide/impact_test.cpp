@@ -9,8 +9,7 @@
 #include "base/hash.hpp"
 #include "support.hpp"
 
-namespace physim {
-namespace collide_impact_test {
+namespace physim::collide_impact_test {
 
 using test::kDegree;
 using test::near;
@@ -340,5 +339,4 @@ TEST(Impact, the_bits_are_the_same_everywhere) {
   EXPECT_EQ(hash.value(), 3930440734917941278u);
 }
 
-}  // namespace collide_impact_test
-}  // namespace physim
+}  // namespace physim::collide_impact_test

@@ -7,8 +7,7 @@
 #include "physim/scene.hpp"
 #include "support.hpp"
 
-namespace physim {
-namespace collide_motion_test {
+namespace physim::collide_motion_test {
 
 using namespace test;
 
@@ -394,5 +393,4 @@ TEST(Motion, in_next_to_no_time_things_stand_where_they_are) {
   }
 }
 
-}  // namespace collide_motion_test
-}  // namespace physim
+}  // namespace physim::collide_motion_test

@@ -7,8 +7,7 @@
 #include <random>
 #include <vector>
 
-namespace physim::collide {
-namespace collide_pair_path_test {
+namespace physim::collide::collide_pair_path_test {
 
 /// The cubic of a leg by Hermite's own polynomials.
 Vec3d place(const Leg& leg, double time) {
@@ -144,5 +143,4 @@ TEST_F(PairPaths, nothing_comes_nearer_than_no_distance) {
     EXPECT_FALSE(first_touch(comes, rests, distance, Touch::comes_near, 0)) << distance;
 }
 
-}  // namespace collide_pair_path_test
-}  // namespace physim::collide
+}  // namespace physim::collide::collide_pair_path_test

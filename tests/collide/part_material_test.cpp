@@ -8,8 +8,7 @@
 #include "physim/scene.hpp"
 #include "support.hpp"
 
-namespace physim {
-namespace collide_part_material_test {
+namespace physim::collide_part_material_test {
 
 using namespace test;
 
@@ -198,5 +197,4 @@ TEST(PartMaterials, are_drawn) {
   EXPECT_EQ(sheet.of, (std::vector<std::pair<MaterialId, int>>{{wood, 12}, {steel, 2}, {own, 12}}));
 }
 
-}  // namespace collide_part_material_test
-}  // namespace physim
+}  // namespace physim::collide_part_material_test

@@ -7,8 +7,7 @@
 #include "math/vec3.hpp"
 #include "support.hpp"
 
-namespace physim {
-namespace collide_scene_draw_test {
+namespace physim::collide_scene_draw_test {
 
 using namespace test;
 
@@ -120,5 +119,4 @@ TEST(SceneDraw, what_is_asked_for_is_drawn) {
   EXPECT_TRUE(none.triangles.empty());
 }
 
-}  // namespace collide_scene_draw_test
-}  // namespace physim
+}  // namespace physim::collide_scene_draw_test

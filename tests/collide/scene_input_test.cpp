@@ -8,8 +8,7 @@
 #include "physim/scene.hpp"
 #include "support.hpp"
 
-namespace physim {
-namespace collide_scene_input_test {
+namespace physim::collide_scene_input_test {
 
 using namespace test;
 
@@ -167,5 +166,4 @@ TEST(Scene, odd_motions_and_times_do_no_harm) {
   EXPECT_GT(hits, 60);
 }
 
-}  // namespace collide_scene_input_test
-}  // namespace physim
+}  // namespace physim::collide_scene_input_test

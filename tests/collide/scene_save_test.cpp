@@ -9,8 +9,7 @@
 #include "physim/scene.hpp"
 #include "support.hpp"
 
-namespace physim {
-namespace collide_scene_save_test {
+namespace physim::collide_scene_save_test {
 
 using namespace test;
 
@@ -183,5 +182,4 @@ TEST(SceneSave, what_is_no_save_is_refused) {
   EXPECT_NE(Scene::load(later).error().text().find("format 99"), std::string::npos);
 }
 
-}  // namespace collide_scene_save_test
-}  // namespace physim
+}  // namespace physim::collide_scene_save_test

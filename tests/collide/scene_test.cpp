@@ -10,8 +10,7 @@
 #include "math/quat.hpp"
 #include "support.hpp"
 
-namespace physim {
-namespace collide_scene_test {
+namespace physim::collide_scene_test {
 
 using namespace test;
 
@@ -447,5 +446,4 @@ TEST(Scene, nearest_tells_the_primitive_and_the_material_that_a_hit_there_has) {
       << "inside of a part";
 }
 
-}  // namespace collide_scene_test
-}  // namespace physim
+}  // namespace physim::collide_scene_test

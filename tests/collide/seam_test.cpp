@@ -6,8 +6,7 @@
 #include "math/quat.hpp"
 #include "support.hpp"
 
-namespace physim {
-namespace collide_seam_test {
+namespace physim::collide_seam_test {
 
 using test::closed_box;
 using test::Random;
@@ -120,5 +119,4 @@ TEST(Seam, grazing_counts_the_same_in_box_hull_and_mesh) {
   }
 }
 
-}  // namespace collide_seam_test
-}  // namespace physim
+}  // namespace physim::collide_seam_test

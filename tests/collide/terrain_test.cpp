@@ -5,8 +5,7 @@
 
 #include "support.hpp"
 
-namespace physim {
-namespace collide_terrain_test {
+namespace physim::collide_terrain_test {
 
 using namespace test;
 
@@ -67,5 +66,4 @@ TEST(Terrain, what_is_no_grid_is_refused) {
   EXPECT_EQ(refusal([](GeodeticGrid& g) { g.heights[17] = kNan; }), "grid.heights[17]");
 }
 
-}  // namespace collide_terrain_test
-}  // namespace physim
+}  // namespace physim::collide_terrain_test

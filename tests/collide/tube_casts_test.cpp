@@ -7,8 +7,7 @@
 #include "collide/crowd_support.hpp"
 #include "collide/scene_by_motion.hpp"
 
-namespace physim {
-namespace collide_tube_casts_test {
+namespace physim::collide_tube_casts_test {
 
 using namespace test_crowd;
 using collide::TubeCasts;
@@ -162,5 +161,4 @@ TEST(ClearParts, of_many_ways_are_those_of_each) {
   }
 }
 
-}  // namespace collide_tube_casts_test
-}  // namespace physim
+}  // namespace physim::collide_tube_casts_test

@@ -14,8 +14,7 @@
 #include "scenario/scenario.hpp"
 #include "scenario/world_run.hpp"
 
-namespace physim {
-namespace docs_docs_test {
+namespace physim::docs_docs_test {
 
 namespace fs = std::filesystem;
 
@@ -271,5 +270,4 @@ TEST(Scenarios, AllMeetTheirExpectations) {
   }
 }
 
-}  // namespace docs_docs_test
-}  // namespace physim
+}  // namespace physim::docs_docs_test

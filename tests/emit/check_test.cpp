@@ -6,8 +6,7 @@
 #include "emit/emission.hpp"
 #include "support.hpp"
 
-namespace physim {
-namespace emit_check_test {
+namespace physim::emit_check_test {
 
 using test::kInfinity;
 using test::kNan;
@@ -258,5 +257,4 @@ TEST(EmitterInput, the_rest_is_looked_at) {
   expect_refused([](EmitterDef& d) { d.subs.resize(1001); }, "emitter.subs");
 }
 
-}  // namespace emit_check_test
-}  // namespace physim
+}  // namespace physim::emit_check_test

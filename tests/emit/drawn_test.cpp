@@ -7,8 +7,7 @@
 #include "math/interpolation.hpp"
 #include "support.hpp"
 
-namespace physim {
-namespace emit_drawn_test {
+namespace physim::emit_drawn_test {
 
 using test::near;
 using test::parabola;
@@ -197,5 +196,4 @@ TEST(DrawnColour, gradients_of_many_are_straight_between_any_keys) {
   }
 }
 
-}  // namespace emit_drawn_test
-}  // namespace physim
+}  // namespace physim::emit_drawn_test

@@ -14,8 +14,7 @@
 #include "random_emitters.hpp"
 #include "support.hpp"
 
-namespace physim {
-namespace emit_emission_test {
+namespace physim::emit_emission_test {
 
 using test::kInfinity;
 using test::near;
@@ -387,5 +386,4 @@ TEST(Emission, newborns_of_a_pack_are_those_of_each) {
   EXPECT_GT(compared, 250 * kPack);
 }
 
-}  // namespace emit_emission_test
-}  // namespace physim
+}  // namespace physim::emit_emission_test

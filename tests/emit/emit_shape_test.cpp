@@ -4,8 +4,7 @@
 #include "emit/statistics.hpp"
 #include "support.hpp"
 
-namespace physim {
-namespace emit_emit_shape_test {
+namespace physim::emit_emit_shape_test {
 
 using test::evenly;
 using test::evenly_together;
@@ -246,5 +245,4 @@ TEST(EmitShape, randomise_turns_directions_a_part_of_the_way) {
   }
 }
 
-}  // namespace emit_emit_shape_test
-}  // namespace physim
+}  // namespace physim::emit_emit_shape_test

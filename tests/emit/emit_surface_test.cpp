@@ -7,8 +7,7 @@
 #include "scene_support.hpp"
 #include "support.hpp"
 
-namespace physim {
-namespace emit_emit_surface_test {
+namespace physim::emit_emit_surface_test {
 
 using test::as_expected;
 using test::evenly;
@@ -279,5 +278,4 @@ TEST(EmitSurface, what_is_no_surface_is_refused) {
   EXPECT_EQ(place(def), "emitter.from.surface.low_z");
 }
 
-}  // namespace emit_emit_surface_test
-}  // namespace physim
+}  // namespace physim::emit_emit_surface_test

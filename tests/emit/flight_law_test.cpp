@@ -10,8 +10,7 @@
 #include "random_emitters.hpp"
 #include "support.hpp"
 
-namespace physim {
-namespace emit_flight_law_test {
+namespace physim::emit_flight_law_test {
 
 const Curve kFalling{{0, 1}, {1, 0}};
 
@@ -177,5 +176,4 @@ TEST(FlightLaw, of_a_pack_is_that_of_each) {
   }
 }
 
-}  // namespace emit_flight_law_test
-}  // namespace physim
+}  // namespace physim::emit_flight_law_test

@@ -8,8 +8,7 @@
 #include "math/normal.hpp"
 #include "support.hpp"
 
-namespace physim {
-namespace emit_gun_test {
+namespace physim::emit_gun_test {
 
 using test::kInfinity;
 using test::near;
@@ -167,5 +166,4 @@ TEST(Gun, rounds_come_out_of_the_shape_at_their_barrel) {
   }
 }
 
-}  // namespace emit_gun_test
-}  // namespace physim
+}  // namespace physim::emit_gun_test

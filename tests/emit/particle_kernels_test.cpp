@@ -10,8 +10,7 @@
 #include "random_shots.hpp"
 #include "support.hpp"
 
-namespace physim {
-namespace emit_particle_kernels_test {
+namespace physim::emit_particle_kernels_test {
 
 using test::same_bits;
 using Column = std::array<double, kColumn>;
@@ -129,5 +128,4 @@ TEST(ParticleKernels, a_life_is_lived_from_birth_to_the_end_of_its_span) {
   });
 }
 
-}  // namespace emit_particle_kernels_test
-}  // namespace physim
+}  // namespace physim::emit_particle_kernels_test

@@ -11,8 +11,7 @@
 #include "random_shots.hpp"
 #include "support.hpp"
 
-namespace physim {
-namespace emit_timeline_test {
+namespace physim::emit_timeline_test {
 
 using test::kInfinity;
 using test::near;
@@ -340,5 +339,4 @@ TEST(Timeline, steady_moments_taken_together_are_those_taken_one_by_one) {
   }
 }
 
-}  // namespace emit_timeline_test
-}  // namespace physim
+}  // namespace physim::emit_timeline_test

@@ -3,8 +3,7 @@
 
 #include "support.hpp"
 
-namespace physim {
-namespace flight_aim_test {
+namespace physim::flight_aim_test {
 
 using namespace test;
 
@@ -492,5 +491,4 @@ TEST(Aim, two_solutions_may_have_one_elevation) {
   EXPECT_NE(answer.explanation().find("; high: "), std::string::npos) << answer.explanation();
 }
 
-}  // namespace flight_aim_test
-}  // namespace physim
+}  // namespace physim::flight_aim_test

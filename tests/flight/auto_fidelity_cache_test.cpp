@@ -6,8 +6,7 @@
 
 #include "support.hpp"
 
-namespace physim {
-namespace flight_auto_fidelity_cache_test {
+namespace physim::flight_auto_fidelity_cache_test {
 
 using namespace test;
 
@@ -173,5 +172,4 @@ TEST(AutoFidelityCache, LaunchesBetweenTheCornersKeepTheWord) {
   }
 }
 
-}  // namespace flight_auto_fidelity_cache_test
-}  // namespace physim
+}  // namespace physim::flight_auto_fidelity_cache_test

@@ -6,8 +6,7 @@
 #include "model/ladder.hpp"
 #include "support.hpp"
 
-namespace physim {
-namespace flight_auto_fidelity_test {
+namespace physim::flight_auto_fidelity_test {
 
 using namespace test;
 
@@ -349,5 +348,4 @@ TEST(AutoFidelity, LandingCountsWhereItHappens) {
   EXPECT_LT(choice->time, 0.6);
 }
 
-}  // namespace flight_auto_fidelity_test
-}  // namespace physim
+}  // namespace physim::flight_auto_fidelity_test

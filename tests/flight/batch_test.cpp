@@ -7,8 +7,7 @@
 #include "flight/batch_support.hpp"
 #include "physim/body.hpp"
 
-namespace physim {
-namespace flight_batch_test {
+namespace physim::flight_batch_test {
 
 using namespace test;
 
@@ -461,5 +460,4 @@ TEST_F(BatchTest, what_was_granted_is_told) {
   EXPECT_FALSE(batch.fidelity_in_use.notes.empty());
 }
 
-}  // namespace flight_batch_test
-}  // namespace physim
+}  // namespace physim::flight_batch_test

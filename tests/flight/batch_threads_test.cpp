@@ -6,8 +6,7 @@
 #include "physim/result.hpp"
 #include "processor_mode.hpp"
 
-namespace physim {
-namespace flight_batch_threads_test {
+namespace physim::flight_batch_threads_test {
 
 using namespace test;
 
@@ -150,5 +149,4 @@ TEST(BatchThreads, a_result_is_used_again) {
   }
 }
 
-}  // namespace flight_batch_threads_test
-}  // namespace physim
+}  // namespace physim::flight_batch_threads_test

@@ -3,8 +3,7 @@
 #include "physim/flight.hpp"
 #include "physim/result.hpp"
 
-namespace physim {
-namespace flight_column_drag_test {
+namespace physim::flight_column_drag_test {
 
 using namespace test;
 
@@ -170,5 +169,4 @@ TEST(ColumnDrag, bad_drag_is_refused_alone_and_bad_columns_together) {
   EXPECT_EQ(ends.time[0], 7) << "nothing is written";
 }
 
-}  // namespace flight_column_drag_test
-}  // namespace physim
+}  // namespace physim::flight_column_drag_test

@@ -3,8 +3,7 @@
 #include "physim/flight.hpp"
 #include "physim/result.hpp"
 
-namespace physim {
-namespace flight_columns_test {
+namespace physim::flight_columns_test {
 
 using namespace test;
 
@@ -229,5 +228,4 @@ TEST(Columns, bad_columns_refuse_all_and_write_nothing) {
   EXPECT_EQ(fly_columns(bullet_308(), {}, {}, Fidelity::game(), {}, {}, {}).refused, 0U) << "no shots";
 }
 
-}  // namespace flight_columns_test
-}  // namespace physim
+}  // namespace physim::flight_columns_test

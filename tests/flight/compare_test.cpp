@@ -6,8 +6,7 @@
 
 #include <cmath>
 
-namespace physim {
-namespace flight_compare_test {
+namespace physim::flight_compare_test {
 
 const ProjectileDef kBall{
     .mass = 0.145, .diameter = 0.074, .drag = {.table = DragTable::constant, .coefficient = 0.35}};
@@ -85,5 +84,4 @@ TEST(Compare, SaysWhatCannotBeMeasured) {
   EXPECT_EQ(refused.error().place, "projectile.mass");
 }
 
-}  // namespace flight_compare_test
-}  // namespace physim
+}  // namespace physim::flight_compare_test

@@ -8,8 +8,7 @@
 #include "physim/scene.hpp"
 #include "physim/solve.hpp"
 
-namespace physim {
-namespace flight_danger_space_test {
+namespace physim::flight_danger_space_test {
 
 constexpr double kG = 9.80665, kDegree = 3.14159265358979323846 / 180;
 
@@ -103,5 +102,4 @@ TEST(DangerSpaceOverGround, RefusesWhatHasNone) {
   EXPECT_FALSE(danger_space(flight, 1e6, 2, nothing));
 }
 
-}  // namespace flight_danger_space_test
-}  // namespace physim
+}  // namespace physim::flight_danger_space_test

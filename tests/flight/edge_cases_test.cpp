@@ -7,8 +7,7 @@
 #include "physim/physim.hpp"
 #include "support.hpp"
 
-namespace physim {
-namespace flight_edge_cases_test {
+namespace physim::flight_edge_cases_test {
 
 constexpr double kG = 9.80665;
 
@@ -295,5 +294,4 @@ TEST(EdgeCases, a_body_that_starts_at_rest_on_a_knot_of_its_aerodynamics_gets_aw
     }
 }
 
-}  // namespace flight_edge_cases_test
-}  // namespace physim
+}  // namespace physim::flight_edge_cases_test

@@ -5,8 +5,7 @@
 
 #include "support.hpp"
 
-namespace physim {
-namespace flight_events_test {
+namespace physim::flight_events_test {
 
 using namespace test;
 
@@ -220,5 +219,4 @@ TEST(Events, no_place_falls_between_two_steps) {
         }
 }
 
-}  // namespace flight_events_test
-}  // namespace physim
+}  // namespace physim::flight_events_test

@@ -8,8 +8,7 @@
 #include "random_shots.hpp"
 #include "support.hpp"
 
-namespace physim {
-namespace flight_field_test {
+namespace physim::flight_field_test {
 
 using namespace test;
 
@@ -425,5 +424,4 @@ TEST(Field, auto_fidelity_measures_against_it) {
   EXPECT_EQ(another->fidelity.motion, Motion::closed_form);
 }
 
-}  // namespace flight_field_test
-}  // namespace physim
+}  // namespace physim::flight_field_test

@@ -4,8 +4,7 @@
 
 #include "support.hpp"
 
-namespace physim::test {
-namespace flight_first_users_test {
+namespace physim::test::flight_first_users_test {
 
 bool has_note(const Flight& flight, const std::string& effect, const std::string& part) {
   return std::ranges::any_of(flight.fidelity_in_use().notes, [&](const FidelityNote& note) {
@@ -157,5 +156,4 @@ TEST(FirstUsers, two_points_of_thrust_at_one_time_are_a_step) {
   EXPECT_EQ(fly(p, up, space, Fidelity::simulation()).error()->place, "projectile.motor.thrust[3]");
 }
 
-}  // namespace flight_first_users_test
-}  // namespace physim::test
+}  // namespace physim::test::flight_first_users_test

@@ -4,8 +4,7 @@
 #include "physim/solve.hpp"
 #include "support.hpp"
 
-namespace physim {
-namespace flight_fit_test {
+namespace physim::flight_fit_test {
 
 using namespace test;
 
@@ -162,5 +161,4 @@ TEST(Fit, what_makes_no_sense_is_refused_with_its_place) {
   EXPECT_EQ(fit_drag(bad, {.speed = 800}, {}, {}, good).error().place, "projectile.mass");
 }
 
-}  // namespace flight_fit_test
-}  // namespace physim
+}  // namespace physim::flight_fit_test

@@ -3,8 +3,7 @@
 
 #include "support.hpp"
 
-namespace physim {
-namespace flight_flight_test {
+namespace physim::flight_flight_test {
 
 using namespace test;
 
@@ -245,5 +244,4 @@ TEST(Flight, at_range_takes_the_end_for_a_range_that_is_rounding_longer) {
   EXPECT_FALSE(flight.at_range(end * (1 + 1e-9)));
 }
 
-}  // namespace flight_flight_test
-}  // namespace physim
+}  // namespace physim::flight_flight_test

@@ -8,8 +8,7 @@
 #include "physim/body.hpp"
 #include "support.hpp"
 
-namespace physim {
-namespace flight_magnus_test {
+namespace physim::flight_magnus_test {
 
 using namespace test;
 
@@ -367,5 +366,4 @@ TEST(Magnus, bad_input_is_refused) {
   EXPECT_EQ(fly(trochoid_ball(), launch).error()->place, "launch.spin.sidespin");
 }
 
-}  // namespace flight_magnus_test
-}  // namespace physim
+}  // namespace physim::flight_magnus_test

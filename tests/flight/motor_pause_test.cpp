@@ -5,8 +5,7 @@
 
 #include "support.hpp"
 
-namespace physim {
-namespace flight_motor_pause_test {
+namespace physim::flight_motor_pause_test {
 
 using namespace test;
 
@@ -56,5 +55,4 @@ TEST(MotorPause, it_has_the_drag_of_a_coasting_rocket) {
   }
 }
 
-}  // namespace flight_motor_pause_test
-}  // namespace physim
+}  // namespace physim::flight_motor_pause_test

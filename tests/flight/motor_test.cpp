@@ -8,8 +8,7 @@
 #include "flight/motor_support.hpp"
 #include "physim/projectile.hpp"
 
-namespace physim {
-namespace flight_motor_test {
+namespace physim::flight_motor_test {
 
 using namespace test;
 
@@ -440,5 +439,4 @@ TEST(Motor, bad_input_is_refused_with_its_place) {
   }
 }
 
-}  // namespace flight_motor_test
-}  // namespace physim
+}  // namespace physim::flight_motor_test

@@ -7,8 +7,7 @@
 
 #include "support.hpp"
 
-namespace physim {
-namespace flight_nesc_point_mass_test {
+namespace physim::flight_nesc_point_mass_test {
 
 using namespace test;
 
@@ -126,5 +125,4 @@ TEST(Nesc, the_azimuth_of_the_world_frame_changes_nothing) {
   EXPECT_TRUE(near(end_of(east).velocity, end_of(oblique).velocity, 0, 2e-9));
 }
 
-}  // namespace flight_nesc_point_mass_test
-}  // namespace physim
+}  // namespace physim::flight_nesc_point_mass_test

@@ -5,8 +5,7 @@
 
 #include "support.hpp"
 
-namespace physim {
-namespace flight_outcome_test {
+namespace physim::flight_outcome_test {
 
 using namespace test;
 
@@ -167,5 +166,4 @@ TEST(Outcome, huge_steps_end) {
       }
 }
 
-}  // namespace flight_outcome_test
-}  // namespace physim
+}  // namespace physim::flight_outcome_test

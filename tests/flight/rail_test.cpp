@@ -6,8 +6,7 @@
 
 #include "flight/motor_support.hpp"
 
-namespace physim {
-namespace flight_rail_test {
+namespace physim::flight_rail_test {
 
 using namespace test;
 
@@ -80,5 +79,4 @@ TEST(Rail, falling_past_its_end_is_free) {
   EXPECT_NEAR(flight.duration(), 60 / kG, 1e-9);
 }
 
-}  // namespace flight_rail_test
-}  // namespace physim
+}  // namespace physim::flight_rail_test

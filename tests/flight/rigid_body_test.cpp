@@ -5,8 +5,7 @@
 #include "rigid.hpp"
 #include "solve/problems.hpp"
 
-namespace physim {
-namespace flight_rigid_body_test {
+namespace physim::flight_rigid_body_test {
 
 using namespace test;
 
@@ -371,5 +370,4 @@ TEST(RigidBody, air_moves_no_body_of_1e300_kg) {
   EXPECT_NEAR(flight.end().position.x, 50, 1e-9);
 }
 
-}  // namespace flight_rigid_body_test
-}  // namespace physim
+}  // namespace physim::flight_rigid_body_test

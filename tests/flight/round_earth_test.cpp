@@ -4,8 +4,7 @@
 #include "random_shots.hpp"
 #include "support.hpp"
 
-namespace physim {
-namespace flight_round_earth_test {
+namespace physim::flight_round_earth_test {
 
 using namespace test;
 
@@ -338,5 +337,4 @@ TEST(RoundEarth, batches_give_the_numbers_of_single_flights) {
   }
 }
 
-}  // namespace flight_round_earth_test
-}  // namespace physim
+}  // namespace physim::flight_round_earth_test

@@ -1,8 +1,7 @@
 // Flights that only touch an edge of a thing.
 #include "scene_support.hpp"
 
-namespace physim {
-namespace flight_scene_edge_test {
+namespace physim::flight_scene_edge_test {
 
 using namespace test_scene;
 
@@ -36,5 +35,4 @@ TEST(Seam, a_shot_that_touches_a_ridge_goes_on) {
     }
 }
 
-}  // namespace flight_scene_edge_test
-}  // namespace physim
+}  // namespace physim::flight_scene_edge_test

@@ -5,8 +5,7 @@
 #include "rigid.hpp"
 #include "scene_support.hpp"
 
-namespace physim {
-namespace flight_scene_flight_test {
+namespace physim::flight_scene_flight_test {
 
 using test::same_bits;
 using namespace test_scene;
@@ -270,5 +269,4 @@ TEST(SceneFlight, what_meets_nothing_flies_as_without_a_scene) {
   }
 }
 
-}  // namespace flight_scene_flight_test
-}  // namespace physim
+}  // namespace physim::flight_scene_flight_test

@@ -4,8 +4,7 @@
 #include "random_shots.hpp"
 #include "scene_support.hpp"
 
-namespace physim {
-namespace flight_scene_meeting_test {
+namespace physim::flight_scene_meeting_test {
 
 using namespace test_scene;
 
@@ -370,5 +369,4 @@ TEST(MeetingFlight, random_flights_keep_what_is_promised) {
   EXPECT_GT(contacts, 500);
 }
 
-}  // namespace flight_scene_meeting_test
-}  // namespace physim
+}  // namespace physim::flight_scene_meeting_test

@@ -7,8 +7,7 @@
 
 #include "support.hpp"
 
-namespace physim::test {
-namespace flight_vertical_flight_test {
+namespace physim::test::flight_vertical_flight_test {
 
 /// Of each kind of flight; PHYSIM_BODIES=1000 takes some minutes.
 const int kBodies = std::getenv("PHYSIM_BODIES") != nullptr ? std::atoi(std::getenv("PHYSIM_BODIES")) : 40;
@@ -170,5 +169,4 @@ TEST(VerticalFlight, frames_stay_bounded_and_halve_their_error_with_the_step) {
   }
 }
 
-}  // namespace flight_vertical_flight_test
-}  // namespace physim::test
+}  // namespace physim::test::flight_vertical_flight_test

@@ -5,8 +5,7 @@
 #include "physim/flight.hpp"
 #include "physim/result.hpp"
 
-namespace physim {
-namespace flight_weather_test {
+namespace physim::flight_weather_test {
 
 using namespace test;
 
@@ -410,5 +409,4 @@ TEST(Weather, bad_days_are_refused_alone_and_bad_columns_together) {
   EXPECT_EQ(thin.shots[1].outcome, Outcome::landed);
 }
 
-}  // namespace flight_weather_test
-}  // namespace physim
+}  // namespace physim::flight_weather_test

@@ -3,8 +3,7 @@
 
 #include "support.hpp"
 
-namespace physim {
-namespace flight_zero_test {
+namespace physim::flight_zero_test {
 
 using namespace test;
 
@@ -200,5 +199,4 @@ TEST(Zero, down_a_slope_may_take_more_than_45_degrees_above_the_line_of_sight) {
   EXPECT_NEAR(e, low, 1e-9);
 }
 
-}  // namespace flight_zero_test
-}  // namespace physim
+}  // namespace physim::flight_zero_test

@@ -10,8 +10,7 @@
 
 #include "physim/projectile.hpp"
 
-namespace physim {
-namespace math_interpolation_test {
+namespace physim::math_interpolation_test {
 
 constexpr Interpolation kAll[] = {Interpolation::linear, Interpolation::pchip, Interpolation::cubic};
 
@@ -172,5 +171,4 @@ TEST(Interpolation, equal_cells_do_not_move_points_that_nearly_fit) {
   for (double at = 0; at < 2; at += 0.001) ASSERT_NEAR(evaluate(*uniform, at), curve(at), 1e-12);
 }
 
-}  // namespace math_interpolation_test
-}  // namespace physim
+}  // namespace physim::math_interpolation_test

@@ -8,8 +8,7 @@
 
 #include "support.hpp"
 
-namespace physim {
-namespace math_rough_power_test {
+namespace physim::math_rough_power_test {
 
 template <class S>
 class RoughPower : public testing::Test {};
@@ -62,5 +61,4 @@ TYPED_TEST(RoughPower, packs_give_the_bits_of_numbers) {
   }
 }
 
-}  // namespace math_rough_power_test
-}  // namespace physim
+}  // namespace physim::math_rough_power_test

@@ -9,8 +9,7 @@
 #include "random_shots.hpp"
 #include "support.hpp"
 
-namespace physim {
-namespace model_acceleration_test {
+namespace physim::model_acceleration_test {
 
 using namespace test;
 
@@ -229,5 +228,4 @@ TEST(Ledger, of_a_world_is_what_its_steps_feel) {
       }
 }
 
-}  // namespace model_acceleration_test
-}  // namespace physim
+}  // namespace physim::model_acceleration_test

@@ -8,8 +8,7 @@
 #include "random_shots.hpp"
 #include "rigid.hpp"
 
-namespace physim {
-namespace model_aero_test {
+namespace physim::model_aero_test {
 
 using namespace test;
 
@@ -300,5 +299,4 @@ TEST(Aero, lanes_that_hold_no_flight_read_no_table) {
   use_kernel("");
 }
 
-}  // namespace model_aero_test
-}  // namespace physim
+}  // namespace physim::model_aero_test

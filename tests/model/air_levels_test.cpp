@@ -11,8 +11,7 @@
 #include "support.hpp"
 #include "world/world_support.hpp"
 
-namespace physim {
-namespace model_air_levels_test {
+namespace physim::model_air_levels_test {
 
 Environment with_levels(std::vector<AirPoint> profile) { return {.atmosphere = {.profile = std::move(profile)}}; }
 
@@ -245,5 +244,4 @@ TEST(AirLevels, that_contradict_themselves_are_refused) {
   EXPECT_NE(batch.error->text().find("is that of a station"), std::string::npos);
 }
 
-}  // namespace model_air_levels_test
-}  // namespace physim
+}  // namespace physim::model_air_levels_test

@@ -6,8 +6,7 @@
 #include "model/recht_ipson.hpp"
 #include "support.hpp"
 
-namespace physim {
-namespace model_armour_test {
+namespace physim::model_armour_test {
 
 using test::near;
 
@@ -105,5 +104,4 @@ TEST(DeMarre, a_plate_of_a_given_quality_is_met_aslant) {
   EXPECT_EQ(de_marre_thickness(1, 0.1, 10, 0, 1), 0);
 }
 
-}  // namespace model_armour_test
-}  // namespace physim
+}  // namespace physim::model_armour_test

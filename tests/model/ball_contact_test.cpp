@@ -8,8 +8,7 @@
 #include "model/contact.hpp"
 #include "support.hpp"
 
-namespace physim {
-namespace model_ball_contact_test {
+namespace physim::model_ball_contact_test {
 
 using test::near;
 
@@ -155,5 +154,4 @@ TEST(BallContact, a_ball_that_nothing_spins_is_the_point_of_the_ground) {
   }
 }
 
-}  // namespace model_ball_contact_test
-}  // namespace physim
+}  // namespace physim::model_ball_contact_test

@@ -5,8 +5,7 @@
 
 #include "support.hpp"
 
-namespace physim {
-namespace model_ball_rolling_test {
+namespace physim::model_ball_rolling_test {
 
 using test::near;
 
@@ -70,5 +69,4 @@ TEST(BallRolling, a_point_that_turns_around_stops_first) {
   EXPECT_EQ(stays.velocity, Vec3d{});
 }
 
-}  // namespace model_ball_rolling_test
-}  // namespace physim
+}  // namespace physim::model_ball_rolling_test

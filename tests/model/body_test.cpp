@@ -7,8 +7,7 @@
 #include "../support.hpp"
 #include "model/closed_form.hpp"
 
-namespace physim {
-namespace model_body_test {
+namespace physim::model_body_test {
 
 using test::kNan;
 using test::Random;
@@ -80,5 +79,4 @@ TEST(BodyParts, of_other_rungs_are_not_carried) {
   EXPECT_EQ(parts_read(f, {}), PartSet());
 }
 
-}  // namespace model_body_test
-}  // namespace physim
+}  // namespace physim::model_body_test

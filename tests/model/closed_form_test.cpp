@@ -5,8 +5,7 @@
 
 #include "support.hpp"
 
-namespace physim {
-namespace model_closed_form_test {
+namespace physim::model_closed_form_test {
 
 using test::kDegree;
 using test::near;
@@ -157,5 +156,4 @@ TEST(ClosedForm, float32_stays_within_half_a_millimetre_at_100_seconds) {
   EXPECT_TRUE(near(s.at(100).position, d.at(100).position, 4 * 6e-8, 0));
 }
 
-}  // namespace model_closed_form_test
-}  // namespace physim
+}  // namespace physim::model_closed_form_test

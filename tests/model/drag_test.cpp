@@ -7,8 +7,7 @@
 #include "physim/projectile.hpp"
 #include "support.hpp"
 
-namespace physim {
-namespace model_drag_test {
+namespace physim::model_drag_test {
 
 using test::near;
 using test::Prepared;
@@ -225,5 +224,4 @@ TEST(Drag, falls_through_exponential_air) {
   }
 }
 
-}  // namespace model_drag_test
-}  // namespace physim
+}  // namespace physim::model_drag_test

@@ -6,8 +6,7 @@
 #include "model/acceleration.hpp"
 #include "support.hpp"
 
-namespace physim {
-namespace model_earth_test {
+namespace physim::model_earth_test {
 
 using test::kDegree;
 using test::near;
@@ -124,5 +123,4 @@ TEST(Acceleration, applied_force_ends_in_time) {
   EXPECT_TRUE(near(flight.duration(), 6 + std::sqrt(18.0), 1e-9));
 }
 
-}  // namespace model_earth_test
-}  // namespace physim
+}  // namespace physim::model_earth_test

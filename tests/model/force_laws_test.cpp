@@ -10,8 +10,7 @@
 
 #include "support.hpp"
 
-namespace physim {
-namespace model_force_laws_test {
+namespace physim::model_force_laws_test {
 
 using test::kInfinity;
 using test::kNan;
@@ -287,5 +286,4 @@ TEST(ForceLaws, thrust_points_along_its_direction_or_along_the_velocity) {
   EXPECT_EQ(thrust_direction({}, {}), (Vec3d{})) << "at rest";
 }
 
-}  // namespace model_force_laws_test
-}  // namespace physim
+}  // namespace physim::model_force_laws_test

@@ -4,8 +4,7 @@
 
 #include "support.hpp"
 
-namespace physim::test {
-namespace model_frames_test {
+namespace physim::test::model_frames_test {
 
 double degrees(int whole, int minutes, double seconds) { return (whole + minutes / 60.0 + seconds / 3600) * kDegree; }
 
@@ -50,5 +49,4 @@ TEST(GroundDistance, heights_do_not_count_and_short_ways_keep_their_digits) {
   }
 }
 
-}  // namespace model_frames_test
-}  // namespace physim::test
+}  // namespace physim::test::model_frames_test

@@ -8,8 +8,7 @@
 #include "random_shots.hpp"
 #include "support.hpp"
 
-namespace physim {
-namespace model_geodesy_test {
+namespace physim::model_geodesy_test {
 
 using namespace test;
 
@@ -179,5 +178,4 @@ TEST(Heights, are_finite_at_the_antipode) {
   }
 }
 
-}  // namespace model_geodesy_test
-}  // namespace physim
+}  // namespace physim::model_geodesy_test

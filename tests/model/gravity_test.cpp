@@ -5,8 +5,7 @@
 
 #include "support.hpp"
 
-namespace physim {
-namespace model_gravity_test {
+namespace physim::model_gravity_test {
 
 using test::near;
 using test::Prepared;
@@ -140,5 +139,4 @@ TEST(Gravity, radial_fall) {
     }
 }
 
-}  // namespace model_gravity_test
-}  // namespace physim
+}  // namespace physim::model_gravity_test

@@ -9,8 +9,7 @@
 #include "physim/environment.hpp"
 #include "support.hpp"
 
-namespace physim {
-namespace model_low_air_test {
+namespace physim::model_low_air_test {
 
 constexpr long double kG0 = 9.80665L, kGas = 8314.32L, kMolar = 28.9644L, kR0 = 6356766.0L;
 constexpr long double kBases[] = {0, 11000, 20000, 32000, 47000, 51000, 71000};
@@ -137,5 +136,4 @@ TEST(LowAir, each_lane_of_a_pack_gets_its_own_polynomial) {
   }
 }
 
-}  // namespace model_low_air_test
-}  // namespace physim
+}  // namespace physim::model_low_air_test

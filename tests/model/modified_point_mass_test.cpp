@@ -3,8 +3,7 @@
 
 #include "rigid.hpp"
 
-namespace physim {
-namespace model_modified_point_mass_test {
+namespace physim::model_modified_point_mass_test {
 
 using namespace test;
 
@@ -231,5 +230,4 @@ TEST(ModifiedPointMass, a_yaw_beyond_thirty_degrees_is_held_there) {
   EXPECT_LT(largest, 0.5236);
 }
 
-}  // namespace model_modified_point_mass_test
-}  // namespace physim
+}  // namespace physim::model_modified_point_mass_test

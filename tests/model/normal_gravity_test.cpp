@@ -7,8 +7,7 @@
 #include "random_shots.hpp"
 #include "support.hpp"
 
-namespace physim {
-namespace model_normal_gravity_test {
+namespace physim::model_normal_gravity_test {
 
 using namespace test;
 
@@ -135,5 +134,4 @@ TEST(NormalGravity, floats_are_as_good_as_floats) {
   }
 }
 
-}  // namespace model_normal_gravity_test
-}  // namespace physim
+}  // namespace physim::model_normal_gravity_test

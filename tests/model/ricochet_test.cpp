@@ -9,8 +9,7 @@
 
 #include "support.hpp"
 
-namespace physim {
-namespace model_ricochet_test {
+namespace physim::model_ricochet_test {
 
 using test::kDegree;
 using test::near;
@@ -112,5 +111,4 @@ TEST(Ricochet, the_flatter_the_more_speed_is_kept) {
   }
 }
 
-}  // namespace model_ricochet_test
-}  // namespace physim
+}  // namespace physim::model_ricochet_test

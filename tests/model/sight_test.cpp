@@ -5,8 +5,7 @@
 
 #include "support.hpp"
 
-namespace physim {
-namespace model_sight_test {
+namespace physim::model_sight_test {
 
 using test::kDegree;
 using test::near;
@@ -97,5 +96,4 @@ TEST(Sight, range_drop_and_windage_are_coordinates_along_the_sight) {
   EXPECT_NEAR(muzzle.windage, -0.06 * std::sin(0.2), 1e-15);
 }
 
-}  // namespace model_sight_test
-}  // namespace physim
+}  // namespace physim::model_sight_test

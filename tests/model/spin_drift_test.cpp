@@ -6,8 +6,7 @@
 
 #include "support.hpp"
 
-namespace physim {
-namespace model_spin_drift_test {
+namespace physim::model_spin_drift_test {
 
 using test::near;
 
@@ -156,5 +155,4 @@ TEST(SpinDrift, bad_input_has_no_stability_factor) {
   EXPECT_FALSE(stability_factor(p, {.speed = 800}, {}));
 }
 
-}  // namespace model_spin_drift_test
-}  // namespace physim
+}  // namespace physim::model_spin_drift_test

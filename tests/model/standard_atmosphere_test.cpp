@@ -8,8 +8,7 @@
 #include "physim/environment.hpp"
 #include "support.hpp"
 
-namespace physim {
-namespace model_standard_atmosphere_test {
+namespace physim::model_standard_atmosphere_test {
 
 using test::near;
 
@@ -206,5 +205,4 @@ TEST(StandardAtmosphere, goes_on_above_its_top) {
   }
 }
 
-}  // namespace model_standard_atmosphere_test
-}  // namespace physim
+}  // namespace physim::model_standard_atmosphere_test

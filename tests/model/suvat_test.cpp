@@ -9,8 +9,7 @@
 
 #include "support.hpp"
 
-namespace physim {
-namespace model_suvat_test {
+namespace physim::model_suvat_test {
 
 using test::near;
 
@@ -185,5 +184,4 @@ TEST(Suvat, wants_three_numbers) {
     EXPECT_EQ(suvat({.u = 1, .a = bad, .t = 1}).error().place, "suvat.a") << bad;
 }
 
-}  // namespace model_suvat_test
-}  // namespace physim
+}  // namespace physim::model_suvat_test

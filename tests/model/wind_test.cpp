@@ -8,8 +8,7 @@
 
 #include "support.hpp"
 
-namespace physim {
-namespace model_wind_test {
+namespace physim::model_wind_test {
 
 using test::near;
 
@@ -139,5 +138,4 @@ TEST(Wind, adaptive_steps_end_at_the_points_of_a_profile) {
   }
 }
 
-}  // namespace model_wind_test
-}  // namespace physim
+}  // namespace physim::model_wind_test

@@ -9,8 +9,7 @@
 #include "prepare/check.hpp"
 #include "support.hpp"
 
-namespace physim {
-namespace prepare_check_test {
+namespace physim::prepare_check_test {
 
 using namespace test;
 
@@ -397,5 +396,4 @@ TEST(Check, numbers_that_float32_cannot_hold_are_found_wherever_they_stand) {
   EXPECT_TRUE(check_fits({2 * kMost, 0, 0}, {}, Precision::float64));
 }
 
-}  // namespace prepare_check_test
-}  // namespace physim
+}  // namespace physim::prepare_check_test

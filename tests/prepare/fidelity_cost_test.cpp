@@ -4,8 +4,7 @@
 
 #include <gtest/gtest.h>
 
-namespace physim {
-namespace prepare_fidelity_cost_test {
+namespace physim::prepare_fidelity_cost_test {
 
 double cost_of(const Fidelity& f, const ProjectileDef& p = {}, const Environment& e = {}) { return step_cost(f, p, e); }
 
@@ -86,5 +85,4 @@ TEST(FidelityCost, motors_cost_where_they_fly) {
   EXPECT_EQ((cost_of(f, rocket) - cost_of(f)) / 4, 24 + 2 * 4);
 }
 
-}  // namespace prepare_fidelity_cost_test
-}  // namespace physim
+}  // namespace physim::prepare_fidelity_cost_test

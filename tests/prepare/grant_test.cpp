@@ -4,8 +4,7 @@
 #include "model/ladder.hpp"
 #include "support.hpp"
 
-namespace physim {
-namespace prepare_grant_test {
+namespace physim::prepare_grant_test {
 
 using namespace test;
 
@@ -405,5 +404,4 @@ TEST(Grant, fidelity_changes_how_and_data_stay) {
   EXPECT_NEAR(game, simulation, 0.4 * simulation);
 }
 
-}  // namespace prepare_grant_test
-}  // namespace physim
+}  // namespace physim::prepare_grant_test

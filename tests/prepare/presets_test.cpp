@@ -6,8 +6,7 @@
 
 #include "physim/world.hpp"
 
-namespace physim {
-namespace prepare_presets_test {
+namespace physim::prepare_presets_test {
 
 TEST(Presets, AreNamedDescribedAndSpawn) {
   World world;
@@ -35,5 +34,4 @@ TEST(Presets, ArtilleryFliesAsTheOriginals) {
   EXPECT_EQ(world[id].status(), LifeStatus::expired);  // 5 m below
 }
 
-}  // namespace prepare_presets_test
-}  // namespace physim
+}  // namespace physim::prepare_presets_test

@@ -8,8 +8,7 @@
 
 #include "prepare/conditions.hpp"
 
-namespace physim {
-namespace prepare_watch_list_test {
+namespace physim::prepare_watch_list_test {
 
 std::vector<EventKind> kinds_of(const WatchList& watch) {
   std::vector<EventKind> kinds;
@@ -52,5 +51,4 @@ TEST(WatchList, what_waits_for_no_value_waits_for_zero) {
   EXPECT_EQ(watch.item[1].spec.value, 7);
 }
 
-}  // namespace prepare_watch_list_test
-}  // namespace physim
+}  // namespace physim::prepare_watch_list_test

@@ -9,8 +9,7 @@
 #include "shipped.hpp"
 #include "support.hpp"
 
-namespace physim::report {
-namespace report_ladder_test {
+namespace physim::report::report_ladder_test {
 
 /// Rungs that another one beats on a shipped shot, and why that is right.
 struct Beaten {
@@ -169,5 +168,4 @@ TEST(LadderOfPresets, drag_that_a_shot_says_by_a_factor_is_kept_on_every_rung) {
     EXPECT_NE(std::ranges::find(names, original), names.end()) << original;
 }
 
-}  // namespace report_ladder_test
-}  // namespace physim::report
+}  // namespace physim::report::report_ladder_test

@@ -13,8 +13,7 @@
 #include "report/world_steps.hpp"
 #include "support.hpp"
 
-namespace physim::report {
-namespace report_quoted_ladder_test {
+namespace physim::report::report_quoted_ladder_test {
 
 constexpr std::array kShots = {"308_168gr_g7", "golf_drive", "105mm_m1_six_dof"};
 
@@ -82,5 +81,4 @@ TEST(QuotedLadder, errors_of_three_shots_are_todays_as_flights_and_as_steps) {
   }
 }
 
-}  // namespace report_quoted_ladder_test
-}  // namespace physim::report
+}  // namespace physim::report::report_quoted_ladder_test

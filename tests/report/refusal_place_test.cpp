@@ -3,8 +3,7 @@
 
 #include "report/flown.hpp"
 
-namespace physim {
-namespace report_refusal_place_test {
+namespace physim::report_refusal_place_test {
 
 constexpr const char* kFile =
     "physim = 1\n[[shot]]\nname = \"a.b\"\nspeed = \"800 m/s\"\nsight = { height = \"5 cm\", zero_range = \"90 km\" "
@@ -28,5 +27,4 @@ TEST(RefusalPlace, of_what_no_file_says_is_the_shot) {
   EXPECT_EQ(told({"is bad", "", ""}).place, "f.toml: shot \"a.b\"");
 }
 
-}  // namespace report_refusal_place_test
-}  // namespace physim
+}  // namespace physim::report_refusal_place_test

@@ -7,8 +7,7 @@
 #include <cmath>
 #include <sstream>
 
-namespace physim::report {
-namespace report_scene_section_test {
+namespace physim::report::report_scene_section_test {
 
 using Row = std::vector<double>;
 
@@ -105,5 +104,4 @@ TEST(SceneSection, GoesOnStraightAtBothEnds) {
   for (std::size_t i = 1; i < track.size(); ++i) EXPECT_LT(track[i].across - track[i - 1].across, 6.0 / 799);
 }
 
-}  // namespace report_scene_section_test
-}  // namespace physim::report
+}  // namespace physim::report::report_scene_section_test

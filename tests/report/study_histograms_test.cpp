@@ -4,8 +4,7 @@
 #include "report/study_pictures.hpp"
 #include "study/study_support.hpp"
 
-namespace physim {
-namespace report_study_histograms_test {
+namespace physim::report_study_histograms_test {
 
 using namespace test;
 using report::FlownStudy;
@@ -62,5 +61,4 @@ TEST(HistogramsText, has_digits_for_narrow_bars) {
   }
 }
 
-}  // namespace report_study_histograms_test
-}  // namespace physim
+}  // namespace physim::report_study_histograms_test

@@ -8,8 +8,7 @@
 #include "report/world_log.hpp"
 #include "scenario/scenario.hpp"
 
-namespace physim::report {
-namespace report_world_paths_test {
+namespace physim::report::report_world_paths_test {
 
 /// 1000 a second from a muzzle that moves along z at 10 m/s: where a path begins tells when.
 const std::string kMoving = R"(physim = 1
@@ -126,5 +125,4 @@ TEST(FilesForOthers, EventsOfWorldsAreInOrderOfTimeWithThoseOfTheWall) {
   EXPECT_TRUE(std::ranges::is_sorted(log.events, {}, &LoggedEvent::time));
 }
 
-}  // namespace report_world_paths_test
-}  // namespace physim::report
+}  // namespace physim::report::report_world_paths_test

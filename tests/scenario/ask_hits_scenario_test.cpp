@@ -5,8 +5,7 @@
 #include "scenario/scenario.hpp"
 #include "scenario/world_run.hpp"
 
-namespace physim {
-namespace scenario_ask_hits_scenario_test {
+namespace physim::scenario_ask_hits_scenario_test {
 
 constexpr const char* kFile = R"(physim = 1
 [[shot]]
@@ -35,5 +34,4 @@ TEST(AskHitsScenario, nor_can_a_run) {
   EXPECT_EQ(scenario_text(scenario).find("\"ask\""), std::string::npos);
 }
 
-}  // namespace scenario_ask_hits_scenario_test
-}  // namespace physim
+}  // namespace physim::scenario_ask_hits_scenario_test

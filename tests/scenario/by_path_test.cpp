@@ -7,8 +7,7 @@
 #include "scenario/overrides.hpp"
 #include "scenario/scenario.hpp"
 
-namespace physim {
-namespace scenario_by_path_test {
+namespace physim::scenario_by_path_test {
 
 constexpr const char* kScene = R"(physim = 1
 [[shot]]
@@ -123,5 +122,4 @@ TEST(ByPath, lists_tell_their_length) {
   EXPECT_FALSE(length_at(scenario, "shot.1.mass").ok());
 }
 
-}  // namespace scenario_by_path_test
-}  // namespace physim
+}  // namespace physim::scenario_by_path_test

@@ -10,8 +10,7 @@
 #include "settings/units.hpp"
 #include "support.hpp"
 
-namespace physim {
-namespace scenario_cases_flight_test {
+namespace physim::scenario_cases_flight_test {
 
 constexpr double kG = 9.80665, kPi = std::numbers::pi;
 using test::kDegree;
@@ -461,5 +460,4 @@ within = "0.02 deg"
   EXPECT_NEAR(longitude, scenario.expect[0].equals, scenario.expect[0].within);
 }
 
-}  // namespace scenario_cases_flight_test
-}  // namespace physim
+}  // namespace physim::scenario_cases_flight_test

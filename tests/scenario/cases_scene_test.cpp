@@ -12,8 +12,7 @@
 #include "scenario/world_run.hpp"
 #include "support.hpp"
 
-namespace physim {
-namespace scenario_cases_scene_test {
+namespace physim::scenario_cases_scene_test {
 
 constexpr double kDegree = std::numbers::pi / 180;
 
@@ -169,5 +168,4 @@ TEST(CasesOfNotes, a_jump_without_spin_drift_is_told) {
   EXPECT_FALSE(tells(notes("spin_drift")));
 }
 
-}  // namespace scenario_cases_scene_test
-}  // namespace physim
+}  // namespace physim::scenario_cases_scene_test

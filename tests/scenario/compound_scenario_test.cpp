@@ -11,8 +11,7 @@
 #include "scenario/world_run.hpp"
 #include "support.hpp"
 
-namespace physim {
-namespace scenario_compound_scenario_test {
+namespace physim::scenario_compound_scenario_test {
 
 using test::kDegree;
 
@@ -357,5 +356,4 @@ TEST(CompoundScenario, lets_no_particles_out) {
   EXPECT_EQ(scenario.error().message, "emitter.from.surface.of: is neither a mesh nor a height field");
 }
 
-}  // namespace scenario_compound_scenario_test
-}  // namespace physim
+}  // namespace physim::scenario_compound_scenario_test

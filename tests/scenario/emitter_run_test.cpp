@@ -9,8 +9,7 @@
 #include "scenario/slope_scene.hpp"
 #include "scenario/world_run.hpp"
 
-namespace physim {
-namespace scenario_emitter_run_test {
+namespace physim::scenario_emitter_run_test {
 
 constexpr double kGravity = 9.80665;
 
@@ -236,5 +235,4 @@ TEST(EmitterRun, AnExpectationOfEmittersNeedsOne) {
   EXPECT_EQ(value.error().text(), "f.toml:9:1: error: \"gun\" is no emitter; name one as expect.shot");
 }
 
-}  // namespace scenario_emitter_run_test
-}  // namespace physim
+}  // namespace physim::scenario_emitter_run_test

@@ -6,8 +6,7 @@
 #include "scenario/revise.hpp"
 #include "scenario/world_run.hpp"
 
-namespace physim {
-namespace scenario_emitter_scenario_test {
+namespace physim::scenario_emitter_scenario_test {
 
 constexpr double kDegreeOfEmitters = 3.14159265358979323846 / 180;
 
@@ -487,5 +486,4 @@ TEST(BadEmitter, ItsFiguresNeedOne) {
             "expect.shot");
 }
 
-}  // namespace scenario_emitter_scenario_test
-}  // namespace physim
+}  // namespace physim::scenario_emitter_scenario_test

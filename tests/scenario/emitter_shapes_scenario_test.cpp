@@ -9,8 +9,7 @@
 #include "scenario/revise.hpp"
 #include "scenario/world_run.hpp"
 
-namespace physim {
-namespace scenario_emitter_shapes_scenario_test {
+namespace physim::scenario_emitter_shapes_scenario_test {
 
 const std::string kHillScenario = R"(physim = 1
 [[shot]]
@@ -133,5 +132,4 @@ TEST(EmitterShapesScenario, a_mesh_comes_out_of_a_file) {
   EXPECT_NE(scenario_text(read).find("file = \"cube.obj\""), std::string::npos);
 }
 
-}  // namespace scenario_emitter_shapes_scenario_test
-}  // namespace physim
+}  // namespace physim::scenario_emitter_shapes_scenario_test

@@ -13,8 +13,7 @@
 #include "scenario/scenario.hpp"
 #include "scenario/world_run.hpp"
 
-namespace physim {
-namespace scenario_files_in_use_test {
+namespace physim::scenario_files_in_use_test {
 
 namespace fs = std::filesystem;
 using testing_cli::Folder;
@@ -196,5 +195,4 @@ TEST(NewFile, keeps_links_and_refuses_directories) {
   EXPECT_TRUE(has(NewFile(folder / "no/a").open().error().message, "No such file"));
 }
 
-}  // namespace scenario_files_in_use_test
-}  // namespace physim
+}  // namespace physim::scenario_files_in_use_test

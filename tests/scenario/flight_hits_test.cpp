@@ -10,8 +10,7 @@
 #include "scenario/slope_scene.hpp"
 #include "support.hpp"
 
-namespace physim {
-namespace scenario_flight_hits_test {
+namespace physim::scenario_flight_hits_test {
 
 constexpr double kG = 9.80665, kPi = 3.14159265358979323846;
 
@@ -286,5 +285,4 @@ INSTANTIATE_TEST_SUITE_P(
         BadFlight{"[[shot]]\n[[thing]]\nshape = \"b\"",
                   "f.toml:10:9: error: thing.shape: no shape is named \"b\"; shapes: a"}));
 
-}  // namespace scenario_flight_hits_test
-}  // namespace physim
+}  // namespace physim::scenario_flight_hits_test

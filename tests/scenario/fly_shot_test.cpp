@@ -3,8 +3,7 @@
 
 #include "scenario/scenario.hpp"
 
-namespace physim {
-namespace scenario_fly_shot_test {
+namespace physim::scenario_fly_shot_test {
 
 Scenario bullet(const std::string& fidelity, const std::string& until, const std::string& more = "") {
   const Result<Scenario> scenario = parse_scenario(
@@ -49,5 +48,4 @@ TEST(FlyShot, RefusalsSayWhy) {
   EXPECT_EQ(flight.error()->place, "purpose.error");
 }
 
-}  // namespace scenario_fly_shot_test
-}  // namespace physim
+}  // namespace physim::scenario_fly_shot_test

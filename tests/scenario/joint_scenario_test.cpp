@@ -8,8 +8,7 @@
 #include "scenario/revise.hpp"
 #include "scenario/world_run.hpp"
 
-namespace physim {
-namespace scenario_joint_scenario_test {
+namespace physim::scenario_joint_scenario_test {
 
 const std::string kJoined = R"(physim = 1
 [environment]
@@ -217,5 +216,4 @@ TEST(JointScenario, bad_joints_are_refused_where_they_stand) {
   EXPECT_EQ(run.error().place, "f.toml: joint \"joint-1\": joint.length");
 }
 
-}  // namespace scenario_joint_scenario_test
-}  // namespace physim
+}  // namespace physim::scenario_joint_scenario_test

@@ -5,8 +5,7 @@
 
 #include "scenario/scenario.hpp"
 
-namespace physim {
-namespace scenario_measure_test {
+namespace physim::scenario_measure_test {
 
 constexpr double kGravity = 9.80665, kSpeed = 100;
 const double kSide = kSpeed * std::sqrt(0.5);  // both components of 45 degrees
@@ -86,5 +85,4 @@ TEST(Measure, LooksAtTheJerk) {
   EXPECT_NEAR(figure("jy", ExpectAt::time, 2), 0, 1e-9);
 }
 
-}  // namespace scenario_measure_test
-}  // namespace physim
+}  // namespace physim::scenario_measure_test

@@ -9,8 +9,7 @@
 
 #include "scenario/scenario.hpp"
 
-namespace physim {
-namespace scenario_motor_file_test {
+namespace physim::scenario_motor_file_test {
 
 constexpr const char* kTwo = R"(; two motors
 A8 18 70 3-5 0.00312 0.01642 Estes
@@ -273,5 +272,4 @@ TEST(MotorSettings, mistakes_name_their_place) {
   EXPECT_NE(no_rail.error().message.find("needs a rail"), std::string::npos);
 }
 
-}  // namespace scenario_motor_file_test
-}  // namespace physim
+}  // namespace physim::scenario_motor_file_test

@@ -7,8 +7,7 @@
 #include "physim/files.hpp"
 #include "scenario/scenario.hpp"
 
-namespace physim {
-namespace scenario_notes_test {
+namespace physim::scenario_notes_test {
 
 std::vector<std::string> notes_of(const std::string& text, const std::vector<std::string>& overrides = {}) {
   return must(parse_scenario("physim = 1\n" + text, "f.toml", overrides)).notes;
@@ -252,5 +251,4 @@ TEST(Notes, shipped_scenarios_need_none) {
   }
 }
 
-}  // namespace scenario_notes_test
-}  // namespace physim
+}  // namespace physim::scenario_notes_test

@@ -4,8 +4,7 @@
 #include "scenario/world_run.hpp"
 #include "support.hpp"
 
-namespace physim {
-namespace scenario_pair_hits_test {
+namespace physim::scenario_pair_hits_test {
 
 TEST(PairHits, the_cradle_meets_its_expectations) {
   const Scenario scenario = must(load_scenario(PHYSIM_SOURCE_DIR "/scenarios/newtons_cradle.toml"));
@@ -34,5 +33,4 @@ TEST(PairHits, others_are_read_and_refused_by_their_place) {
   EXPECT_NE(refused.error().text().find("f.toml:6:"), std::string::npos) << refused.error().text();
 }
 
-}  // namespace scenario_pair_hits_test
-}  // namespace physim
+}  // namespace physim::scenario_pair_hits_test

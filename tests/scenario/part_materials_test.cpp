@@ -11,8 +11,7 @@
 #include "scenario/world_run.hpp"
 #include "support.hpp"
 
-namespace physim {
-namespace scenario_part_materials_test {
+namespace physim::scenario_part_materials_test {
 
 using test::kDegree;
 
@@ -221,5 +220,4 @@ ground = "none"
   }
 }
 
-}  // namespace scenario_part_materials_test
-}  // namespace physim
+}  // namespace physim::scenario_part_materials_test

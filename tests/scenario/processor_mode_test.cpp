@@ -5,8 +5,7 @@
 #include "scenario/scenario.hpp"
 #include "scenario/world_run.hpp"
 
-namespace physim {
-namespace scenario_processor_mode_test {
+namespace physim::scenario_processor_mode_test {
 
 using test::Bits;
 
@@ -72,5 +71,4 @@ TEST(ProcessorMode, OfTheCallerChangesNoScenario) {
   });
 }
 
-}  // namespace scenario_processor_mode_test
-}  // namespace physim
+}  // namespace physim::scenario_processor_mode_test

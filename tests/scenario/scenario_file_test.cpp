@@ -6,8 +6,7 @@
 #include "scenario/world_run.hpp"
 #include "shipped.hpp"
 
-namespace physim {
-namespace scenario_scenario_file_test {
+namespace physim::scenario_scenario_file_test {
 
 constexpr const char* kTwo = R"(physim = 1
 [[shot]]
@@ -125,5 +124,4 @@ TEST(ScenarioDoor, errors_name_their_place) {
   EXPECT_TRUE(bad.error().place.starts_with("bad.toml:3")) << bad.error().place;
 }
 
-}  // namespace scenario_scenario_file_test
-}  // namespace physim
+}  // namespace physim::scenario_scenario_file_test

@@ -11,8 +11,7 @@
 #include "physim/units.hpp"
 #include "scenario/run_support.hpp"
 
-namespace physim {
-namespace scenario_scenario_test {
+namespace physim::scenario_scenario_test {
 
 using namespace physim::units;
 
@@ -380,5 +379,4 @@ TEST(Mistakes, of_very_many_the_first_are_told) {
   EXPECT_TRUE(told.ends_with("there are more mistakes")) << told;
 }
 
-}  // namespace scenario_scenario_test
-}  // namespace physim
+}  // namespace physim::scenario_scenario_test

@@ -13,8 +13,7 @@
 #include "scenario/world_run.hpp"
 #include "support.hpp"
 
-namespace physim {
-namespace scenario_scene_scenario_test {
+namespace physim::scenario_scene_scenario_test {
 
 constexpr double kDegreeOfScene = 3.14159265358979323846 / 180;
 
@@ -489,5 +488,4 @@ TEST(BadSceneScenario, TakesAFileOrTheNumbersThatAreInIt) {
             "f.toml:5:17");
 }
 
-}  // namespace scenario_scene_scenario_test
-}  // namespace physim
+}  // namespace physim::scenario_scene_scenario_test

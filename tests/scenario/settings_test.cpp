@@ -12,8 +12,7 @@
 #include "scenario/schema.hpp"
 #include "scenario/suggest.hpp"
 
-namespace physim {
-namespace scenario_settings_test {
+namespace physim::scenario_settings_test {
 
 /// One of every list, so that settings of list elements can be reached.
 const std::string kOneOfEach = R"(physim = 1
@@ -410,5 +409,4 @@ TEST(Suggestions, ShortenLongQuotes) {
   EXPECT_EQ(shortened, "\"" + std::string(59, 'x') + "...\"") << "no half characters";
 }
 
-}  // namespace scenario_settings_test
-}  // namespace physim
+}  // namespace physim::scenario_settings_test

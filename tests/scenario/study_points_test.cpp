@@ -9,8 +9,7 @@
 #include "settings/units.hpp"
 #include "support.hpp"
 
-namespace physim {
-namespace scenario_study_points_test {
+namespace physim::scenario_study_points_test {
 
 constexpr const char* kShot = "physim = 1\n[[shot]]\nname = \"a\"\nspeed = 300\nmass = 1\n";
 
@@ -273,5 +272,4 @@ TEST(StudyPointsText, what_is_wrong_is_told_where_it_stands) {
   EXPECT_NE(squared.error().text().find("test.toml:6:27: "), std::string::npos) << squared.error().text();
 }
 
-}  // namespace scenario_study_points_test
-}  // namespace physim
+}  // namespace physim::scenario_study_points_test

@@ -7,8 +7,7 @@
 #include "must.hpp"
 #include "scenario/scenario.hpp"
 
-namespace physim {
-namespace scenario_study_text_test {
+namespace physim::scenario_study_text_test {
 
 Distribution distribution_of(const char* text) { return must(parse_study_input(text)).distribution; }
 
@@ -311,5 +310,4 @@ TEST(StudyText, places) {
   EXPECT_NE(refused(": y").find("is no place"), std::string::npos);
 }
 
-}  // namespace scenario_study_text_test
-}  // namespace physim
+}  // namespace physim::scenario_study_text_test

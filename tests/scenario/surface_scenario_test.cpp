@@ -9,8 +9,7 @@
 #include "scenario/world_run.hpp"
 #include "support.hpp"
 
-namespace physim {
-namespace scenario_surface_test {
+namespace physim::scenario_surface_test {
 
 constexpr double kG = 9.80665;
 
@@ -101,5 +100,4 @@ TEST(SurfaceScenario, names_what_has_no_effect) {
   EXPECT_NE(lands.find("world.ground.conveyor: has no effect"), lands.npos) << lands;
 }
 
-}  // namespace scenario_surface_test
-}  // namespace physim
+}  // namespace physim::scenario_surface_test

@@ -13,8 +13,7 @@
 #include "physim/environment.hpp"
 #include "scenario/scenario.hpp"
 
-namespace physim {
-namespace scenario_terrain_file_test {
+namespace physim::scenario_terrain_file_test {
 
 constexpr double kDegree = 3.141592653589793 / 180;
 
@@ -486,5 +485,4 @@ TEST_F(TerrainFile, OfScenariosIsRefusedAtItsLine) {
       << refusal("mesh = { terrain = \"N46E007.hgt\" }", round);
 }
 
-}  // namespace scenario_terrain_file_test
-}  // namespace physim
+}  // namespace physim::scenario_terrain_file_test

@@ -17,8 +17,7 @@
 #include "scenario/measured_column.hpp"
 #include "scenario/scenario.hpp"
 
-namespace physim {
-namespace scenario_text_file_test {
+namespace physim::scenario_text_file_test {
 
 using testing_cli::Folder;
 using testing_cli::has;
@@ -119,5 +118,4 @@ TEST(TextFile, WithoutAnEndIsRefusedByEveryDoor) {
   EXPECT_EQ(mesh.triangles.size(), 1U);
 }
 
-}  // namespace scenario_text_file_test
-}  // namespace physim
+}  // namespace physim::scenario_text_file_test

@@ -8,8 +8,7 @@
 #include "scenario/world_run.hpp"
 #include "support.hpp"
 
-namespace physim {
-namespace scenario_thing_hits_test {
+namespace physim::scenario_thing_hits_test {
 
 constexpr double kG = 9.80665;
 
@@ -286,5 +285,4 @@ TEST(ThingHits, AreOfTheSceneThatASaveIsOf) {
   EXPECT_FALSE(WorldRun::load(other, bytes));
 }
 
-}  // namespace scenario_thing_hits_test
-}  // namespace physim
+}  // namespace physim::scenario_thing_hits_test

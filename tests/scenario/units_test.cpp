@@ -10,8 +10,7 @@
 
 #include "physim/units.hpp"
 
-namespace physim {
-namespace scenario_units_test {
+namespace physim::scenario_units_test {
 
 using namespace physim::units;
 
@@ -201,5 +200,4 @@ TEST(Quantities, AdvertisedUnitsAreAccepted) {
   }
 }
 
-}  // namespace scenario_units_test
-}  // namespace physim
+}  // namespace physim::scenario_units_test

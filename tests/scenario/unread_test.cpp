@@ -8,8 +8,7 @@
 #include "scenario/scenario.hpp"
 #include "scenario/unread.hpp"
 
-namespace physim {
-namespace scenario_unread_test {
+namespace physim::scenario_unread_test {
 
 /// Notes made when they are asked for, as in Python, are those made with the scenario.
 void expect_same_notes_later(const std::string& text, const std::vector<std::string>& notes) {
@@ -435,5 +434,4 @@ TEST(Unread, a_list_is_told_once) {
   EXPECT_EQ(std::ranges::count_if(notes, [](const std::string& note) { return note.find("bands") != note.npos; }), 1);
 }
 
-}  // namespace scenario_unread_test
-}  // namespace physim
+}  // namespace physim::scenario_unread_test

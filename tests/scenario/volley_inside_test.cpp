@@ -5,8 +5,7 @@
 
 #include "scenario/run_support.hpp"
 
-namespace physim {
-namespace scenario_volley_inside_test {
+namespace physim::scenario_volley_inside_test {
 
 constexpr double kG = 9.80665;
 
@@ -65,5 +64,4 @@ TEST(VolleyInside, a_run_that_is_saved_between_steps_goes_on_to_the_bit) {
   EXPECT_EQ(going.groups()[0].spawned, 20u);
 }
 
-}  // namespace scenario_volley_inside_test
-}  // namespace physim
+}  // namespace physim::scenario_volley_inside_test

@@ -3,8 +3,7 @@
 
 #include "scenario/world_run.hpp"
 
-namespace physim {
-namespace scenario_world_errors_test {
+namespace physim::scenario_world_errors_test {
 
 struct Bad {
   std::string text, error;
@@ -136,5 +135,4 @@ TEST(BadWorld, AnImpossibleLaunchNamesItsShot) {
   EXPECT_TRUE(run.error().place.starts_with("f.toml: shot \"slow\"")) << run.error().text();
 }
 
-}  // namespace scenario_world_errors_test
-}  // namespace physim
+}  // namespace physim::scenario_world_errors_test

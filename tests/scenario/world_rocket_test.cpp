@@ -9,8 +9,7 @@
 #include "scenario/volley.hpp"
 #include "scenario/world_run.hpp"
 
-namespace physim {
-namespace scenario_world_rocket_test {
+namespace physim::scenario_world_rocket_test {
 
 const std::string kRocket = PHYSIM_SOURCE_DIR "/scenarios/model_rocket.toml";
 
@@ -76,5 +75,4 @@ TEST(WorldRocket, IsComparedWithItsOwnPath) {
   EXPECT_LT(compared->flights[0].largest_distance, 5);
 }
 
-}  // namespace scenario_world_rocket_test
-}  // namespace physim
+}  // namespace physim::scenario_world_rocket_test

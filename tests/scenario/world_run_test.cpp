@@ -9,8 +9,7 @@
 #include "scenario/run_support.hpp"
 #include "scenario/volley.hpp"
 
-namespace physim {
-namespace scenario_world_run_test {
+namespace physim::scenario_world_run_test {
 
 const std::string kGun = R"(
 [[shot]]
@@ -327,5 +326,4 @@ TEST(WorldRun, GoesBackToASnapshotWithItsLaunchesAndCounts) {
   EXPECT_FALSE(run.restore(RunSnapshot{}));
 }
 
-}  // namespace scenario_world_run_test
-}  // namespace physim
+}  // namespace physim::scenario_world_run_test

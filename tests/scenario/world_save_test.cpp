@@ -11,8 +11,7 @@
 #include "scenario/world_run.hpp"
 #include "shipped.hpp"
 
-namespace physim {
-namespace scenario_world_save_test {
+namespace physim::scenario_world_save_test {
 
 const std::string kGun = R"(
 [[shot]]
@@ -138,5 +137,4 @@ TEST(WorldRun, every_launch_of_a_large_volley_is_counted) {
   EXPECT_EQ(run.groups()[0].retired, 200'000u - 30);
 }
 
-}  // namespace scenario_world_save_test
-}  // namespace physim
+}  // namespace physim::scenario_world_save_test

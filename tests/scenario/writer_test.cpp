@@ -8,8 +8,7 @@
 #include "scenario/scenario.hpp"
 #include "shipped.hpp"
 
-namespace physim {
-namespace scenario_writer_test {
+namespace physim::scenario_writer_test {
 
 class WrittenScenario : public testing::TestWithParam<std::string> {};
 
@@ -231,5 +230,4 @@ TEST(RevisedText, IsNothingWhereTheTextCannotSayIt) {
   EXPECT_EQ(revised_text(kCommented, "a.toml", now), std::nullopt) << "a shot is gone";
 }
 
-}  // namespace scenario_writer_test
-}  // namespace physim
+}  // namespace physim::scenario_writer_test

@@ -15,8 +15,7 @@
 #include "settings/shot_rows.hpp"
 #include "settings/units.hpp"
 
-namespace physim {
-namespace settings_row_test {
+namespace physim::settings_row_test {
 
 using namespace setting_rows;
 
@@ -103,5 +102,4 @@ TEST(SettingRows, studies_and_files_agree_on_units) {
   }
 }
 
-}  // namespace settings_row_test
-}  // namespace physim
+}  // namespace physim::settings_row_test

@@ -5,8 +5,7 @@
 
 #include "solve/problems.hpp"
 
-namespace physim {
-namespace solve_battery_test {
+namespace physim::solve_battery_test {
 
 using namespace test;
 
@@ -287,5 +286,4 @@ TEST(Classic, frame_is_position_then_velocity_then_damping_then_next_acceleratio
   }
 }
 
-}  // namespace solve_battery_test
-}  // namespace physim
+}  // namespace physim::solve_battery_test

@@ -10,8 +10,7 @@
 #include "physim/projectile.hpp"
 #include "support.hpp"
 
-namespace physim {
-namespace solve_step_control_test {
+namespace physim::solve_step_control_test {
 
 using namespace test;
 
@@ -274,5 +273,4 @@ TEST(Corners, the_end_of_a_burn_is_met_exactly) {
   }
 }
 
-}  // namespace solve_step_control_test
-}  // namespace physim
+}  // namespace physim::solve_step_control_test

@@ -3,8 +3,7 @@
 #include "physim/result.hpp"
 #include "study_support.hpp"
 
-namespace physim {
-namespace study_bad_studies_test {
+namespace physim::study_bad_studies_test {
 
 using namespace test;
 
@@ -295,5 +294,4 @@ TEST(BadStudies, shots_that_cannot_be_are_no_misses) {
   EXPECT_EQ(result.hits[0].high, 1);
 }
 
-}  // namespace study_bad_studies_test
-}  // namespace physim
+}  // namespace physim::study_bad_studies_test

@@ -3,8 +3,7 @@
 
 #include "study_support.hpp"
 
-namespace physim {
-namespace study_by_distance_test {
+namespace physim::study_by_distance_test {
 
 using namespace test;
 
@@ -107,5 +106,4 @@ TEST(StudyByDistance, refuses_what_has_no_distance) {
   EXPECT_EQ(refused("shot.drag.curve.N"), "list: shot.drag.curve.7 names no point of its list");
 }
 
-}  // namespace study_by_distance_test
-}  // namespace physim
+}  // namespace physim::study_by_distance_test

@@ -1,8 +1,7 @@
 // Figures of studies against closed forms and published tables, at a million shots.
 #include "study_support.hpp"
 
-namespace physim {
-namespace study_closed_forms_test {
+namespace physim::study_closed_forms_test {
 
 using namespace test;
 
@@ -183,5 +182,4 @@ TEST(StudyClosedForms, occasions_and_rounds) {
   EXPECT_NEAR(run.spreads[0].mean.value, 2.4088, 0.01) << "as of one round's scatter";
 }
 
-}  // namespace study_closed_forms_test
-}  // namespace physim
+}  // namespace physim::study_closed_forms_test

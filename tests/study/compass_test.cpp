@@ -4,8 +4,7 @@
 
 #include "study_support.hpp"
 
-namespace physim::test {
-namespace study_compass_test {
+namespace physim::test::study_compass_test {
 
 Study in_wind() {
   Study study;
@@ -148,5 +147,4 @@ TEST(StudyPlaces, that_cannot_be_are_refused_shot_by_shot) {
   EXPECT_EQ(run.quantities[0].cells.count() + run.refused, 16U);
 }
 
-}  // namespace study_compass_test
-}  // namespace physim::test
+}  // namespace physim::test::study_compass_test

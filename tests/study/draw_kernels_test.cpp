@@ -8,8 +8,7 @@
 #include "study/sampling.hpp"
 #include "support.hpp"
 
-namespace physim {
-namespace study_draw_kernels_test {
+namespace physim::study_draw_kernels_test {
 
 using test::same_bits;
 
@@ -62,5 +61,4 @@ TEST(DrawKernels, normal_numbers) {
   });
 }
 
-}  // namespace study_draw_kernels_test
-}  // namespace physim
+}  // namespace physim::study_draw_kernels_test

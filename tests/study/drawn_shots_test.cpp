@@ -1,8 +1,7 @@
 // What one shot draws by itself is what it draws among the others of its shard, bit for bit.
 #include "study_support.hpp"
 
-namespace physim {
-namespace study_drawn_shots_test {
+namespace physim::study_drawn_shots_test {
 
 using namespace test;
 
@@ -43,5 +42,4 @@ TEST(DrawnShots, are_those_of_their_shards) {
   }
 }
 
-}  // namespace study_drawn_shots_test
-}  // namespace physim
+}  // namespace physim::study_drawn_shots_test

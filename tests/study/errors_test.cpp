@@ -3,8 +3,7 @@
 #include "random_shots.hpp"
 #include "study_support.hpp"
 
-namespace physim {
-namespace study_errors_test {
+namespace physim::study_errors_test {
 
 using namespace test;
 
@@ -346,5 +345,4 @@ TEST(StudyCells, quantiles_are_exact_to_their_stated_error) {
   EXPECT_TRUE(std::isnan(CountedCells{}.quantile(0.5)));
 }
 
-}  // namespace study_errors_test
-}  // namespace physim
+}  // namespace physim::study_errors_test

@@ -3,8 +3,7 @@
 
 #include "study_support.hpp"
 
-namespace physim {
-namespace study_histogram_test {
+namespace physim::study_histogram_test {
 
 using namespace test;
 
@@ -84,5 +83,4 @@ TEST(StudyHistograms, of_few_values_have_their_bars) {
   EXPECT_EQ(run.quantities[1].cells.histogram(0), run.quantities[1].cells.histogram(3)) << "fewer are none";
 }
 
-}  // namespace study_histogram_test
-}  // namespace physim
+}  // namespace physim::study_histogram_test

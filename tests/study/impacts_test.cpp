@@ -5,8 +5,7 @@
 #include "physim/scene.hpp"
 #include "study_support.hpp"
 
-namespace physim {
-namespace study_impacts_test {
+namespace physim::study_impacts_test {
 
 using namespace test;
 
@@ -232,5 +231,4 @@ TEST(StudyImpacts, are_refused_where_there_can_be_none) {
   EXPECT_TRUE(has(short_of_time, "0 arrived") && has(short_of_time, "no impact")) << short_of_time;
 }
 
-}  // namespace study_impacts_test
-}  // namespace physim
+}  // namespace physim::study_impacts_test

@@ -5,8 +5,7 @@
 
 #include "study/study_support.hpp"
 
-namespace physim::test {
-namespace study_misses_test {
+namespace physim::test::study_misses_test {
 
 /// The part of normal numbers farther than `from` from 0.
 double beyond(double from, double deviation) { return std::erfc(from / (deviation * std::sqrt(2.0))); }
@@ -91,5 +90,4 @@ TEST(StudyMisses, are_not_told_where_hardly_any_miss) {
   for (const LinearRow& row : linear_of(study).rows) EXPECT_TRUE(row.misses.empty());
 }
 
-}  // namespace study_misses_test
-}  // namespace physim::test
+}  // namespace physim::test::study_misses_test

@@ -3,8 +3,7 @@
 
 #include "study_support.hpp"
 
-namespace physim {
-namespace study_over_inputs_test {
+namespace physim::study_over_inputs_test {
 
 using namespace test;
 
@@ -143,5 +142,4 @@ TEST(StudyOverInputs, bad_input) {
   EXPECT_NE(refusal([](Study& s) { s.targets.clear(); }).find("no target"), std::string::npos);
 }
 
-}  // namespace study_over_inputs_test
-}  // namespace physim
+}  // namespace physim::study_over_inputs_test

@@ -6,8 +6,7 @@
 #include "physim/scene.hpp"
 #include "study_support.hpp"
 
-namespace physim {
-namespace study_places_test {
+namespace physim::study_places_test {
 
 using namespace test;
 using Q = StudyQuantity;
@@ -310,5 +309,4 @@ TEST(StudyPlaces, bad_input) {
   EXPECT_TRUE(says(plan_study(study, on_the_way).error().text(), "at[1].quantities", "function"));
 }
 
-}  // namespace study_places_test
-}  // namespace physim
+}  // namespace physim::study_places_test

@@ -4,8 +4,7 @@
 #include "study/paths.hpp"
 #include "study_support.hpp"
 
-namespace physim {
-namespace study_points_test {
+namespace physim::study_points_test {
 
 using namespace test;
 
@@ -283,5 +282,4 @@ TEST(StudyPoints, rows_have_numbers_of_their_own) {
   EXPECT_EQ(told.path, "shot.motor.thrust.7");
 }
 
-}  // namespace study_points_test
-}  // namespace physim
+}  // namespace physim::study_points_test

@@ -10,8 +10,7 @@
 #include "study/sobol.hpp"
 #include "support.hpp"
 
-namespace physim {
-namespace study_sampling_test {
+namespace physim::study_sampling_test {
 
 constexpr Sampling kSamplings[] = {Sampling::random, Sampling::latin_hypercube, Sampling::sobol};
 
@@ -181,5 +180,4 @@ TEST(Correlation, what_is_none_is_refused_by_its_entries) {
   EXPECT_NE(refusal({1, test::kNan, 0, test::kNan, 1, 0, 0, 0, 1}).find("not between"), std::string::npos);
 }
 
-}  // namespace study_sampling_test
-}  // namespace physim
+}  // namespace physim::study_sampling_test

@@ -11,8 +11,7 @@
 #include "study/targets.hpp"
 #include "support.hpp"
 
-namespace physim {
-namespace study_shard_kernels_test {
+namespace physim::study_shard_kernels_test {
 
 using namespace test;
 
@@ -270,5 +269,4 @@ TEST(WorstShots, are_kept_one_by_one_as_all_at_once) {
     EXPECT_TRUE(kept[i].shot == all[i].shot && kept[i].distance == all[i].distance) << i;
 }
 
-}  // namespace study_shard_kernels_test
-}  // namespace physim
+}  // namespace physim::study_shard_kernels_test

@@ -8,8 +8,7 @@
 #include "study/shard.hpp"
 #include "study/study_support.hpp"
 
-namespace physim::test {
-namespace study_shard_memory_test {
+namespace physim::test::study_shard_memory_test {
 
 TEST(ShardMemory, is_taken_again) {
   SpareMemory spare;
@@ -44,5 +43,4 @@ TEST(ShardMemory, of_one_shard_does_not_show_in_another) {
   EXPECT_LE(plan.record().spare->count(), 4u);
 }
 
-}  // namespace study_shard_memory_test
-}  // namespace physim::test
+}  // namespace physim::test::study_shard_memory_test

@@ -1,8 +1,7 @@
 // What studies keep for pictures: stages on the way to their figures, and shots one by one.
 #include "study_support.hpp"
 
-namespace physim {
-namespace study_stages_test {
+namespace physim::study_stages_test {
 
 using namespace test;
 
@@ -100,5 +99,4 @@ TEST(StudyShots, fly_in_profiles_of_wind_of_their_own) {
   EXPECT_NE(refused.error().text().find("added"), std::string::npos) << refused.error().text();
 }
 
-}  // namespace study_stages_test
-}  // namespace physim
+}  // namespace physim::study_stages_test

@@ -5,8 +5,7 @@
 #include "random_shots.hpp"
 #include "study_support.hpp"
 
-namespace physim {
-namespace study_study_test {
+namespace physim::study_study_test {
 
 using namespace test;
 
@@ -304,5 +303,4 @@ TEST(Study, ends_when_a_figure_is_known) {
   EXPECT_FALSE(run_study(study)->width_reached) << "there are not so many";
 }
 
-}  // namespace study_study_test
-}  // namespace physim
+}  // namespace physim::study_study_test

@@ -4,8 +4,7 @@
 #include "physim/scene.hpp"
 #include "study_support.hpp"
 
-namespace physim {
-namespace study_things_test {
+namespace physim::study_things_test {
 
 using namespace test;
 
@@ -135,5 +134,4 @@ TEST(StudyThings, bad_input) {
   EXPECT_TRUE(has(plan.error().text(), "function")) << plan.error().text();
 }
 
-}  // namespace study_things_test
-}  // namespace physim
+}  // namespace physim::study_things_test

@@ -3,8 +3,7 @@
 
 #include "study_support.hpp"
 
-namespace physim {
-namespace study_until_time_test {
+namespace physim::study_until_time_test {
 
 using namespace test;
 
@@ -114,5 +113,4 @@ TEST(StudyIndices, of_what_does_not_vary_are_none) {
   EXPECT_TRUE(std::isnan(run.indices[0].first[1].value) && std::isnan(run.indices[1].total[1].error));
 }
 
-}  // namespace study_until_time_test
-}  // namespace physim
+}  // namespace physim::study_until_time_test

@@ -7,8 +7,7 @@
 #include <algorithm>
 #include <map>
 
-namespace physim::validation {
-namespace validation_validate_test {
+namespace physim::validation::validation_validate_test {
 
 const std::filesystem::path kData = PHYSIM_DATA_DIR "/validation";
 
@@ -103,5 +102,4 @@ TEST(Figure, PassesWithinItsGate) {
   EXPECT_TRUE(std::isinf(figure.badness()));
 }
 
-}  // namespace validation_validate_test
-}  // namespace physim::validation
+}  // namespace physim::validation::validation_validate_test

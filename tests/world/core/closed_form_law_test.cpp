@@ -4,8 +4,7 @@
 #include "physim/world.hpp"
 #include "world/world_support.hpp"
 
-namespace physim {
-namespace world_closed_form_law_test {
+namespace physim::world_closed_form_law_test {
 
 constexpr double kG = 9.80665;
 constexpr double kStep = 1.0 / 64;
@@ -153,5 +152,4 @@ TEST(ClosedFormLaw, starts_anew_where_it_stood_still) {
   }
 }
 
-}  // namespace world_closed_form_law_test
-}  // namespace physim
+}  // namespace physim::world_closed_form_law_test

@@ -6,8 +6,7 @@
 #include "physim/world.hpp"
 #include "world/emitter_support.hpp"
 
-namespace physim {
-namespace world_emitter_lead_test {
+namespace physim::world_emitter_lead_test {
 
 constexpr double kEnd = 1.6;
 const MotionKey kCorners[] = {{.time = 0, .position = {1, 2, 3}},      {.time = 0.13, .position = {3, 2, 3}},
@@ -232,5 +231,4 @@ TEST(EmitterLead, bad_input_is_refused_with_its_place) {
   EXPECT_TRUE(world.lead_emitter(id, {}, 1.5));
 }
 
-}  // namespace world_emitter_lead_test
-}  // namespace physim
+}  // namespace physim::world_emitter_lead_test

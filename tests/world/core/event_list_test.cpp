@@ -8,8 +8,7 @@
 
 #include "random_shots.hpp"
 
-namespace physim {
-namespace world_event_list_test {
+namespace physim::world_event_list_test {
 
 /// A plain one, in numbers that float32 holds or not, or one that says more.
 Event random_event(test::Random& r, std::uint32_t told) {
@@ -128,5 +127,4 @@ TEST(EventList, keeps_plain_ones_in_few_bytes) {
   EXPECT_LT(list.bytes(), 1000 * 2 * 64 + 4096);
 }
 
-}  // namespace world_event_list_test
-}  // namespace physim
+}  // namespace physim::world_event_list_test

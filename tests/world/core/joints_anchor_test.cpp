@@ -2,8 +2,7 @@
 #include "world/joints_support.hpp"
 #include "world/random_session.hpp"
 
-namespace physim {
-namespace world_joints_anchor_test {
+namespace physim::world_joints_anchor_test {
 
 using namespace test_joints;
 using test::near;
@@ -267,5 +266,4 @@ TEST(JointAnchor, bad_points_are_refused_with_a_place) {
   EXPECT_TRUE(world.move_joint(joints[0], {{0, 0.5, 0}, {1, 0, 0}}));
 }
 
-}  // namespace world_joints_anchor_test
-}  // namespace physim
+}  // namespace physim::world_joints_anchor_test

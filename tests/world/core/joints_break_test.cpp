@@ -1,8 +1,7 @@
 // The force at which a joint breaks, against closed forms.
 #include "world/joints_support.hpp"
 
-namespace physim {
-namespace world_joints_break_test {
+namespace physim::world_joints_break_test {
 
 using namespace test_joints;
 using test::near;
@@ -148,5 +147,4 @@ TEST(JointBreak, bad_forces_are_refused_with_a_place) {
   }
 }
 
-}  // namespace world_joints_break_test
-}  // namespace physim
+}  // namespace physim::world_joints_break_test

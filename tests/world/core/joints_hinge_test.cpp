@@ -4,8 +4,7 @@
 
 #include "world/joints_support.hpp"
 
-namespace physim {
-namespace world_joints_hinge_test {
+namespace physim::world_joints_hinge_test {
 
 using namespace test_joints;
 using test::near;
@@ -377,5 +376,4 @@ TEST(JointHinge, bad_axes_and_limits_are_refused_with_a_place) {
   EXPECT_TRUE(world.add_joint({.kind = JointKind::slider, .a = a, .b = b, .axis = z, .low = 0.0}));
 }
 
-}  // namespace world_joints_hinge_test
-}  // namespace physim
+}  // namespace physim::world_joints_hinge_test

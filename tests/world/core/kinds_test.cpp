@@ -4,8 +4,7 @@
 #include "physim/world.hpp"
 #include "world/world_support.hpp"
 
-namespace physim {
-namespace world_kinds_test {
+namespace physim::world_kinds_test {
 
 ProjectileDef stone_of(double mass) {
   ProjectileDef p = stone();
@@ -170,5 +169,4 @@ TEST(Kinds, recordings_replay_whatever_is_let_go) {
   replayed(world, bytes);
 }
 
-}  // namespace world_kinds_test
-}  // namespace physim
+}  // namespace physim::world_kinds_test

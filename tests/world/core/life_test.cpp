@@ -6,8 +6,7 @@
 #include "physim/flight.hpp"
 #include "world/world_support.hpp"
 
-namespace physim {
-namespace world_life_test {
+namespace physim::world_life_test {
 
 constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
 constexpr double kInf = std::numeric_limits<double>::infinity();
@@ -353,5 +352,4 @@ TEST(Time, a_change_of_step_keeps_clocks) {
   EXPECT_NEAR(world[id].position().y, 1000 + 20 * t - 0.5 * 9.80665 * t * t, 1e-9);
 }
 
-}  // namespace world_life_test
-}  // namespace physim
+}  // namespace physim::world_life_test

@@ -6,8 +6,7 @@
 #include "scenario/scenario.hpp"
 #include "world/world_support.hpp"
 
-namespace physim {
-namespace world_live_test {
+namespace physim::world_live_test {
 
 const Launch kHigh{.position = {0, 100, 0}, .velocity = Vec3d{10, 0, 5}};
 
@@ -190,5 +189,4 @@ TEST(Live, each_part_has_a_flag_of_its_own_and_is_off_for_a_plain_body) {
   EXPECT_EQ(seen, kOwn);
 }
 
-}  // namespace world_live_test
-}  // namespace physim
+}  // namespace physim::world_live_test

@@ -9,8 +9,7 @@
 #include "world/pairs_support.hpp"
 #include "world/world_support.hpp"
 
-namespace physim {
-namespace world_combine_test {
+namespace physim::world_combine_test {
 
 using namespace test_scene;
 
@@ -180,5 +179,4 @@ TEST(Combine, rules_are_kept_by_saves_and_recordings) {
   EXPECT_EQ(loaded.hash(), maximum.hash());
 }
 
-}  // namespace world_combine_test
-}  // namespace physim
+}  // namespace physim::world_combine_test

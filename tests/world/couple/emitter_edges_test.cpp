@@ -6,8 +6,7 @@
 
 #include "world/emitter_support.hpp"
 
-namespace physim {
-namespace world_emitter_edges_test {
+namespace physim::world_emitter_edges_test {
 
 World empty_world() { return make_world({.ground = {.mode = GroundMode::none}}); }
 
@@ -223,5 +222,4 @@ TEST(EmitterEdges, laws_are_made_of_sound_numbers_only) {
   }
 }
 
-}  // namespace world_emitter_edges_test
-}  // namespace physim
+}  // namespace physim::world_emitter_edges_test

@@ -9,8 +9,7 @@
 #include "physim/world.hpp"
 #include "world/emitter_support.hpp"
 
-namespace physim {
-namespace world_emitter_flight_test {
+namespace physim::world_emitter_flight_test {
 
 constexpr double kBorn = 0.0123;  // within a frame at any rate below
 
@@ -419,5 +418,4 @@ TEST(EmitterFlight, predictions_go_where_the_world_does) {
   for (std::size_t i = 0; i < ids.size(); ++i) EXPECT_EQ(flights[i].at(1).position, world[ids[i]].position()) << i;
 }
 
-}  // namespace world_emitter_flight_test
-}  // namespace physim
+}  // namespace physim::world_emitter_flight_test

@@ -5,8 +5,7 @@
 
 #include "world/emitter_support.hpp"
 
-namespace physim {
-namespace world_emitter_frames_test {
+namespace physim::world_emitter_frames_test {
 
 constexpr double kEnd = 2;
 
@@ -256,5 +255,4 @@ TEST(EmitterFrames, who_follows_a_closed_form_is_where_it_is) {
   }
 }
 
-}  // namespace world_emitter_frames_test
-}  // namespace physim
+}  // namespace physim::world_emitter_frames_test

@@ -5,8 +5,7 @@
 
 #include "world/emitter_support.hpp"
 
-namespace physim {
-namespace world_emitter_led_test {
+namespace physim::world_emitter_led_test {
 
 constexpr double kG = 9.80665;
 
@@ -166,5 +165,4 @@ TEST(EmitterLed, who_is_thrown_straight_up_counts_the_way_up_and_down) {
   }
 }
 
-}  // namespace world_emitter_led_test
-}  // namespace physim
+}  // namespace physim::world_emitter_led_test

@@ -7,8 +7,7 @@
 #include "emit/emission.hpp"
 #include "world/emitter_support.hpp"
 
-namespace physim {
-namespace world_emitter_looks_test {
+namespace physim::world_emitter_looks_test {
 
 constexpr double kDuration = 0.5, kRate = 200, kLife = 0.8;
 
@@ -208,5 +207,4 @@ TEST(EmitterLooks, slots_of_an_emitter_that_is_gone_are_used_again) {
   expect_looks(looks_of(f.world, f.second_id), f.second);
 }
 
-}  // namespace world_emitter_looks_test
-}  // namespace physim
+}  // namespace physim::world_emitter_looks_test

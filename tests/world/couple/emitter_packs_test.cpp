@@ -4,8 +4,7 @@
 #include "random_emitters.hpp"
 #include "world/emitter_support.hpp"
 
-namespace physim {
-namespace world_emitter_packs_test {
+namespace physim::world_emitter_packs_test {
 
 constexpr double kFrame = 1.0 / 64;
 constexpr Precision kPrecisions[] = {Precision::float32, Precision::float64};
@@ -209,5 +208,4 @@ TEST_F(Churn, those_that_share_a_slot_one_after_the_other_have_laws_of_their_own
   EXPECT_EQ(compared_, 40u);
 }
 
-}  // namespace world_emitter_packs_test
-}  // namespace physim
+}  // namespace physim::world_emitter_packs_test

@@ -3,8 +3,7 @@
 
 #include "world/emitter_support.hpp"
 
-namespace physim {
-namespace world_emitter_past_test {
+namespace physim::world_emitter_past_test {
 
 TEST(EmitterPast, one_that_is_prewarmed_is_as_if_it_had_waited) {
   for (const ProjectileDef& projectile :
@@ -117,5 +116,4 @@ TEST(EmitterPast, one_that_takes_too_many_steps_is_cut) {
   }
 }
 
-}  // namespace world_emitter_past_test
-}  // namespace physim
+}  // namespace physim::world_emitter_past_test

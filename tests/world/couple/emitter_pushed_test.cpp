@@ -3,8 +3,7 @@
 
 #include "world/emitter_support.hpp"
 
-namespace physim {
-namespace world_emitter_pushed_test {
+namespace physim::world_emitter_pushed_test {
 
 struct Place {
   Vec3d position, previous, velocity;
@@ -126,5 +125,4 @@ TEST(EmitterPushed, what_happens_to_some_happens_as_on_all_rungs) {
   }
 }
 
-}  // namespace world_emitter_pushed_test
-}  // namespace physim
+}  // namespace physim::world_emitter_pushed_test

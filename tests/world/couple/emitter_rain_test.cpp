@@ -7,8 +7,7 @@
 #include "scene_support.hpp"
 #include "world/emitter_support.hpp"
 
-namespace physim {
-namespace world_emitter_rain_test {
+namespace physim::world_emitter_rain_test {
 
 constexpr Vec3d kBox{20, 12, 16};  // [m]
 constexpr double kDensity = 1;     // [1/m^3]
@@ -253,5 +252,4 @@ TEST(EmitterRain, what_makes_no_sense_is_refused) {
   EXPECT_EQ(world.jump_emitter(stands, {.position = {std::nan(""), 0, 0}}).error().place, "to");
 }
 
-}  // namespace world_emitter_rain_test
-}  // namespace physim
+}  // namespace physim::world_emitter_rain_test

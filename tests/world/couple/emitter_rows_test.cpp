@@ -8,8 +8,7 @@
 #include "math/quat.hpp"
 #include "world/emitter_support.hpp"
 
-namespace physim {
-namespace world_emitter_rows_test {
+namespace physim::world_emitter_rows_test {
 
 /// What a show is made of, before it begins: an emitter in front of a wall, and one that fires where something happens
 /// to its particles.
@@ -177,5 +176,4 @@ INSTANTIATE_TEST_SUITE_P(Playing, EmitterWorldRow, testing::ValuesIn(kPlaying), 
 INSTANTIATE_TEST_SUITE_P(Places, EmitterWorldRow, testing::ValuesIn(kPlaces), row_name);
 INSTANTIATE_TEST_SUITE_P(Subs, EmitterWorldRow, testing::ValuesIn(kSubs), row_name);
 
-}  // namespace world_emitter_rows_test
-}  // namespace physim
+}  // namespace physim::world_emitter_rows_test

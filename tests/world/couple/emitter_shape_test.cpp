@@ -5,8 +5,7 @@
 #include "scene_support.hpp"
 #include "world/emitter_support.hpp"
 
-namespace physim {
-namespace world_emitter_shape_test {
+namespace physim::world_emitter_shape_test {
 
 /// A grid of triangles over the floor, one side by one, wavy.
 MeshShape waves(std::uint32_t side) {
@@ -144,5 +143,4 @@ TEST(EmitterShape, a_damaged_shape_in_a_save_is_refused) {
   }
 }
 
-}  // namespace world_emitter_shape_test
-}  // namespace physim
+}  // namespace physim::world_emitter_shape_test

@@ -7,8 +7,7 @@
 #include "physim/world.hpp"
 #include "world/emitter_support.hpp"
 
-namespace physim {
-namespace world_emitter_test {
+namespace physim::world_emitter_test {
 
 /// A shell that is thrown up, bursts after a while, and whose stars burst again where they land.
 struct Fireworks {
@@ -406,5 +405,4 @@ TEST(Emitter, one_that_fires_itself_is_cut) {
   EXPECT_EQ(c.born, 3u * 33u);
 }
 
-}  // namespace world_emitter_test
-}  // namespace physim
+}  // namespace physim::world_emitter_test

@@ -5,8 +5,7 @@
 #include "scene_support.hpp"
 #include "world/emitter_support.hpp"
 
-namespace physim {
-namespace world_emitter_trail_test {
+namespace physim::world_emitter_trail_test {
 
 World airless() { return make_world({.ground = {.mode = GroundMode::none}}); }
 
@@ -296,5 +295,4 @@ TEST(EmitterSeek, times_that_are_none_are_refused) {
   EXPECT_EQ(world.seek_emitter({}, 1).error().place, "emitter");
 }
 
-}  // namespace world_emitter_trail_test
-}  // namespace physim
+}  // namespace physim::world_emitter_trail_test

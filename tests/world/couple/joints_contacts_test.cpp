@@ -3,8 +3,7 @@
 
 #include "world/joints_support.hpp"
 
-namespace physim {
-namespace world_joints_contacts_test {
+namespace physim::world_joints_contacts_test {
 
 using namespace test_joints;
 using test::near;
@@ -112,5 +111,4 @@ TEST_P(NetsInRoom, nets_that_fly_about_in_a_room_stay_in_it) {
 }
 INSTANTIATE_TEST_SUITE_P(Seeds, NetsInRoom, testing::Values(11, 5, 12, 15, 16));
 
-}  // namespace world_joints_contacts_test
-}  // namespace physim
+}  // namespace physim::world_joints_contacts_test

@@ -5,8 +5,7 @@
 #include "world/joints_support.hpp"
 #include "world/random_session.hpp"
 
-namespace physim {
-namespace world_joints_doors_test {
+namespace physim::world_joints_doors_test {
 
 using namespace test_joints;
 using test::near;
@@ -311,5 +310,4 @@ TEST(JointDoors, a_world_without_joints_has_the_hash_it_had) {
   EXPECT_NE(world.hash(), other.hash());  // the next id will be another one
 }
 
-}  // namespace world_joints_doors_test
-}  // namespace physim
+}  // namespace physim::world_joints_doors_test

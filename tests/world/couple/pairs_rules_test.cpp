@@ -10,8 +10,7 @@
 #include "scene_support.hpp"
 #include "world/pairs_support.hpp"
 
-namespace physim {
-namespace world_pairs_rules_test {
+namespace physim::world_pairs_rules_test {
 
 using namespace test_pairs;
 
@@ -237,5 +236,4 @@ TEST(Pairs, what_is_known_of_things_changes_no_meeting) {
     }
 }
 
-}  // namespace world_pairs_rules_test
-}  // namespace physim
+}  // namespace physim::world_pairs_rules_test

@@ -5,8 +5,7 @@
 
 #include "world/pairs_support.hpp"
 
-namespace physim {
-namespace world_pairs_test {
+namespace physim::world_pairs_test {
 
 using namespace test_pairs;
 
@@ -394,5 +393,4 @@ TEST(Pairs, every_rung_keeps_momentum_and_parts) {
     }
 }
 
-}  // namespace world_pairs_test
-}  // namespace physim
+}  // namespace physim::world_pairs_test

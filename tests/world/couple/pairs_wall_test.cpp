@@ -6,8 +6,7 @@
 #include "support.hpp"
 #include "world/world_support.hpp"
 
-namespace physim {
-namespace world_pairs_wall_test {
+namespace physim::world_pairs_wall_test {
 
 using namespace test_scene;
 
@@ -102,5 +101,4 @@ TEST(PairsWall, a_blow_goes_through_a_row_on_a_lift) {
     }
 }
 
-}  // namespace world_pairs_wall_test
-}  // namespace physim
+}  // namespace physim::world_pairs_wall_test

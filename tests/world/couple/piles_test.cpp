@@ -7,8 +7,7 @@
 #include "physim/scene.hpp"
 #include "world/joints_support.hpp"
 
-namespace physim {
-namespace world_piles_test {
+namespace physim::world_piles_test {
 
 using test_joints::falling;
 using test_pairs::ball;
@@ -264,5 +263,4 @@ TEST(Piles, are_the_same_straight_on_loaded_rolled_back_and_replayed) {
   replayed(world, recording);
 }
 
-}  // namespace world_piles_test
-}  // namespace physim
+}  // namespace physim::world_piles_test

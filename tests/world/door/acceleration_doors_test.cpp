@@ -5,8 +5,7 @@
 #include "physim/body.hpp"
 #include "world/world_support.hpp"
 
-namespace physim {
-namespace world_acceleration_doors_test {
+namespace physim::world_acceleration_doors_test {
 
 constexpr double kStep = 1.0 / 60;
 
@@ -74,5 +73,4 @@ TEST(AccelerationDoors, the_register_holds_no_damping_and_every_other_sum_does) 
       test::near(original.flight.accelerations(0.5).drag, original.flight.at(0.5).velocity * std::log(0.9), 1e-5));
 }
 
-}  // namespace world_acceleration_doors_test
-}  // namespace physim
+}  // namespace physim::world_acceleration_doors_test

@@ -8,8 +8,7 @@
 #include "scene_support.hpp"
 #include "world/joints_support.hpp"
 
-namespace physim {
-namespace world_cases_contact_test {
+namespace physim::world_cases_contact_test {
 
 using namespace test_scene;
 using test_joints::falling;
@@ -508,5 +507,4 @@ TEST(CasesOfContacts, a_rack_lies_still) {
       }
 }
 
-}  // namespace world_cases_contact_test
-}  // namespace physim
+}  // namespace physim::world_cases_contact_test

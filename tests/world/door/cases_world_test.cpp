@@ -9,8 +9,7 @@
 #include "world/emitter_support.hpp"
 #include "world/world_support.hpp"
 
-namespace physim {
-namespace world_cases_world_test {
+namespace physim::world_cases_world_test {
 
 using namespace test_scene;
 
@@ -250,5 +249,4 @@ TEST(CasesOfEmitters, what_begins_and_ends_between_two_frames_fires_all) {
   }
 }
 
-}  // namespace world_cases_world_test
-}  // namespace physim
+}  // namespace physim::world_cases_world_test

@@ -4,8 +4,7 @@
 #include "must.hpp"
 #include "physim/physim.hpp"
 
-namespace physim {
-namespace world_change_rung_test {
+namespace physim::world_change_rung_test {
 
 TEST(World, a_rung_of_another_interpolation_reads_its_own_curves) {
   World world;
@@ -45,5 +44,4 @@ TEST(ChangeRung, a_step_can_be_as_short_against_the_age_as_steps_can_be) {
   EXPECT_EQ(world[id].fidelity_in_use().fidelity.integrator, Integrator::semi_implicit_euler);
 }
 
-}  // namespace world_change_rung_test
-}  // namespace physim
+}  // namespace physim::world_change_rung_test

@@ -6,8 +6,7 @@
 #include "physim/world.hpp"
 #include "world/world_support.hpp"
 
-namespace physim {
-namespace world_doors_test {
+namespace physim::world_doors_test {
 
 // ------------------------------------------------------------------------------------------- events that are kept
 TEST(Doors, events_stay_readable_while_the_world_is_changed) {
@@ -391,5 +390,4 @@ TEST(Doors, a_flight_that_was_moved_away_is_a_refused_one) {
   EXPECT_EQ(third.outcome(), Outcome::refused);
 }
 
-}  // namespace world_doors_test
-}  // namespace physim
+}  // namespace physim::world_doors_test

@@ -13,8 +13,7 @@
 #include "support.hpp"
 #include "world/world_support.hpp"
 
-namespace physim {
-namespace world_engine_scene_test {
+namespace physim::world_engine_scene_test {
 
 using test::answered_by;
 using test::answers_of;
@@ -298,5 +297,4 @@ TEST(EngineScene, flights_and_predictions_meet_it_too) {
   }
 }
 
-}  // namespace world_engine_scene_test
-}  // namespace physim
+}  // namespace physim::world_engine_scene_test

@@ -8,8 +8,7 @@
 #include "physim/flight.hpp"
 #include "world/world_support.hpp"
 
-namespace physim {
-namespace world_independence_test {
+namespace physim::world_independence_test {
 
 std::vector<Fidelity> rungs() {
   Fidelity float_isa = Fidelity::artillery();
@@ -275,5 +274,4 @@ TEST(Detail, moves_between_rungs_with_hysteresis) {
   EXPECT_EQ(world[id].fidelity_in_use().fidelity.integrator, Integrator::rk43);
 }
 
-}  // namespace world_independence_test
-}  // namespace physim
+}  // namespace physim::world_independence_test

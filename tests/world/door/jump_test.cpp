@@ -4,8 +4,7 @@
 
 #include "world/world_support.hpp"
 
-namespace physim {
-namespace world_jump_test {
+namespace physim::world_jump_test {
 
 struct Rung {
   const char* name;
@@ -123,5 +122,4 @@ TEST(Jump, farther_counts_from_the_launch) {
     }
 }
 
-}  // namespace world_jump_test
-}  // namespace physim
+}  // namespace physim::world_jump_test

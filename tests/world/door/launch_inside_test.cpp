@@ -3,8 +3,7 @@
 
 #include "world/world_support.hpp"
 
-namespace physim {
-namespace world_launch_inside_test {
+namespace physim::world_launch_inside_test {
 
 using test::text;
 
@@ -128,5 +127,4 @@ TEST(LaunchInside, an_emitter_that_follows_it_begins_with_it) {
   for (const Event& e : events_of(world, EventKind::spawned)) EXPECT_NEAR(e.position.x, 100 * (e.time - 0.0501), 1e-9);
 }
 
-}  // namespace world_launch_inside_test
-}  // namespace physim
+}  // namespace physim::world_launch_inside_test

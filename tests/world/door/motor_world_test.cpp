@@ -5,8 +5,7 @@
 #include "support.hpp"
 #include "world/world_support.hpp"
 
-namespace physim {
-namespace world_motor_world_test {
+namespace physim::world_motor_world_test {
 
 using namespace test;
 
@@ -206,5 +205,4 @@ TEST(WorldMotor, a_rocket_at_rest_without_a_rail_is_refused) {
   EXPECT_EQ(id.error().place, "launch.rail_length");
 }
 
-}  // namespace world_motor_world_test
-}  // namespace physim
+}  // namespace physim::world_motor_world_test

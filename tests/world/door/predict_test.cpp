@@ -9,8 +9,7 @@
 #include "world/random_session.hpp"
 #include "world/world_support.hpp"
 
-namespace physim {
-namespace world_predict_test {
+namespace physim::world_predict_test {
 
 /// Drag in constant air by steps that are the world's frames.
 Fidelity in_frames() {
@@ -323,5 +322,4 @@ TEST(SpawnFlight, refuses_what_is_not_on_its_way) {
   EXPECT_EQ(world.counters().refused, 3u);
 }
 
-}  // namespace world_predict_test
-}  // namespace physim
+}  // namespace physim::world_predict_test

@@ -9,8 +9,7 @@
 #include "scenario/scenario.hpp"
 #include "world/world_support.hpp"
 
-namespace physim {
-namespace world_preset_doors_test {
+namespace physim::world_preset_doors_test {
 
 constexpr double kStep = 1.0 / 60, kTime = 0.5;
 constexpr double kStandardGravity = 9.80665;
@@ -210,5 +209,4 @@ TEST(PresetDoors, live_gravity_multiplies_that_of_the_projectile) {
   }
 }
 
-}  // namespace world_preset_doors_test
-}  // namespace physim
+}  // namespace physim::world_preset_doors_test

@@ -5,8 +5,7 @@
 
 #include "world/world_support.hpp"
 
-namespace physim {
-namespace world_processor_mode_test {
+namespace physim::world_processor_mode_test {
 
 using test::Bits;
 
@@ -100,5 +99,4 @@ TEST(ProcessorMode, OfTheCallerChangesNoReplay) {
                           }}});
 }
 
-}  // namespace world_processor_mode_test
-}  // namespace physim
+}  // namespace physim::world_processor_mode_test

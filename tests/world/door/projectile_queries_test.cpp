@@ -8,8 +8,7 @@
 #include "world/thing_support.hpp"
 #include "world/world_support.hpp"
 
-namespace physim {
-namespace world_projectile_queries_test {
+namespace physim::world_projectile_queries_test {
 
 using namespace test_things;
 using test::Random;
@@ -176,5 +175,4 @@ TEST(ProjectileQueries, change_nothing) {
   EXPECT_EQ(world.hash(), before);
 }
 
-}  // namespace world_projectile_queries_test
-}  // namespace physim
+}  // namespace physim::world_projectile_queries_test

@@ -5,8 +5,7 @@
 
 #include "world/world_support.hpp"
 
-namespace physim {
-namespace world_reading_test {
+namespace physim::world_reading_test {
 
 TEST(Reading, many_may_read_at_once) {
   World world = volley(200);
@@ -154,5 +153,4 @@ TEST(Reading, numbers_in_errors_are_short) {
   EXPECT_EQ(refused.error().message, "must be a positive number, not -0.3");
 }
 
-}  // namespace world_reading_test
-}  // namespace physim
+}  // namespace physim::world_reading_test

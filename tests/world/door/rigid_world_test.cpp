@@ -5,8 +5,7 @@
 #include "rigid.hpp"
 #include "world/world_support.hpp"
 
-namespace physim {
-namespace world_rigid_world_test {
+namespace physim::world_rigid_world_test {
 
 using namespace test;
 
@@ -157,5 +156,4 @@ TEST(RigidWorld, snapshots_hold_it_and_the_hash_sees_it) {
   EXPECT_NE(world.hash(), hash);
 }
 
-}  // namespace world_rigid_world_test
-}  // namespace physim
+}  // namespace physim::world_rigid_world_test

@@ -5,8 +5,7 @@
 #include "physim/flight.hpp"
 #include "physim/world.hpp"
 
-namespace physim {
-namespace world_round_world_test {
+namespace physim::world_round_world_test {
 
 Environment windy_north() {
   return {
@@ -41,5 +40,4 @@ TEST(RoundWorld, agrees_with_flight_bit_for_bit) {
     }
 }
 
-}  // namespace world_round_world_test
-}  // namespace physim
+}  // namespace physim::world_round_world_test

@@ -5,8 +5,7 @@
 #include "support.hpp"
 #include "world/world_support.hpp"
 
-namespace physim {
-namespace world_scene_moments_test {
+namespace physim::world_scene_moments_test {
 
 /// Balls that bounce in a trough, beside a plank that moves to and fro.
 World trough() {
@@ -302,5 +301,4 @@ TEST(SceneMoments, bad_collisions_are_refused_with_their_place) {
   EXPECT_EQ(why({.radius = 1, .inertia = 2.0 / 3}), "");
 }
 
-}  // namespace world_scene_moments_test
-}  // namespace physim
+}  // namespace physim::world_scene_moments_test

@@ -7,8 +7,7 @@
 #include "physim/world.hpp"
 #include "world/thing_support.hpp"
 
-namespace physim {
-namespace world_scene_parts_test {
+namespace physim::world_scene_parts_test {
 
 using test::Random;
 using namespace test_things;
@@ -374,5 +373,4 @@ TEST(SceneParts, are_held_by_saves_snapshots_and_recordings) {
   EXPECT_EQ(other.hash(), whole.hash());
 }
 
-}  // namespace world_scene_parts_test
-}  // namespace physim
+}  // namespace physim::world_scene_parts_test

@@ -6,8 +6,7 @@
 #include "support.hpp"
 #include "world/world_support.hpp"
 
-namespace physim {
-namespace world_scene_predict_test {
+namespace physim::world_scene_predict_test {
 
 using test::Random;
 
@@ -114,5 +113,4 @@ TEST(ScenePredict, another_scene_is_refused) {
   EXPECT_EQ(flight.error()->place, "until.scene");
 }
 
-}  // namespace world_scene_predict_test
-}  // namespace physim
+}  // namespace physim::world_scene_predict_test

@@ -7,8 +7,7 @@
 #include "support.hpp"
 #include "world/thing_support.hpp"
 
-namespace physim {
-namespace world_scene_surface_test {
+namespace physim::world_scene_surface_test {
 
 using namespace test_things;
 
@@ -417,5 +416,4 @@ TEST(SceneSurface, points_that_slide_far_from_the_origin_stay_on_large_triangles
   for (const ProjectileId id : points) EXPECT_GT(height(world[id].position()), -1e-9) << id.index;
 }
 
-}  // namespace world_scene_surface_test
-}  // namespace physim
+}  // namespace physim::world_scene_surface_test

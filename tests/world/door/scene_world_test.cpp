@@ -10,8 +10,7 @@
 #include "support.hpp"
 #include "world/world_support.hpp"
 
-namespace physim {
-namespace world_scene_world_test {
+namespace physim::world_scene_world_test {
 
 using test::Random;
 using test_scene::kG;
@@ -393,5 +392,4 @@ TEST(SceneWorld, threads_and_kernels_change_nothing) {
   EXPECT_EQ(hashes[0], hashes[2]);
 }
 
-}  // namespace world_scene_world_test
-}  // namespace physim
+}  // namespace physim::world_scene_world_test

@@ -5,8 +5,7 @@
 #include "math/quat.hpp"
 #include "scene_support.hpp"
 
-namespace physim {
-namespace world_surface_motion_test {
+namespace physim::world_surface_motion_test {
 
 using namespace test_scene;
 
@@ -205,5 +204,4 @@ TEST(SurfaceMotion, on_what_moves_it_has_what_takes_it_along) {
   }
 }
 
-}  // namespace world_surface_motion_test
-}  // namespace physim
+}  // namespace physim::world_surface_motion_test

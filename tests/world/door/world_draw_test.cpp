@@ -6,8 +6,7 @@
 #include "math/vec3.hpp"
 #include "physim/world.hpp"
 
-namespace physim {
-namespace world_world_draw_test {
+namespace physim::world_world_draw_test {
 
 /// What is drawn, by ink.
 struct Sheet : SceneCanvas {
@@ -129,5 +128,4 @@ TEST(WorldDraw, balls_are_circles_where_a_canvas_has_none) {
   }
 }
 
-}  // namespace world_world_draw_test
-}  // namespace physim
+}  // namespace physim::world_world_draw_test

@@ -3,8 +3,7 @@
 
 #include "physim/world.hpp"
 
-namespace physim {
-namespace world_world_size_test {
+namespace physim::world_world_size_test {
 
 WorldDef small_def() { return {.ground = {.mode = GroundMode::land}, .threading = {.threads = 1}}; }
 
@@ -94,5 +93,4 @@ TEST(WorldSize, calls_for_many_do_what_calls_for_each_do) {
   EXPECT_EQ(many.set_fidelity(some, Fidelity::game()), 0u);  // they are gone
 }
 
-}  // namespace world_world_size_test
-}  // namespace physim
+}  // namespace physim::world_world_size_test

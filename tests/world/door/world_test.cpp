@@ -9,8 +9,7 @@
 #include "physim/names.hpp"
 #include "world/world_support.hpp"
 
-namespace physim {
-namespace world_world_test {
+namespace physim::world_world_test {
 
 Environment windy() { return {.wind = {.velocity = {1, 0.2, -4}}, .earth = {.latitude = 0.8}}; }
 
@@ -82,5 +81,4 @@ TEST(World, agrees_with_flight_bit_for_bit) {
   }
 }
 
-}  // namespace world_world_test
-}  // namespace physim
+}  // namespace physim::world_world_test

@@ -5,8 +5,7 @@
 
 #include "world/random_session.hpp"
 
-namespace physim {
-namespace world_moments_test {
+namespace physim::world_moments_test {
 
 World made(const WorldDef& def = {}) { return std::move(World::create(def).value()); }
 
@@ -280,5 +279,4 @@ TEST(Moments, the_order_of_free_slots_is_in_the_hash) {
   EXPECT_NE(a.hash(), b.hash());
 }
 
-}  // namespace world_moments_test
-}  // namespace physim
+}  // namespace physim::world_moments_test

@@ -14,8 +14,7 @@
 #include "world/random_session.hpp"
 #include "world/recording_bytes.hpp"
 
-namespace physim {
-namespace world_recording_test {
+namespace physim::world_recording_test {
 
 using test::Bytes;
 using test::Places;
@@ -448,5 +447,4 @@ TEST(Recording, a_snapshot_from_before_ends_it) {
   EXPECT_FALSE(world.stop_recording());
 }
 
-}  // namespace world_recording_test
-}  // namespace physim
+}  // namespace physim::world_recording_test

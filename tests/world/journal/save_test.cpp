@@ -10,8 +10,7 @@
 #include "world/random_session.hpp"
 #include "world/world_support.hpp"
 
-namespace physim {
-namespace world_save_test {
+namespace physim::world_save_test {
 
 using Bytes = std::vector<std::byte>;
 
@@ -264,5 +263,4 @@ TEST(Save, fuzzed_ones_are_refused_or_make_a_sound_world) {
   EXPECT_GT(made, 100);
 }
 
-}  // namespace world_save_test
-}  // namespace physim
+}  // namespace physim::world_save_test

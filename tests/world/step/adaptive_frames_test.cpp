@@ -5,8 +5,7 @@
 #include "support.hpp"
 #include "world/world_support.hpp"
 
-namespace physim {
-namespace world_adaptive_frames_test {
+namespace physim::world_adaptive_frames_test {
 
 using namespace test;
 
@@ -112,5 +111,4 @@ TEST(AdaptiveFrames, are_divided_for_each_row_alone) {
     }
 }
 
-}  // namespace world_adaptive_frames_test
-}  // namespace physim
+}  // namespace physim::world_adaptive_frames_test

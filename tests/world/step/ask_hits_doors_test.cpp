@@ -5,8 +5,7 @@
 #include "world/ask_support.hpp"
 #include "world/random_session.hpp"
 
-namespace physim {
-namespace world_ask_hits_doors_test {
+namespace physim::world_ask_hits_doors_test {
 
 using namespace test_ask;
 
@@ -277,5 +276,4 @@ TEST(AskHitsDoors, who_begins_inside_stays) {
   }
 }
 
-}  // namespace world_ask_hits_doors_test
-}  // namespace physim
+}  // namespace physim::world_ask_hits_doors_test

@@ -6,8 +6,7 @@
 #include "physim/body.hpp"
 #include "world/ask_support.hpp"
 
-namespace physim {
-namespace world_ask_hits_test {
+namespace physim::world_ask_hits_test {
 
 using namespace test_ask;
 using test::Random;
@@ -330,5 +329,4 @@ TEST(AskHits, who_has_too_many_in_a_step_sticks) {
   EXPECT_EQ(world[id].velocity(), Vec3d{});
 }
 
-}  // namespace world_ask_hits_test
-}  // namespace physim
+}  // namespace physim::world_ask_hits_test

@@ -8,8 +8,7 @@
 #include "support.hpp"
 #include "world/world_support.hpp"
 
-namespace physim {
-namespace world_carried_test {
+namespace physim::world_carried_test {
 
 using namespace test_scene;
 
@@ -318,5 +317,4 @@ TEST(Carried, a_plate_that_turns_fast_presses_and_is_followed_in_parts_of_its_tu
   }
 }
 
-}  // namespace world_carried_test
-}  // namespace physim
+}  // namespace physim::world_carried_test

@@ -5,8 +5,7 @@
 #include "physim/scene.hpp"
 #include "world/joints_support.hpp"
 
-namespace physim {
-namespace world_contact_at_once_test {
+namespace physim::world_contact_at_once_test {
 
 using test_joints::falling;
 using test_joints::join;
@@ -255,5 +254,4 @@ TEST(ContactAtOnce, light_links_hold_a_heavy_ball) {
     }
 }
 
-}  // namespace world_contact_at_once_test
-}  // namespace physim
+}  // namespace physim::world_contact_at_once_test

@@ -7,8 +7,7 @@
 #include "world/pairs_support.hpp"
 #include "world/world_support.hpp"
 
-namespace physim {
-namespace world_conveyor_test {
+namespace physim::world_conveyor_test {
 
 using namespace test_scene;
 
@@ -244,5 +243,4 @@ TEST(Conveyor, is_kept_by_snapshots_saves_and_recordings) {
   replayed(world, recording);
 }
 
-}  // namespace world_conveyor_test
-}  // namespace physim
+}  // namespace physim::world_conveyor_test

@@ -7,8 +7,7 @@
 #include "support.hpp"
 #include "world/world_support.hpp"
 
-namespace physim {
-namespace world_down_to_ground_test {
+namespace physim::world_down_to_ground_test {
 
 using namespace test_scene;
 
@@ -141,5 +140,4 @@ TEST(DownToGround, it_lands_or_sticks_at_the_moment_at_which_it_comes_down_in_wo
   }
 }
 
-}  // namespace world_down_to_ground_test
-}  // namespace physim
+}  // namespace physim::world_down_to_ground_test

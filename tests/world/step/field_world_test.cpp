@@ -7,8 +7,7 @@
 #include "support.hpp"
 #include "world/world_support.hpp"
 
-namespace physim {
-namespace world_field_world_test {
+namespace physim::world_field_world_test {
 
 using namespace test;
 using Bytes = std::vector<std::byte>;
@@ -410,5 +409,4 @@ TEST(FieldWorld, hashes_tell_worlds_with_functions_from_others) {
   EXPECT_NE(make_world(open_world(both())).hash(), make_world(open_world({})).hash());
 }
 
-}  // namespace world_field_world_test
-}  // namespace physim
+}  // namespace physim::world_field_world_test

@@ -6,8 +6,7 @@
 #include "physim/names.hpp"
 #include "world/world_support.hpp"
 
-namespace physim {
-namespace world_first_order_test {
+namespace physim::world_first_order_test {
 
 constexpr double kG = 9.80665, kStep = 1.0 / 64, kPi = 3.14159265358979324;
 
@@ -198,5 +197,4 @@ TEST(FirstOrder, balls_that_meet_without_loss_keep_their_energy) {
   }
 }
 
-}  // namespace world_first_order_test
-}  // namespace physim
+}  // namespace physim::world_first_order_test

@@ -11,8 +11,7 @@
 #include "support.hpp"
 #include "world/step/kind_drag.hpp"
 
-namespace physim {
-namespace world_force_eval_test {
+namespace physim::world_force_eval_test {
 
 using test::kNan;
 using test::near;
@@ -392,5 +391,4 @@ TEST(ForceEval, a_steady_step_gathers_into_the_same_memory) {
   EXPECT_EQ(seen, b.position.data() + 5) << "rows side by side are not copied at all";
 }
 
-}  // namespace world_force_eval_test
-}  // namespace physim
+}  // namespace physim::world_force_eval_test

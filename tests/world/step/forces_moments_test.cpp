@@ -6,8 +6,7 @@
 #include "physim/world.hpp"
 #include "world/force_support.hpp"
 
-namespace physim {
-namespace world_forces_moments_test {
+namespace physim::world_forces_moments_test {
 
 using test::kInfinity;
 using test::kNan;
@@ -155,5 +154,4 @@ TEST(WorldForces, refuse_what_makes_no_sense) {
   EXPECT_EQ(world.force_count(), 1u);
 }
 
-}  // namespace world_forces_moments_test
-}  // namespace physim
+}  // namespace physim::world_forces_moments_test

@@ -8,8 +8,7 @@
 #include "solve/take_step.hpp"
 #include "world/force_support.hpp"
 
-namespace physim {
-namespace world_forces_test {
+namespace physim::world_forces_test {
 
 using test::kInfinity;
 using test::kNan;
@@ -382,5 +381,4 @@ TEST(WorldForces, rules_and_apexes_are_seen) {
   EXPECT_EQ(events[1].reason, Reason::farther);
 }
 
-}  // namespace world_forces_test
-}  // namespace physim
+}  // namespace physim::world_forces_test

@@ -8,8 +8,7 @@
 #include "support.hpp"
 #include "world/world_support.hpp"
 
-namespace physim {
-namespace world_friction_test {
+namespace physim::world_friction_test {
 
 using namespace test_scene;
 
@@ -139,5 +138,4 @@ TEST(Friction, flights_slide_as_worlds_do) {
   }
 }
 
-}  // namespace world_friction_test
-}  // namespace physim
+}  // namespace physim::world_friction_test

@@ -4,8 +4,7 @@
 #include "physim/flight.hpp"
 #include "world/world_support.hpp"
 
-namespace physim {
-namespace world_ground_test {
+namespace physim::world_ground_test {
 
 constexpr double kG = 9.80665;
 
@@ -310,5 +309,4 @@ TEST(Ground, who_is_lifted_within_a_step_still_begins_it_on_the_ground) {
   EXPECT_TRUE(rose);
 }
 
-}  // namespace world_ground_test
-}  // namespace physim
+}  // namespace physim::world_ground_test

@@ -5,8 +5,7 @@
 
 #include "support.hpp"
 
-namespace physim::test {
-namespace world_height_crossings_test {
+namespace physim::test::world_height_crossings_test {
 
 constexpr Integrator kByHeights[] = {Integrator::explicit_euler, Integrator::semi_implicit_euler, Integrator::heun,
                                      Integrator::rk4, Integrator::rk43};
@@ -107,5 +106,4 @@ TEST(HeightCrossings, AreNotForInterpolantsOfTheirOwnOrARoundEarth) {
   EXPECT_FALSE(holds(Integrator::dop853));
 }
 
-}  // namespace world_height_crossings_test
-}  // namespace physim::test
+}  // namespace physim::test::world_height_crossings_test

@@ -8,8 +8,7 @@
 #include "world/pairs_support.hpp"
 #include "world/world_support.hpp"
 
-namespace physim {
-namespace world_one_way_test {
+namespace physim::world_one_way_test {
 
 using namespace test_scene;
 
@@ -236,5 +235,4 @@ TEST(SensorStays, end_before_the_way_out_at_the_end_of_a_step) {
     }
 }
 
-}  // namespace world_one_way_test
-}  // namespace physim
+}  // namespace physim::world_one_way_test

@@ -7,8 +7,7 @@
 
 #include "world/force_support.hpp"
 
-namespace physim {
-namespace world_original_forces_test {
+namespace physim::world_original_forces_test {
 
 using test::near;
 
@@ -110,5 +109,4 @@ TEST(OriginalForces, the_originals_test_6_as_it_was_meant) {
   EXPECT_TRUE(near(-meant.back().y, 4.2291, 0, 1e-3));
 }
 
-}  // namespace world_original_forces_test
-}  // namespace physim
+}  // namespace physim::world_original_forces_test

@@ -7,8 +7,7 @@
 #include "physim/world.hpp"
 #include "support.hpp"
 
-namespace physim {
-namespace world_rolling_drag_test {
+namespace physim::world_rolling_drag_test {
 
 struct Slide {
   Integrator integrator;
@@ -148,5 +147,4 @@ TEST(RollingDrag, a_flight_slides_through_air_as_its_closed_form) {
     }
 }
 
-}  // namespace world_rolling_drag_test
-}  // namespace physim
+}  // namespace physim::world_rolling_drag_test

@@ -5,8 +5,7 @@
 #include "world/clear_support.hpp"
 #include "world/core/newcomers.hpp"
 
-namespace physim {
-namespace world_scene_clear_movers_test {
+namespace physim::world_scene_clear_movers_test {
 
 using namespace test_clear;
 
@@ -325,5 +324,4 @@ TEST(SceneClear, boxes_far_from_each_other_are_not_put_together) {
   for (const auto& group : few.groups()) EXPECT_LT(group.about.high.x - group.about.low.x, 120);
 }
 
-}  // namespace world_scene_clear_movers_test
-}  // namespace physim
+}  // namespace physim::world_scene_clear_movers_test

@@ -10,8 +10,7 @@
 #include "support.hpp"
 #include "world/world_support.hpp"
 
-namespace physim {
-namespace world_scene_contact_test {
+namespace physim::world_scene_contact_test {
 
 using test_scene::bouncing;
 
@@ -338,5 +337,4 @@ TEST(SceneContact, a_ball_whose_middle_lies_at_an_edge_or_a_corner_is_pushed_out
     }
 }
 
-}  // namespace world_scene_contact_test
-}  // namespace physim
+}  // namespace physim::world_scene_contact_test

@@ -7,8 +7,7 @@
 #include "support.hpp"
 #include "world/world_support.hpp"
 
-namespace physim {
-namespace world_staying_test {
+namespace physim::world_staying_test {
 
 using namespace test_scene;
 
@@ -138,5 +137,4 @@ TEST(Staying, hits_tell_the_energy_that_they_take) {
   }
 }
 
-}  // namespace world_staying_test
-}  // namespace physim
+}  // namespace physim::world_staying_test

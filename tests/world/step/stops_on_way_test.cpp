@@ -7,8 +7,7 @@
 #include "support.hpp"
 #include "world/world_support.hpp"
 
-namespace physim {
-namespace world_stops_on_way_test {
+namespace physim::world_stops_on_way_test {
 
 using namespace test_scene;
 
@@ -150,5 +149,4 @@ TEST(OnItsWay, a_way_whose_length_no_number_holds_goes_by_sensors) {
   }
 }
 
-}  // namespace world_stops_on_way_test
-}  // namespace physim
+}  // namespace physim::world_stops_on_way_test
