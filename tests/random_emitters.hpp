@@ -1,7 +1,6 @@
 // Random emitters of every row, for golden hashes and random sessions.
 #pragma once
 
-#include "physim/world.hpp"
 #include "random_shots.hpp"
 
 namespace physim::test {

@@ -1,8 +1,6 @@
 // Rigid bodies that several tests fly, and the exact rates of a body without torque.
 #pragma once
 
-#include <cmath>
-
 #include "model/attitude.hpp"
 #include "support.hpp"
 

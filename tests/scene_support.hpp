@@ -1,11 +1,6 @@
 // Scenes, rungs and questions that tests of flights and of worlds in scenes share.
 #pragma once
 
-#include <cmath>
-#include <vector>
-
-#include "physim/body.hpp"
-#include "support.hpp"
 #include "world/world_support.hpp"
 
 namespace physim::test_scene {

@@ -1,18 +1,14 @@
 // Small helpers that tests of the core share.
 #pragma once
 
-#include <gtest/gtest.h>
-
 #include <algorithm>
 #include <cmath>
 #include <iterator>
 #include <limits>
 #include <span>
-#include <string>
 #include <vector>
 
 #include "must.hpp"
-#include "physim/names.hpp"
 #include "physim/physim.hpp"
 #include "prepare/cohort.hpp"
 #include "prepare/conditions.hpp"

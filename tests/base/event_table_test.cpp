@@ -1,10 +1,7 @@
 // The table of events: names that are told apart, an order without doubt, and what the documentation says of them.
 #include "base/event_table.hpp"
 
-#include <gtest/gtest.h>
-
 #include <set>
-#include <string>
 
 #include "cli/program.hpp"
 #include "physim/names.hpp"

@@ -1,9 +1,5 @@
 // `physim aim`, `table`, `fit`, `max-range` and `danger-space`, as a user runs them.
-#include <gtest/gtest.h>
-
-#include <algorithm>
 #include <cmath>
-#include <nlohmann/json.hpp>
 
 #include "cli/program.hpp"
 #include "rifles.hpp"

@@ -1,8 +1,5 @@
 // What users of the command line reported, with right values of closed forms, tables and integrations of their own.
-#include <gtest/gtest.h>
-
 #include <cmath>
-#include <nlohmann/json.hpp>
 
 #include "cli/program.hpp"
 #include "rifles.hpp"

@@ -1,10 +1,6 @@
 // `physim run`, `compare` and `list`, as a user runs them.
-#include <gtest/gtest.h>
-
-#include <algorithm>
 #include <cmath>
 #include <map>
-#include <nlohmann/json.hpp>
 
 #include "cli/program.hpp"
 #include "physim/result.hpp"

@@ -1,9 +1,5 @@
 // `physim run` of scenarios with emitters, as a user runs it.
-#include <gtest/gtest.h>
-
 #include <chrono>
-
-#include <nlohmann/json.hpp>
 
 #include "cli/program.hpp"
 

@@ -1,9 +1,5 @@
 // Every shipped scenario through every command that takes it: as a flight, compared, as a table, in every format, as a
 // world, recorded and replayed.
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <nlohmann/json.hpp>
 #include <regex>
 
 #include "cli/program.hpp"

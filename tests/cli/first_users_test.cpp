@@ -1,6 +1,4 @@
 // What first users stumbled on at the command line: answers that were wrong or silent.
-#include <gtest/gtest.h>
-
 #include "cli/program.hpp"
 
 #ifdef PHYSIM_CLI

@@ -1,8 +1,4 @@
 // Every format through every command that writes results: what the table of formats says is what the program does.
-#include <gtest/gtest.h>
-
-#include <filesystem>
-
 #include "cli/program.hpp"
 #include "report/format.hpp"
 

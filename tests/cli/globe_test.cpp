@@ -1,11 +1,6 @@
 // `physim run --kml --czml --geojson`, read back by readers that know nothing of PhySim.
-#include <gtest/gtest.h>
-
-#include <algorithm>
 #include <cmath>
 #include <map>
-#include <nlohmann/json.hpp>
-#include <sstream>
 
 #include "cli/program.hpp"
 #include "physim/physim.hpp"

@@ -1,8 +1,4 @@
 // What `physim run` writes of many shots goes to the file as it is made: no room for all of it, and no half of it.
-#include <gtest/gtest.h>
-
-#include <nlohmann/json.hpp>
-
 #include "cli/program.hpp"
 
 #if defined(PHYSIM_CLI) && !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)

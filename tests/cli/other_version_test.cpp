@@ -1,9 +1,5 @@
 // Files that another version of the program wrote, through every command that reads them: each is refused with exit
 // code 2 in one line that names the file and the version.
-#include <gtest/gtest.h>
-
-#include <algorithm>
-
 #include "cli/program.hpp"
 #include "cli/throw_study.hpp"
 #include "physim/result.hpp"

@@ -1,16 +1,10 @@
 // No output option of any command replaces what the command reads: every option is tried on every kind of input, by
 // every name of it. The options come from the help of the program, so that a new one is tried, too.
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <filesystem>
 #include <map>
 #include <optional>
 #include <set>
 
-#include "cli/program.hpp"
 #include "named_files.hpp"
-#include "physim/files.hpp"
 
 namespace physim::cli_output_guard_test {
 

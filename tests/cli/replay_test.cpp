@@ -1,9 +1,4 @@
 // `physim replay`, as a user runs it.
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <nlohmann/json.hpp>
-
 #include "cli/program.hpp"
 #include "physim/files.hpp"
 #include "world/recording_bytes.hpp"

@@ -1,10 +1,6 @@
 // Things in the way of single flights, on the command line: what `physim run` tells of them, what other commands leave
 // aside, and how `physim aim` finds its way.
-#include <gtest/gtest.h>
-
-#include <algorithm>
 #include <cmath>
-#include <nlohmann/json.hpp>
 
 #include "cli/program.hpp"
 

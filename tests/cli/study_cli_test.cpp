@@ -1,10 +1,7 @@
 // `physim study`, as a user runs it.
-#include <gtest/gtest.h>
-
 #include <sys/stat.h>
 
 #include <cmath>
-#include <nlohmann/json.hpp>
 #include <thread>
 
 #include "cli/program.hpp"

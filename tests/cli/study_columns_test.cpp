@@ -1,6 +1,4 @@
 // `physim study --hdf5`: each shot, as the library itself gives it again.
-#include <gtest/gtest.h>
-
 #include <cmath>
 
 #include "cli/program.hpp"

@@ -1,8 +1,5 @@
 // Pictures and maps of `physim study`, as a user asks for them.
-#include <gtest/gtest.h>
-
 #include <cmath>
-#include <cstdlib>
 
 #include "cli/program.hpp"
 #include "cli/throw_study.hpp"

@@ -1,6 +1,4 @@
 // `mpirun -n 4 physim study`: ranks of a job fly one study, with the bits of threads, and end in clear words.
-#include <gtest/gtest.h>
-
 #include <csignal>
 #include <cstdio>
 #include <thread>

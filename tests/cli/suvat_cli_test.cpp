@@ -1,8 +1,5 @@
 // `physim suvat`, as a user runs it.
-#include <gtest/gtest.h>
-
 #include <cmath>
-#include <nlohmann/json.hpp>
 
 #include "cli/program.hpp"
 

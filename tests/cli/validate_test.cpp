@@ -1,8 +1,4 @@
 // `physim validate`, as a user runs it.
-#include <gtest/gtest.h>
-
-#include <nlohmann/json.hpp>
-
 #include "cli/program.hpp"
 
 #ifdef PHYSIM_CLI

@@ -1,10 +1,4 @@
 // `physim run` of scenarios with a [world], as a user runs it.
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <fstream>
-#include <nlohmann/json.hpp>
-
 #include "cli/program.hpp"
 
 #ifdef PHYSIM_CLI

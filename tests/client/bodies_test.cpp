@@ -1,8 +1,6 @@
 // What projectiles look like: their shapes by what they are, their meshes, and how they are turned.
 #include "simclient/core/bodies.hpp"
 
-#include <gtest/gtest.h>
-
 #include <algorithm>
 #include <cmath>
 

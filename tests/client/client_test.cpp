@@ -1,10 +1,7 @@
 // The client's logic without a window: launcher, actions, scripts, settings, plots, camera, scene.
 #include "simclient/core/client.hpp"
 
-#include <gtest/gtest.h>
-
 #include <cmath>
-#include <fstream>
 #include <map>
 #include <set>
 

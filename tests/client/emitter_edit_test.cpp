@@ -1,6 +1,4 @@
 // Emitters in the client: how they are drawn, and their curves as a hand changes them.
-#include <gtest/gtest.h>
-
 #include <cmath>
 
 #include "cli/program.hpp"

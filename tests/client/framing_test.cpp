@@ -1,7 +1,4 @@
 // The view looks at what a scenario is about: in all shipped scenarios, and until a hand moves it.
-#include <gtest/gtest.h>
-
-#include <algorithm>
 #include <nlohmann/json.hpp>
 
 #include "client/support.hpp"

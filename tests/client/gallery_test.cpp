@@ -2,8 +2,6 @@
 // flies.
 #include "simclient/core/gallery.hpp"
 
-#include <gtest/gtest.h>
-
 #include <map>
 
 #include "client/support.hpp"

@@ -1,8 +1,6 @@
 // The light of hot particles.
 #include "simclient/core/glow.hpp"
 
-#include <gtest/gtest.h>
-
 #include <algorithm>
 #include <cmath>
 #include <numbers>

@@ -1,8 +1,6 @@
 // Undo and redo, over every kind of change.
 #include "simclient/core/history.hpp"
 
-#include <gtest/gtest.h>
-
 #include "cli/program.hpp"
 #include "client/support.hpp"
 #include "scenario/scenario.hpp"

@@ -2,8 +2,6 @@
 // ground.
 #include "simclient/core/orbit.hpp"
 
-#include <gtest/gtest.h>
-
 #include <algorithm>
 #include <cmath>
 

@@ -1,8 +1,5 @@
 // The original's mode of the launcher: its three shots with its 18 settings, against its frame loop.
-#include <gtest/gtest.h>
-
 #include <cmath>
-#include <string>
 
 #include "client/support.hpp"
 #include "simclient/core/compare.hpp"

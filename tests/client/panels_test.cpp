@@ -1,10 +1,5 @@
 // Every shipped scenario is edited in each panel, saved, and opened again: nothing is lost.
-#include <gtest/gtest.h>
-
-#include <algorithm>
 #include <cmath>
-#include <cstdlib>
-#include <filesystem>
 #include <functional>
 #include <set>
 

@@ -1,8 +1,6 @@
 // The quality of what is drawn: it follows the time that frames take, and calmly.
 #include "simclient/core/quality.hpp"
 
-#include <gtest/gtest.h>
-
 #include <functional>
 
 #include "client/support.hpp"

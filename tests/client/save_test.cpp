@@ -1,10 +1,6 @@
 // What the client saves: a scenario stays what its file was, nothing that could not be read is written, and nobody
 // loses work without being asked.
-#include <gtest/gtest.h>
-
-#include <algorithm>
 #include <cmath>
-#include <filesystem>
 
 #include "cli/program.hpp"
 #include "scenario/revise.hpp"

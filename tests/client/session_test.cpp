@@ -1,10 +1,8 @@
 // The client's session without a window: its clock, firing, going back, recording.
 #include "simclient/core/session.hpp"
 
-#include <gtest/gtest.h>
 #include <malloc.h>
 
-#include <algorithm>
 #include <cmath>
 
 #include "cli/program.hpp"

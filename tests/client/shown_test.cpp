@@ -1,6 +1,4 @@
 // What the client shows is so: the comparison's truth and figures, forces that add up, the pace reached.
-#include <gtest/gtest.h>
-
 #include <algorithm>
 #include <cmath>
 #include <map>

@@ -1,9 +1,6 @@
 // Studies in the client: the figures of `physim study`, that grow from frame to frame.
-#include <gtest/gtest.h>
-
 #include <chrono>
 #include <cmath>
-#include <nlohmann/json.hpp>
 #include <thread>
 
 #include "cli/program.hpp"

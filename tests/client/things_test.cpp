@@ -1,8 +1,5 @@
 // Scenes in the client: what was hit, what is drawn of it, what a hand puts up, and what is saved of that.
-#include <gtest/gtest.h>
-
 #include <cmath>
-#include <filesystem>
 
 #include "base/text.hpp"
 #include "cli/program.hpp"

@@ -1,9 +1,6 @@
 // What is kept of paths shows them: against every step of the flights of all shipped scenarios.
 #include "simclient/core/thinning.hpp"
 
-#include <gtest/gtest.h>
-
-#include <algorithm>
 #include <cmath>
 #include <random>
 

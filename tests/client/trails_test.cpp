@@ -1,6 +1,4 @@
 // Colours of trails by what flies along them, and targets that say how far a shot was from their middle.
-#include <gtest/gtest.h>
-
 #include <algorithm>
 #include <set>
 

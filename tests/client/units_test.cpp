@@ -1,11 +1,6 @@
 // Units as typed survive Save: what is changed keeps the unit that it has in its file, what is typed the unit that it
 // was typed with, and angles that have neither are in degrees. All else of the file stays as it is.
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <filesystem>
 #include <map>
-#include <sstream>
 
 #include "cli/program.hpp"
 #include "client/support.hpp"

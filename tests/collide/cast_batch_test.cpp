@@ -1,10 +1,7 @@
 // Large batches, which are sorted: each segment gets the answer that it gets alone.
-#include <gtest/gtest.h>
-
 #include <limits>
 
 #include "collide/crowd_support.hpp"
-#include "physim/result.hpp"
 
 namespace physim::collide_cast_batch_test {
 

@@ -1,11 +1,8 @@
 // Many segments at once in trees of boxes: the same answers as alone, whatever the kernel and however many boxes each
 // of them meets.
-#include <gtest/gtest.h>
-
 #include "collide/clear_batch.hpp"
 #include "collide/crowd_support.hpp"
 #include "collide/scene_by_motion.hpp"
-#include "physim/flight.hpp"
 #include "support.hpp"
 
 namespace physim::collide_cast_crowd_test {

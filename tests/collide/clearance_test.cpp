@@ -1,8 +1,5 @@
 // Clearance: a bound below the distance of whatever there is, which the exact answers must not undercut.
-#include <gtest/gtest.h>
-
 #include "collide/scene_support.hpp"
-#include "physim/scene.hpp"
 #include "support.hpp"
 
 namespace physim::collide_clearance_test {

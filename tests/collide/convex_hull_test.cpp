@@ -1,12 +1,9 @@
 // Convex hulls, beside all triangles of all points, and their casts beside a signed distance made of those.
-#include <gtest/gtest.h>
-
 #include <array>
 
 #include "collide/quickhull.hpp"
 #include "collide/reference.hpp"
 #include "collide/scene_support.hpp"
-#include "physim/scene.hpp"
 #include "support.hpp"
 
 namespace physim::collide_convex_hull_test {

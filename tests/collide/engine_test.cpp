@@ -1,10 +1,4 @@
 // Questions to a scene whose things are an engine's: against the scene that answers, and with answers that are none.
-#include <gtest/gtest.h>
-
-#include <cmath>
-#include <limits>
-#include <stdexcept>
-
 #include "collide/scene_support.hpp"
 #include "engine_support.hpp"
 #include "support.hpp"

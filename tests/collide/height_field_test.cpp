@@ -4,7 +4,6 @@
 #include "collide/height_field.hpp"
 #include "collide/scene_by_motion.hpp"
 #include "collide/scene_support.hpp"
-#include "physim/flight.hpp"
 
 namespace physim::collide_height_field_test {
 

@@ -1,9 +1,6 @@
 // Impacts and materials that nothing can be computed with are refused, and the error names the number.
-#include <gtest/gtest.h>
-
 #include <functional>
 
-#include "physim/scene.hpp"
 #include "support.hpp"
 
 namespace physim::collide_impact_input_test {

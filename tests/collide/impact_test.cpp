@@ -1,9 +1,5 @@
 // What becomes of projectiles that meet materials: the order of decisions, each law by what it must give, and what
 // holds for all of them.
-#include "physim/scene.hpp"
-
-#include <gtest/gtest.h>
-
 #include <random>
 
 #include "base/hash.hpp"

@@ -1,10 +1,7 @@
 // Things in motion: what is met when, beside a reference that walks along the curve in long double and knows no chords.
-#include <gtest/gtest.h>
-
 #include "collide/reference.hpp"
 #include "collide/scene_support.hpp"
 #include "math/quat.hpp"
-#include "physim/scene.hpp"
 #include "support.hpp"
 
 namespace physim::collide_motion_test {

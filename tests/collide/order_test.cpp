@@ -7,7 +7,6 @@
 #include <cmath>
 #include <limits>
 
-#include "physim/result.hpp"
 #include "random_shots.hpp"
 
 namespace physim::collide_order_test {

@@ -2,8 +2,6 @@
 #include "collide/pair_path.hpp"
 #include "must.hpp"
 
-#include <gtest/gtest.h>
-
 #include <random>
 #include <vector>
 

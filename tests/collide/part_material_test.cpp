@@ -1,11 +1,8 @@
 // Materials of parts of compounds: what questions tell of them, what is refused, what saves hold.
-#include <gtest/gtest.h>
-
 #include <optional>
 
 #include "base/archive.hpp"
 #include "collide/scene_support.hpp"
-#include "physim/scene.hpp"
 #include "support.hpp"
 
 namespace physim::collide_part_material_test {

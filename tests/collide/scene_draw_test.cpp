@@ -1,8 +1,4 @@
 // What is drawn of a scene is its surface: closed, outwards, and where segments meet it.
-#include "physim/scene.hpp"
-
-#include <gtest/gtest.h>
-
 #include "collide/scene_support.hpp"
 #include "math/vec3.hpp"
 #include "support.hpp"

@@ -1,11 +1,6 @@
 // Scenes and bad input: what is refused, and that whatever is taken is answered with numbers.
-#include <gtest/gtest.h>
-
-#include <algorithm>
-
 #include "collide/scene_support.hpp"
 #include "math/vec3.hpp"
-#include "physim/scene.hpp"
 #include "support.hpp"
 
 namespace physim::collide_scene_input_test {

@@ -1,12 +1,8 @@
 // Saves of scenes: the same bytes, ids and answers come back, and what is no save is refused.
-#include <gtest/gtest.h>
-
 #include <cstring>
 
 #include "base/archive.hpp"
 #include "collide/scene_support.hpp"
-#include "physim/result.hpp"
-#include "physim/scene.hpp"
 #include "support.hpp"
 
 namespace physim::collide_scene_save_test {

@@ -3,7 +3,6 @@
 
 #include <cmath>
 
-#include "physim/scene.hpp"
 #include "random_shots.hpp"
 
 namespace physim::test {

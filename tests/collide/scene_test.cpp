@@ -1,8 +1,4 @@
 // Scenes: what segments and spheres meet, beside a reference that is other code; and how things come, go and move.
-#include "physim/scene.hpp"
-
-#include <gtest/gtest.h>
-
 #include <set>
 
 #include "collide/reference.hpp"

@@ -1,6 +1,5 @@
 // Bodies are closed: where two touch, nothing goes between them, and what only touches an edge goes on.
 #include <array>
-#include <cmath>
 
 #include "collide/scene_support.hpp"
 #include "math/quat.hpp"

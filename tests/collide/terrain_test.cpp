@@ -1,8 +1,4 @@
 // Terrain on the ellipsoid, beside the figure of the Earth.
-#include "physim/scene.hpp"
-
-#include <gtest/gtest.h>
-
 #include "support.hpp"
 
 namespace physim::collide_terrain_test {

@@ -2,8 +2,6 @@
 #include "collide/tube_casts.hpp"
 #include "support.hpp"
 
-#include <gtest/gtest.h>
-
 #include "collide/crowd_support.hpp"
 #include "collide/scene_by_motion.hpp"
 

@@ -1,6 +1,4 @@
 // Emitters that make no sense are refused, each with its place.
-#include <gtest/gtest.h>
-
 #include <functional>
 
 #include "emit/emission.hpp"

@@ -1,8 +1,6 @@
 // Numbers and colours that emitters draw: constants, between two, curves, between two curves; integrals; gradients.
 #include "emit/drawn.hpp"
 
-#include <gtest/gtest.h>
-
 #include "emit/statistics.hpp"
 #include "math/interpolation.hpp"
 #include "support.hpp"

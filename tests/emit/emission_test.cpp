@@ -1,8 +1,6 @@
 // How particles start and are shown, what sub-emitters fire, and that every row of a definition counts.
 #include "emit/emission.hpp"
 
-#include <gtest/gtest.h>
-
 #include <functional>
 
 #include "base/hash.hpp"

@@ -1,6 +1,4 @@
 // Where particles come out: every shape and mode against its closed form, a million samples each.
-#include <gtest/gtest.h>
-
 #include "emit/statistics.hpp"
 #include "support.hpp"
 

@@ -1,11 +1,8 @@
 // Meshes and terrain that particles come out of: a million samples each, against areas, lengths and counts.
-#include <gtest/gtest.h>
-
 #include "emit/emit_surface.hpp"
 #include "emit/statistics.hpp"
 #include "random_shots.hpp"
 #include "scene_support.hpp"
-#include "support.hpp"
 
 namespace physim::emit_emit_surface_test {
 

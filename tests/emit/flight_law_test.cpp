@@ -1,9 +1,6 @@
 // What acts on the flight of particles: each number by age, speed and chance.
 #include "emit/flight_law.hpp"
 
-#include <gtest/gtest.h>
-
-#include <cmath>
 #include <functional>
 
 #include "math/vec3.hpp"

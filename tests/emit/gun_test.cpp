@@ -1,8 +1,6 @@
 // Guns: when rounds leave against a loop that simulates the gun, barrels, convergence, dispersion, recoil, tracers.
 #include "emit/gun.hpp"
 
-#include <gtest/gtest.h>
-
 #include "emit/statistics.hpp"
 #include "emit/timeline.hpp"
 #include "math/normal.hpp"

@@ -1,12 +1,7 @@
 // Columns of numbers: each kernel gives each particle the bits that it has alone.
-#include <gtest/gtest.h>
-
-#include <algorithm>
-
 #include "emit/looks.hpp"
 #include "emit/pack_chance.hpp"
 #include "emit/particle_job.hpp"
-#include "physim/flight.hpp"
 #include "random_shots.hpp"
 #include "support.hpp"
 

@@ -2,11 +2,6 @@
 // sources, and what never fires.
 #include "emit/timeline.hpp"
 
-#include <gtest/gtest.h>
-
-#include <array>
-#include <span>
-
 #include "emit/statistics.hpp"
 #include "random_shots.hpp"
 #include "support.hpp"

@@ -1,6 +1,4 @@
 // Asking backwards: aim(), against closed forms and against flights.
-#include <gtest/gtest.h>
-
 #include "support.hpp"
 
 namespace physim::flight_aim_test {

@@ -1,6 +1,4 @@
 // The cache of auto fidelity: one computation for each kind of projectile, the same answer however it is asked.
-#include <gtest/gtest.h>
-
 #include <random>
 #include <thread>
 

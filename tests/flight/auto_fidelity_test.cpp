@@ -1,6 +1,4 @@
 // Auto fidelity: what is chosen keeps its word when it is measured here, by other means than it was chosen with.
-#include <gtest/gtest.h>
-
 #include <set>
 
 #include "model/ladder.hpp"

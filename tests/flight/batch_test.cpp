@@ -1,11 +1,5 @@
 // fly_batch() gives the numbers of fly(), bit for bit: every integrator, precision and instruction set.
-#include <gtest/gtest.h>
-
-#include <string>
-#include <utility>
-
 #include "flight/batch_support.hpp"
-#include "physim/body.hpp"
 
 namespace physim::flight_batch_test {
 

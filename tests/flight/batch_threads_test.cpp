@@ -2,8 +2,6 @@
 #include <thread>
 
 #include "flight/batch_support.hpp"
-#include "physim/environment.hpp"
-#include "physim/result.hpp"
 #include "processor_mode.hpp"
 
 namespace physim::flight_batch_threads_test {

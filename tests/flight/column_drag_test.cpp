@@ -1,7 +1,5 @@
 // Columns of ballistic coefficients and form factors: each shot is that of fly() with a projectile of its own.
 #include "flight/batch_support.hpp"
-#include "physim/flight.hpp"
-#include "physim/result.hpp"
 
 namespace physim::flight_column_drag_test {
 

@@ -1,7 +1,5 @@
 // fly_columns() gives the numbers of fly_batch(), column by column.
 #include "flight/batch_support.hpp"
-#include "physim/flight.hpp"
-#include "physim/result.hpp"
 
 namespace physim::flight_columns_test {
 

@@ -2,8 +2,6 @@
 #include "must.hpp"
 #include "physim/solve.hpp"
 
-#include <gtest/gtest.h>
-
 #include <cmath>
 
 namespace physim::flight_compare_test {

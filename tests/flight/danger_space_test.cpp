@@ -1,7 +1,5 @@
 // danger_space() over the ground of a scene: a parabola over a slope, a straight path over a plateau, and what is
 // refused.
-#include <gtest/gtest.h>
-
 #include <cmath>
 
 #include "must.hpp"

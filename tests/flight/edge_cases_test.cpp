@@ -1,10 +1,4 @@
 // Shots that once went wrong: on and under the ground, across a value twice, in air that is hardly there.
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <cmath>
-
-#include "physim/physim.hpp"
 #include "support.hpp"
 
 namespace physim::flight_edge_cases_test {

@@ -1,8 +1,4 @@
 // Events: each kind, direction and terminal flag, against times worked by hand.
-#include <gtest/gtest.h>
-
-#include <algorithm>
-
 #include "support.hpp"
 
 namespace physim::flight_events_test {

@@ -1,10 +1,6 @@
 // Wind and force by functions of one's own, in flights: against wind that is no function, closed forms, and batches.
-#include <gtest/gtest.h>
-
 #include <array>
-#include <stdexcept>
 
-#include "physim/body.hpp"
 #include "random_shots.hpp"
 #include "support.hpp"
 

@@ -1,7 +1,4 @@
 // What first users stumbled on in flights and batches: answers that were wrong or silent.
-#include <algorithm>
-#include <limits>
-
 #include "support.hpp"
 
 namespace physim::test::flight_first_users_test {

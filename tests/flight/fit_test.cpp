@@ -1,7 +1,4 @@
 // Fitting drag to measurements: what made the data must come back.
-#include <gtest/gtest.h>
-
-#include "physim/solve.hpp"
 #include "support.hpp"
 
 namespace physim::flight_fit_test {

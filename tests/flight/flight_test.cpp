@@ -1,6 +1,4 @@
 // Flights and the questions that can be asked of them.
-#include <gtest/gtest.h>
-
 #include "support.hpp"
 
 namespace physim::flight_flight_test {

@@ -1,11 +1,6 @@
 // Lift and drag by spin: the trochoid of a constant Magnus acceleration, formulas and tables worked by hand, golf and
 // baseball against published flights.
-#include <gtest/gtest.h>
-
-#include <cmath>
-
 #include "model/magnus.hpp"
-#include "physim/body.hpp"
 #include "support.hpp"
 
 namespace physim::flight_magnus_test {

@@ -1,8 +1,4 @@
 // A motor that pauses flies like a rocket that coasts, and its impulse is that of both pulses.
-#include <gtest/gtest.h>
-
-#include <cmath>
-
 #include "support.hpp"
 
 namespace physim::flight_motor_pause_test {

@@ -1,9 +1,6 @@
 // A rocket and a motor whose flights have closed forms, for tests of motors and rails.
 #pragma once
 
-#include <cmath>
-
-#include "physim/projectile.hpp"
 #include "support.hpp"
 
 namespace physim::test {

@@ -1,12 +1,6 @@
 // Motors against closed forms: Tsiolkovsky's equation and its integral; the order of integrators over tables whose
 // points their steps miss.
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <cmath>
-
 #include "flight/motor_support.hpp"
-#include "physim/projectile.hpp"
 
 namespace physim::flight_motor_test {
 

@@ -3,8 +3,6 @@
 // Source: E. B. Jackson, R. E. Shelton, A. A. Jackson, M. C. Pettus, Check-Cases for Verification of
 // 6-Degree-of-Freedom Flight Vehicle Simulations, NASA/TM-2015-218675, cases 1, 4, 6, 7 and 9. The figures are of
 // converged solutions of those definitions (Runge-Kutta of order 4 at 1 ms in long double).
-#include <gtest/gtest.h>
-
 #include "support.hpp"
 
 namespace physim::flight_nesc_point_mass_test {

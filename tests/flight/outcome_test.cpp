@@ -1,6 +1,4 @@
 // How flights end: every outcome is reached by some input, and nothing runs for ever.
-#include <gtest/gtest.h>
-
 #include <chrono>
 
 #include "support.hpp"

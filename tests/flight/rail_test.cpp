@@ -1,9 +1,4 @@
 // Launch rails against closed forms: a constant push along a rail, the moment at which thrust overcomes weight.
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <cmath>
-
 #include "flight/motor_support.hpp"
 
 namespace physim::flight_rail_test {

@@ -1,7 +1,4 @@
 // Rigid bodies without torque, through every door.
-#include <gtest/gtest.h>
-
-#include "physim/world.hpp"
 #include "rigid.hpp"
 #include "solve/problems.hpp"
 

@@ -1,6 +1,4 @@
 // Long flights over the round Earth: what they must conserve, what orbits must do, and the frames they are seen in.
-#include <gtest/gtest.h>
-
 #include "random_shots.hpp"
 #include "support.hpp"
 

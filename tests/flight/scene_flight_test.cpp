@@ -1,7 +1,4 @@
 // Flights that meet things: against closed forms, and against worlds at the same fixed step.
-#include <cmath>
-#include <string>
-
 #include "rigid.hpp"
 #include "scene_support.hpp"
 

@@ -1,6 +1,4 @@
 // What flights do where they meet things: each way to meet them, spin, rest, limits, bad input, and random scenes.
-#include <cmath>
-
 #include "random_shots.hpp"
 #include "scene_support.hpp"
 

@@ -1,6 +1,5 @@
 // Flights straight up, straight down, from rest and nearly vertical, compared along the whole path with a flight that
 // is close to exact. The first users' case: a shuttlecock dropped from 30 m landed with 2.7 m/s, silently.
-#include <algorithm>
 #include <array>
 #include <cstdlib>
 #include <random>

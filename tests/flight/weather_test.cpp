@@ -1,9 +1,5 @@
 // Batches whose shots have weather of their own: each flies as fly() lets it fly in its own environment.
-#include "physim/environment.hpp"
-
 #include "flight/batch_support.hpp"
-#include "physim/flight.hpp"
-#include "physim/result.hpp"
 
 namespace physim::flight_weather_test {
 

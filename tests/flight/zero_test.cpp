@@ -1,6 +1,4 @@
 // Zeroing, and the step that a pilot flight finds.
-#include <gtest/gtest.h>
-
 #include "support.hpp"
 
 namespace physim::flight_zero_test {

@@ -1,14 +1,10 @@
 // Flights at thin things and past them: each that is aimed at one is stopped by it, and no other one is.
-#include <cmath>
 #include <cstdio>
 #include <string>
-#include <vector>
 
 #include "collide/scene_support.hpp"
 #include "hits/hits.hpp"
 #include "math/quat.hpp"
-#include "physim/body.hpp"
-#include "physim/world.hpp"
 
 namespace physim::test {
 namespace {

@@ -1,8 +1,6 @@
 // Floors of two bodies that touch each other: whatever comes down on the seam is stopped by one of them.
-#include <cmath>
 #include <cstdio>
 #include <string>
-#include <vector>
 
 #include "collide/scene_support.hpp"
 #include "hits/hits.hpp"

@@ -2,8 +2,6 @@
 #include "math/interpolation.hpp"
 #include "must.hpp"
 
-#include <gtest/gtest.h>
-
 #include <algorithm>
 #include <cmath>
 #include <vector>

@@ -1,11 +1,6 @@
 // Rough powers and logarithms: as good as they say, over all that a step's control feeds them, and the same in packs.
 #include "math/rough_power.hpp"
 
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <cmath>
-
 #include "support.hpp"
 
 namespace physim::math_rough_power_test {

@@ -1,11 +1,6 @@
 // The right-hand side and its ledger: what Flight and World tell effect by effect adds up to what is flown, on every
 // rung and under every constraint.
-#include <gtest/gtest.h>
-
-#include <cmath>
-
 #include "flight/flight_record.hpp"
-#include "physim/body.hpp"
 #include "random_shots.hpp"
 #include "support.hpp"
 

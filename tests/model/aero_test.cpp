@@ -1,9 +1,6 @@
 // Aerodynamic coefficients and what they do to a body.
-#include <gtest/gtest.h>
-
 #include "model/aero_tables.hpp"
 #include "model/stability.hpp"
-#include "physim/world.hpp"
 #include "prepare/check.hpp"
 #include "random_shots.hpp"
 #include "rigid.hpp"

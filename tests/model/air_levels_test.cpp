@@ -1,14 +1,7 @@
 // The air of a sounding: levels, what lies between them, and flights through it.
 #include "model/air_levels.hpp"
 
-#include <gtest/gtest.h>
-
-#include <cmath>
-#include <vector>
-
 #include "model/humid_air.hpp"
-#include "physim/world.hpp"
-#include "support.hpp"
 #include "world/world_support.hpp"
 
 namespace physim::model_air_levels_test {

@@ -1,6 +1,4 @@
 // Plates: the balance of Recht and Ipson, Lambert's rods in the units they were published in, de Marre's examples.
-#include <gtest/gtest.h>
-
 #include "model/de_marre.hpp"
 #include "model/lambert_jonas.hpp"
 #include "model/recht_ipson.hpp"

@@ -1,8 +1,6 @@
 // Bounces of balls that spin: the closed forms of Garwin and Cross, what is kept, and what never grows.
 #include "model/ball_contact.hpp"
 
-#include <gtest/gtest.h>
-
 #include <random>
 
 #include "model/contact.hpp"

@@ -1,8 +1,6 @@
 // Balls on a surface: sliding until they roll, in one piece and as long as the closed form says.
 #include "model/ball_rolling.hpp"
 
-#include <gtest/gtest.h>
-
 #include "support.hpp"
 
 namespace physim::model_ball_rolling_test {

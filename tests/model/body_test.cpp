@@ -1,8 +1,6 @@
 // The parts of a body: where they lie, and that models read none but those that are named.
 #include "model/body.hpp"
 
-#include <gtest/gtest.h>
-
 #include "../random_shots.hpp"
 #include "../support.hpp"
 #include "model/closed_form.hpp"

@@ -1,8 +1,6 @@
 // Closed forms against exact figures and a series summed in long double.
 #include "model/closed_form.hpp"
 
-#include <gtest/gtest.h>
-
 #include "support.hpp"
 
 namespace physim::model_closed_form_test {

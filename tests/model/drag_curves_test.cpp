@@ -3,10 +3,7 @@
 
 #include "model/table_pool.hpp"
 
-#include <gtest/gtest.h>
-
 #include "model/drag.hpp"
-#include "physim/projectile.hpp"
 #include "support.hpp"
 
 namespace physim::model_drag_curves_test {

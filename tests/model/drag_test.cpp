@@ -1,10 +1,6 @@
 // Drag on every rung, against the formulas worked by hand and exact solutions.
 #include "model/drag.hpp"
 
-#include <gtest/gtest.h>
-
-#include "physim/environment.hpp"
-#include "physim/projectile.hpp"
 #include "support.hpp"
 
 namespace physim::model_drag_test {

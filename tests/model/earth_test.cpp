@@ -1,8 +1,6 @@
 // The turning and the round Earth, and the sum of all effects.
 #include "model/earth.hpp"
 
-#include <gtest/gtest.h>
-
 #include "model/acceleration.hpp"
 #include "support.hpp"
 

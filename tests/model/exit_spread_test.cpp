@@ -1,8 +1,6 @@
 // Spread behind a material: its statistics, and that it depends on nothing but its numbers.
 #include "model/exit_spread.hpp"
 
-#include <gtest/gtest.h>
-
 #include <set>
 
 #include "support.hpp"

@@ -1,11 +1,7 @@
 // The laws of forces against closed forms and conserved quantities, moved by a Runge-Kutta loop of this file's own.
 #include "model/force_laws.hpp"
 
-#include <gtest/gtest.h>
-
-#include <cmath>
 #include <functional>
-#include <limits>
 #include <numbers>
 
 #include "support.hpp"

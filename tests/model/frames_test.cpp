@@ -1,7 +1,5 @@
 // Distances along the ground: exact arcs of equator and sphere, the quadrant of a meridian, a geodesic that was
 // published to the millimetre.
-#include "physim/environment.hpp"
-
 #include "support.hpp"
 
 namespace physim::test::model_frames_test {

@@ -1,8 +1,4 @@
 // Coordinates of places: round trips everywhere, published points, heights in W.
-#include "physim/environment.hpp"
-
-#include <gtest/gtest.h>
-
 #include "math/elementary.hpp"
 #include "model/earth.hpp"
 #include "random_shots.hpp"

@@ -1,8 +1,6 @@
 // Gravity: its size and direction on every rung, flat and round.
 #include "model/gravity.hpp"
 
-#include <gtest/gtest.h>
-
 #include "support.hpp"
 
 namespace physim::model_gravity_test {

@@ -1,8 +1,6 @@
 // Moist air against published figures and another formula.
 #include "model/humid_air.hpp"
 
-#include <gtest/gtest.h>
-
 #include "support.hpp"
 
 namespace physim::model_humid_air_test {

@@ -1,11 +1,7 @@
 // Jerk, against closed forms, and against how the acceleration changes along paths that were flown.
 #include "model/jerk.hpp"
 
-#include <cmath>
-
-#include "physim/body.hpp"
 #include "rigid.hpp"
-#include "support.hpp"
 
 namespace physim::model_jerk_test {
 

@@ -1,12 +1,7 @@
 // Air through stations, by power series and by layers, against its laws in long double.
 #include "model/low_air.hpp"
 
-#include <gtest/gtest.h>
-
-#include <cmath>
-
 #include "math/polynomial.hpp"
-#include "physim/environment.hpp"
 #include "support.hpp"
 
 namespace physim::model_low_air_test {

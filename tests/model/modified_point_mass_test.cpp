@@ -1,6 +1,4 @@
 // Shells in their yaw of repose: against the balance that defines it, and against six degrees of freedom.
-#include <gtest/gtest.h>
-
 #include "rigid.hpp"
 
 namespace physim::model_modified_point_mass_test {

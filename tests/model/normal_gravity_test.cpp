@@ -1,8 +1,6 @@
 // The flattened Earth's gravity: published figures, its potential, and what it is over a flat Earth.
 #include "model/normal_gravity.hpp"
 
-#include <gtest/gtest.h>
-
 #include "model/gravity.hpp"
 #include "random_shots.hpp"
 #include "support.hpp"

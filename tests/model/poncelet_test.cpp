@@ -1,8 +1,6 @@
 // Poncelet's law: beside its equation of motion integrated step by step, a shot of Forrestal's, and the woods of Metz.
 #include "model/poncelet.hpp"
 
-#include <gtest/gtest.h>
-
 #include "model/nose.hpp"
 #include "support.hpp"
 

@@ -2,11 +2,6 @@
 // of Johnson and Reid.
 #include "model/ricochet.hpp"
 
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <vector>
-
 #include "support.hpp"
 
 namespace physim::model_ricochet_test {

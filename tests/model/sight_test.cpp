@@ -1,8 +1,6 @@
 // The line of sight: directions, cant, look angle, and what range, drop and windage mean.
 #include "model/sight.hpp"
 
-#include <gtest/gtest.h>
-
 #include "support.hpp"
 
 namespace physim::model_sight_test {

@@ -2,8 +2,6 @@
 // units, and against six degrees of freedom.
 #include "model/spin_drift.hpp"
 
-#include <gtest/gtest.h>
-
 #include "support.hpp"
 
 namespace physim::model_spin_drift_test {

@@ -1,11 +1,6 @@
 // The standard atmosphere, and its shift to a station.
 #include "model/standard_atmosphere.hpp"
 
-#include <gtest/gtest.h>
-
-#include <vector>
-
-#include "physim/environment.hpp"
 #include "support.hpp"
 
 namespace physim::model_standard_atmosphere_test {

@@ -1,10 +1,4 @@
 // Motion under constant acceleration, asked any way round.
-#include "physim/solve.hpp"
-
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <cmath>
 #include <random>
 
 #include "support.hpp"

@@ -1,11 +1,6 @@
 // Wind: constant, and profiles by height and by range.
 #include "model/wind.hpp"
 
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <vector>
-
 #include "support.hpp"
 
 namespace physim::model_wind_test {

@@ -1,8 +1,6 @@
 // Young's equations: as printed, in both systems of units, and back from depths to speeds.
 #include "model/young.hpp"
 
-#include <gtest/gtest.h>
-
 #include "model/nose.hpp"
 #include "support.hpp"
 

@@ -1,11 +1,7 @@
 // Bad input is refused with a place and a message; nothing throws, nothing hangs.
-#include <gtest/gtest.h>
-
 #include <functional>
-#include <limits>
 
 #include "model/conditions.hpp"
-#include "physim/names.hpp"
 #include "prepare/check.hpp"
 #include "support.hpp"
 

@@ -1,6 +1,4 @@
 // What of an asked fidelity is granted, and that it is told why where it is less.
-#include <gtest/gtest.h>
-
 #include "model/ladder.hpp"
 #include "support.hpp"
 

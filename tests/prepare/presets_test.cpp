@@ -2,8 +2,6 @@
 #include "must.hpp"
 #include "physim/body.hpp"
 
-#include <gtest/gtest.h>
-
 #include "physim/world.hpp"
 
 namespace physim::prepare_presets_test {

@@ -1,10 +1,6 @@
 // The ladder of presets over every shipped scenario: each rung is worth standing on.
 #include "report/ladder.hpp"
 
-#include <gtest/gtest.h>
-
-#include <algorithm>
-
 #include "prepare/fidelity_cost.hpp"
 #include "shipped.hpp"
 #include "support.hpp"

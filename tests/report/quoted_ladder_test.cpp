@@ -1,14 +1,10 @@
 // README's table of three shots: its errors are those of today's library, as flights and as steps of a world.
-#include <gtest/gtest.h>
-
 #include <array>
-#include <cmath>
 #include <fstream>
 #include <map>
 #include <regex>
 #include <sstream>
 
-#include "physim/solve.hpp"
 #include "report/ladder.hpp"
 #include "report/world_steps.hpp"
 #include "support.hpp"

@@ -2,9 +2,6 @@
 #include "report/scene_section.hpp"
 #include "support.hpp"
 
-#include <gtest/gtest.h>
-
-#include <cmath>
 #include <sstream>
 
 namespace physim::report::report_scene_section_test {

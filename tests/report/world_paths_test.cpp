@@ -1,6 +1,4 @@
 // Paths that a run's picture draws: evenly out of all launches, few enough to be seen, and dots where particles are.
-#include <gtest/gtest.h>
-
 #include <algorithm>
 #include <map>
 

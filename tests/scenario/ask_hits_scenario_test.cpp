@@ -1,6 +1,4 @@
 // Hits that ask: a file has nobody who answers.
-#include <gtest/gtest.h>
-
 #include "must.hpp"
 #include "scenario/scenario.hpp"
 #include "scenario/world_run.hpp"

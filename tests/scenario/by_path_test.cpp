@@ -1,8 +1,6 @@
 // Settings by path: elements of lists by number, shots by name or number, at the doors of --set and of ScenarioFile.
 #include "scenario/by_path.hpp"
 
-#include <gtest/gtest.h>
-
 #include "cli/program.hpp"
 #include "scenario/overrides.hpp"
 #include "scenario/scenario.hpp"

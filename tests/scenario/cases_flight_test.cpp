@@ -1,12 +1,8 @@
 // Flights that users of other programs reported, with right values by closed forms or by integrations of their own.
-#include <gtest/gtest.h>
-
-#include <cmath>
 #include <numbers>
 
 #include "rifles.hpp"
 #include "scenario/run_support.hpp"
-#include "scenario/scenario.hpp"
 #include "settings/units.hpp"
 #include "support.hpp"
 

@@ -1,8 +1,4 @@
 // Things, terrain and notes of scenarios that users reported, with right values by closed forms.
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <cmath>
 #include <fstream>
 #include <numbers>
 #include <sstream>

@@ -1,15 +1,9 @@
 // Shapes made of shapes, and meshes made of several materials, in scenario files: held to the scene that the library
 // makes of the same, and to places known in closed form; what is written back, and what is refused and where.
-#include <gtest/gtest.h>
-
-#include <cmath>
-
 #include "scenario/compound_support.hpp"
 #include "scenario/revise.hpp"
 #include "scenario/run_support.hpp"
 #include "scenario/slope_scene.hpp"
-#include "scenario/world_run.hpp"
-#include "support.hpp"
 
 namespace physim::scenario_compound_scenario_test {
 

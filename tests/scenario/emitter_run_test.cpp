@@ -1,13 +1,10 @@
 // Runs of scenarios with emitters: what they fired is counted as a group, judged by expectations, saved and gone on
 // with.
-#include <gtest/gtest.h>
-
 #include <algorithm>
 #include <cmath>
 
 #include "scenario/run_support.hpp"
 #include "scenario/slope_scene.hpp"
-#include "scenario/world_run.hpp"
 
 namespace physim::scenario_emitter_run_test {
 

@@ -1,6 +1,4 @@
 // Emitters in scenario files: what is read, what is written back, and what is refused and where.
-#include <gtest/gtest.h>
-
 #include "base/archive.hpp"
 #include "must.hpp"
 #include "scenario/revise.hpp"

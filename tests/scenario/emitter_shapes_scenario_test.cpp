@@ -1,8 +1,4 @@
 // Emitters of scenario files: meshes, terrain, rain and trails.
-#include <gtest/gtest.h>
-
-#include <fstream>
-
 #include "base/archive.hpp"
 #include "cli/program.hpp"
 #include "physim/files.hpp"

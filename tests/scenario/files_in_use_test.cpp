@@ -1,13 +1,7 @@
 // What is read cannot be written, by whichever name; files are written whole or not at all.
 #include "scenario/files_in_use.hpp"
 
-#include <gtest/gtest.h>
-
-#include <filesystem>
-
-#include "cli/program.hpp"
 #include "named_files.hpp"
-#include "physim/files.hpp"
 #include "physim/physim.hpp"
 #include "scenario/new_file.hpp"
 #include "scenario/scenario.hpp"

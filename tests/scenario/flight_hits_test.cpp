@@ -1,12 +1,5 @@
 // Flights of scenarios through things: what they hit is told, counted and judged, read and written, and refused.
-#include "scenario/world_run.hpp"
-
-#include <gtest/gtest.h>
-
-#include <cmath>
-
 #include "scenario/run_support.hpp"
-#include "scenario/scenario.hpp"
 #include "scenario/slope_scene.hpp"
 #include "support.hpp"
 

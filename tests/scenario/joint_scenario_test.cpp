@@ -1,6 +1,4 @@
 // Joints in scenario files: what is read, what is written back, how a run has them, and what is refused and where.
-#include <gtest/gtest.h>
-
 #include <cmath>
 
 #include "base/archive.hpp"

@@ -2,8 +2,6 @@
 #include "must.hpp"
 #include "physim/files.hpp"
 
-#include <gtest/gtest.h>
-
 #include <cstdio>
 #include <fstream>
 

@@ -1,6 +1,4 @@
 // Settings that another one overrules, and numbers that are unlikely, are told with their place.
-#include <gtest/gtest.h>
-
 #include <fstream>
 
 #include "must.hpp"

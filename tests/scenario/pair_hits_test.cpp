@@ -1,6 +1,4 @@
 // Runs whose projectiles meet each other.
-#include <gtest/gtest.h>
-
 #include "scenario/world_run.hpp"
 #include "support.hpp"
 

@@ -1,15 +1,9 @@
 // Materials of the parts of a compound in scenario files: held to the scene that the library makes of the same, and to
 // places that are known; what is written back, and what a run tells.
-#include <gtest/gtest.h>
-
-#include <cmath>
-
 #include "scenario/compound_support.hpp"
 #include "scenario/revise.hpp"
 #include "scenario/run_support.hpp"
 #include "scenario/slope_scene.hpp"
-#include "scenario/world_run.hpp"
-#include "support.hpp"
 
 namespace physim::scenario_part_materials_test {
 

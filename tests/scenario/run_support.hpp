@@ -1,9 +1,6 @@
 // Scenarios out of texts, and their runs, as tests of scenarios share them.
 #pragma once
 
-#include <gtest/gtest.h>
-
-#include <string>
 #include <vector>
 
 #include "must.hpp"

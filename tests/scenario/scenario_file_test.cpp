@@ -1,6 +1,4 @@
 // ScenarioFile: the door of scenarios without their parsed tables. It flies what the tables fly, to the bit.
-#include <gtest/gtest.h>
-
 #include "cli/program.hpp"
 #include "scenario/scenario.hpp"
 #include "scenario/world_run.hpp"

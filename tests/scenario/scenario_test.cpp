@@ -1,8 +1,6 @@
 // Scenario files: what they say and where it goes.
 #include "scenario/scenario.hpp"
 
-#include <gtest/gtest.h>
-
 #include <cmath>
 #include <cstdlib>
 #include <filesystem>

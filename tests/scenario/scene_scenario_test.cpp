@@ -1,10 +1,5 @@
 // Scenes in scenario files: what is read, what is refused and where, and what is written back.
-#include <gtest/gtest.h>
-
-#include <cmath>
 #include <cstring>
-#include <filesystem>
-#include <fstream>
 
 #include "cli/program.hpp"
 #include "physim/files.hpp"

@@ -1,6 +1,4 @@
 // The list of settings: complete, consistent, and the same through every door.
-#include <gtest/gtest.h>
-
 #include <algorithm>
 #include <cstring>
 #include <map>
@@ -8,7 +6,6 @@
 #include <sstream>
 
 #include "scenario/run_support.hpp"
-#include "scenario/scenario.hpp"
 #include "scenario/schema.hpp"
 #include "scenario/suggest.hpp"
 

@@ -1,5 +1,4 @@
 // Points of lists that are uncertain, as scenarios write them.
-#include <cmath>
 #include <numeric>
 #include <set>
 

@@ -1,6 +1,4 @@
 // Studies as scenarios write them.
-#include <gtest/gtest.h>
-
 #include <filesystem>
 #include <fstream>
 

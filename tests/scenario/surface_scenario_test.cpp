@@ -1,12 +1,6 @@
 // Rules of combination and conveyors in scenario files: read, flown, refused, and what has no effect.
-#include <gtest/gtest.h>
-
-#include <cmath>
-
 #include "scenario/run_support.hpp"
-#include "scenario/scenario.hpp"
 #include "scenario/slope_scene.hpp"
-#include "scenario/world_run.hpp"
 #include "support.hpp"
 
 namespace physim::scenario_surface_test {

@@ -1,12 +1,8 @@
 // Terrain out of files: SRTM and GeoTIFF that the test writes, in latitude and longitude and in another projection.
 #include "physim/files.hpp"
 
-#include <gtest/gtest.h>
-
-#include <algorithm>
 #include <bit>
 #include <cmath>
-#include <fstream>
 #include <functional>
 
 #include "cli/program.hpp"

@@ -1,15 +1,11 @@
 // Files are read whole within a limit; what has no end is refused by every door that reads one.
 #include "scenario/text_file.hpp"
 
-#include <fcntl.h>
-#include <gtest/gtest.h>
 #include <signal.h>
 #include <sys/socket.h>
 #include <sys/stat.h>
 #include <sys/un.h>
-#include <unistd.h>
 
-#include <filesystem>
 #include <thread>
 
 #include "cli/program.hpp"

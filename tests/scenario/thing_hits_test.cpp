@@ -1,11 +1,6 @@
 // Hits of a run: told once each, with what became of them, counted by thing, and judged by expectations.
-#include <gtest/gtest.h>
-
-#include <cmath>
-
 #include "scenario/run_support.hpp"
 #include "scenario/slope_scene.hpp"
-#include "scenario/world_run.hpp"
 #include "support.hpp"
 
 namespace physim::scenario_thing_hits_test {

@@ -2,8 +2,6 @@
 #include "scenario/units.hpp"
 #include "must.hpp"
 
-#include <gtest/gtest.h>
-
 #include <cmath>
 #include <cstring>
 #include <limits>

@@ -1,6 +1,4 @@
 // Each setting that is given and that nothing reads is told, by its path and the reason; one that is read is not.
-#include <gtest/gtest.h>
-
 #include <algorithm>
 
 #include "must.hpp"

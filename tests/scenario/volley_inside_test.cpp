@@ -1,6 +1,4 @@
 // Launches of a volley fly from their own moments, wherever those lie in the steps of a world.
-#include <gtest/gtest.h>
-
 #include <cmath>
 
 #include "scenario/run_support.hpp"

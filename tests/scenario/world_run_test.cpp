@@ -1,8 +1,6 @@
 // Scenarios with a [world]: what they make, how volleys fire and scatter, what is counted.
 #include "scenario/world_run.hpp"
 
-#include <gtest/gtest.h>
-
 #include <cmath>
 #include <set>
 

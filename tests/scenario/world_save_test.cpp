@@ -1,14 +1,10 @@
 // Runs of scenarios that are saved and go on: as if they had not stopped.
-#include <gtest/gtest.h>
-
-#include <algorithm>
 #include <cstring>
 
 #include "base/hash.hpp"
 #include "physim/result.hpp"
 #include "physim/world.hpp"
 #include "scenario/run_support.hpp"
-#include "scenario/world_run.hpp"
 #include "shipped.hpp"
 
 namespace physim::scenario_world_save_test {

@@ -1,8 +1,4 @@
 // Scenarios written as text: what is read back is what was written, setting by setting.
-#include <gtest/gtest.h>
-
-#include <filesystem>
-
 #include "must.hpp"
 #include "scenario/revise.hpp"
 #include "scenario/scenario.hpp"

@@ -10,7 +10,6 @@
 #include <array>
 #include <cmath>
 #include <cstdarg>
-#include <cstdio>
 #include <cstdlib>
 #include <map>
 #include <random>

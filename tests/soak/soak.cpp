@@ -6,7 +6,6 @@
 // Fails where the memory held grows after the first third of 10^8 or more, or where a projectile that stays in the
 // world has bad numbers. It is meant to run under the sanitizers: ./dev soak --asan, ./dev soak --tsan.
 #include <cmath>
-#include <cstdio>
 #include <cstdlib>
 #include <random>
 

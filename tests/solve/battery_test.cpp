@@ -1,8 +1,4 @@
 // One battery that every integrator must pass: order, dense output, reversal, events.
-#include <gtest/gtest.h>
-
-#include <algorithm>
-
 #include "solve/problems.hpp"
 
 namespace physim::solve_battery_test {

@@ -1,8 +1,5 @@
 // A push that lasts for a time has its exact impulse: its end is a stop of the steps of every integrator, in flights,
 // batches and worlds, and what it does to a step that is not cut there, under generators, has that impulse too.
-#include <gtest/gtest.h>
-
-#include "physim/world.hpp"
 #include "world/force_support.hpp"
 
 namespace physim::solve_force_stop_test {

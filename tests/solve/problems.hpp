@@ -1,9 +1,7 @@
 // Smooth problems with known solutions, and a driver that takes fixed steps with any integrator.
 #pragma once
 
-#include <cmath>
 #include <functional>
-#include <vector>
 
 #include "solve/dense.hpp"
 #include "support.hpp"

@@ -1,9 +1,4 @@
 // Measured tables of drag and thrust have many corners, and winds do: they cost few steps that are taken twice.
-#include <gtest/gtest.h>
-
-#include <cmath>
-
-#include "physim/solve.hpp"
 #include "support.hpp"
 
 namespace physim::solve_rocket_steps_test {

@@ -1,13 +1,6 @@
 // Step control: the controller itself, and what it makes of whole flights; corners of piecewise data.
 #include "solve/step_control.hpp"
 
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <cmath>
-
-#include "physim/environment.hpp"
-#include "physim/projectile.hpp"
 #include "support.hpp"
 
 namespace physim::solve_step_control_test {

@@ -1,6 +1,5 @@
 // What studies refuse, and with which words.
 #include "base/archive.hpp"
-#include "physim/result.hpp"
 #include "study_support.hpp"
 
 namespace physim::study_bad_studies_test {

@@ -1,6 +1,4 @@
 // Points whose correlations follow from their distance: against the law, and against the impulse of a motor.
-#include <cmath>
-
 #include "study_support.hpp"
 
 namespace physim::study_by_distance_test {

@@ -1,5 +1,4 @@
 // Wind by compass, and numbers of the place, held to fly() in such a wind and at such a place.
-#include <cmath>
 #include <numbers>
 
 #include "study_support.hpp"

@@ -1,8 +1,6 @@
 // Distributions against their closed forms: moments by integrals over quantiles, chi-squared and Kolmogorov-Smirnov.
 #include "study/distributions.hpp"
 
-#include <algorithm>
-
 #include "math/philox.hpp"
 #include "support.hpp"
 

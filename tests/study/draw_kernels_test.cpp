@@ -1,8 +1,5 @@
 // Numbers drawn in lanes are those drawn one by one, whatever draws them.
-#include <gtest/gtest.h>
-
 #include "math/normal.hpp"
-#include "physim/flight.hpp"
 #include "random_shots.hpp"
 #include "study/draw_job.hpp"
 #include "study/sampling.hpp"

@@ -1,6 +1,4 @@
 // Histograms of what studies counted, against the bell curve, lists of values and shots counted one by one.
-#include <cmath>
-
 #include "study_support.hpp"
 
 namespace physim::study_histogram_test {

@@ -1,8 +1,5 @@
 // Speed, obliquity and energy of impacts, held to closed forms: parabolas on the ground, Kepler's ellipses on a sphere,
 // straight shots on planes and balls, things in motion.
-#include <cmath>
-
-#include "physim/scene.hpp"
 #include "study_support.hpp"
 
 namespace physim::study_impacts_test {

@@ -1,8 +1,6 @@
 // Shares of the misses, by closed forms of normal impacts and beside sampling.
 #include "study/misses.hpp"
 
-#include <gtest/gtest.h>
-
 #include "study/study_support.hpp"
 
 namespace physim::test::study_misses_test {

@@ -1,6 +1,4 @@
 // How likely targets are hit over each input, held to integrals; the bits and bytes of it.
-#include <cmath>
-
 #include "study_support.hpp"
 
 namespace physim::study_over_inputs_test {

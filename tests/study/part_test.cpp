@@ -1,8 +1,6 @@
 // Parts of studies joined, whatever they have of each other.
 #include "study/part.hpp"
 
-#include <gtest/gtest.h>
-
 #include <random>
 #include <set>
 

@@ -1,9 +1,5 @@
 // Places on the way of a study's flights, held to parabolas, to studies that end there, and to closed forms of normal
 // numbers; the bits of it.
-#include <cmath>
-
-#include "physim/body.hpp"
-#include "physim/scene.hpp"
 #include "study_support.hpp"
 
 namespace physim::study_places_test {

@@ -2,7 +2,6 @@
 // Latin hypercubes, nets of Sobol's sequence, and what each number depends on.
 #include "study/sampling.hpp"
 
-#include <algorithm>
 #include <set>
 
 #include "study/correlation.hpp"

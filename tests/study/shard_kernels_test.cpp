@@ -1,10 +1,7 @@
 // Work on columns of shots gives the bits that shot by shot gives, whatever kernel does it.
 #include "study/shard_job.hpp"
 
-#include <algorithm>
-
 #include "math/vec3.hpp"
-#include "physim/flight.hpp"
 #include "random_shots.hpp"
 #include "study/cell_number.hpp"
 #include "study/sums.hpp"

@@ -1,8 +1,6 @@
 // Shards leave their memory to the shards after them, and nothing else.
 #include "study/shard_memory.hpp"
 
-#include <gtest/gtest.h>
-
 #include <thread>
 
 #include "study/shard.hpp"

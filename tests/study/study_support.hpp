@@ -2,11 +2,7 @@
 #pragma once
 
 #include <cstddef>
-#include <utility>
-#include <vector>
 
-#include "physim/result.hpp"
-#include "physim/study.hpp"
 #include "support.hpp"
 
 namespace physim::test {

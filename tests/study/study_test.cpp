@@ -1,5 +1,4 @@
 // Studies of flights: their shots are those of fly(), and their bits depend on no thread, order, save or stop.
-#include <algorithm>
 #include <numeric>
 
 #include "random_shots.hpp"

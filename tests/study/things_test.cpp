@@ -1,7 +1,4 @@
 // Studies among the things of a scene: what is hit, and how likely, held to closed forms and to fly().
-#include <cmath>
-
-#include "physim/scene.hpp"
 #include "study_support.hpp"
 
 namespace physim::study_things_test {

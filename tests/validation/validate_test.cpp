@@ -2,8 +2,6 @@
 #include "validation/validate.hpp"
 #include "must.hpp"
 
-#include <gtest/gtest.h>
-
 #include <algorithm>
 #include <map>
 

@@ -1,6 +1,4 @@
 // The window is drawn only where something changed.
-#include <gtest/gtest.h>
-
 #include "window/x_client.hpp"
 
 namespace physim::testing_window {

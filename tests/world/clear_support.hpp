@@ -3,12 +3,9 @@
 
 #include <array>
 
-#include "physim/body.hpp"
 #include "random_shots.hpp"
 #include "rigid.hpp"
 #include "scene_support.hpp"
-#include "support.hpp"
-#include "world/world_support.hpp"
 
 namespace physim::test_clear {
 

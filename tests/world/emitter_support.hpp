@@ -1,12 +1,8 @@
 // Emitters that tests of worlds share.
 #pragma once
 
-#include <gtest/gtest.h>
-
 #include <map>
-#include <string>
 #include <tuple>
-#include <vector>
 
 #include "world/world_support.hpp"
 

@@ -2,7 +2,6 @@
 #pragma once
 
 #include "scene_support.hpp"
-#include "support.hpp"
 
 namespace physim {
 

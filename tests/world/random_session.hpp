@@ -4,7 +4,6 @@
 #include <random>
 
 #include "must.hpp"
-#include "physim/physim.hpp"
 #include "random_emitters.hpp"
 
 namespace physim::test {

@@ -1,12 +1,6 @@
 // Worlds and projectiles that tests share.
 #pragma once
 
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <vector>
-
-#include "physim/world.hpp"
 #include "support.hpp"
 
 namespace physim {

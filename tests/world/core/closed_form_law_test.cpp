@@ -1,7 +1,4 @@
 // Closed forms fly on from where they are when what they are evaluated with changes: gravity, wind, drag, rest.
-#include <cmath>
-
-#include "physim/world.hpp"
 #include "world/world_support.hpp"
 
 namespace physim::world_closed_form_law_test {

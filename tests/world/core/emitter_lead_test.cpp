@@ -1,9 +1,4 @@
 // World::lead_emitter(): what is born on legs does not depend on the steps that cut them.
-#include <gtest/gtest.h>
-
-#include <cmath>
-
-#include "physim/world.hpp"
 #include "world/emitter_support.hpp"
 
 namespace physim::world_emitter_lead_test {

@@ -1,5 +1,4 @@
 // Hinges and sliders, with their stops, against closed forms.
-#include <cmath>
 #include <random>
 
 #include "world/joints_support.hpp"

@@ -1,7 +1,4 @@
 // Joints against closed forms: pendulums, a dumb-bell, springs, chains and cables.
-#include <algorithm>
-#include <cmath>
-
 #include "world/joints_support.hpp"
 
 namespace physim::world_joints_test {

@@ -1,7 +1,6 @@
 // Kinds: those that nobody uses are let go, whatever snapshots, forces and recordings need of them stays.
 #include "world/core/kinds.hpp"
 
-#include "physim/world.hpp"
 #include "world/world_support.hpp"
 
 namespace physim::world_kinds_test {

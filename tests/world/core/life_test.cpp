@@ -1,9 +1,6 @@
 // Coming and going: ids, pools, rules, pending launches, switches, things carried along, time.
-#include <cmath>
-#include <limits>
 #include <random>
 
-#include "physim/flight.hpp"
 #include "world/world_support.hpp"
 
 namespace physim::world_life_test {

@@ -2,7 +2,6 @@
 #include <gtest/gtest.h>
 
 #include <deque>
-#include <vector>
 
 #include "random_shots.hpp"
 #include "world/core/clock.hpp"

@@ -1,13 +1,7 @@
 // How restitution and friction of two that touch are combined: on things, on the ground, between projectiles and in
 // flights.
-#include <cmath>
-#include <string>
-
-#include "physim/names.hpp"
 #include "scene_support.hpp"
-#include "support.hpp"
 #include "world/pairs_support.hpp"
-#include "world/world_support.hpp"
 
 namespace physim::world_combine_test {
 

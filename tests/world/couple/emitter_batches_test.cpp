@@ -1,7 +1,5 @@
 // Births that go through side by side are those that go one by one: a sub-emitter that waits for an age, which a birth
 // might reach in its own step, makes them go one by one.
-#include <gtest/gtest.h>
-
 #include <bit>
 
 #include "random_emitters.hpp"

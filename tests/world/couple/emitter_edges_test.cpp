@@ -1,9 +1,4 @@
 // Emitters at their edges: where rounding, equal times, what comes between steps, and what is gone meet.
-#include <gtest/gtest.h>
-
-#include <cmath>
-#include <limits>
-
 #include "world/emitter_support.hpp"
 
 namespace physim::world_emitter_edges_test {

@@ -1,12 +1,7 @@
 // What emitters do to the flight of their particles: closed forms, frames, contacts, and everything that worlds keep.
-#include <gtest/gtest.h>
-
-#include <cmath>
-
 #include "emit/flight_law.hpp"
 #include "math/quat.hpp"
 #include "math/vec3.hpp"
-#include "physim/world.hpp"
 #include "world/emitter_support.hpp"
 
 namespace physim::world_emitter_flight_test {

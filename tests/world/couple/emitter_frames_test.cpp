@@ -1,8 +1,4 @@
 // Emitters and frames: who is born, when and how, and where they are, do not depend on how long steps are.
-#include <gtest/gtest.h>
-
-#include <cmath>
-
 #include "world/emitter_support.hpp"
 
 namespace physim::world_emitter_frames_test {

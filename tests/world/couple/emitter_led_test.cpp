@@ -1,8 +1,4 @@
 // Emitters that a projectile leads: along its curve, through its bounces, and up to where it turns back.
-#include <gtest/gtest.h>
-
-#include <cmath>
-
 #include "world/emitter_support.hpp"
 
 namespace physim::world_emitter_led_test {

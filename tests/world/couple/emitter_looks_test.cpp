@@ -1,9 +1,5 @@
 // Looks of particles in columns: those of each particle by what can be known of it from outside, for emitters whose
 // looks depend on draws, on the cycle, on age and on what was inherited, and through saves and snapshots.
-#include <algorithm>
-#include <cmath>
-#include <span>
-
 #include "emit/emission.hpp"
 #include "world/emitter_support.hpp"
 

@@ -1,6 +1,4 @@
 // What is done for many particles at a time, or on a way of its own, gives what each alone and settling give.
-#include <gtest/gtest.h>
-
 #include "random_emitters.hpp"
 #include "world/emitter_support.hpp"
 

@@ -1,6 +1,4 @@
 // Emitters of worlds that are prewarmed: what they let out before the world's time.
-#include <gtest/gtest.h>
-
 #include "world/emitter_support.hpp"
 
 namespace physim::world_emitter_past_test {

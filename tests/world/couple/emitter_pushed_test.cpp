@@ -1,6 +1,4 @@
 // Rows that an emitter pushes on rungs that kernels know at compile time fly as on the way of all rungs, bit for bit.
-#include <gtest/gtest.h>
-
 #include "world/emitter_support.hpp"
 
 namespace physim::world_emitter_pushed_test {

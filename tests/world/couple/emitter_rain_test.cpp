@@ -1,8 +1,5 @@
 // Rain about a viewer: as dense everywhere in its box as it should be, while the viewer stands, moves and jumps.
-#include <gtest/gtest.h>
-
 #include "emit/statistics.hpp"
-#include "physim/world.hpp"
 #include "random_shots.hpp"
 #include "scene_support.hpp"
 #include "world/emitter_support.hpp"

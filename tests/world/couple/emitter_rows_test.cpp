@@ -1,7 +1,5 @@
 // Every row of an emitter's definition that a world alone sees: when it plays, where it is, rain, triangles, limits,
 // trails and sub-emitters. The others are in emit/emission_test.cpp.
-#include <gtest/gtest.h>
-
 #include <functional>
 
 #include "base/hash.hpp"

@@ -1,7 +1,4 @@
 // Emitters of a world that fire out of meshes and terrain: where, and that saves hold each shape once.
-#include <gtest/gtest.h>
-
-#include "physim/world.hpp"
 #include "scene_support.hpp"
 #include "world/emitter_support.hpp"
 

@@ -1,10 +1,6 @@
 // Emitters of worlds: sub-emitters, limits, moments, calls, and what is refused.
-#include <gtest/gtest.h>
-
-#include <cmath>
 #include <set>
 
-#include "physim/world.hpp"
 #include "world/emitter_support.hpp"
 
 namespace physim::world_emitter_test {

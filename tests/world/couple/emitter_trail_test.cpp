@@ -1,7 +1,4 @@
 // Trails of particles, and emitters that seek a time: against closed forms and against waiting.
-#include <gtest/gtest.h>
-
-#include "physim/world.hpp"
 #include "scene_support.hpp"
 #include "world/emitter_support.hpp"
 

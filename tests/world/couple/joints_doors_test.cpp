@@ -1,7 +1,4 @@
 // Joints through every door of a world: bad input, leaving, sleep, snapshots, saves, recordings, hashes, kernels.
-#include <random>
-
-#include "physim/world.hpp"
 #include "world/joints_support.hpp"
 #include "world/random_session.hpp"
 

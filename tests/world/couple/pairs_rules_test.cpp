@@ -1,11 +1,6 @@
 // Projectiles that meet each other: what each kind does then, who sleeps, and every way to go on.
-#include <cmath>
 #include <random>
-#include <string>
-#include <utility>
-#include <vector>
 
-#include "physim/world.hpp"
 #include "rigid.hpp"
 #include "scene_support.hpp"
 #include "world/pairs_support.hpp"

@@ -1,5 +1,4 @@
 // Projectiles that meet each other: where and when, what follows, and that nothing else matters.
-#include <cmath>
 #include <map>
 #include <random>
 

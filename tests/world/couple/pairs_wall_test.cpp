@@ -1,10 +1,5 @@
 // Balls that touch a wall, or a row of others, when they are struck.
-#include <vector>
-
-#include "physim/body.hpp"
 #include "scene_support.hpp"
-#include "support.hpp"
-#include "world/world_support.hpp"
 
 namespace physim::world_pairs_wall_test {
 

@@ -1,10 +1,6 @@
 // Piles rest, sleep and wake as a whole; what falls as one gains nothing.
-#include <algorithm>
 #include <array>
-#include <string>
-#include <vector>
 
-#include "physim/scene.hpp"
 #include "world/joints_support.hpp"
 
 namespace physim::world_piles_test {

@@ -1,8 +1,5 @@
 // One flight has one acceleration: flights, their samples and worlds tell the same, and it is the register of the
 // original's loop on `classic`, the force over the mass elsewhere.
-#include <cmath>
-
-#include "physim/body.hpp"
 #include "world/world_support.hpp"
 
 namespace physim::world_acceleration_doors_test {

@@ -1,10 +1,5 @@
 // Contacts that users of other engines complained of, by closed forms at several frame rates.
-#include <cmath>
-#include <string>
-#include <vector>
-
 #include "math/quat.hpp"
-#include "physim/body.hpp"
 #include "scene_support.hpp"
 #include "world/joints_support.hpp"
 

@@ -1,13 +1,8 @@
 // Worlds that users of other engines reported: bounces, seams and emitters at any frame rate, by closed forms.
-#include <algorithm>
-#include <cmath>
-#include <vector>
-
 #include "collide/scene_support.hpp"
 #include "math/quat.hpp"
 #include "scene_support.hpp"
 #include "world/emitter_support.hpp"
-#include "world/world_support.hpp"
 
 namespace physim::world_cases_world_test {
 

@@ -1,6 +1,4 @@
 // A projectile that changes its rung flies on as one that was on it from the start.
-#include <gtest/gtest.h>
-
 #include "must.hpp"
 #include "physim/physim.hpp"
 

@@ -1,9 +1,6 @@
 // The doors of a world: what it is asked for at odd times, with odd values, or when it is not there.
 #include <cstdint>
-#include <limits>
 
-#include "physim/names.hpp"
-#include "physim/world.hpp"
 #include "world/world_support.hpp"
 
 namespace physim::world_doors_test {

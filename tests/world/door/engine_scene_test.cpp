@@ -1,17 +1,10 @@
 // Worlds whose scene is an engine's: against the same scene as their own, and against closed forms.
-#include <cmath>
-#include <limits>
 #include <set>
-#include <stdexcept>
 #include <thread>
 
 #include "engine_support.hpp"
-#include "physim/body.hpp"
-#include "physim/world.hpp"
 #include "random_shots.hpp"
 #include "scene_support.hpp"
-#include "support.hpp"
-#include "world/world_support.hpp"
 
 namespace physim::world_engine_scene_test {
 

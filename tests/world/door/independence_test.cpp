@@ -1,11 +1,9 @@
 // A projectile's numbers depend on nothing but itself: not on threads, kernels, neighbours, the order of spawning, or a
 // detour through a snapshot.
-#include <cmath>
 #include <map>
 #include <random>
 
 #include "model/ladder.hpp"
-#include "physim/flight.hpp"
 #include "world/world_support.hpp"
 
 namespace physim::world_independence_test {

@@ -1,5 +1,4 @@
 // Changes of one that flies: what is drawn goes on behind a jump, and the place of its launch stays where it was.
-#include <cmath>
 #include <functional>
 
 #include "world/world_support.hpp"

@@ -1,6 +1,4 @@
 // A projectile with a delay flies from its own moment on, wherever that lies in a step.
-#include <gtest/gtest.h>
-
 #include "world/world_support.hpp"
 
 namespace physim::world_launch_inside_test {

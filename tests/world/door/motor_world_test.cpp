@@ -1,8 +1,5 @@
 // Motors and launch rails in a world: the numbers of flights, whatever else happens to the projectile.
-#include <gtest/gtest.h>
-
 #include "base/event_table.hpp"
-#include "support.hpp"
 #include "world/world_support.hpp"
 
 namespace physim::world_motor_world_test {

@@ -1,11 +1,7 @@
 // Predictions: flights from where projectiles are, bit for bit what the world then does; and worlds that go on with
 // what was on its way in a flight.
-#include <gtest/gtest.h>
-
 #include <map>
 
-#include "physim/world.hpp"
-#include "support.hpp"
 #include "world/random_session.hpp"
 #include "world/world_support.hpp"
 

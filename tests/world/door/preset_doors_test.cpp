@@ -1,11 +1,5 @@
 // A preset has its own gravity and its own damping at every door: single flights, batches, worlds, scenarios and
 // comparisons fly one path.
-#include <cmath>
-#include <string>
-
-#include "physim/body.hpp"
-#include "physim/solve.hpp"
-#include "physim/study.hpp"
 #include "scenario/scenario.hpp"
 #include "world/world_support.hpp"
 

@@ -1,12 +1,7 @@
 // Queries that see projectiles: in spheres and boxes, and along ways, beside closed forms and beside looking at all.
-#include <algorithm>
-#include <cmath>
-
 #include "math/quat.hpp"
 #include "random_shots.hpp"
-#include "support.hpp"
 #include "world/thing_support.hpp"
-#include "world/world_support.hpp"
 
 namespace physim::world_projectile_queries_test {
 

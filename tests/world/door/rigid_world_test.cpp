@@ -1,7 +1,4 @@
 // Rigid bodies in a world: generators, changes of rung, sleep, bounces, snapshots.
-#include <gtest/gtest.h>
-
-#include "physim/world.hpp"
 #include "rigid.hpp"
 #include "world/world_support.hpp"
 

@@ -1,8 +1,4 @@
 // Worlds with scenes through every door of time: snapshots, saves, recordings, and changes in between.
-#include <cmath>
-
-#include "physim/world.hpp"
-#include "support.hpp"
 #include "world/world_support.hpp"
 
 namespace physim::world_scene_moments_test {

@@ -1,10 +1,7 @@
 // Compounds whose parts are of different materials: against closed forms, and against things of their own.
-#include <cmath>
 #include <map>
 
 #include "collide/scene_support.hpp"
-#include "physim/event.hpp"
-#include "physim/world.hpp"
 #include "world/thing_support.hpp"
 
 namespace physim::world_scene_parts_test {

@@ -1,9 +1,7 @@
 // Predictions see the scene of their world: bit for bit what the world then does, with things that move too.
 #include <map>
 
-#include "physim/body.hpp"
 #include "random_shots.hpp"
-#include "support.hpp"
 #include "world/world_support.hpp"
 
 namespace physim::world_scene_predict_test {

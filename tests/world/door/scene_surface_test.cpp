@@ -1,10 +1,7 @@
 // What starts at surfaces, goes along them, and through several that touch.
 #include <array>
-#include <cmath>
 
-#include "physim/scene.hpp"
 #include "random_shots.hpp"
-#include "support.hpp"
 #include "world/thing_support.hpp"
 
 namespace physim::world_scene_surface_test {

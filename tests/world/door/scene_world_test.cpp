@@ -1,14 +1,8 @@
 // Worlds whose projectiles meet things: against closed forms, against the ground, and from every side.
 #include <array>
-#include <cmath>
-#include <limits>
-#include <string>
 
-#include "physim/body.hpp"
 #include "random_shots.hpp"
 #include "scene_support.hpp"
-#include "support.hpp"
-#include "world/world_support.hpp"
 
 namespace physim::world_scene_world_test {
 

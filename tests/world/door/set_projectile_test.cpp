@@ -1,10 +1,6 @@
 // What a projectile is, changed while it flies: mass, diameter, drag and damping.
-#include <cmath>
 #include <map>
-#include <string>
 
-#include "physim/body.hpp"
-#include "physim/world.hpp"
 #include "scenario/scenario.hpp"
 #include "world/world_support.hpp"
 

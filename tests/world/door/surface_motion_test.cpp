@@ -1,7 +1,4 @@
 // The acceleration of what rests, rolls or slides on a surface, by closed forms.
-#include <cmath>
-#include <string>
-
 #include "math/quat.hpp"
 #include "scene_support.hpp"
 

@@ -1,12 +1,6 @@
 // The world against single flights: same rung, same step, same bits.
-#include "physim/world.hpp"
-
-#include <gtest/gtest.h>
-
 #include <random>
 
-#include "physim/flight.hpp"
-#include "physim/names.hpp"
 #include "world/world_support.hpp"
 
 namespace physim::world_world_test {

@@ -1,6 +1,4 @@
 // Snapshots go back bit for bit; hashes tell worlds apart, and only worlds.
-#include <gtest/gtest.h>
-
 #include <functional>
 
 #include "world/random_session.hpp"

@@ -1,16 +1,10 @@
 // Recordings: what was done is done again, bit for bit; what is broken is refused or told.
-#include "physim/world.hpp"
 #include "world/world_support.hpp"
 
-#include <gtest/gtest.h>
-
-#include <algorithm>
 #include <map>
-#include <random>
 #include <set>
 
 #include "physim/files.hpp"
-#include "physim/result.hpp"
 #include "world/random_session.hpp"
 #include "world/recording_bytes.hpp"
 

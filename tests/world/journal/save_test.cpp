@@ -1,12 +1,5 @@
 // Saves: a world that is loaded goes on as the one that was saved, bit for bit; what is no save is refused.
-#include <gtest/gtest.h>
-
-#include <cmath>
-#include <random>
-
 #include "base/hash.hpp"
-#include "physim/result.hpp"
-#include "physim/world.hpp"
 #include "world/random_session.hpp"
 #include "world/world_support.hpp"
 

@@ -1,8 +1,5 @@
 // Adaptive integrators in worlds: the parts of a frame end at the corners of what is piecewise, as the steps of flights
 // do, so that a world is as accurate as a flight of its tolerance.
-#include <gtest/gtest.h>
-
-#include "support.hpp"
 #include "world/world_support.hpp"
 
 namespace physim::world_adaptive_frames_test {

@@ -1,7 +1,4 @@
 // Hits that ask through every door: what is refused, saves, snapshots, recordings, predictions, flights.
-#include <stdexcept>
-
-#include "physim/world.hpp"
 #include "world/ask_support.hpp"
 #include "world/random_session.hpp"
 

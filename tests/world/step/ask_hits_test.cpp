@@ -3,7 +3,6 @@
 #include <thread>
 
 #include "engine_support.hpp"
-#include "physim/body.hpp"
 #include "world/ask_support.hpp"
 
 namespace physim::world_ask_hits_test {

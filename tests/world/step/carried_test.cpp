@@ -1,12 +1,7 @@
 // What slides or rolls on things that move: turntables, planks that tilt, trains that start and stop at once, lifts
 // before walls; and what drag does to slides. All beside closed forms.
-#include <cmath>
-
 #include "math/quat.hpp"
-#include "physim/body.hpp"
 #include "scene_support.hpp"
-#include "support.hpp"
-#include "world/world_support.hpp"
 
 namespace physim::world_carried_test {
 

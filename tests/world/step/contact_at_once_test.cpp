@@ -1,8 +1,4 @@
 // Contacts that fall on one moment, and contacts that last: corners, piles, walls that push, edges, rolling.
-#include <cmath>
-#include <vector>
-
-#include "physim/scene.hpp"
 #include "world/joints_support.hpp"
 
 namespace physim::world_contact_at_once_test {

@@ -1,11 +1,7 @@
 // Surfaces that run: conveyors of things and of the ground, beside closed forms.
-#include <cmath>
-
 #include "math/quat.hpp"
 #include "scene_support.hpp"
-#include "support.hpp"
 #include "world/pairs_support.hpp"
-#include "world/world_support.hpp"
 
 namespace physim::world_conveyor_test {
 

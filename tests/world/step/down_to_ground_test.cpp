@@ -1,11 +1,6 @@
 // What a thing brings down to the ground inside a step, and what a way over the ground brings to a thing.
-#include <cmath>
-
 #include "math/quat.hpp"
-#include "physim/body.hpp"
 #include "scene_support.hpp"
-#include "support.hpp"
-#include "world/world_support.hpp"
 
 namespace physim::world_down_to_ground_test {
 

@@ -1,10 +1,4 @@
 // Wind and force by functions of one's own, in worlds: as flights have them, by the world's clock, through every door.
-#include <gtest/gtest.h>
-
-#include <stdexcept>
-
-#include "physim/world.hpp"
-#include "support.hpp"
 #include "world/world_support.hpp"
 
 namespace physim::world_field_world_test {

@@ -1,9 +1,4 @@
 // Steps of a given length: drag slows, and turns no velocity around. Of order one: what bounces keeps its energy.
-#include <gtest/gtest.h>
-
-#include <cmath>
-
-#include "physim/names.hpp"
 #include "world/world_support.hpp"
 
 namespace physim::world_first_order_test {

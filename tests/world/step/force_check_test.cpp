@@ -1,6 +1,4 @@
 // Generators that make no sense are refused with a place and a message.
-#include <gtest/gtest.h>
-
 #include <functional>
 
 #include "support.hpp"

@@ -1,9 +1,6 @@
 // Generators over batches: who feels what, partners and Newton's third law, zones, user functions.
 #include "world/step/force_eval.hpp"
 
-#include <gtest/gtest.h>
-
-#include <cmath>
 #include <map>
 #include <numeric>
 

@@ -1,9 +1,4 @@
 // Force generators of a crowded world: threads, kernels, snapshots and hashes; and numbers that are none.
-#include <gtest/gtest.h>
-
-#include <cmath>
-
-#include "physim/world.hpp"
 #include "world/force_support.hpp"
 
 namespace physim::world_forces_moments_test {

@@ -1,10 +1,4 @@
 // Force generators in a world: order of every integrator, Newton's third law, times, targets, sleep, landings.
-#include "physim/world.hpp"
-
-#include <gtest/gtest.h>
-
-#include <cmath>
-
 #include "solve/take_step.hpp"
 #include "world/force_support.hpp"
 

@@ -1,12 +1,6 @@
 // Friction of what does not roll: points, and balls that may not turn, on grounds and on things, in worlds and flights.
-#include <cmath>
-#include <string>
-
 #include "math/quat.hpp"
-#include "physim/body.hpp"
 #include "scene_support.hpp"
-#include "support.hpp"
-#include "world/world_support.hpp"
 
 namespace physim::world_friction_test {
 

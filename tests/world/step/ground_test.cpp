@@ -1,7 +1,4 @@
 // Landing, bouncing, rolling and sleeping, against closed forms.
-#include <cmath>
-
-#include "physim/flight.hpp"
 #include "world/world_support.hpp"
 
 namespace physim::world_ground_test {

@@ -1,8 +1,6 @@
 // Crossings that are found by heights alone are those that the whole dense output gives, to the bit.
 #include "world/step/height_crossings.hpp"
 
-#include <utility>
-
 #include "support.hpp"
 
 namespace physim::test::world_height_crossings_test {

@@ -1,12 +1,7 @@
 // One-way things: they stop what comes from their front, and nothing else.
-#include <cmath>
-#include <string>
-
 #include "math/quat.hpp"
 #include "scene_support.hpp"
-#include "support.hpp"
 #include "world/pairs_support.hpp"
-#include "world/world_support.hpp"
 
 namespace physim::world_one_way_test {
 

@@ -1,10 +1,4 @@
 // Tests 3 and 6 of the original in a world, as their author meant them.
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <cmath>
-#include <vector>
-
 #include "world/force_support.hpp"
 
 namespace physim::world_original_forces_test {

@@ -1,10 +1,6 @@
 // Drag on what slides or rolls: it slows, and never turns a motion around, however strong it is and however long steps
 // are. The air lets a slide without friction follow a closed form.
-#include <gtest/gtest.h>
-
 #include "math/vec3.hpp"
-#include "physim/names.hpp"
-#include "physim/world.hpp"
 #include "support.hpp"
 
 namespace physim::world_rolling_drag_test {

@@ -1,7 +1,4 @@
 // What rows know to be clear of things at rest, while others move, come, start and stop: no answer changes.
-#include <cmath>
-
-#include "physim/body.hpp"
 #include "world/clear_support.hpp"
 #include "world/core/newcomers.hpp"
 

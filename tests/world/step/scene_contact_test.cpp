@@ -1,14 +1,7 @@
 // What contacts do in worlds: spin and velocity, things that move, ways into and through materials.
 #include <array>
-#include <cmath>
-#include <string>
-#include <vector>
 
-#include "physim/body.hpp"
-#include "physim/scene.hpp"
 #include "scene_support.hpp"
-#include "support.hpp"
-#include "world/world_support.hpp"
 
 namespace physim::world_scene_contact_test {
 

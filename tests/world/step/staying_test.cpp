@@ -1,11 +1,5 @@
 // What lies, rolls or slides on a thing is one contact: told once, and the same at any step, height and frame rate.
-#include <cmath>
-#include <string>
-
-#include "physim/body.hpp"
 #include "scene_support.hpp"
-#include "support.hpp"
-#include "world/world_support.hpp"
 
 namespace physim::world_staying_test {
 

@@ -1,11 +1,6 @@
 // What slides or rolls comes to walls and sensors at the moment that its own law says, whatever the step.
-#include <cmath>
-
 #include "math/quat.hpp"
-#include "physim/body.hpp"
 #include "scene_support.hpp"
-#include "support.hpp"
-#include "world/world_support.hpp"
 
 namespace physim::world_stops_on_way_test {
 
