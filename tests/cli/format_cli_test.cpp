@@ -67,8 +67,7 @@ TEST(FormatOptions, AFolderGetsAFileOfEachFormat) {
 }
 
 TEST(FormatOptions, RangeCardsAreWrittenInEveryFormatOfRecords) {
-  const Folder folder;
-  const std::string shot = folder.write("shot.toml", kRoundShot);
+  const File shot("shot.toml", kRoundShot);
   for (const Format& format : formats()) {
     const Ran ran = run_program(PHYSIM_CLI, {"table", shot, "--format", std::string(format.name)});
     EXPECT_EQ(ran.code, can_write(format, Subject::records) ? 0 : 2) << format.name << ran.err;

@@ -53,6 +53,17 @@ class Folder {
   std::filesystem::path path_;
 };
 
+/// A file of this content in a folder of its own, both removed at the end; wherever a path is wanted.
+class File {
+ public:
+  File(const std::string& name, const std::string& content) : path_(folder_.write(name, content)) {}
+  operator const std::string&() const { return path_; }  // NOLINT: a file is its path
+
+ private:
+  Folder folder_;
+  std::string path_;
+};
+
 inline std::string read(const std::string& path) {
   std::ostringstream text;
   text << std::ifstream(path, std::ios::binary).rdbuf();

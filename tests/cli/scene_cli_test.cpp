@@ -78,17 +78,15 @@ TEST(CliScene, RunCountsPassagesOfSensors) {
 
 /// Things are hit wherever they stand: they lie on no plane, which quantities could lack.
 TEST(CliScene, StudyOfImpactsAloneCountsHitsOnThings) {
-  const Folder folder;
-  const std::string file =
-      folder.write("s.toml",
-                   "physim = 1\n[environment]\natmosphere = \"vacuum\"\n[[shape]]\nname = \"b\"\nbox = [1, 1, "
-                   "1]\n[[thing]]\nname = \"wall\"\n"
-                   "shape = \"b\"\nposition = [100, 0, 0]\n[[shot]]\nname = \"s\"\nmass = 1\nspeed = "
-                   "800\ngravity_scale = 0\nfidelity = { preset = "
-                   "\"simulation\", drag = \"off\", air = \"vacuum\", earth = \"flat\" }\n[until]\nground = "
-                   "\"off\"\ntime = 1\n[study]\nshots = 4096\n"
-                   "inputs = [\"shot.elevation = 0 mrad +- 5 mrad\", \"shot.azimuth = 0 mrad +- 5 mrad\"]\n"
-                   "quantities = [\"impact_speed\", \"obliquity\", \"impact_energy\"]\n");
+  const File file("s.toml",
+                  "physim = 1\n[environment]\natmosphere = \"vacuum\"\n[[shape]]\nname = \"b\"\nbox = [1, 1, "
+                  "1]\n[[thing]]\nname = \"wall\"\n"
+                  "shape = \"b\"\nposition = [100, 0, 0]\n[[shot]]\nname = \"s\"\nmass = 1\nspeed = "
+                  "800\ngravity_scale = 0\nfidelity = { preset = "
+                  "\"simulation\", drag = \"off\", air = \"vacuum\", earth = \"flat\" }\n[until]\nground = "
+                  "\"off\"\ntime = 1\n[study]\nshots = 4096\n"
+                  "inputs = [\"shot.elevation = 0 mrad +- 5 mrad\", \"shot.azimuth = 0 mrad +- 5 mrad\"]\n"
+                  "quantities = [\"impact_speed\", \"obliquity\", \"impact_energy\"]\n");
   const Ran ran = physim({"study", file, "--json", "-"});
   EXPECT_EQ(ran.code, 0) << ran.err;
   const auto json = nlohmann::json::parse(ran.out, nullptr, false);
@@ -105,8 +103,7 @@ TEST(CliScene, StudyOfImpactsAloneCountsHitsOnThings) {
 }
 
 TEST(CliScene, RunSaysWhichTrianglesAreLeftOut) {
-  const Folder folder;
-  const std::string path = folder.write("sliver.toml", R"(physim = 1
+  const File path("sliver.toml", R"(physim = 1
 [[shape]]
 name = "sheet"
 mesh = { vertices = [[0, -9, -9], [0, 9, -9], [0, 0, 9], [0, 9, -9]], triangles = [[0, 1, 2], [0, 1, 3], [1, 1, 2]] }

@@ -81,8 +81,7 @@ TEST(StudyPlot, a_missing_gnuplot_is_named_with_its_package) {
 
 /// 90 m to the north of the equator: 90 m over the meridian's radius of curvature there, a (1 - e^2) = 6335439 m.
 TEST(StudyPlot, maps_lie_where_shots_come_down) {
-  const Folder folder;
-  const std::string file = folder.write("throw.toml", kThrow);
+  const File file("throw.toml", kThrow);
   const Ran ran = physim({"study", file, "--set", "shot.fidelity.earth=ellipsoid", "--set", "study.targets=[]", "--set",
                           "environment.earth.rotation_rate=0", "--kml", "-"});
   ASSERT_EQ(ran.code, 0) << ran.err;

@@ -30,8 +30,7 @@ shots = 100000
 
 /// Without MPI a job is refused: each rank would fly the whole study.
 TEST(StudyRanks, a_job_is_told_apart_from_a_run_alone) {
-  const Folder folder;
-  const std::string file = folder.write("rifle.toml", kRifle);
+  const File file("rifle.toml", kRifle);
   EXPECT_EQ(physim({"study", file, "--shots", "4096"}).code, 0);
 #if !PHYSIM_HAS_MPI
   const Ran ran = physim({"study", file}, {"PMI_SIZE=4", "PATH=/usr/bin"});
@@ -91,8 +90,7 @@ TEST(StudyRanks, have_the_bits_of_threads_at_places_too) {
 }
 
 TEST(StudyRanks, stop_at_a_width_where_threads_do) {
-  const Folder folder;
-  const std::string file = folder.write("rifle.toml", kRifle);
+  const File file("rifle.toml", kRifle);
   const std::vector<std::string> command = {"study", file, "--shots", "400000", "--until-width", "1 %", "--csv", "-"};
   const Ran threads = physim(command), ranks = job(3, command);
   ASSERT_EQ(ranks.code, 0) << ranks.err;

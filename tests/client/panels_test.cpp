@@ -209,9 +209,8 @@ TEST(PanelsOfAFile, AreNotSavedIfTheyCouldNotBeOpened) {
 
 /// Two settings of a table that the file has none of yet: the second one stands beside the first.
 TEST(PanelsOfAFile, AddSettingsToANewTable) {
-  const testing_cli::Folder folder;
   const std::string text = testing_cli::read(PHYSIM_SOURCE_DIR "/scenarios/308_168gr_g7.toml");
-  const std::string file = folder.write("mine.toml", text);
+  const testing_cli::File file("mine.toml", text);
   Client client = std::move(open_client(file, {}).value());
   ASSERT_TRUE(client.set("environment.gravity.acceleration=9.7 m/s^2"));
   ASSERT_TRUE(client.set("environment.gravity.radius=6400 km"));

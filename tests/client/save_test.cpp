@@ -115,8 +115,7 @@ TEST(Save, WritesWhatIsChangedIntoTheFileThatWasOpened) {
 
 /// An aim is dialled on top of a zero, and both are in the file.
 TEST(Save, KeepsAZeroAndTheAimOffIt) {
-  const Folder folder;
-  const std::string file = folder.write("rifle.toml", testing_cli::read(shipped("22lr")));
+  const testing_cli::File file("rifle.toml", testing_cli::read(shipped("22lr")));
   Client client = open(file);
   client.launcher.turn(0.01, 0.002);
   const double elevation = fly_shot(client.session.scenario(), client.launcher.shot()).elevation();

@@ -137,8 +137,7 @@ TEST(Units, ThatAreTypedAreKeptInNewFiles) {
 
 /// Options of the command line are typed, too.
 TEST(Units, OfOptionsAreKept) {
-  const Folder folder;
-  const std::string file = folder.write(
+  const testing_cli::File file(
       "a.toml", "physim = 1\n[world]\nduration = \"2 s\"\n[[shot]]\nmass = \"170 gr\"\nlength = \"1 in\"\n");
   Client client =
       std::move(open_client(file, {"world.duration=0.1 min", "shot.mass=10 g", "shot.length=0.0508"}).value());
@@ -150,8 +149,7 @@ TEST(Units, OfOptionsAreKept) {
 
 /// A text of "0.5 m" is a name.
 TEST(Units, AreOfNumbersAlone) {
-  const Folder folder;
-  const std::string file = folder.write("a.toml", "physim = 1\ntitle = \"2 ft\"\n[[shot]]\nlength = \"2 ft\"\n");
+  const testing_cli::File file("a.toml", "physim = 1\ntitle = \"2 ft\"\n[[shot]]\nlength = \"2 ft\"\n");
   Client client = std::move(open_client(file, {"title=0.6096 m", "shot.length=1.2192"}).value());
   ASSERT_TRUE(client.save(""));
   EXPECT_EQ(said(file, "title"), "title = \"0.6096 m\"");
@@ -159,10 +157,9 @@ TEST(Units, AreOfNumbersAlone) {
 }
 
 TEST(Units, OfComponentsAndListsAreKept) {
-  const Folder folder;
-  const std::string file = folder.write("a.toml",
-                                        "physim = 1\n[environment]\nwind.velocity = [ \"2 mph\", 0, \"1 kn\" ] # wind\n"
-                                        "[[shot]]\n[output]\nranges = [\n  \"100 yd\",  # near\n  \"200 yd\",\n]\n");
+  const testing_cli::File file("a.toml",
+                               "physim = 1\n[environment]\nwind.velocity = [ \"2 mph\", 0, \"1 kn\" ] # wind\n"
+                               "[[shot]]\n[output]\nranges = [\n  \"100 yd\",  # near\n  \"200 yd\",\n]\n");
   Client client = std::move(open_client(file, {"output.ranges=[91.44, 274.32, 365.76]"}).value());
   ASSERT_TRUE(client.set("environment.wind.velocity=[1.34112, 0, \"1 kn\"]"));
   ASSERT_TRUE(client.save(""));
@@ -174,11 +171,10 @@ TEST(Units, OfComponentsAndListsAreKept) {
 
 /// A slider goes to numbers that there are in the unit of the file.
 TEST(Units, OfSlidersAreThoseOfTheFile) {
-  const Folder folder;
-  const std::string file = folder.write("a.toml",
-                                        "physim = 1\n[environment]\nwind.velocity = [\"1 mph\", \"0.1 mph\", \"2 "
-                                        "mph\"]\n[[shot]]\nname = \"a\"\nmass = \"170 gr\"\n"
-                                        "speed = \"2700 ft/s\"\nelevation = \"3 mil\"\n");
+  const testing_cli::File file("a.toml",
+                               "physim = 1\n[environment]\nwind.velocity = [\"1 mph\", \"0.1 mph\", \"2 "
+                               "mph\"]\n[[shot]]\nname = \"a\"\nmass = \"170 gr\"\n"
+                               "speed = \"2700 ft/s\"\nelevation = \"3 mil\"\n");
   Client client = std::move(open_client(file, {}).value());
   for (const QuickSetting& setting : quick_settings(client))
     if (setting.what != Quick::drag) {
@@ -199,8 +195,7 @@ TEST(Units, OfSlidersAreThoseOfTheFile) {
 
 /// Whatever its last digits are, a value reads back as the same bits.
 TEST(Units, NeverChangeAValue) {
-  const Folder folder;
-  const std::string file = folder.write(
+  const testing_cli::File file(
       "a.toml", "physim = 1\n[[shot]]\nmass = \"170 gr\"\nelevation = \"3 deg\"\nazimuth = 0.1\ntwist = \"10 in\"\n");
   Client client = std::move(open_client(file, {}).value());
   ScenarioShot shot = client.launcher.shot();

@@ -93,8 +93,7 @@ TEST(ByPath, a_path_that_begins_with_no_table_is_one_of_shots) {
 }
 
 TEST(ByPath, the_command_line_takes_the_same_paths) {
-  const testing_cli::Folder folder;
-  const std::string path = folder.write("scene.toml", kScene);
+  const testing_cli::File path("scene.toml", kScene);
   const auto ran = testing_cli::physim({"run", path, "--set", "thing.2.shape=bull"});
   EXPECT_EQ(ran.code, 2);
   EXPECT_TRUE(testing_cli::has(ran.err, "bull")) << ran.err;

@@ -10,6 +10,7 @@
 namespace physim::scenario_files_in_use_test {
 
 namespace fs = std::filesystem;
+using testing_cli::File;
 using testing_cli::Folder;
 using testing_cli::has;
 using testing_cli::read;
@@ -67,8 +68,7 @@ TEST(FilesInUse, outputs_are_different_files_and_no_directories) {
 }
 
 TEST(FilesInUse, an_output_may_replace_one_kind_of_input) {
-  const Folder folder;
-  const std::string file = folder.write("a.save", "1");
+  const File file("a.save", "1");
   FilesInUse files;
   ASSERT_TRUE(files.add_output(file, "--save", "save").ok());
   ASSERT_TRUE(begin_reading(file, "save").ok());

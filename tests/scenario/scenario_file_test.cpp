@@ -106,8 +106,7 @@ TEST(ScenarioDoor, worlds_run_as_their_tables_do) {
 }
 
 TEST(ScenarioDoor, a_recording_never_replaces_the_file_itself) {
-  const testing_cli::Folder folder;
-  const std::string path = folder.write("itself.toml", kWorld);
+  const testing_cli::File path("itself.toml", kWorld);
   ScenarioFile file = *ScenarioFile::load(path);
   EXPECT_FALSE(file.run(path).ok());
   ASSERT_TRUE(file.set("world.duration", "2 s"));
