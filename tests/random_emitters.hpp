@@ -138,12 +138,15 @@ inline EmitterDef random_emitter(Random& r, KindId kind, std::span<const Emitter
   if (r.one_in(2)) def.when_full = WhenFull::replace_oldest;
   for (const EmitterId other : others) {
     if (!r.one_in(3)) continue;
-    SubEmitter sub{.on = static_cast<SubEvent>(r.below(10)), .emitter = other, .count = {r.in(0, 3)}};
-    sub.probability = r.unit();
-    sub.age = r.in(0.01, 0.5);
-    sub.axis = static_cast<SubAxis>(r.below(3));
-    sub.inherit_velocity = r.unit();
-    sub.inherit_colour = r.one_in(2), sub.inherit_size = r.one_in(2);
+    SubEmitter sub{.on = static_cast<SubEvent>(r.below(10)),
+                   .emitter = other,
+                   .count = {r.in(0, 3)},
+                   .probability = r.unit(),
+                   .age = r.in(0.01, 0.5),
+                   .axis = static_cast<SubAxis>(r.below(3)),
+                   .inherit_velocity = r.unit(),
+                   .inherit_colour = r.one_in(2),
+                   .inherit_size = r.one_in(2)};
     def.subs.push_back(sub);
   }
   return def;

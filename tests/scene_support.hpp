@@ -34,10 +34,10 @@ inline Unfolded unfolded(double x, double half) {
 }
 
 inline Until meeting(const Scene& scene, OnHit on_hit = OnHit::stop, double radius = 0) {
-  Until until{.ground = std::nullopt, .time = 60};
-  until.scene = &scene;
-  until.contact.collision = {.on_hit = on_hit, .radius = radius};
-  return until;
+  return {.ground = std::nullopt,
+          .time = 60,
+          .scene = &scene,
+          .contact = {.collision = {.on_hit = on_hit, .radius = radius}}};
 }
 
 inline Fidelity rung(Integrator integrator, Precision precision = Precision::float64) {

@@ -114,8 +114,7 @@ TEST(Aim, an_accelerating_target_is_led_through_air_and_wind) {
 
 TEST(Aim, with_linear_drag_it_is_the_closed_form) {
   // x = v cos(e) (1 - exp(-k t)) / k, y = (v sin(e) + g/k) (1 - exp(-k t)) / k - g t / k with k = k1 / m.
-  ProjectileDef p{.mass = 2};
-  p.drag.k1 = 0.3;
+  ProjectileDef p{.mass = 2, .drag = {.k1 = 0.3}};
   const double k = 0.15, v = 120, distance = 300, height = 20;
   Fidelity f = vacuum();
   f.drag = DragModel::linear_quadratic;
@@ -413,8 +412,7 @@ TEST(Aim, finds_the_arcs_that_clear_a_wall_as_parabolas_do) {
     for (const double radius : {0.0, 0.5}) {
       for (const double part : {0.9, 0.999, 1.001, 1.1}) {
         const Walled low_wall(at, part * lowest(low, at)), high_wall(at, part * lowest(high, at));
-        AimOptions options{.tolerance = 1e-6, .scene = &low_wall.scene};
-        options.contact.collision.radius = radius;
+        AimOptions options{.tolerance = 1e-6, .scene = &low_wall.scene, .contact = {.collision = {.radius = radius}}};
         const bool clear = radius == 0 ? part < 1 : part * lowest(low, at) < lowest(low, at) - 2;
         const bool surely = radius == 0 || clear || part > 1;
         const Aim over_low = aimed({}, launch, constant_gravity(), vacuum(), target, options);

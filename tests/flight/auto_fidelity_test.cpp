@@ -29,23 +29,15 @@ Environment nothing_but_weight() {
 }
 
 ProjectileDef shell() {
-  ProjectileDef p{.mass = 43, .diameter = 0.155, .length = 0.8, .twist = 3.1};
-  p.drag.table = DragTable::g7;
-  return p;
+  return {.mass = 43, .diameter = 0.155, .length = 0.8, .twist = 3.1, .drag = {.table = DragTable::g7}};
 }
 
 /// Creeps through air, with drag linear in the velocity and a truth that says so.
-ProjectileDef grain() {
-  ProjectileDef p{.mass = 1e-6, .diameter = 1e-4};
-  p.drag.k1 = 2e-6;
-  return p;
-}
+ProjectileDef grain() { return {.mass = 1e-6, .diameter = 1e-4, .drag = {.k1 = 2e-6}}; }
 
 std::vector<Case> cases() {
   ProjectileDef ball{.mass = 0.057, .diameter = 0.067};
-  ProjectileDef rocket{.mass = 5, .diameter = 0.05};
-  rocket.force = {200, 30, 0};
-  rocket.force_duration = 0.7;
+  ProjectileDef rocket{.mass = 5, .diameter = 0.05, .force = {200, 30, 0}, .force_duration = 0.7};
   return {{"bullet", bullet_308(), {.speed = 800, .elevation = 0.01}, windy(), 1, {}},
           {"bullet in a vacuum", bullet_308(), {.speed = 800, .elevation = 0.01}, nothing_but_weight(), 2, {}},
           {"ball", ball, {.position = {0, 1, 0}, .speed = 50, .elevation = 0.1}, windy(), 10, 0.0},

@@ -131,11 +131,12 @@ TEST_F(BatchTest, launches_that_differ_in_spin_and_rail_fly_as_shots) {
 }
 
 TEST_F(BatchTest, launches_of_what_turns_end_in_the_attitude_of_a_flight) {
-  ProjectileDef shell{.mass = 15, .diameter = 0.105, .twist = 2, .drag = {.table = DragTable::g1}};
-  shell.inertia.moments = {0.023, 0.23, 0.23};
-  shell.aero.lift = {{0, 0, 2}};
-  shell.aero.pitching = {{0, 0, 3.8}};
-  shell.aero.roll_damping = {{0, 0, -0.01}};
+  ProjectileDef shell{.mass = 15,
+                      .diameter = 0.105,
+                      .twist = 2,
+                      .drag = {.table = DragTable::g1},
+                      .inertia = {.moments = {0.023, 0.23, 0.23}},
+                      .aero = {.lift = {{0, 0, 2}}, .pitching = {{0, 0, 3.8}}, .roll_damping = {{0, 0, -0.01}}}};
   std::vector<Launch> launches;
   for (int i = 0; i < 40; ++i) launches.push_back({.position = {0, 1, 0}, .speed = 90.0 + i, .elevation = 0.3});
   launches[7].position.y = -1;  // ends at once

@@ -46,8 +46,7 @@ TEST(Compare, TheReferenceIsNotOffFromItself) {
 }
 
 TEST(Compare, AllStartAlongTheBoreOfTheReference) {
-  Launch zeroed{.speed = 800};
-  zeroed.sight = {.height = 0.05, .zero_range = 100};
+  Launch zeroed{.speed = 800, .sight = {.height = 0.05, .zero_range = 100}};
   FlightSetting no_drag{Fidelity::simulation(), {}};
   no_drag.fidelity.drag = DragModel::off;  // would find another zero
   const auto compared = must(compare(kBall, zeroed, {}, {&no_drag, 1}));

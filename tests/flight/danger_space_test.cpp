@@ -33,8 +33,7 @@ TEST(DangerSpaceOverGround, OfAParabolaOverASlope) {
   for (const double tilt : {-10 * kDegree, 0.0, 10 * kDegree, 25 * kDegree}) {
     const Scene scene = slope(tilt);
     const double e = 30 * kDegree, v = 100, h = 1.7, k = kG / (2 * v * v * std::cos(e) * std::cos(e));
-    Until until{.ground = {}, .time = 60};
-    until.scene = &scene;
+    Until until{.ground = {}, .time = 60, .scene = &scene};
     const Launch launch{.position = {0, 1e-3, 0}, .speed = v, .elevation = e};
     const Flight flight = fly({}, launch, airless(), simple(GravityModel::constant), {}, until);
     ASSERT_EQ(flight.outcome(), Outcome::hit);

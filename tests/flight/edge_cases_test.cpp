@@ -255,9 +255,8 @@ TEST(EdgeCases, a_flight_that_starts_at_rest_on_a_knot_of_the_wind_gets_away) {
 
 TEST(EdgeCases, a_flight_that_starts_at_rest_on_a_knot_of_its_drag_gets_away) {
   // The wind alone flows past it, with the Mach number of the knot: faster, slower, and across.
-  ProjectileDef ball{.mass = 1, .diameter = 0.3};
-  ball.drag.table = DragTable::custom;
-  ball.drag.curve = {{0, 0.4}, {0.1, 0.5}, {0.2, 1.5}};
+  ProjectileDef ball{
+      .mass = 1, .diameter = 0.3, .drag = {.table = DragTable::custom, .curve = {{0, 0.4}, {0.1, 0.5}, {0.2, 1.5}}}};
   for (Fidelity f : adaptive_in_both_precisions())
     for (const Vec3d push : {Vec3d{-20, 0, 0}, Vec3d{20, 0, 0}, Vec3d{0, 0, 0}}) {
       f.interpolation = Interpolation::linear;
@@ -272,9 +271,12 @@ TEST(EdgeCases, a_flight_that_starts_at_rest_on_a_knot_of_its_drag_gets_away) {
 }
 
 TEST(EdgeCases, a_body_that_starts_at_rest_on_a_knot_of_its_aerodynamics_gets_away) {
-  ProjectileDef body{.mass = 1, .diameter = 0.3, .drag = {.coefficient = 0.5}};
-  body.inertia.moments = {0.01, 0.01, 0.01};
-  body.aero.drag_yaw = {{.mach = 0, .value = 0.2}, {.mach = 0.1, .value = 0.4}, {.mach = 0.2, .value = 2}};
+  ProjectileDef body{
+      .mass = 1,
+      .diameter = 0.3,
+      .drag = {.coefficient = 0.5},
+      .inertia = {.moments = {0.01, 0.01, 0.01}},
+      .aero = {.drag_yaw = {{.mach = 0, .value = 0.2}, {.mach = 0.1, .value = 0.4}, {.mach = 0.2, .value = 2}}}};
   for (Fidelity f : adaptive_in_both_precisions())
     for (const Vec3d push : {Vec3d{-20, 0, 0}, Vec3d{20, 0, 0}, Vec3d{0, 0, 0}}) {
       f.rotation = RotationModel::rigid_body;

@@ -76,8 +76,7 @@ TEST(Field, one_of_straight_lines_is_the_profile) {
 TEST(Field, wind_of_any_time_moves_a_linear_drag) {
   // v' = -k (v - w0 t): v = w0 (t - 1/k + exp(-k t)/k).
   const double k = 0.7, w0 = 3;
-  ProjectileDef p{.mass = 2};
-  p.drag.k1 = 2 * k;
+  ProjectileDef p{.mass = 2, .drag = {.k1 = 2 * k}};
   Environment e = nothing();
   e.wind.field = wind_by([=](double t, const Vec3d&) { return Vec3d{0, 0, w0 * t}; });
   Fidelity f = vacuum();
@@ -134,9 +133,8 @@ TEST(Field, a_force_that_grows_gives_a_cubic) {
 }
 
 TEST(Field, a_force_is_over_the_mass_that_is_left) {
-  ProjectileDef rocket{.mass = 2, .diameter = 0.1, .length = 1};
-  rocket.motor.thrust = {{0, 100}, {2, 100}};
-  rocket.motor.propellant_mass = 1;
+  ProjectileDef rocket{
+      .mass = 2, .diameter = 0.1, .length = 1, .motor = {.thrust = {{0, 100}, {2, 100}}, .propellant_mass = 1}};
   Environment e = nothing();
   e.force = [](const FieldForceBatch& b) {
     for (std::size_t i = 0; i < b.time.size(); ++i) b.force[i] = {0, 0, b.mass[i] * b.mass[i]};
@@ -147,8 +145,7 @@ TEST(Field, a_force_is_over_the_mass_that_is_left) {
 }
 
 TEST(Field, it_adds_to_a_force_of_the_projectile) {
-  ProjectileDef p{.mass = 4};
-  p.force = {8, 0, 0};
+  ProjectileDef p{.mass = 4, .force = {8, 0, 0}};
   Environment e = nothing();
   e.force = force_by([](double, const Vec3d&, const Vec3d&, double) { return Vec3d{0, 4, 0}; });
   const Flight flight = fly(p, {}, e, vacuum(), {}, {.ground = {}, .time = 2});

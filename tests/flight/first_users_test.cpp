@@ -94,8 +94,7 @@ TEST(FirstUsers, spin_drift_that_means_nothing_says_so) {
 }
 
 TEST(FirstUsers, models_beyond_where_they_hold_say_so) {
-  ProjectileDef ball{.mass = 0.15, .diameter = 0.07};
-  ball.drag.table = DragTable::sphere;
+  ProjectileDef ball{.mass = 0.15, .diameter = 0.07, .drag = {.table = DragTable::sphere}};
   const Launch slow{.position = {0, 1, 0}, .speed = 40}, fast{.position = {0, 1, 0}, .speed = 200};
   EXPECT_FALSE(has_note(fly(ball, slow, {}, Fidelity::simulation()), "drag", "Mach"));
   EXPECT_TRUE(has_note(fly(ball, fast, {}, Fidelity::simulation()), "drag", "below Mach 0.3"));
@@ -119,9 +118,10 @@ TEST(FirstUsers, an_apex_that_ends_the_flight_is_told_once) {
 }
 
 TEST(FirstUsers, a_rocket_from_rest_has_a_farthest_range) {
-  ProjectileDef rocket{.mass = 0.12, .diameter = 0.025};
-  rocket.drag = {.table = DragTable::constant, .coefficient = 0.6};
-  rocket.motor = {.thrust = {{0, 10}, {0.8, 10}, {0.9, 0}}, .propellant_mass = 0.01};
+  ProjectileDef rocket{.mass = 0.12,
+                       .diameter = 0.025,
+                       .drag = {.table = DragTable::constant, .coefficient = 0.6},
+                       .motor = {.thrust = {{0, 10}, {0.8, 10}, {0.9, 0}}, .propellant_mass = 0.01}};
   Launch launch{.position = {0, 0.5, 0}, .rail_length = 1};
   const auto far = must(max_range(rocket, launch, {}, Fidelity::simulation(), 0));
   const auto range_at = [&](double elevation) {
@@ -133,9 +133,10 @@ TEST(FirstUsers, a_rocket_from_rest_has_a_farthest_range) {
 }
 
 TEST(FirstUsers, two_points_of_thrust_at_one_time_are_a_step) {
-  ProjectileDef p{.mass = 1, .diameter = 0.05};
-  p.drag = {.table = DragTable::constant, .coefficient = 0};
-  p.motor = {.thrust = {{0, 50}, {1, 50}, {1, 20}, {3, 20}}, .propellant_mass = 0};
+  ProjectileDef p{.mass = 1,
+                  .diameter = 0.05,
+                  .drag = {.table = DragTable::constant, .coefficient = 0},
+                  .motor = {.thrust = {{0, 50}, {1, 50}, {1, 20}, {3, 20}}, .propellant_mass = 0}};
   EXPECT_EQ(total_impulse(p.motor), 90);
   const Launch up{.elevation = kDegree * 90, .rail_length = 1e-3};
   Environment space{.gravity = {.model = GravityModel::off}, .atmosphere = {.model = AirModel::vacuum}};

@@ -68,8 +68,7 @@ TEST(Fit, finds_the_muzzle_speed_too) {
 TEST(Fit, linear_drag_is_recovered_in_closed_form) {
   // v = v0 - k x along a level path without gravity, k = k1 / m.
   Environment weightless{.gravity = {.model = GravityModel::off}};
-  ProjectileDef p{.mass = 0.5};
-  p.drag.k1 = 0.05;
+  ProjectileDef p{.mass = 0.5, .drag = {.k1 = 0.05}};
   Fidelity f = vacuum();
   f.drag = DragModel::linear_quadratic;
   f.air = AirModel::constant;
@@ -80,8 +79,7 @@ TEST(Fit, linear_drag_is_recovered_in_closed_form) {
 }
 
 TEST(Fit, without_a_ballistic_coefficient_the_form_factor_is_fitted) {
-  ProjectileDef p{.mass = 0.0459, .diameter = 0.0427};
-  p.drag.coefficient = 0.3;
+  ProjectileDef p{.mass = 0.0459, .diameter = 0.0427, .drag = {.coefficient = 0.3}};
   const Launch launch{.speed = 60, .elevation = 0.2};
   auto data = measured(p, launch, {}, Fidelity::constant_air(), {20, 60, 100});
   p.drag.form_factor = 2.5;

@@ -214,8 +214,7 @@ TEST(Motor, thrust_points_along_the_velocity_through_the_air) {
 TEST(Motor, pushes_a_rigid_body_along_its_axis) {
   ProjectileDef p = rocket();
   p.inertia.moments = {1, 20, 20};
-  Launch launch{.speed = 50, .elevation = 0.5, .rail_length = 4};
-  launch.attitude.pitch = 0.2;
+  Launch launch{.speed = 50, .elevation = 0.5, .rail_length = 4, .attitude = {.pitch = 0.2}};
   for (const BodyForm form : {BodyForm::quaternion, BodyForm::axis})
     for (const Integrator integrator : {Integrator::rk4, Integrator::tsit5}) {
       Fidelity f = vacuum(integrator);

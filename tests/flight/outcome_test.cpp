@@ -106,8 +106,7 @@ TEST(Outcome, stalled) {
 
 TEST(Outcome, stalled_at_a_drag_that_overflows) {
   // Each try is shorter than the last one, until none is left; the bends of the wind are looked for in all of them.
-  ProjectileDef p{.mass = 0.01, .diameter = 1e140};
-  p.drag.table = DragTable::g7;
+  ProjectileDef p{.mass = 0.01, .diameter = 1e140, .drag = {.table = DragTable::g7}};
   Environment e{.wind = {.profile = {{0, {1, 0, 0}}, {100, {5, 0, 0}}}}};
   for (const Integrator integrator : kAdaptive) {
     Fidelity f = Fidelity::simulation();
@@ -143,8 +142,7 @@ TEST(Outcome, nothing_that_never_lands_runs_for_ever) {
 
 TEST(Outcome, at_rest_in_still_air) {
   for (const Integrator integrator : kIntegrators) {
-    Fidelity f{.integrator = integrator};
-    f.gravity = GravityModel::off;
+    Fidelity f{.integrator = integrator, .gravity = GravityModel::off};
     const Flight flight = fly({}, {.position = {0, 1, 0}}, {}, f, {.step = 0.01}, {.time = 1});
     EXPECT_EQ(flight.outcome(), Outcome::time_limit) << text(integrator);
     EXPECT_EQ(flight.end().position, (Vec3d{0, 1, 0}));
@@ -156,8 +154,7 @@ TEST(Outcome, huge_steps_end) {
                                       Integrator::rk4, Integrator::classic})
     for (const double step : {1e6, 1e30, 1e300})
       for (const Precision precision : {Precision::float32, Precision::float64}) {
-        Fidelity f{.integrator = integrator};
-        f.precision = precision;
+        Fidelity f{.integrator = integrator, .precision = precision};
         const Flight flight = fly(bullet_308(), {.speed = 800, .elevation = 1}, {}, f, {.step = step});
         EXPECT_NE(flight.outcome(), Outcome::refused) << text(integrator) << step;
         EXPECT_LE(flight.cost().steps, 10000) << text(integrator) << step;

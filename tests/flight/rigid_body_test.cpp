@@ -153,8 +153,7 @@ TEST(RigidBody, a_yaw_damping_of_its_own_is_felt_where_the_axis_form_is_asked_fo
   p.diameter = 0.2;
   p.aero.pitch_damping = {{0, 0, -2}};
   p.aero.yaw_damping = {{0, 0, -6}};
-  Launch launch{.speed = 100};
-  launch.attitude.rates = {0, 0.1, 0.1};
+  Launch launch{.speed = 100, .attitude = {.rates = {0, 0.1, 0.1}}};
   Environment air{.gravity = {.model = GravityModel::off},
                   .atmosphere = {.model = AirModel::constant, .density = 1.2, .sound_speed = 340.0}};
   const double area = 0.25 * 3.14159265358979323846 * 0.2 * 0.2, rate = 0.5 * 1.2 * 100 * area * 0.2 * 0.2 / 0.1;
@@ -192,8 +191,7 @@ TEST(RigidBody, stands_still_among_the_stars_while_the_earth_turns) {
 // So long a step overflows on its way: its error is not a number.
 TEST(RigidBody, a_step_that_overflows_is_not_accepted) {
   ProjectileDef p{.mass = 10, .twist = 0.02, .inertia = {.moments = {0.007, 0.025, 0.025}}};
-  Launch launch{.speed = 400};
-  launch.attitude = {.yaw = 0.1, .rates = {0, 1, 2}};
+  Launch launch{.speed = 400, .attitude = {.yaw = 0.1, .rates = {0, 1, 2}}};
   for (const Integrator integrator : kAdaptive) {
     Fidelity f = rigid(integrator, BodyForm::axis);
     f.precision = Precision::float32;

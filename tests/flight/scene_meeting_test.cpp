@@ -65,9 +65,12 @@ TEST(MeetingFlight, a_bullet_goes_through_a_plank_and_into_a_wall_as_impact_says
   const auto through = of_kind(flight, EventKind::penetrated), stuck = of_kind(flight, EventKind::stopped);
   ASSERT_EQ(through.size(), 1u);
   ASSERT_EQ(stuck.size(), 1u);
-  Impact asked{.mass = p.mass, .diameter = p.diameter, .length = p.length, .velocity = {780, 0, 0}};
-  asked.normal = {-1, 0, 0};
-  asked.thickness = 0.018;
+  Impact asked{.mass = p.mass,
+               .diameter = p.diameter,
+               .length = p.length,
+               .velocity = {780, 0, 0},
+               .normal = {-1, 0, 0},
+               .thickness = 0.018};
   const ImpactResult plank = *impact(asked, materials::fir());
   EXPECT_NEAR(through[0].velocity.x, plank.velocity.x, 1e-6);
   EXPECT_NEAR(through[0].energy, plank.energy, 1e-6);
@@ -324,9 +327,10 @@ TEST(MeetingFlight, random_flights_keep_what_is_promised) {
     if (run % 7 == 0) f.motion = Motion::closed_form;
     f.precision = r.one_in(3) ? Precision::float32 : Precision::float64;
     ProjectileDef p = run % 3 ? presets::tennis_ball().projectile : test::bullet_308();
-    Launch launch{.position = {r.in(-20, -5), r.in(-10, 10), r.in(-10, 10)}, .speed = r.in(1, 100)};
-    launch.elevation = r.in(-0.7, 0.7);
-    launch.azimuth = r.in(-0.7, 0.7);
+    Launch launch{.position = {r.in(-20, -5), r.in(-10, 10), r.in(-10, 10)},
+                  .speed = r.in(1, 100),
+                  .elevation = r.in(-0.7, 0.7),
+                  .azimuth = r.in(-0.7, 0.7)};
     if (run % 3) launch.spin = {.backspin = r.in(-300, 300), .sidespin = r.in(-100, 100)};
     const double radius = r.one_in(2) ? 0 : 0.05;
     Until until = meeting(scene, r.one_in(2) ? OnHit::bounce : OnHit::impact, radius);

@@ -79,8 +79,7 @@ std::vector<Case> cases() {
   all.push_back({"planar on a rail", everything(), sliding, f});
   f.planar = false;
   f.rotation = RotationModel::magnus;
-  Launch struck{.speed = 70, .elevation = 0.2};
-  struck.spin.backspin = 270;
+  Launch struck{.speed = 70, .elevation = 0.2, .spin = {.backspin = 270}};
   all.push_back({"ball", presets::golf_ball().projectile, struck, f});
   f.planar = true;
   all.push_back({"planar ball", presets::golf_ball().projectile, struck, f});

@@ -99,8 +99,7 @@ struct Evaluated {
   Vec3d turning;       // I omega' in W, as far as no gyroscopic moments are in it
 };
 Evaluated evaluated_at(const ProjectileDef& p, BodyForm form, double angle, const Vec3d& rates) {
-  Launch launch{.speed = 100};
-  launch.attitude = {.pitch = angle, .rates = rates};
+  Launch launch{.speed = 100, .attitude = {.pitch = angle, .rates = rates}};
   ProjectileDef unrifled = p;
   unrifled.twist = 0;
   const Prepared b(unrifled, launch, plain_air(), in_air(form));
@@ -167,8 +166,7 @@ TEST(Aero, fins_make_it_swing_about_its_path) {
   ProjectileDef p = shell();
   p.twist = 0;
   p.aero.pitching = {{0, 0, -2}};
-  Launch launch{.speed = 200};
-  launch.attitude.pitch = 1e-4;
+  Launch launch{.speed = 200, .attitude = {.pitch = 1e-4}};
   const double omega = std::sqrt(0.5 * 1.2 * 200 * 200 * kArea * 0.1 * 2 / 0.2);
   const Flight flight =
       fly(p, launch, plain_air(), in_air(BodyForm::automatic), {1e-12, 1e-12}, {.ground = {}, .time = 3});
@@ -189,8 +187,7 @@ TEST(Aero, both_forms_fly_the_same_shell) {
   p.aero.roll_damping = {{0, 0, -0.015}};
   p.aero.magnus_force = {{0, 0, -0.3}};
   p.aero.magnus_moment = {{0, 0, -0.3}, {0, 0.01, 0.1}};
-  Launch launch{.speed = 250, .elevation = 0.8};
-  launch.attitude.rates = {0, 1, 2};
+  Launch launch{.speed = 250, .elevation = 0.8, .attitude = {.rates = {0, 1, 2}}};
   Environment e{.wind = {.velocity = {-3, 0.5, 4}}, .earth = {.latitude = 0.8, .azimuth = 1}};
   const auto flown = [&](BodyForm form) {
     Fidelity f = Fidelity::simulation();

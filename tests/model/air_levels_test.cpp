@@ -19,8 +19,7 @@ std::vector<AirPoint> morning() {
 /// A ball of steel that a drag coefficient slows down, falling straight down from `height`.
 Flight fall(const Environment& e, double height, Precision precision = Precision::float64,
             Integrator integrator = Integrator::dop853) {
-  ProjectileDef ball{.mass = 10, .diameter = 0.15};
-  ball.drag = {.table = DragTable::constant, .coefficient = 0.47};
+  ProjectileDef ball{.mass = 10, .diameter = 0.15, .drag = {.table = DragTable::constant, .coefficient = 0.47}};
   Fidelity f = Fidelity::simulation();
   f.integrator = integrator, f.precision = precision, f.gravity = GravityModel::constant, f.earth = EarthModel::flat;
   const double error = precision == Precision::float32 ? 1e-5 : 1e-11;

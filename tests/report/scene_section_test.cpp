@@ -63,8 +63,7 @@ TEST(SceneSection, OfAPlaneGoesOnToTheLowerEdge) {
 
 TEST(SceneSection, OfASheetHasNoInside) {
   Scene scene;
-  HeightFieldShape field{.columns = 2, .rows = 2, .spacing_x = 4, .spacing_z = 4};
-  field.heights = {1, 3, 1, 3};
+  HeightFieldShape field{.columns = 2, .rows = 2, .spacing_x = 4, .spacing_z = 4, .heights = {1, 3, 1, 3}};
   add_thing(scene, field, {.transform = {.position = {6, 0, -2}}});
   const Section section = section_along(scene, extended(track_to(0), {0, 20}), {-5, 5});
   EXPECT_EQ(section.solids, "");

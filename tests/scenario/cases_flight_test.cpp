@@ -64,8 +64,7 @@ MotorDef motor_of(const std::string& text, const std::string& name = "") {
 /// Right: 1585.876 N s by trapezoids from (0, 0); 5 kg have 327.0270 m/s at 328.657 m, 4.2384 kg and an apex of
 /// 5781.42 m by Tsiolkovsky's equation with gravity, from a lift-off at 1.355 ms.
 TEST(CasesOfRockets, a_motor_file_with_indented_rows_and_a_lone_semicolon) {
-  ProjectileDef rocket{.mass = 5, .diameter = 0.054};
-  rocket.motor = motor_of(kK1100T);
+  ProjectileDef rocket{.mass = 5, .diameter = 0.054, .motor = motor_of(kK1100T)};
   EXPECT_NEAR(total_impulse(rocket.motor), 1585.87586, 1e-5);
   rocket.fidelity = test::vacuum();
   const Flight flight = fly(rocket, {.elevation = kPi / 2, .rail_length = 1}, test::constant_gravity());

@@ -232,8 +232,7 @@ TEST(Corners, jumps_never_stall_a_flight) {
         Environment e{.wind = {.profile = {{0, {1, 0, 0}}, {3.3 + 17.1 * i, {-7, 1, 5}}},
                                .by = WindAxis::range,
                                .interpolation = WindInterpolation::step}};
-        Fidelity f{.integrator = integrator};
-        f.precision = precision;
+        Fidelity f{.integrator = integrator, .precision = precision};
         const double tolerance = precision == Precision::float32 ? 1e-5 : 1e-9;
         const Flight flight =
             fly(p, {.position = {0, 1, 0}, .speed = 800, .elevation = 0.03}, e, f, {tolerance, tolerance});

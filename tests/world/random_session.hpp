@@ -101,9 +101,10 @@ class RandomSession {
     return l;
   }
   ProjectileDef projectile() {
-    ProjectileDef p{.name = "p" + std::to_string(below(5)), .mass = 0.1 * (1 + below(3)), .diameter = 0.05};
-    p.drag.k1 = below(2) * 0.001;
-    p.drag.damping = 0.9;
+    ProjectileDef p{.name = "p" + std::to_string(below(5)),
+                    .mass = 0.1 * (1 + below(3)),
+                    .diameter = 0.05,
+                    .drag = {.damping = 0.9, .k1 = below(2) * 0.001}};
     if (coin()) p.drag.table = DragTable::g7;
     if (below(3) == 0) p.drag = {.table = DragTable::custom, .curve = {{0, 0.3}, {1, 0.5}, {3, 0.4}}};
     if (below(3) == 0) p.force = {0, 2, 0}, p.force_duration = 1;

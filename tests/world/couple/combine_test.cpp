@@ -22,11 +22,7 @@ double by_rule(Combine a, Combine b) {
 }
 std::string name_of(Combine a, Combine b) { return std::string(name(a)) + " and " + std::string(name(b)); }
 
-ProjectileDef marble() {
-  ProjectileDef p{.mass = 1, .diameter = 0.2};
-  p.fidelity = rung(Integrator::rk4);
-  return p;
-}
+ProjectileDef marble() { return {.mass = 1, .diameter = 0.2, .fidelity = rung(Integrator::rk4)}; }
 BodyDef bouncy(Combine rule, double radius = 0) {
   return {.can_sleep = false,
           .restitution = kOwn,

@@ -162,8 +162,7 @@ TEST(Pairs, a_meeting_without_friction_turns_nothing) {
       ProjectileDef brick = test::nasa_brick();
       brick.fidelity = test::rigid(integrator);
       brick.fidelity.precision = precision;
-      Launch launch{.velocity = Vec3d{10, 0, 0}};
-      launch.attitude.rates = {3, 9, 4};
+      Launch launch{.velocity = Vec3d{10, 0, 0}, .attitude = {.rates = {3, 9, 4}}};
       World alone = make_world(space()), met = make_world(space());
       const auto free = alone.spawn(brick, launch, ball(0.5)), hit = met.spawn(brick, launch, ball(0.5));
       ASSERT_TRUE(free && hit);

@@ -8,11 +8,7 @@ using namespace test_scene;
 constexpr double kRates[] = {24, 60, 250, 1000};
 constexpr double kRadius = 0.1, kSpeed = 2;  // [m], [m/s]
 
-ProjectileDef ball() {
-  ProjectileDef p{.mass = 1, .diameter = 2 * kRadius};
-  p.fidelity = rung(Integrator::rk4);
-  return p;
-}
+ProjectileDef ball() { return {.mass = 1, .diameter = 2 * kRadius, .fidelity = rung(Integrator::rk4)}; }
 BodyDef of_billiards(double restitution) {
   BodyDef body = bouncing(kRadius, restitution, 0);
   body.collision.others = 1;

@@ -14,9 +14,7 @@ constexpr Axes kAllAxes = Axes::x | Axes::y | Axes::z;
 constexpr Vec3d kAboutZ{0, 0, 1};
 
 ProjectileDef by_rk4(double radius, double mass = 1, Precision precision = Precision::float64) {
-  ProjectileDef p{.mass = mass, .diameter = 2 * radius};
-  p.fidelity = rung(Integrator::rk4, precision);
-  return p;
+  return {.mass = mass, .diameter = 2 * radius, .fidelity = rung(Integrator::rk4, precision)};
 }
 /// A ball that falls, does not sleep and meets others.
 BodyDef body_of(double radius, double restitution, double friction) {

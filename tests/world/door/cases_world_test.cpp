@@ -9,9 +9,7 @@ namespace physim::world_cases_world_test {
 using namespace test_scene;
 
 ProjectileDef by_rk4(double diameter = 0.2, Precision precision = Precision::float64) {
-  ProjectileDef p{.mass = 1, .diameter = diameter};
-  p.fidelity = rung(Integrator::rk4, precision);
-  return p;
+  return {.mass = 1, .diameter = diameter, .fidelity = rung(Integrator::rk4, precision)};
 }
 BodyDef stopping() { return {.collision = {.on_hit = OnHit::stop}}; }
 World world_in(const Scene& scene, const WorldDef& def = space()) { return make_world(def, scene); }

@@ -6,8 +6,7 @@ namespace physim::world_change_rung_test {
 
 TEST(World, a_rung_of_another_interpolation_reads_its_own_curves) {
   World world;
-  ProjectileDef p{.name = "shell", .mass = 40, .diameter = 0.155};
-  p.drag.table = DragTable::g7;
+  ProjectileDef p{.name = "shell", .mass = 40, .diameter = 0.155, .drag = {.table = DragTable::g7}};
   Fidelity rung = Fidelity::constant_air();
   for (const DragTable table : {DragTable::g1, DragTable::g8}) {  // curves of cubic that pchip does not have
     ProjectileDef other = p;

@@ -80,8 +80,7 @@ TEST(Reading, columns_are_what_each_tells_itself) {
         ProjectileDef p = stone();
         p.fidelity = fidelity;
         p.fidelity.precision = precision;
-        Launch launch{.position = {0.1 * i, 50, 0}};
-        launch.velocity = Vec3d{5, 9, 0.3 * i};
+        Launch launch{.position = {0.1 * i, 50, 0}, .velocity = Vec3d{5, 9, 0.3 * i}};
         ids.push_back(*world.spawn(p, launch, {}, i % 9 == 0 ? 0.4 : 0));
       }
   expect_columns(world);

@@ -328,9 +328,8 @@ TEST(SceneParts, who_asks_is_told_the_part_and_how_thick_it_is) {
 TEST(SceneParts, flights_meet_them_as_worlds_do) {
   const Scene scene = of_parts({{{50, -1, -1}, {50.1, 1, 1}, &kWood}, {{50.1, -1, -1}, {50.2, 1, 1}, nullptr}});
   const WorldDef def = nothing_but_things();
-  Until until{.ground = std::nullopt, .time = 0.3};
-  until.scene = &scene;
-  until.contact.collision = {.on_hit = OnHit::impact};
+  Until until{
+      .ground = std::nullopt, .time = 0.3, .scene = &scene, .contact = {.collision = {.on_hit = OnHit::impact}}};
   const ProjectileDef def_of_shot = shot();
   const Flight flight =
       fly(def_of_shot, launched({0, 0, 0}, {kSpeed, 0, 0}), def.environment, def_of_shot.fidelity, {}, until);

@@ -50,9 +50,10 @@ TEST(ScenePredict, predictions_meet_things_as_the_world_then_does_to_the_bit) {
       BodyDef body{.can_sleep = false};
       const OnHit acts[] = {OnHit::bounce, OnHit::impact, OnHit::bounce, OnHit::pass, OnHit::stick, OnHit::stop};
       body.collision = {.on_hit = acts[i % 6], .radius = i % 3 == 0 ? 0.05 : 0.0};
-      Launch launch{.position = {r.in(-2, 2), r.in(1, 3), r.in(-3, 3)}, .speed = r.in(5, 60)};
-      launch.elevation = r.in(-0.5, 0.8);
-      launch.azimuth = r.in(-0.4, 0.4);
+      Launch launch{.position = {r.in(-2, 2), r.in(1, 3), r.in(-3, 3)},
+                    .speed = r.in(5, 60),
+                    .elevation = r.in(-0.5, 0.8),
+                    .azimuth = r.in(-0.4, 0.4)};
       if (i % 4 == 2) launch.spin = {.backspin = 100, .sidespin = 40};
       const auto id = must(world.spawn(p, launch, body));
       ids.push_back(id);

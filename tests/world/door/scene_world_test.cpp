@@ -370,9 +370,10 @@ TEST(SceneWorld, threads_and_kernels_change_nothing) {
       ProjectileDef p = bullet();
       p.fidelity = r.one_in(2) ? Fidelity::game() : Fidelity::small_arms();
       BodyDef body{.collision = {.on_hit = OnHit::bounce, .radius = r.one_in(2) ? 0.1 : 0.0}};
-      Launch launch{.position = {r.in(-4, 4), r.in(-2, 2), r.in(-3, 3)}, .speed = r.in(1, 300)};
-      launch.elevation = r.in(-1.5, 1.5);
-      launch.azimuth = r.in(-3, 3);
+      Launch launch{.position = {r.in(-4, 4), r.in(-2, 2), r.in(-3, 3)},
+                    .speed = r.in(1, 300),
+                    .elevation = r.in(-1.5, 1.5),
+                    .azimuth = r.in(-3, 3)};
       ASSERT_TRUE(world.spawn(p, launch, body));
     }
     run_for(world, 1, 1.0 / 60);

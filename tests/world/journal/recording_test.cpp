@@ -304,8 +304,7 @@ TEST(Recording, a_call_that_it_cannot_hold_is_refused_whole) {
   Bytes bytes;
   World world = made({});
   ASSERT_TRUE(world.record(record_into(bytes)));
-  Launch bad{.position = {0, 90, 0}};
-  bad.attitude.frame = static_cast<AttitudeFrame>(77);
+  Launch bad{.position = {0, 90, 0}, .attitude = {.frame = static_cast<AttitudeFrame>(77)}};
   const auto refused = world.spawn(ProjectileDef{.mass = 3}, bad);  // would leave its kind behind
   ASSERT_FALSE(refused);
   EXPECT_NE(refused.error().message.find("enumerator"), std::string::npos) << refused.error().text();

@@ -10,11 +10,7 @@ using namespace test_scene;
 constexpr double kRates[] = {24, 60, 1000};
 constexpr double kBelt = 2, kFriction = 0.2;
 
-ProjectileDef parcel() {
-  ProjectileDef p{.mass = 1, .diameter = 0.2};
-  p.fidelity = rung(Integrator::rk4);
-  return p;
-}
+ProjectileDef parcel() { return {.mass = 1, .diameter = 0.2, .fidelity = rung(Integrator::rk4)}; }
 BodyDef laid(double radius = 0, double friction = kFriction) {
   return {.can_sleep = true,
           .restitution = 0,

@@ -21,8 +21,7 @@ WorldDef open_world() { return {.ground = {.mode = GroundMode::none}}; }
 
 /// Paper: 0.1 g, 10 cm. In the first step of 15 m/s its drag would take 24 times its speed.
 ProjectileDef confetti(DragModel drag, const Fidelity& rung) {
-  ProjectileDef p{.mass = 1e-4, .diameter = 0.1};
-  p.drag.coefficient = 1;
+  ProjectileDef p{.mass = 1e-4, .diameter = 0.1, .drag = {.coefficient = 1}};
   p.drag.damping = 1e-40;  // a rate of 92 1/s
   p.drag.k1 = 0.02, p.drag.k2 = 0.004;
   p.fidelity = rung;

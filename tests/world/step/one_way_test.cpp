@@ -10,9 +10,7 @@ using namespace test_scene;
 constexpr double kTop = 2;  // of platforms [m]
 
 ProjectileDef stone_of(Precision precision = Precision::float64) {
-  ProjectileDef p{.mass = 1, .diameter = 0.2};
-  p.fidelity = rung(Integrator::rk4, precision);
-  return p;
+  return {.mass = 1, .diameter = 0.2, .fidelity = rung(Integrator::rk4, precision)};
 }
 BodyDef landing(double radius = 0, OnHit on_hit = OnHit::bounce) {
   return {.restitution = 0, .friction = 1, .collision = {.on_hit = on_hit, .radius = radius}};
@@ -154,8 +152,7 @@ TEST(OneWay, stops_flights_from_its_front_alone) {
 
 TEST(OneWay, what_makes_no_sense_is_refused_with_its_place) {
   Scene scene;
-  InstanceDef def{.shape = *scene.add_shape(SphereShape{1})};
-  def.passage.front = {0, std::nan(""), 0};
+  InstanceDef def{.shape = *scene.add_shape(SphereShape{1}), .passage = {.front = {0, std::nan(""), 0}}};
   EXPECT_EQ(scene.add(def).error().place, "instance.passage.front");
   def.passage.front = {0, 1e-20, 0};
   EXPECT_EQ(scene.add(def).error().place, "instance.passage.front");

@@ -130,10 +130,10 @@ TEST(RollingDrag, a_flight_slides_through_air_as_its_closed_form) {
       Fidelity fidelity = Fidelity::game();
       fidelity.integrator = integrator;
       fidelity.precision = Precision::float64;
-      Until until{.ground = {}, .time = 2};
-      until.scene = &scene;
-      until.contact.collision.on_hit = OnHit::bounce;
-      until.contact.collision.radius = radius;
+      Until until{.ground = {},
+                  .time = 2,
+                  .scene = &scene,
+                  .contact = {.collision = {.on_hit = OnHit::bounce, .radius = radius}}};
       until.contact.friction = until.contact.restitution = until.contact.rolling_resistance = 0;
       const Launch launch{.position = {0, radius, 0}, .velocity = Vec3d{v0, 0, 0}};
       const Flight flight = fly(p, launch, {}, fidelity, {.step = 0.02}, until);

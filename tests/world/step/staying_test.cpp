@@ -34,8 +34,7 @@ TEST(Staying, what_rolls_to_rest_rolls_as_far_at_every_step_and_height) {
           Scene scene;
           put(scene, shapes[i], {-aside[i], height - below[i], -aside[i]});
           World world = make_world(space(), scene);
-          ProjectileDef ball{.mass = 1, .diameter = 0.2};
-          ball.fidelity = rung(Integrator::rk4);
+          ProjectileDef ball{.mass = 1, .diameter = 0.2, .fidelity = rung(Integrator::rk4)};
           Launch launch{.position = {0.3, height + radius, 0.2}, .velocity = Vec3d{0.3, 0, 0.4}};
           const ProjectileId id = *world.spawn(ball, launch, rolling(0.01, radius));
           if (radius > 0) {
@@ -58,8 +57,7 @@ TEST(Staying, what_rolls_on_is_hit_once) {
       Scene scene;
       put(scene, BoxShape{{100, 1, 100}}, {0, -1, 0});
       World world = make_world(space(), scene);
-      ProjectileDef ball{.mass = 1, .diameter = 0.2};
-      ball.fidelity = rung(Integrator::rk4, precision);
+      ProjectileDef ball{.mass = 1, .diameter = 0.2, .fidelity = rung(Integrator::rk4, precision)};
       BodyDef body = rolling(0, 0.1);
       const ProjectileId id = *world.spawn(ball, {.position = {0, 1, 0}, .velocity = Vec3d{3, 0, 1}}, body);
       const auto hits = test::of_kind(run_for(world, 10, 1 / rate), EventKind::hit);
@@ -82,8 +80,7 @@ TEST(Staying, a_lift_carries_and_lets_go) {
     lift.motion = keys;
     ASSERT_TRUE(scene.add(lift));
     World world = make_world(space(), scene);
-    ProjectileDef ball{.mass = 1, .diameter = 0.1};
-    ball.fidelity = rung(Integrator::rk4);
+    ProjectileDef ball{.mass = 1, .diameter = 0.1, .fidelity = rung(Integrator::rk4)};
     const ProjectileId id = *world.spawn(ball, {.position = {0, 0.05, 0}}, rolling(0, 0.05));
     const auto events = run_for(world, 0.5, 1 / rate);
     EXPECT_NEAR(world[id].position().y, 1.1017083848, 1e-4) << rate;
@@ -118,8 +115,7 @@ TEST(Staying, hits_tell_the_energy_that_they_take) {
     WorldDef def = space();
     def.environment = vacuum_of(0);
     World world = make_world(def, scene);
-    ProjectileDef ball{.mass = 2};
-    ball.fidelity = rung(Integrator::rk4);
+    ProjectileDef ball{.mass = 2, .fidelity = rung(Integrator::rk4)};
     BodyDef body = rolling(0, 0);
     body.restitution = 1;
     body.collision.on_hit = on_hit;
