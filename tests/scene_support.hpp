@@ -45,6 +45,10 @@ inline Fidelity rung(Integrator integrator, Precision precision = Precision::flo
   fidelity.precision = precision;
   return fidelity;
 }
+/// 1 kg, 0.2 m wide, without drag, by steps of rk4.
+inline ProjectileDef puck(Precision precision = Precision::float64) {
+  return {.mass = 1, .diameter = 0.2, .fidelity = rung(Integrator::rk4, precision)};
+}
 inline Fidelity closed() {
   Fidelity fidelity = test::vacuum();
   fidelity.motion = Motion::closed_form;

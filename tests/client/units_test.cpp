@@ -18,6 +18,7 @@ namespace physim::client::client_units {
 namespace {
 
 using testing_cli::Folder;
+using testing_cli::lines_of;
 
 constexpr const char* kShipped = PHYSIM_SOURCE_DIR "/scenarios/";
 
@@ -42,13 +43,6 @@ std::string said_with_unit(const FileUnits& file, const SettingRow& row, const s
   const Quantity quantity = row.node->entry->quantity;
   const bool has_unit = text && si_unit(quantity) != "" && !trimmed(behind_number(*text)).empty();
   return has_unit && parse_quantity(*text, quantity) ? *text : "";
-}
-
-std::vector<std::string> lines_of(const std::string& text) {
-  std::vector<std::string> lines;
-  std::istringstream in(text);
-  for (std::string line; std::getline(in, line);) lines.push_back(line);
-  return lines;
 }
 
 /// Every value reads back with the same bits.

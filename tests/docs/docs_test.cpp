@@ -1,15 +1,10 @@
 // Documentation that cannot rot: quoted code is in the examples, quoted output is what the program prints, links lead
 // somewhere, and every scenario that ships loads, flies and meets its expectations.
-#include <gtest/gtest.h>
-
-#include <algorithm>
 #include <cstdio>
-#include <filesystem>
-#include <fstream>
 #include <memory>
 #include <regex>
-#include <sstream>
 
+#include "cli/program.hpp"
 #include "report/gnuplot.hpp"
 #include "scenario/scenario.hpp"
 #include "scenario/world_run.hpp"
@@ -17,6 +12,7 @@
 namespace physim::docs_docs_test {
 
 namespace fs = std::filesystem;
+using testing_cli::lines_of;
 
 const fs::path kRoot = PHYSIM_SOURCE_DIR;
 
@@ -26,13 +22,6 @@ std::string content_of(const fs::path& path) {
   std::ostringstream out;
   out << file.rdbuf();
   return out.str();
-}
-
-std::vector<std::string> lines_of(const std::string& text) {
-  std::vector<std::string> lines;
-  std::istringstream in(text);
-  for (std::string line; std::getline(in, line);) lines.push_back(line);
-  return lines;
 }
 
 std::vector<fs::path> files_with(const char* ending, const fs::path& folder) {

@@ -22,7 +22,6 @@ double by_rule(Combine a, Combine b) {
 }
 std::string name_of(Combine a, Combine b) { return std::string(name(a)) + " and " + std::string(name(b)); }
 
-ProjectileDef marble() { return {.mass = 1, .diameter = 0.2, .fidelity = rung(Integrator::rk4)}; }
 BodyDef bouncy(Combine rule, double radius = 0) {
   return {.can_sleep = false,
           .restitution = kOwn,
@@ -48,7 +47,7 @@ TEST(Combine, a_bounce_off_a_thing_or_the_ground_keeps_what_the_later_rule_says)
     for (const Combine other : kRules) {
       for (const double radius : {0.0, 0.1}) {
         World world = make_world(space(), slab({.restitution = kOther, .combine = {.restitution = other}}));
-        ASSERT_TRUE(world.spawn(marble(), {.position = {0, radius + 0.05, 0}, .velocity = Vec3d{0, -10, 0}},
+        ASSERT_TRUE(world.spawn(puck(), {.position = {0, radius + 0.05, 0}, .velocity = Vec3d{0, -10, 0}},
                                 bouncy(own, radius)));
         EXPECT_NEAR(kept(run_for(world, 0.1)), by_rule(own, other), 1e-9) << name_of(own, other);
       }
@@ -56,7 +55,7 @@ TEST(Combine, a_bounce_off_a_thing_or_the_ground_keeps_what_the_later_rule_says)
       def.ground.restitution = kOther;
       def.ground.combine.restitution = other;
       World world = make_world(def);
-      ASSERT_TRUE(world.spawn(marble(), {.position = {0, 0.05, 0}, .velocity = Vec3d{0, -10, 0}}, bouncy(own)));
+      ASSERT_TRUE(world.spawn(puck(), {.position = {0, 0.05, 0}, .velocity = Vec3d{0, -10, 0}}, bouncy(own)));
       EXPECT_NEAR(kept(run_for(world, 0.1)), by_rule(own, other), 1e-9) << name_of(own, other);
     }
 }
@@ -102,7 +101,7 @@ TEST(Combine, friction_is_combined_by_its_own_rule) {
       body.friction = kOwn;
       body.rolling_resistance = 0;
       body.combine.friction = own;
-      const ProjectileId id = *world.spawn(marble(), {.velocity = Vec3d{5, 0, 0}}, body);
+      const ProjectileId id = *world.spawn(puck(), {.velocity = Vec3d{5, 0, 0}}, body);
       run_for(world, 3);
       EXPECT_NEAR(world[id].position().x, 25 / (2 * by_rule(own, other) * kG), 1e-6) << name_of(own, other);
     }
@@ -117,11 +116,11 @@ TEST(Combine, flights_and_predictions_have_the_same_rules) {
     until.contact.friction = 0;
     until.contact.combine.restitution = own;
     const Launch down{.position = {0, 0.05, 0}, .velocity = Vec3d{0, -10, 0}};
-    const Flight flight = fly(marble(), down, vacuum_of(kG), marble().fidelity, {}, until);
+    const Flight flight = fly(puck(), down, vacuum_of(kG), puck().fidelity, {}, until);
     const auto events = flight.events();
     EXPECT_NEAR(kept({events.begin(), events.end()}), by_rule(own, Combine::mean), 1e-9) << name(own);
     World world = make_world(space(), scene);
-    const ProjectileId id = *world.spawn(marble(), down, bouncy(own));
+    const ProjectileId id = *world.spawn(puck(), down, bouncy(own));
     Until ahead = meeting(scene, OnHit::bounce);
     ahead.scene = nullptr;
     ahead.time = 0.125;
@@ -142,7 +141,7 @@ TEST(Combine, what_is_no_rule_is_refused_with_its_place) {
   EXPECT_EQ(world.spawn(stone(), {}, bouncy(none)).error().place, "body.combine.restitution");
   Until until = meeting(scene, OnHit::bounce);
   until.contact.combine.friction = none;
-  const Flight flight = fly(marble(), {.speed = 1}, {}, {}, {}, until);
+  const Flight flight = fly(puck(), {.speed = 1}, {}, {}, {}, until);
   EXPECT_EQ(flight.outcome(), Outcome::refused);
 }
 
@@ -152,8 +151,8 @@ TEST(Combine, rules_are_kept_by_saves_and_recordings) {
     World world = make_world(space(GroundMode::bounce));
     EXPECT_TRUE(world.record(record_into(recording)));
     EXPECT_TRUE(world.set_scene(slab({.restitution = kOther, .combine = {.restitution = rule}})));
-    EXPECT_TRUE(world.spawn(marble(), {.position = {0, 1, 0}}, bouncy(Combine::product)));
-    EXPECT_TRUE(world.spawn(marble(), {.position = {2, 1, 0}}, bouncy(rule)));
+    EXPECT_TRUE(world.spawn(puck(), {.position = {0, 1, 0}}, bouncy(Combine::product)));
+    EXPECT_TRUE(world.spawn(puck(), {.position = {2, 1, 0}}, bouncy(rule)));
     run_for(world, 1);
     EXPECT_TRUE(world.stop_recording());
     return world;

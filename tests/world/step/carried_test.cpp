@@ -10,9 +10,6 @@ using namespace test_scene;
 constexpr double kRates[] = {24, 60, 250};
 constexpr double kRadius = 0.1;  // of balls [m]
 
-ProjectileDef puck(Precision precision = Precision::float64) {
-  return {.mass = 1, .diameter = 0.2, .fidelity = rung(Integrator::rk4, precision)};
-}
 struct OnDisc {
   Vec3d place, velocity;
 };

@@ -10,7 +10,6 @@ using namespace test_scene;
 constexpr double kRates[] = {24, 60, 1000};
 constexpr double kBelt = 2, kFriction = 0.2;
 
-ProjectileDef parcel() { return {.mass = 1, .diameter = 0.2, .fidelity = rung(Integrator::rk4)}; }
 BodyDef laid(double radius = 0, double friction = kFriction) {
   return {.can_sleep = true,
           .restitution = 0,
@@ -42,7 +41,7 @@ TEST(Conveyor, takes_points_along_at_any_frame_rate) {
       if (!ground) {
         ASSERT_TRUE(world.set_scene(belt({kBelt, 0, 0})));
       }
-      const ProjectileId id = *world.spawn(parcel(), {}, laid());
+      const ProjectileId id = *world.spawn(puck(), {}, laid());
       run_for(world, 0.75 * reached, 1 / rate);
       EXPECT_NEAR(world[id].velocity().x, kFriction * kG * world.time(), 1e-9) << rate << ' ' << ground;
       run_for(world, time - world.time(), 1 / rate);
@@ -56,10 +55,10 @@ TEST(Conveyor, takes_points_along_at_any_frame_rate) {
 TEST(Conveyor, turns_balls_until_they_roll_on_it) {
   for (const double rate : kRates) {
     World world = make_world(space(), belt({kBelt, 0, 0}));
-    const ProjectileId free = *world.spawn(parcel(), {.position = {0, 0.1, 0}}, laid(0.1));
+    const ProjectileId free = *world.spawn(puck(), {.position = {0, 0.1, 0}}, laid(0.1));
     BodyDef held = laid(0.1);
     held.frozen_rotation = Axes::all;
-    const ProjectileId stiff = *world.spawn(parcel(), {.position = {0, 0.1, 2}}, held);
+    const ProjectileId stiff = *world.spawn(puck(), {.position = {0, 0.1, 2}}, held);
     run_for(world, 2, 1 / rate);
     EXPECT_NEAR(world[free].velocity().x, 2 * kBelt / 7, 1e-6) << rate;
     EXPECT_NEAR(world[free].angular_velocity().z, (kBelt - 2 * kBelt / 7) / 0.1, 1e-4) << rate;
@@ -82,7 +81,7 @@ TEST(Conveyor, pulls_at_what_bounces) {
       BodyDef body = laid(0, friction);
       body.restitution = kRestitution;
       body.combine.restitution = ground ? Combine::product : Combine::maximum;
-      const ProjectileId id = *world.spawn(parcel(), {.position = {0, 1, 0}, .velocity = Vec3d{0, -kDown, 0}}, body);
+      const ProjectileId id = *world.spawn(puck(), {.position = {0, 1, 0}, .velocity = Vec3d{0, -kDown, 0}}, body);
       const auto bounces = of_kind(run_for(world, 0.5), EventKind::bounced);
       ASSERT_EQ(bounces.size(), 1u);
       const double pulled = std::min(friction * (1 + kRestitution) * kDown, kBelt);
@@ -97,7 +96,7 @@ TEST(Conveyor, runs_along_the_surface_of_a_thing_that_is_turned) {
   const double angle = 30 * test::kDegree;
   for (const Vec3d& velocity : {Vec3d{kBelt, 0, 0}, Vec3d{kBelt, 7, 0}}) {
     World world = make_world(space(), belt(velocity, about_z(angle)));
-    const ProjectileId id = *world.spawn(parcel(), {}, laid(0, 1));
+    const ProjectileId id = *world.spawn(puck(), {}, laid(0, 1));
     run_for(world, 2, 1.0 / 60);
     const Vec3d up{std::cos(angle), std::sin(angle), 0};
     EXPECT_LT(length(world[id].velocity() - up * kBelt), 1e-9);
@@ -120,7 +119,7 @@ TEST(Conveyor, moves_with_its_thing) {
     def.motion = SteadyMotion{.velocity = {train, 0, 0}};
     ASSERT_TRUE(scene.add(def));
     World world = make_world(space(), scene);
-    const ProjectileId id = *world.spawn(parcel(), {.velocity = Vec3d{train, 0, 0}}, laid());
+    const ProjectileId id = *world.spawn(puck(), {.velocity = Vec3d{train, 0, 0}}, laid());
     run_for(world, 2, 1.0 / 60);
     EXPECT_NEAR(world[id].velocity().x, train + kBelt, 1e-9) << train;
     EXPECT_NEAR(world[id].position().x, (train + kBelt) * world.time() - kBelt * kBelt / (2 * kFriction * kG), 1e-3);
@@ -133,7 +132,7 @@ TEST(Conveyor, throws_what_it_carries_off_its_end) {
     World world = make_world(space(), belt({kBelt, 0, 0}, {}, 3));
     BodyDef body = laid(radius, 1);
     if (radius > 0) body.frozen_rotation = Axes::all;
-    const ProjectileId id = *world.spawn(parcel(), {.position = {0, radius, 0}, .velocity = Vec3d{kBelt, 0, 0}}, body);
+    const ProjectileId id = *world.spawn(puck(), {.position = {0, radius, 0}, .velocity = Vec3d{kBelt, 0, 0}}, body);
     run_for(world, 2, 1.0 / 60);
     EXPECT_NEAR(world[id].velocity().x, kBelt, radius > 0 ? 0.3 : 1e-9);
     EXPECT_LT(world[id].position().y, -0.3);
@@ -143,7 +142,7 @@ TEST(Conveyor, throws_what_it_carries_off_its_end) {
 /// What lies on a belt does not sleep, however slow it is; what slept wakes when the belt starts, and stops after it.
 TEST(Conveyor, starts_and_stops_by_a_call) {
   World world = make_world(space(), belt({}));
-  const ProjectileId id = *world.spawn(parcel(), {}, laid());
+  const ProjectileId id = *world.spawn(puck(), {}, laid());
   run_for(world, 2, 1.0 / 60);
   EXPECT_TRUE(world[id].is_asleep());
   const InstanceId thing{1, 1};
@@ -162,7 +161,7 @@ TEST(Conveyor, starts_and_stops_by_a_call) {
   WorldDef slow = space();
   slow.ground = {.mode = GroundMode::bounce, .conveyor = {{0.01, 0, 0}}};
   World on_ground = make_world(slow);
-  const ProjectileId crept = *on_ground.spawn(parcel(), {}, laid());
+  const ProjectileId crept = *on_ground.spawn(puck(), {}, laid());
   run_for(on_ground, 5, 1.0 / 60);
   EXPECT_FALSE(on_ground[crept].is_asleep());
   EXPECT_NEAR(on_ground[crept].velocity().x, 0.01, 1e-12);
@@ -174,8 +173,8 @@ TEST(Conveyor, acts_in_meetings) {
   BodyDef body = laid(0.1, 0.5);
   body.frozen_rotation = Axes::all;
   body.collision.others = 1;
-  const ProjectileId behind = *world.spawn(parcel(), {.position = {0, 0.1, 0}, .velocity = Vec3d{5, 0, 0}}, body);
-  const ProjectileId ahead = *world.spawn(parcel(), {.position = {1, 0.1, 0}}, body);
+  const ProjectileId behind = *world.spawn(puck(), {.position = {0, 0.1, 0}, .velocity = Vec3d{5, 0, 0}}, body);
+  const ProjectileId ahead = *world.spawn(puck(), {.position = {1, 0.1, 0}}, body);
   run_for(world, 4, 1.0 / 60);
   EXPECT_NEAR(world[behind].velocity().x, kBelt, 1e-6);
   EXPECT_NEAR(world[ahead].velocity().x, kBelt, 1e-6);
@@ -189,7 +188,7 @@ TEST(Conveyor, flights_are_carried_as_worlds_carry) {
   until.contact.restitution = 0;
   until.contact.friction = kFriction;
   until.contact.rolling_resistance = 0;
-  const Flight flight = fly(parcel(), {.position = {0, 0.1, 0}}, vacuum_of(kG), parcel().fidelity, {}, until);
+  const Flight flight = fly(puck(), {.position = {0, 0.1, 0}}, vacuum_of(kG), puck().fidelity, {}, until);
   const double falls = std::sqrt(0.2 / kG), pulled = kFriction * std::sqrt(2 * kG * 0.1);
   EXPECT_EQ(flight.outcome(), Outcome::time_limit);
   const double slides = (kBelt - pulled) / (kFriction * kG);
@@ -217,7 +216,7 @@ TEST(Conveyor, is_kept_by_snapshots_saves_and_recordings) {
   World world = make_world(space());
   ASSERT_TRUE(world.record(record_into(recording)));
   ASSERT_TRUE(world.set_scene(belt({kBelt, 0, 0})));
-  const ProjectileId id = *world.spawn(parcel(), {}, laid());
+  const ProjectileId id = *world.spawn(puck(), {}, laid());
   run_for(world, 0.5, 1.0 / 60);
   const Snapshot moment = world.snapshot();
   const std::uint64_t before = world.hash();

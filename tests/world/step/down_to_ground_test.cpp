@@ -9,9 +9,6 @@ using namespace test_scene;
 constexpr double kRates[] = {24, 60, 1000};
 constexpr double kAngle = 30 * test::kDegree, kFall = 1;  // of the slope; from the start to the ground [m]
 
-ProjectileDef puck(Precision precision = Precision::float64) {
-  return {.mass = 1, .diameter = 0.2, .fidelity = test_scene::rung(Integrator::rk4, precision)};
-}
 WorldDef on_ground(GroundMode mode, double restitution = 0) {
   WorldDef def = space();
   def.ground = {.mode = mode, .height = 0, .restitution = restitution, .friction = 0};

@@ -8,7 +8,6 @@ using namespace test_scene;
 
 constexpr double kRates[] = {24, 60, 1000};
 
-ProjectileDef puck() { return {.mass = 1, .diameter = 0.2, .fidelity = test_scene::rung(Integrator::rk4)}; }
 BodyDef sliding(double friction, double radius = 0) {
   BodyDef body{.can_sleep = false,
                .restitution = 0,

@@ -9,7 +9,6 @@ using namespace test_scene;
 constexpr double kRates[] = {24, 60, 1000};
 constexpr double kWall = 1, kSpeed = 5;  // where a wall stands [m]; of what comes to a sensor [m/s]
 
-ProjectileDef puck() { return {.mass = 1, .diameter = 0.2, .fidelity = test_scene::rung(Integrator::rk4)}; }
 /// Points slide against friction 0.5, balls roll against a resistance of 0.1.
 struct Mover {
   double radius, slows;  // [m], [m/s^2]
