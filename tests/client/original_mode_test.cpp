@@ -145,9 +145,8 @@ TEST(OriginalMode, saves_what_it_fires) {
   Client client = client_of();
   client.launcher.cycle_motion(), client.launcher.cycle_gravity(), client.launcher.cycle_drag();
   Scenario scenario{.shots = {client.launcher.shot()}};
-  const Result<Scenario> again = parse_scenario(scenario_text(scenario), "f.toml");
-  ASSERT_TRUE(again.ok()) << again.error().text();
-  const Flight a = fly_shot(scenario, scenario.shots[0]), b = fly_shot(*again, again->shots[0]);
+  const Scenario again = must(parse_scenario(scenario_text(scenario), "f.toml"));
+  const Flight a = fly_shot(scenario, scenario.shots[0]), b = fly_shot(again, again.shots[0]);
   EXPECT_EQ(a.end().position, b.end().position);
 }
 

@@ -164,8 +164,7 @@ TEST_P(Panels, LoseNothing) {
     if (!has_part) continue;
     const Status saved = client.save(file);
     ASSERT_TRUE(saved) << saved.error().text();
-    Client opened = must(open_client(file, {}));
-    Client& again = opened;
+    Client again = must(open_client(file, {}));
     const Scenario &set = client.session.scenario(), &found = again.session.scenario();
     const bool becomes_world = !before.world.given && before.things.empty() && !set.things.empty();
     const bool is_of_shots = std::ranges::count(before.shots, client.launcher.shot().projectile.name,

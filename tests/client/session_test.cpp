@@ -221,8 +221,7 @@ TEST(Session, PlaysItsRecording) {
   const std::uint64_t end = session.world().hash();
   const Vec3d last = session.tracks().back().samples.back().position;
   ASSERT_TRUE(session.stop_recording());
-  Session opened = must(Session::replay(load_recording(folder / "a.rec").value(), "a.rec"));
-  Session& replay = opened;
+  Session replay = must(Session::replay(load_recording(folder / "a.rec").value(), "a.rec"));
   for (int i = 0; i < 1000 && !replay.is_over(); ++i) replay.single_step();
   EXPECT_TRUE(replay.is_over());
   EXPECT_EQ(replay.world().hash(), end);

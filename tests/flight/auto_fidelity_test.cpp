@@ -98,11 +98,10 @@ TEST(AutoFidelity, ASmallerErrorIsNeverCheaper) {
 
 TEST(AutoFidelity, NoCheaperCandidateWouldHaveDone) {
   for (const Case& c : cases()) {
-    const auto choice = chosen(c, 0.01);
-    ASSERT_TRUE(choice.ok()) << c.what;
-    for (const FidelityTrial& trial : choice->trials) {
-      EXPECT_EQ(trial.within, trial.error + choice->truth_error <= 0.01) << c.what;
-      EXPECT_TRUE(!trial.lowered.empty() || !trial.within || trial.cost >= choice->cost) << c.what;
+    const auto choice = must(chosen(c, 0.01), c.what);
+    for (const FidelityTrial& trial : choice.trials) {
+      EXPECT_EQ(trial.within, trial.error + choice.truth_error <= 0.01) << c.what;
+      EXPECT_TRUE(!trial.lowered.empty() || !trial.within || trial.cost >= choice.cost) << c.what;
     }
   }
 }
@@ -110,20 +109,18 @@ TEST(AutoFidelity, NoCheaperCandidateWouldHaveDone) {
 TEST(AutoFidelity, AVacuumGetsTheClosedForm) {
   const Case c = cases()[1];
   for (const double error : {1.0, 1e-3, 1e-6, 1e-10}) {
-    const auto choice = chosen(c, error);
-    ASSERT_TRUE(choice.ok()) << choice.error().text();
-    EXPECT_EQ(choice->fidelity.motion, Motion::closed_form);
-    EXPECT_EQ(choice->fidelity.precision, error > 2e-4 ? Precision::float32 : Precision::float64) << error;
+    const auto choice = must(chosen(c, error));
+    EXPECT_EQ(choice.fidelity.motion, Motion::closed_form);
+    EXPECT_EQ(choice.fidelity.precision, error > 2e-4 ? Precision::float32 : Precision::float64) << error;
   }
 }
 
 TEST(AutoFidelity, AProjectileWithoutDragGetsTheClosedForm) {
   Case c = cases()[2];
   c.projectile.drag.coefficient = 0;
-  const auto choice = chosen(c, 0.1);
-  ASSERT_TRUE(choice.ok()) << choice.error().text();
-  EXPECT_EQ(choice->fidelity.motion, Motion::closed_form);
-  EXPECT_EQ(choice->fidelity.drag, DragModel::off);
+  const auto choice = must(chosen(c, 0.1));
+  EXPECT_EQ(choice.fidelity.motion, Motion::closed_form);
+  EXPECT_EQ(choice.fidelity.drag, DragModel::off);
 }
 
 TEST(AutoFidelity, LinearDragGetsTheClosedForm) {
@@ -131,45 +128,41 @@ TEST(AutoFidelity, LinearDragGetsTheClosedForm) {
   purpose.truth.drag = DragModel::linear_quadratic;
   Environment environment = windy();
   environment.earth.rotation_rate = 0;
-  const auto choice = cheapest_within(grain(), Launch{.speed = 5, .elevation = 0.5}, environment, purpose);
-  ASSERT_TRUE(choice.ok()) << choice.error().text();
-  EXPECT_EQ(choice->fidelity.motion, Motion::closed_form);
-  EXPECT_EQ(choice->fidelity.drag, DragModel::linear_quadratic);
-  EXPECT_EQ(choice->fidelity.wind, WindModel::constant);
+  const auto choice = must(cheapest_within(grain(), Launch{.speed = 5, .elevation = 0.5}, environment, purpose));
+  EXPECT_EQ(choice.fidelity.motion, Motion::closed_form);
+  EXPECT_EQ(choice.fidelity.drag, DragModel::linear_quadratic);
+  EXPECT_EQ(choice.fidelity.wind, WindModel::constant);
 }
 
 TEST(AutoFidelity, ABulletInAGameGetsSomethingCheap) {
   Case c = cases()[0];
   c.time = 0.1;
-  const auto choice = chosen(c, 1);
-  ASSERT_TRUE(choice.ok()) << choice.error().text();
-  EXPECT_EQ(choice->fidelity.integrator, Integrator::semi_implicit_euler);
-  EXPECT_LT(level(choice->fidelity.drag), level(DragModel::equation));
-  EXPECT_EQ(choice->fidelity.precision, Precision::float32);
-  EXPECT_GT(choice->truth_cost, 50 * choice->cost);
+  const auto choice = must(chosen(c, 1));
+  EXPECT_EQ(choice.fidelity.integrator, Integrator::semi_implicit_euler);
+  EXPECT_LT(level(choice.fidelity.drag), level(DragModel::equation));
+  EXPECT_EQ(choice.fidelity.precision, Precision::float32);
+  EXPECT_GT(choice.truth_cost, 50 * choice.cost);
 }
 
 TEST(AutoFidelity, ABulletAtATenthOfAMillimetreGetsTheStandardAir) {
-  const auto choice = chosen(cases()[0], 1e-4);
-  ASSERT_TRUE(choice.ok()) << choice.error().text();
-  EXPECT_EQ(choice->fidelity.drag, DragModel::equation);
-  EXPECT_EQ(choice->fidelity.air, AirModel::isa);
-  EXPECT_EQ(choice->fidelity.integrator, Integrator::rk4);
-  EXPECT_EQ(choice->fidelity.earth, EarthModel::flat_coriolis);
-  EXPECT_EQ(choice->fidelity.rotation, RotationModel::spin_drift);
+  const auto choice = must(chosen(cases()[0], 1e-4));
+  EXPECT_EQ(choice.fidelity.drag, DragModel::equation);
+  EXPECT_EQ(choice.fidelity.air, AirModel::isa);
+  EXPECT_EQ(choice.fidelity.integrator, Integrator::rk4);
+  EXPECT_EQ(choice.fidelity.earth, EarthModel::flat_coriolis);
+  EXPECT_EQ(choice.fidelity.rotation, RotationModel::spin_drift);
 }
 
 TEST(AutoFidelity, SaysWhatEachEffectIsWorth) {
-  const auto choice = chosen(cases()[0], 0.01);
-  ASSERT_TRUE(choice.ok());
-  const FidelityTrial* off = trial_of(*choice, "drag", DragModel::off);
-  const FidelityTrial* constants = trial_of(*choice, "drag", DragModel::linear_quadratic);
+  const auto choice = must(chosen(cases()[0], 0.01));
+  const FidelityTrial* off = trial_of(choice, "drag", DragModel::off);
+  const FidelityTrial* constants = trial_of(choice, "drag", DragModel::linear_quadratic);
   ASSERT_TRUE(off && constants);
   EXPECT_GT(off->error, 100);
   EXPECT_GT(off->error, 5 * constants->error);
   EXPECT_FALSE(off->within);
   std::set<std::string> effects;
-  for (const FidelityTrial& trial : choice->trials) effects.insert(trial.lowered);
+  for (const FidelityTrial& trial : choice.trials) effects.insert(trial.lowered);
   for (const char* effect : {"air", "wind", "gravity", "earth", "rotation", "integrator"})
     EXPECT_TRUE(effects.contains(effect)) << effect;
 }
@@ -177,16 +170,14 @@ TEST(AutoFidelity, SaysWhatEachEffectIsWorth) {
 TEST(AutoFidelity, NeverLessThanWasAllowed) {
   const Case c = cases()[1];
   const Purpose purpose{.error = 1, .time = 1, .least_motion = Motion::force, .least_precision = Precision::float64};
-  const auto choice = cheapest_within(c.projectile, c.launch, c.environment, purpose);
-  ASSERT_TRUE(choice.ok()) << choice.error().text();
-  EXPECT_EQ(choice->fidelity.motion, Motion::force);
-  EXPECT_EQ(choice->fidelity.precision, Precision::float64);
+  const auto choice = must(cheapest_within(c.projectile, c.launch, c.environment, purpose));
+  EXPECT_EQ(choice.fidelity.motion, Motion::force);
+  EXPECT_EQ(choice.fidelity.precision, Precision::float64);
 }
 
 TEST(AutoFidelity, AThrustThatMattersIsKept) {
-  const auto choice = chosen(cases()[4], 0.1);
-  ASSERT_TRUE(choice.ok()) << choice.error().text();
-  EXPECT_EQ(choice->fidelity.motion, Motion::force) << "the other motions know no forces";
+  const auto choice = must(chosen(cases()[4], 0.1));
+  EXPECT_EQ(choice.fidelity.motion, Motion::force) << "the other motions know no forces";
 }
 
 /// What a bullet gets that is fired in a crosswind.
@@ -228,12 +219,11 @@ TEST(AutoFidelity, ItsPageTellsTheTruth) {
 }
 
 TEST(AutoFidelity, TheTruthItselfIsToldWhereNothingCheaperStaysWithin) {
-  const auto choice = bullet_in_wind(600, {.error = 1e-8, .time = 0.5});
-  ASSERT_TRUE(choice.ok()) << choice.error().text();
-  EXPECT_EQ(choice->fidelity.integrator, Integrator::dop853);
-  EXPECT_EQ(choice->explanation().find("nothing cheaper than the reference stays within 10 nm over 0.5 s: measured "),
+  const auto choice = must(bullet_in_wind(600, {.error = 1e-8, .time = 0.5}));
+  EXPECT_EQ(choice.fidelity.integrator, Integrator::dop853);
+  EXPECT_EQ(choice.explanation().find("nothing cheaper than the reference stays within 10 nm over 0.5 s: measured "),
             0U)
-      << choice->explanation();
+      << choice.explanation();
 }
 
 TEST(AutoFidelity, SeveralLaunchesCountByTheirWorst) {
@@ -259,16 +249,15 @@ TEST(AutoFidelity, IsDeterministic) {
 
 TEST(AutoFidelity, ExplainsItself) {
   const Case c = cases()[1];
-  const auto choice = chosen(c, 0.01);
-  ASSERT_TRUE(choice.ok());
-  EXPECT_EQ(choice->explanation().find("the cheapest within 1 cm over 2 s: measured "), 0U) << choice->explanation();
-  const Flight flight = fly_chosen(c.projectile, c.launch, c.environment, *choice, {.time = 2});
+  const auto choice = must(chosen(c, 0.01));
+  EXPECT_EQ(choice.explanation().find("the cheapest within 1 cm over 2 s: measured "), 0U) << choice.explanation();
+  const Flight flight = fly_chosen(c.projectile, c.launch, c.environment, choice, {.time = 2});
   ASSERT_FALSE(flight.error());
   const FidelityNote note = flight.fidelity_in_use().notes.back();
   EXPECT_EQ(note.effect, "fidelity");
   EXPECT_EQ(note.asked, "cheapest_within 1 cm");
   EXPECT_EQ(note.granted, "closed_form, drag off");
-  EXPECT_EQ(note.reason, choice->explanation());
+  EXPECT_EQ(note.reason, choice.explanation());
 }
 
 TEST(AutoFidelity, AnErrorBelowTheTruthsOwnIsRefused) {
@@ -332,10 +321,9 @@ TEST(AutoFidelity, LandingCountsWhereItHappens) {
   Case c = cases()[0];
   c.launch = {.position = {0, 1, 0}, .speed = 800};
   c.ground = 0.0;
-  const auto choice = chosen(c, 0.05);
-  ASSERT_TRUE(choice.ok()) << choice.error().text();
-  EXPECT_LE(measured_again(c, *choice), 0.0505);
-  EXPECT_LT(choice->time, 0.6);
+  const auto choice = must(chosen(c, 0.05));
+  EXPECT_LE(measured_again(c, choice), 0.0505);
+  EXPECT_LT(choice.time, 0.6);
 }
 
 }  // namespace physim::flight_auto_fidelity_test

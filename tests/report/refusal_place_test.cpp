@@ -1,6 +1,6 @@
 // What is refused when a shot flies has the place of the setting that it is about.
-#include <gtest/gtest.h>
 
+#include "must.hpp"
 #include "report/flown.hpp"
 
 namespace physim::report_refusal_place_test {
@@ -10,9 +10,8 @@ constexpr const char* kFile =
     "}\n";
 
 Error told(const Error& error, const std::vector<std::string>& overrides = {}) {
-  const auto scenario = parse_scenario(kFile, "f.toml", overrides);
-  EXPECT_TRUE(scenario.ok());
-  return report::about(*scenario, scenario->shots[0], error);
+  const auto scenario = must(parse_scenario(kFile, "f.toml", overrides));
+  return report::about(scenario, scenario.shots[0], error);
 }
 
 TEST(RefusalPlace, is_that_of_the_setting) {

@@ -36,9 +36,8 @@ position = [100, 0, 0]
 )";
 
 ScenarioFile read(const std::string& text, std::vector<std::string> overrides = {}) {
-  const Result<ScenarioFile> file = ScenarioFile::parse(text, "test.toml", overrides);
-  EXPECT_TRUE(file.ok()) << file.error().text();
-  return *file;
+  const ScenarioFile file = must(ScenarioFile::parse(text, "test.toml", overrides));
+  return file;
 }
 
 std::string error_of(const std::string& override_text) {

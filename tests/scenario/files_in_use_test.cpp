@@ -117,12 +117,11 @@ std::vector<std::string> names_of(const std::vector<std::string>& files) {
 
 TEST(ScenarioFiles, are_all_that_a_scenario_names_and_what_these_name) {
   const Folder folder;
-  const auto scenario = load_scenario(write_scenario(folder));
-  ASSERT_TRUE(scenario.ok()) << scenario.error().text();
+  const auto scenario = must(load_scenario(write_scenario(folder)));
   std::vector<std::string> expected = {"motor.eng", "s.toml", "speeds.csv"};
   if (reads_height_maps()) expected.insert(expected.begin(), "hills.pgm");
   if (reads_mesh_files()) expected.insert(expected.end(), {"tent.mtl", "tent.obj"});
-  EXPECT_EQ(names_of(scenario->files), expected);
+  EXPECT_EQ(names_of(scenario.files), expected);
 }
 
 TEST(ScenarioFiles, are_no_place_for_a_recording) {

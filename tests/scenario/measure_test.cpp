@@ -1,8 +1,8 @@
 // Figures of a flight that expectations ask for, against the closed form in vacuum.
-#include <gtest/gtest.h>
 
 #include <cmath>
 
+#include "must.hpp"
 #include "scenario/scenario.hpp"
 
 namespace physim::scenario_measure_test {
@@ -17,9 +17,7 @@ Flight lob() {
 }
 
 double figure(const std::string& quantity, ExpectAt at, double at_value = 0) {
-  const Result<double> value = measure(lob(), {.at = at, .at_value = at_value, .quantity = quantity});
-  EXPECT_TRUE(value.ok()) << value.error().text();
-  return value.ok() ? *value : std::nan("");
+  return must(measure(lob(), {.at = at, .at_value = at_value, .quantity = quantity}));
 }
 
 TEST(Measure, LooksAtTheApex) {

@@ -34,9 +34,8 @@ spread = { horizontal = "1 deg" }
 )";
 
 ScenarioFile read(const std::string& text) {
-  Result<ScenarioFile> file = ScenarioFile::parse(text, "test.toml");
-  EXPECT_TRUE(file.ok()) << file.error().text();
-  return *file;
+  ScenarioFile file = must(ScenarioFile::parse(text, "test.toml"));
+  return file;
 }
 
 void expect_same(const Flight& a, const Flight& b) {
@@ -87,11 +86,10 @@ TEST(ScenarioDoor, settings_are_read_and_changed_by_path) {
 TEST(ScenarioDoor, every_setting_of_every_shipped_scenario_can_be_read) {
   for (const std::string& name : test::shipped_scenarios()) {
     const std::string path = PHYSIM_SOURCE_DIR "/scenarios/" + name + ".toml";
-    const Result<ScenarioFile> file = ScenarioFile::load(path);
-    ASSERT_TRUE(file.ok()) << file.error().text();
+    const ScenarioFile file = must(ScenarioFile::load(path));
     const auto settings = effective_settings(*load_scenario(path));
     for (std::size_t i = 0; i < settings.size(); i += 17)
-      EXPECT_EQ(*file->get(settings[i].first), settings[i].second) << name << ": " << settings[i].first;
+      EXPECT_EQ(*file.get(settings[i].first), settings[i].second) << name << ": " << settings[i].first;
   }
 }
 

@@ -313,10 +313,9 @@ class ScenarioFile : public testing::Test {
 
 TEST_F(ScenarioFile, IsLoaded) {
   const std::string file = write(kDesignExample);
-  const Result<Scenario> scenario = load_scenario(file);
-  ASSERT_TRUE(scenario.ok()) << scenario.error().text();
-  EXPECT_EQ(scenario->file, file);
-  EXPECT_EQ(scenario->shots.size(), 1U);
+  const Scenario scenario = must(load_scenario(file));
+  EXPECT_EQ(scenario.file, file);
+  EXPECT_EQ(scenario.shots.size(), 1U);
 }
 
 TEST_F(ScenarioFile, OfWindowsIsLoaded) {

@@ -1,10 +1,10 @@
 // Rockets keep their direction at every door: a launch from rest has none in its velocity.
-#include <gtest/gtest.h>
 
 #include <cmath>
 #include <fstream>
 #include <iterator>
 
+#include "must.hpp"
 #include "physim/solve.hpp"
 #include "scenario/volley.hpp"
 #include "scenario/world_run.hpp"
@@ -17,9 +17,7 @@ const std::string kRocket = PHYSIM_SOURCE_DIR "/scenarios/model_rocket.toml";
 Scenario rocket(const std::vector<std::string>& overrides) {
   std::ifstream file(kRocket);
   const std::string text{std::istreambuf_iterator<char>(file), {}};
-  const Result<Scenario> scenario = parse_scenario(text.substr(0, text.find("[[expect]]")), kRocket, overrides);
-  EXPECT_TRUE(scenario.ok()) << scenario.error().text();
-  return scenario.ok() ? *scenario : Scenario{};
+  return must(parse_scenario(text.substr(0, text.find("[[expect]]")), kRocket, overrides));
 }
 
 Flight alone() {
@@ -69,10 +67,9 @@ TEST(WorldRocket, IsComparedWithItsOwnPath) {
   const Scenario s = rocket({});
   const ScenarioShot& shot = s.shots[0];
   const FlightSetting setting{shot.projectile.fidelity, s.tolerance};
-  const auto compared = compare(shot.projectile, shot.launch, s.environment, {&setting, 1});
-  ASSERT_TRUE(compared.ok());
-  EXPECT_NEAR(compared->reference.end().position.x, alone().end().position.x, 5);
-  EXPECT_LT(compared->flights[0].largest_distance, 5);
+  const auto compared = must(compare(shot.projectile, shot.launch, s.environment, {&setting, 1}));
+  EXPECT_NEAR(compared.reference.end().position.x, alone().end().position.x, 5);
+  EXPECT_LT(compared.flights[0].largest_distance, 5);
 }
 
 }  // namespace physim::scenario_world_rocket_test

@@ -30,8 +30,7 @@ TEST(World, a_rung_of_another_interpolation_reads_its_own_curves) {
 TEST(ChangeRung, a_step_can_be_as_short_against_the_age_as_steps_can_be) {
   WorldDef def{.environment = {.gravity = {.model = GravityModel::off}, .atmosphere = {.model = AirModel::vacuum}},
                .ground = {.mode = GroundMode::none}};
-  World made = must(World::create(def));
-  World& world = made;
+  World world = must(World::create(def));
   ProjectileDef p{.fidelity = Fidelity::constant_air()};
   const ProjectileId id = *world.spawn(p, {.position = {0, 100, 0}, .velocity = Vec3d{1, 0, 0}});
   for (int i = 0; i < 12; ++i) ASSERT_TRUE(world.step(9e5));

@@ -61,8 +61,7 @@ TEST(Recording, random_sessions_replay_with_equal_hashes) {
   for (unsigned seed = 1; seed <= 12; ++seed) {
     std::uint64_t hash = 0;
     const Bytes bytes = random_recording(seed, 3000, &hash);
-    auto opened = must(Replay::open(bytes, with_functions()));
-    Replay& player = opened;
+    Replay player = must(Replay::open(bytes, with_functions()));
     while (player.next()) continue;
     const ReplayReport& report = player.report();
     ASSERT_FALSE(report.difference) << "seed " << seed << ": " << report.difference->call << " in step "

@@ -162,8 +162,7 @@ TEST(Save, a_recording_may_begin_at_one) {
     for (int i = 0; i < 500; ++i) session.act();
     const std::uint64_t hash = world.hash();
     ASSERT_TRUE(world.stop_recording());
-    auto opened = must(Replay::open(bytes, with_functions()));
-    Replay& player = opened;
+    Replay player = must(Replay::open(bytes, with_functions()));
     while (player.next()) continue;
     ASSERT_FALSE(player.report().difference)
         << player.report().difference->call << ": " << player.report().difference->what;
