@@ -1,8 +1,6 @@
 // Files of each kind that a scenario can name, for tests of what is read and what may be written.
 #pragma once
 
-#include <string>
-
 #include "cli/program.hpp"
 #include "physim/files.hpp"
 

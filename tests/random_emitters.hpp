@@ -1,7 +1,6 @@
 // Random emitters of every row, for golden hashes and random sessions.
 #pragma once
 
-#include "physim/world.hpp"
 #include "random_shots.hpp"
 
 namespace physim::test {
@@ -109,8 +108,7 @@ inline void add_shapes(Random& r, EmitterDef& def) {
 /// One that fires `kind`; `others` are emitters of the same world that it may set off.
 inline EmitterDef random_emitter(Random& r, KindId kind, std::span<const EmitterId> others) {
   const IeeeMode mode;
-  EmitterDef def;
-  def.kind = kind;
+  EmitterDef def{.kind = kind};
   if (r.one_in(2)) def.seed = static_cast<std::uint64_t>(r.below(1000));
   def.position = r.vector(20);
   def.position.y = r.in(0, 20);
@@ -140,12 +138,15 @@ inline EmitterDef random_emitter(Random& r, KindId kind, std::span<const Emitter
   if (r.one_in(2)) def.when_full = WhenFull::replace_oldest;
   for (const EmitterId other : others) {
     if (!r.one_in(3)) continue;
-    SubEmitter sub{.on = static_cast<SubEvent>(r.below(10)), .emitter = other, .count = {r.in(0, 3)}};
-    sub.probability = r.unit();
-    sub.age = r.in(0.01, 0.5);
-    sub.axis = static_cast<SubAxis>(r.below(3));
-    sub.inherit_velocity = r.unit();
-    sub.inherit_colour = r.one_in(2), sub.inherit_size = r.one_in(2);
+    SubEmitter sub{.on = static_cast<SubEvent>(r.below(10)),
+                   .emitter = other,
+                   .count = {r.in(0, 3)},
+                   .probability = r.unit(),
+                   .age = r.in(0.01, 0.5),
+                   .axis = static_cast<SubAxis>(r.below(3)),
+                   .inherit_velocity = r.unit(),
+                   .inherit_colour = r.one_in(2),
+                   .inherit_size = r.one_in(2)};
     def.subs.push_back(sub);
   }
   return def;

@@ -38,9 +38,7 @@ class Random {
 
 inline DragDef random_drag(Random& r) {
   const IeeeMode mode;
-  DragDef d;
-  d.table = static_cast<DragTable>(r.below(12));
-  d.coefficient = r.in(0.1, 1);
+  DragDef d{.table = static_cast<DragTable>(r.below(12)), .coefficient = r.in(0.1, 1)};
   if (d.table == DragTable::custom) {
     const bool odd = r.one_in(2);
     double mach = r.one_in(2) ? 0 : 0.25;
@@ -61,9 +59,7 @@ inline DragDef random_drag(Random& r) {
 
 inline ProjectileDef random_projectile(Random& r) {
   const IeeeMode mode;
-  ProjectileDef p;
-  p.mass = r.one_in(3) ? r.in(0.002, 0.05) : r.in(0.05, 8);
-  p.diameter = r.in(0.005, 0.15);
+  ProjectileDef p{.mass = r.one_in(3) ? r.in(0.002, 0.05) : r.in(0.05, 8), .diameter = r.in(0.005, 0.15)};
   p.length = p.diameter * r.in(1, 5);
   p.twist = r.one_in(3) ? 0 : r.in(-0.5, 0.5);
   p.drag = random_drag(r);
@@ -75,10 +71,9 @@ inline ProjectileDef random_projectile(Random& r) {
 }
 
 inline Launch random_launch(Random& r) {
-  Launch launch;
-  launch.position = {r.in(-20, 20), r.in(0, 60), r.in(-20, 20)};
-  launch.azimuth = r.in(-3, 3);
-  launch.sight = {.height = r.in(0, 0.1), .look_angle = r.in(-0.3, 0.5), .cant = r.in(-0.3, 0.3)};
+  Launch launch{.position = {r.in(-20, 20), r.in(0, 60), r.in(-20, 20)},
+                .azimuth = r.in(-3, 3),
+                .sight = {.height = r.in(0, 0.1), .look_angle = r.in(-0.3, 0.5), .cant = r.in(-0.3, 0.3)}};
   if (r.one_in(4)) {
     launch.velocity = r.vector(400);
   } else {
@@ -116,10 +111,9 @@ inline Wind random_wind(Random& r) {
 }
 
 inline Environment random_environment(Random& r) {
-  Environment e;
-  e.altitude = r.one_in(2) ? 0 : r.in(-100, 12000);
-  e.gravity.model = static_cast<GravityModel>(1 + r.below(2));
-  e.gravity.acceleration = r.one_in(4) ? 0.0 + r.in(1, 25) : 9.80665;
+  Environment e{.altitude = r.one_in(2) ? 0 : r.in(-100, 12000),
+                .gravity = {.model = static_cast<GravityModel>(1 + r.below(2)),
+                            .acceleration = r.one_in(4) ? 0.0 + r.in(1, 25) : 9.80665}};
   Atmosphere& a = e.atmosphere;
   a.model = r.one_in(2) ? AirModel::isa : static_cast<AirModel>(r.below(4));
   if (r.one_in(3)) a.temperature = r.in(250, 310);
@@ -159,8 +153,7 @@ inline Until random_until(Random& r) {
   u.time = r.in(2, 25);
   if (r.one_in(4)) u.range = r.in(50, 3000);
   for (int i = 0, n = r.below(6); i < n; ++i) {
-    EventSpec e;
-    e.kind = static_cast<EventKind>(r.below(7));
+    EventSpec e{.kind = static_cast<EventKind>(r.below(7))};
     const double size[] = {40, 0, 500, 60, 1.5, 300, 10};  // by kind
     e.value = r.in(0, 1) * size[static_cast<int>(e.kind)];
     e.direction = static_cast<Crossing>(r.below(3));

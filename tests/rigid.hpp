@@ -1,8 +1,6 @@
 // Rigid bodies that several tests fly, and the exact rates of a body without torque.
 #pragma once
 
-#include <cmath>
-
 #include "model/attitude.hpp"
 #include "support.hpp"
 
@@ -12,23 +10,17 @@ inline constexpr double kSlugFt2 = 14.5939029372063648 * 0.3048 * 0.3048;  // [k
 
 /// The brick of the NASA/NESC check-cases (TM-2015-218675), Iyy about its right axis, which is z here.
 inline ProjectileDef nasa_brick() {
-  ProjectileDef p;
-  p.name = "brick";
-  p.mass = 0.155404754 * 14.5939029372063648;
-  p.drag.coefficient = 0;
-  p.inertia.moments = Vec3d{0.001894220, 0.007194665, 0.006211019} * kSlugFt2;
-  return p;
+  return {.name = "brick",
+          .mass = 0.155404754 * 14.5939029372063648,
+          .drag = {.coefficient = 0},
+          .inertia = {.moments = Vec3d{0.001894220, 0.007194665, 0.006211019} * kSlugFt2}};
 }
 
 /// Rates p, q, r about forward, right and down, along body axes x forward, y up, z right.
 inline Vec3d body_rates(double p, double q, double r) { return {p, -r, q}; }
 
 /// 10, 20 and 30 deg/s, as NASA case 2 starts.
-inline Launch spun_launch() {
-  Launch launch;
-  launch.attitude.rates = body_rates(10 * kDegree, 20 * kDegree, 30 * kDegree);
-  return launch;
-}
+inline Launch spun_launch() { return {.attitude = {.rates = body_rates(10 * kDegree, 20 * kDegree, 30 * kDegree)}}; }
 
 /// Rigid body in vacuum.
 inline Fidelity rigid(Integrator integrator, BodyForm form = BodyForm::automatic) {

@@ -1,11 +1,6 @@
 // Scenes, rungs and questions that tests of flights and of worlds in scenes share.
 #pragma once
 
-#include <cmath>
-#include <vector>
-
-#include "physim/body.hpp"
-#include "support.hpp"
 #include "world/world_support.hpp"
 
 namespace physim::test_scene {
@@ -14,26 +9,17 @@ inline constexpr double kG = 9.80665;
 using test::of_kind;
 
 inline Environment vacuum_of(double g) {
-  Environment environment;
-  environment.atmosphere.model = AirModel::vacuum;
-  environment.gravity = {.model = g == 0 ? GravityModel::off : GravityModel::constant, .acceleration = g};
-  return environment;
+  return {.gravity = {.model = g == 0 ? GravityModel::off : GravityModel::constant, .acceleration = g},
+          .atmosphere = {.model = AirModel::vacuum}};
 }
 
 /// Neither air nor ground.
-inline WorldDef space(double g = kG) {
-  WorldDef def;
-  def.environment = vacuum_of(g);
-  def.ground.mode = GroundMode::none;
-  return def;
-}
+inline WorldDef space(double g = kG) { return {.environment = vacuum_of(g), .ground = {.mode = GroundMode::none}}; }
 /// No air, and things alone; by several threads.
 inline WorldDef in_the_open(unsigned threads = 1) {
-  WorldDef def;
-  def.ground.mode = GroundMode::none;
-  def.environment.atmosphere.model = AirModel::vacuum;
-  def.threading = {.threads = threads, .rows_per_thread = 64};
-  return def;
+  return {.environment = {.atmosphere = {.model = AirModel::vacuum}},
+          .ground = {.mode = GroundMode::none},
+          .threading = {.threads = threads, .rows_per_thread = 64}};
 }
 
 /// A path between two walls at -half and half, unfolded: where it is, and which way it goes.
@@ -48,16 +34,20 @@ inline Unfolded unfolded(double x, double half) {
 }
 
 inline Until meeting(const Scene& scene, OnHit on_hit = OnHit::stop, double radius = 0) {
-  Until until{.ground = std::nullopt, .time = 60};
-  until.scene = &scene;
-  until.contact.collision = {.on_hit = on_hit, .radius = radius};
-  return until;
+  return {.ground = std::nullopt,
+          .time = 60,
+          .scene = &scene,
+          .contact = {.collision = {.on_hit = on_hit, .radius = radius}}};
 }
 
 inline Fidelity rung(Integrator integrator, Precision precision = Precision::float64) {
   Fidelity fidelity = test::vacuum(integrator);
   fidelity.precision = precision;
   return fidelity;
+}
+/// 1 kg, 0.2 m wide, without drag, by steps of rk4.
+inline ProjectileDef puck(Precision precision = Precision::float64) {
+  return {.mass = 1, .diameter = 0.2, .fidelity = rung(Integrator::rk4, precision)};
 }
 inline Fidelity closed() {
   Fidelity fidelity = test::vacuum();
@@ -66,21 +56,16 @@ inline Fidelity closed() {
 }
 
 inline InstanceId put(Scene& scene, const ShapeDef& shape, const Vec3d& position, MaterialId material = {}) {
-  const auto added =
-      scene.add({.shape = *scene.add_shape(shape), .transform = {.position = position}, .material = material});
-  EXPECT_TRUE(added);
-  return added ? *added : InstanceId{};
+  return must(scene.add({.shape = *scene.add_shape(shape), .transform = {.position = position}, .material = material}));
 }
 
 /// A ball, or a point, that bounces and rolls without resistance, and does not sleep.
 inline BodyDef bouncing(double radius, double restitution = 1, double friction = 1) {
-  BodyDef body;
-  body.restitution = restitution;
-  body.friction = friction;
-  body.rolling_resistance = 0;
-  body.can_sleep = false;
-  body.collision = {.on_hit = OnHit::bounce, .radius = radius};
-  return body;
+  return {.can_sleep = false,
+          .restitution = restitution,
+          .friction = friction,
+          .rolling_resistance = 0,
+          .collision = {.on_hit = OnHit::bounce, .radius = radius}};
 }
 
 /// A hollow box of six walls a metre thick about a room.

@@ -1,23 +1,30 @@
 // Small helpers that tests of the core share.
 #pragma once
 
-#include <gtest/gtest.h>
-
 #include <algorithm>
 #include <cmath>
 #include <iterator>
 #include <limits>
 #include <span>
-#include <string>
 #include <vector>
 
-#include "physim/names.hpp"
+#include "must.hpp"
 #include "physim/physim.hpp"
 #include "prepare/cohort.hpp"
 #include "prepare/conditions.hpp"
 #include "prepare/grant.hpp"
 #include "prepare/launch.hpp"
 #include "prepare/watch_list.hpp"
+
+namespace physim {
+
+/// Adds a thing of this shape to a scene.
+inline InstanceId add_thing(Scene& scene, const ShapeDef& shape, InstanceDef thing = {}) {
+  thing.shape = must(scene.add_shape(shape));
+  return must(scene.add(thing));
+}
+
+}  // namespace physim
 
 namespace physim::test {
 
@@ -96,23 +103,16 @@ inline Fidelity vacuum(Integrator integrator = Integrator::tsit5) {
           .wind = WindModel::off};
 }
 
-inline Environment constant_gravity() {
-  Environment environment;
-  environment.gravity.model = GravityModel::constant;
-  return environment;
-}
+inline Environment constant_gravity() { return {.gravity = {.model = GravityModel::constant}}; }
 
 /// A .308 bullet of 168 gr with a G7 ballistic coefficient of 0.218 lb/in^2.
 inline ProjectileDef bullet_308() {
-  ProjectileDef p;
-  p.name = "308";
-  p.mass = 0.01088621688;
-  p.diameter = 0.0078232;
-  p.length = 0.031;
-  p.twist = 0.3048;
-  p.drag.table = DragTable::g7;
-  p.drag.ballistic_coefficient = 0.218 * 703.06957963916;
-  return p;
+  return {.name = "308",
+          .mass = 0.01088621688,
+          .diameter = 0.0078232,
+          .length = 0.031,
+          .twist = 0.3048,
+          .drag = {.table = DragTable::g7, .ballistic_coefficient = 0.218 * 703.06957963916}};
 }
 
 inline std::string text(Integrator integrator) { return std::string(name(integrator)); }

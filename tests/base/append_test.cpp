@@ -4,8 +4,7 @@
 
 #include <cstdint>
 
-namespace physim {
-namespace base_append_test {
+namespace physim::base_append_test {
 
 struct Item {
   std::uint32_t number;
@@ -38,5 +37,4 @@ TEST(Append, takes_memory_once_for_many) {
   EXPECT_EQ(list.back(), 102);
 }
 
-}  // namespace base_append_test
-}  // namespace physim
+}  // namespace physim::base_append_test

@@ -7,8 +7,7 @@
 
 #include "physim/physim.hpp"
 
-namespace physim {
-namespace base_documented_style_test {
+namespace physim::base_documented_style_test {
 
 TEST(DocumentedStyle, LeavesOutWhatHasADefault) {
   const ProjectileDef bullet{.mass = 0.01, .drag = {.table = DragTable::g7}, .inertia = {.moments = {1, 2, 3}}};
@@ -47,5 +46,4 @@ TEST(DocumentedStyle, ResultsArePointedInto) {
   EXPECT_EQ((*result).range, 4);
 }
 
-}  // namespace base_documented_style_test
-}  // namespace physim
+}  // namespace physim::base_documented_style_test

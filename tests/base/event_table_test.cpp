@@ -1,16 +1,12 @@
 // The table of events: names that are told apart, an order without doubt, and what the documentation says of them.
 #include "base/event_table.hpp"
 
-#include <gtest/gtest.h>
-
 #include <set>
-#include <string>
 
 #include "cli/program.hpp"
 #include "physim/names.hpp"
 
-namespace physim {
-namespace base_event_table_test {
+namespace physim::base_event_table_test {
 
 TEST(EventTable, names_are_told_apart_and_read_back) {
   std::set<std::string_view> names;
@@ -44,5 +40,4 @@ TEST(EventTable, the_guide_to_worlds_names_all_that_worlds_tell) {
   }
 }
 
-}  // namespace base_event_table_test
-}  // namespace physim
+}  // namespace physim::base_event_table_test

@@ -5,8 +5,7 @@
 
 #include "processor_mode.hpp"
 
-namespace physim {
-namespace base_ieee_mode_test {
+namespace physim::base_ieee_mode_test {
 
 // Computed where they are called, from numbers that the compiler does not know.
 volatile double least = std::numeric_limits<double>::denorm_min();
@@ -42,5 +41,4 @@ TEST(IeeeMode, InsideAnotherOneChangesNothing) {
   EXPECT_LT(quotient, 0.33333333333333337);
 }
 
-}  // namespace base_ieee_mode_test
-}  // namespace physim
+}  // namespace physim::base_ieee_mode_test

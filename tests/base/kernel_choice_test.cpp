@@ -7,8 +7,7 @@
 
 #include "base/kernel_copies.hpp"
 
-namespace physim {
-namespace base_kernel_choice_test {
+namespace physim::base_kernel_choice_test {
 
 [[maybe_unused]] bool has(std::string_view name) { return std::ranges::count(kernel_names(), name) == 1; }
 
@@ -29,5 +28,4 @@ TEST(KernelChoice, the_processor_is_asked_as_the_compiler_asks_it) {
 }
 #endif
 
-}  // namespace base_kernel_choice_test
-}  // namespace physim
+}  // namespace physim::base_kernel_choice_test

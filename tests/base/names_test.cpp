@@ -6,8 +6,7 @@
 #include <set>
 #include <tuple>
 
-namespace physim {
-namespace base_names_test {
+namespace physim::base_names_test {
 
 template <class Enum>
 class NamesTest : public testing::Test {};
@@ -115,5 +114,4 @@ TEST(FidelityPresets, SayWhatTheyPromise) {
   EXPECT_EQ(Fidelity::classic().drag, DragModel::damping);
 }
 
-}  // namespace base_names_test
-}  // namespace physim
+}  // namespace physim::base_names_test

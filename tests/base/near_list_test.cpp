@@ -5,8 +5,7 @@
 #include <cstddef>
 #include <cstdint>
 
-namespace physim {
-namespace base_near_list_test {
+namespace physim::base_near_list_test {
 
 struct Item {
   std::uint64_t number;
@@ -62,5 +61,4 @@ TEST(NearList, what_resize_adds_stays_as_it_is) {
   EXPECT_EQ(list.back(), Item());
 }
 
-}  // namespace base_near_list_test
-}  // namespace physim
+}  // namespace physim::base_near_list_test

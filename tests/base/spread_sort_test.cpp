@@ -4,8 +4,7 @@
 
 #include <random>
 
-namespace physim {
-namespace base_spread_sort_test {
+namespace physim::base_spread_sort_test {
 
 struct Item {
   double place;
@@ -47,5 +46,4 @@ TEST(SpreadSort, sorts_places_at_the_ends_of_numbers) {
   expect_sorted(list);
 }
 
-}  // namespace base_spread_sort_test
-}  // namespace physim
+}  // namespace physim::base_spread_sort_test

@@ -5,8 +5,7 @@
 
 #include <limits>
 
-namespace physim {
-namespace base_text_test {
+namespace physim::base_text_test {
 
 TEST(Text, ShortTextReadsBack) {
   EXPECT_EQ(short_text(1000), "1000");
@@ -35,5 +34,4 @@ TEST(Text, LengthsHaveTheUnitThatSuitsThem) {
   EXPECT_EQ(length_text(std::numeric_limits<double>::infinity()), "inf m");
 }
 
-}  // namespace base_text_test
-}  // namespace physim
+}  // namespace physim::base_text_test

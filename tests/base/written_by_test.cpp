@@ -4,8 +4,7 @@
 
 #include <vector>
 
-namespace physim {
-namespace base_written_by_test {
+namespace physim::base_written_by_test {
 
 std::vector<std::byte> bytes_of(std::size_t length, const std::string& text) {
   std::vector<std::byte> bytes;
@@ -30,5 +29,4 @@ TEST(WrittenBy, AnythingElseIsNoVersion) {
   for (std::size_t size = 0; size < whole.size(); ++size) EXPECT_EQ(version_at(std::span(whole).first(size)), "");
 }
 
-}  // namespace base_written_by_test
-}  // namespace physim
+}  // namespace physim::base_written_by_test

@@ -18,8 +18,7 @@
 #include "of_all.hpp"
 #include "physim/physim.h"
 
-namespace physim {
-namespace capi_bad_input_test {
+namespace physim::capi_bad_input_test {
 
 struct Handles {
   physim_def* def = nullptr;
@@ -362,5 +361,4 @@ TEST(BadInputOfC, what_is_only_read_serves_many_threads) {
   h.each([](auto*& handle) { EXPECT_EQ(physim_free(handle), PHYSIM_OK); });
 }
 
-}  // namespace capi_bad_input_test
-}  // namespace physim
+}  // namespace physim::capi_bad_input_test

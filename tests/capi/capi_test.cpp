@@ -11,8 +11,7 @@
 #include "scenario/scenario.hpp"
 #include "scenario/world_run.hpp"
 
-namespace physim {
-namespace capi_capi_test {
+namespace physim::capi_capi_test {
 
 /// A handle that is freed at the end of its block.
 template <class Handle>
@@ -351,5 +350,4 @@ TEST(CInterface, every_setting_is_set_and_read_by_its_path) {
   }
 }
 
-}  // namespace capi_capi_test
-}  // namespace physim
+}  // namespace physim::capi_capi_test

@@ -6,8 +6,7 @@
 #include <sstream>
 #include <string>
 
-namespace physim {
-namespace capi_recorded_calls_test {
+namespace physim::capi_recorded_calls_test {
 
 #define PHYSIM_CALL(name, ...) #name,
 constexpr const char* kRecorded[] = {
@@ -101,5 +100,4 @@ TEST(RecordedCallsInC, each_is_made_by_a_function) {
   EXPECT_EQ(std::size(kRecorded), kMadeBy.size()) << "of calls that are no more";
 }
 
-}  // namespace capi_recorded_calls_test
-}  // namespace physim
+}  // namespace physim::capi_recorded_calls_test

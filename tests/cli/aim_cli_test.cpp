@@ -1,17 +1,12 @@
 // `physim aim`, `table`, `fit`, `max-range` and `danger-space`, as a user runs them.
-#include <gtest/gtest.h>
-
-#include <algorithm>
 #include <cmath>
-#include <nlohmann/json.hpp>
 
 #include "cli/program.hpp"
 #include "rifles.hpp"
 
 #ifdef PHYSIM_CLI
 
-namespace physim::testing_cli {
-namespace cli_aim_cli_test {
+namespace physim::testing_cli::cli_aim_cli_test {
 
 constexpr double kG = 10;
 constexpr double kDegree = 3.14159265358979323846 / 180;
@@ -54,8 +49,7 @@ double cell(const std::vector<std::string>& table, std::size_t row, const std::s
 
 // ---------------------------------------------------------------------------------------------------------------- aim
 TEST(CliAim, LeadsTheTargetOfTheScenario) {
-  const Folder folder;
-  const std::string file = folder.write("shell.toml", kShell);
+  const File file("shell.toml", kShell);
   const auto json = json_of(physim({"aim", file, "--json", "-"}));
   EXPECT_TRUE(json["in_reach"]);
   EXPECT_NEAR(json["low"]["elevation [rad]"], std::asin(0.28), 1e-5);
@@ -72,8 +66,7 @@ TEST(CliAim, LeadsTheTargetOfTheScenario) {
 }
 
 TEST(CliAim, TakesATargetByPlaceOrByRange) {
-  const Folder folder;
-  const std::string file = folder.write("shell.toml", kShell);
+  const File file("shell.toml", kShell);
   const auto still = [&](std::vector<std::string> words) {
     words.insert(words.begin(), {"aim", file, "--target-velocity", "0, 0, 0", "--json", "-", "--arc", "low"});
     return json_of(physim(words));
@@ -87,8 +80,7 @@ TEST(CliAim, TakesATargetByPlaceOrByRange) {
 }
 
 TEST(CliAim, OutOfReachIsExitCodeOne) {
-  const Folder folder;
-  const std::string file = folder.write("shell.toml", kShell);
+  const File file("shell.toml", kShell);
   const Ran ran = physim({"aim", file, "--range", "7 km", "--tolerance", "1 m"});
   EXPECT_EQ(ran.code, 1);
   EXPECT_TRUE(has(ran.out, "out of reach: the nearest path passes")) << ran.out;
@@ -124,8 +116,7 @@ TEST(CliAim, RefusesWhatMakesNoSense) {
 
 // ----------------------------------------------------------------------------------------------------- range, danger
 TEST(CliMaxRange, OfAParabola) {
-  const Folder folder;
-  const std::string file = folder.write("shell.toml", kShell);
+  const File file("shell.toml", kShell);
   const auto flat = json_of(physim({"max-range", file, "--json", "-"}));
   EXPECT_NEAR(flat["range [m]"], 250 * 250 / kG, 1e-4);
   EXPECT_NEAR(flat["elevation [rad]"], 45 * kDegree, 1e-4);
@@ -137,8 +128,7 @@ TEST(CliMaxRange, OfAParabola) {
 }
 
 TEST(CliDangerSpace, OfAParabola) {
-  const Folder folder;
-  const std::string file = folder.write("shell.toml", kShell);
+  const File file("shell.toml", kShell);
   const std::vector<std::string> base = {"danger-space",         file,    "--set",
                                          "shot.elevation=1 deg", "--set", "until.ground=-30 m"};
   const auto with = [&](std::vector<std::string> words) {
@@ -158,8 +148,7 @@ TEST(CliDangerSpace, OfAParabola) {
 
 // -------------------------------------------------------------------------------------------------------------- table
 TEST(CliTable, InBothSystemsOfUnitsTheNumbersAreTheSame) {
-  const Folder folder;
-  const std::string file = folder.write("bullet.toml", kBullet);
+  const File file("bullet.toml", kBullet);
   const auto table = [&](const std::string& units, const std::string& ranges) {
     const Ran ran =
         physim({"table", file, "--units", units, "--ranges", ranges, "--format", "csv", "--wind", "10 mph"});
@@ -183,8 +172,7 @@ TEST(CliTable, InBothSystemsOfUnitsTheNumbersAreTheSame) {
 }
 
 TEST(CliTable, AnglesAreThoseOfTheOffsets) {
-  const Folder folder;
-  const std::string file = folder.write("bullet.toml", kBullet);
+  const File file("bullet.toml", kBullet);
   const auto rows = lines_of(physim({"table", file, "--ranges", "800 m", "--format", "csv", "--angle", "moa"}).out);
   const double drop = cell(rows, 1, "drop [cm]") / 100;
   EXPECT_NEAR(cell(rows, 1, "drop [MOA]"), std::atan2(drop, 800) / kDegree * 60, 0.06);
@@ -219,8 +207,7 @@ TEST(CliTable, RefusesWhatMakesNoSense) {
 }
 
 TEST(CliOptions, AreNamedInErrorsAboutThem) {
-  const Folder folder;
-  const std::string file = folder.write("bullet.toml", kBullet);
+  const File file("bullet.toml", kBullet);
   expect_complaint(physim({"danger-space", file, "--range", "300 m", "--height", "-1 m"}),
                    "--height: error: must be a positive");
   expect_complaint(physim({"aim", file, "--range", "300 m", "--tolerance", "-1 m"}),
@@ -229,8 +216,7 @@ TEST(CliOptions, AreNamedInErrorsAboutThem) {
 }
 
 TEST(CliTable, HasNullWhereThereIsNoNumber) {
-  const Folder folder;
-  const std::string file = folder.write("bullet.toml", kBullet);
+  const File file("bullet.toml", kBullet);
   const auto json = json_of(physim({"table", file, "--format", "json", "--ranges", "[\"0 m\", \"200 m\", \"90 km\"]"}));
   ASSERT_EQ(json["speed [m/s]"].size(), 3u);
   EXPECT_TRUE(json["speed [m/s]"][1].is_number());
@@ -239,8 +225,7 @@ TEST(CliTable, HasNullWhereThereIsNoNumber) {
 }
 
 TEST(CliRun, HasItsCardInJsonWithoutRangesToo) {
-  const Folder folder;
-  const std::string file = folder.write("shell.toml", kShell);
+  const File file("shell.toml", kShell);
   const auto json = nlohmann::json::parse(physim({"run", file, "--json", "-"}).out);
   const auto& card = json["shots"][0]["range_card"];
   ASSERT_EQ(card.size(), 8u) << "4017 m are 8 times 500 m: " << card;
@@ -250,8 +235,7 @@ TEST(CliRun, HasItsCardInJsonWithoutRangesToo) {
 }
 
 TEST(CliRun, SaysThatAMotorNeverBurns) {
-  const Folder folder;
-  const std::string file = folder.write("rocket.toml", R"(physim = 1
+  const File file("rocket.toml", R"(physim = 1
 [[shot]]
 name = "bomb"
 mass = 1
@@ -332,16 +316,14 @@ TEST(CliFit, ErrorsHaveTheirPlaceInTheData) {
 }
 
 TEST(CliCompare, ShowsWhatCheapestWithinChooses) {
-  const Folder folder;
-  const std::string file = folder.write("bullet.toml", kBullet);
+  const File file("bullet.toml", kBullet);
   const Ran ran = physim({"compare", file, "--set", "shot.fidelity={ cheapest_within = \"5 cm\" }"});
   EXPECT_EQ(ran.code, 0) << ran.err;
   EXPECT_TRUE(has(ran.out, "cheapest within 0.05 m")) << ran.out;
 }
 
 TEST(CliDangerSpace, GoesOnBeyondTheEndOfTheFlight) {
-  const Folder folder;
-  const std::string file = folder.write("bullet.toml", kBullet);
+  const File file("bullet.toml", kBullet);
   const std::vector<std::string> words = {"danger-space", file,  "--range", "1000 m",
                                           "--height",     "1 m", "--set",   "shot.sight.zero_range=100 m",
                                           "--json",       "-"};
@@ -358,10 +340,9 @@ TEST(CliDangerSpace, GoesOnBeyondTheEndOfTheFlight) {
 }
 
 TEST(CliTable, IsInItsOwnUnitsToTheLastRow) {
-  const Folder folder;
   std::string text = kBullet;
   text.replace(text.find("\"1000 m\""), 8, "\"1500 yd\"");
-  const std::string file = folder.write("bullet.toml", text + "[output]\nranges = \"10 yd .. 1600 yd step 10 yd\"\n");
+  const File file("bullet.toml", text + "[output]\nranges = \"10 yd .. 1600 yd step 10 yd\"\n");
   const auto rows = lines_of(physim({"table", file, "--units", "customary"}).out);
   const auto row = [&](const std::string& range) {
     const auto found =
@@ -395,7 +376,5 @@ TEST(CliFit, TakesDropsAsAnglesAndAnswersInTheUnitsOfTheFile) {
   }
 }
 
-}  // namespace cli_aim_cli_test
-}  // namespace physim::testing_cli
-
+}  // namespace physim::testing_cli::cli_aim_cli_test
 #endif

@@ -1,16 +1,12 @@
 // What users of the command line reported, with right values of closed forms, tables and integrations of their own.
-#include <gtest/gtest.h>
-
 #include <cmath>
-#include <nlohmann/json.hpp>
 
 #include "cli/program.hpp"
 #include "rifles.hpp"
 
 #ifdef PHYSIM_CLI
 
-namespace physim::testing_cli {
-namespace cli_cases_cli_test {
+namespace physim::testing_cli::cli_cases_cli_test {
 
 using nlohmann::json;
 
@@ -71,8 +67,7 @@ quantities = ["right", "up"]
 
 /// A mean elevation beside a zero range is refused wherever it is written; one that is added to the zero hits.
 TEST(CasesOfStudies, an_elevation_beside_a_zero_is_refused_at_every_door) {
-  const Folder folder;
-  const std::string file = folder.write("r.toml", kRifle);
+  const File file("r.toml", kRifle);
   const std::string drawn = "shot.elevation = 0 mrad +- 0.1 mrad";
   const std::vector<std::vector<std::string>> doors = {{"--set", "study.inputs=[\"" + drawn + "\"]"},
                                                        {"--vary", drawn},
@@ -137,9 +132,8 @@ TEST(CasesOfSpin, nobody_tells_balls_and_rockets_of_a_twist) {
 /// A 6.5 Creedmoor zeroed at 100 yd on the level and shot up 30 degrees strikes 0.33 in high there and 278.4 in low at
 /// 1000 yd.
 TEST(CasesOfCards, a_slope_comes_behind_the_zero) {
-  const Folder folder;
   const std::string slope = test::creedmoor(", look_angle = \"30 deg\"");
-  const std::string file = folder.write("c.toml", "physim = 1\n" + slope + "range = \"1200 yd\"\n");
+  const File file("c.toml", "physim = 1\n" + slope + "range = \"1200 yd\"\n");
   const Ran ran =
       physim({"table", file, "--ranges", "[\"100 yd\", \"1000 yd\"]", "--units", "customary", "--format", "csv"});
   ASSERT_EQ(ran.code, 0) << ran.err;
@@ -152,8 +146,7 @@ TEST(CasesOfCards, a_slope_comes_behind_the_zero) {
 
 /// Cards end where their flights do, in text and in JSON: ten rows of 100 to 1000 yd, the last one 12.1342 m low.
 TEST(CasesOfCards, the_row_at_the_end_of_a_flight_is_there) {
-  const Folder folder;
-  const std::string file = folder.write("r.toml", kRifle + "[output]\nranges = \"100 yd .. 1000 yd step 100 yd\"\n");
+  const File file("r.toml", kRifle + "[output]\nranges = \"100 yd .. 1000 yd step 100 yd\"\n");
   const json card = json_of({"run", file})["shots"][0]["range_card"];
   ASSERT_EQ(card.size(), 10u);
   EXPECT_EQ(card[9]["range [m]"], 914.4);
@@ -169,8 +162,7 @@ TEST(CasesOfCards, the_row_at_the_end_of_a_flight_is_there) {
 /// Up a slope of 85 to 89.9 degrees a .308 carries farthest between the slope and the vertical: near the 3109.9 m of a
 /// shot straight up, and farther on flatter slopes.
 TEST(CasesOfCards, the_farthest_range_up_a_steep_slope) {
-  const Folder folder;
-  const std::string file = folder.write("r.toml", kRifle);
+  const File file("r.toml", kRifle);
   double before = INFINITY;
   for (const char* slope : {"80", "85", "89", "89.9"}) {
     const json far = json_of({"max-range", file, "--slope", std::string(slope) + " deg"});
@@ -188,8 +180,7 @@ TEST(CasesOfCards, the_farthest_range_up_a_steep_slope) {
 /// What comes down behind its muzzle over a round Earth has a negative distance: linear drag in a wind of 5 m/s takes a
 /// body that falls from h at a terminal speed of m g / k to h 5 k / (m g) behind.
 TEST(CasesOfRocketsAtTheDoor, what_lands_behind_the_rail_is_behind_it) {
-  const Folder folder;
-  const std::string file = folder.write("b.toml", R"(physim = 1
+  const File file("b.toml", R"(physim = 1
 [environment]
 gravity = { model = "constant", acceleration = "9.80665 m/s^2" }
 earth = { latitude = "47.5 deg", longitude = "8.5 deg", azimuth = "90 deg", rotation_rate = 0 }
@@ -213,8 +204,7 @@ fidelity = { preset = "simulation", gravity = "constant", drag = "linear_quadrat
 
 /// Numbers that are unlikely are told by every command, with the option that gave them.
 TEST(CasesOfSettings, unlikely_numbers_are_told_behind_every_command) {
-  const Folder folder;
-  const std::string file = folder.write("r.toml", kRifle);
+  const File file("r.toml", kRifle);
   const auto told = [&](std::vector<std::string> words, const std::string& set) {
     words.insert(words.end(), {"--set", set});
     const Ran ran = physim(words);
@@ -254,8 +244,7 @@ TEST(CasesOfSettings, overruled_settings_are_told_behind_every_command) {
 
 /// JSON has what the warnings say.
 TEST(CasesOfSettings, notes_stand_in_json) {
-  const Folder folder;
-  const std::string file = folder.write("r.toml", kRifle);
+  const File file("r.toml", kRifle);
   for (const std::vector<std::string>& command :
        {std::vector<std::string>{"run", file}, {"aim", file, "--range", "100 m"}}) {
     std::vector<std::string> words = command;
@@ -333,8 +322,7 @@ shots = 4096
 
 /// Ranges in yards stand in yards, and lengths beside them in inches: 0.1 mrad at 600 yd are 2.16 in.
 TEST(CasesOfUnits, a_study_over_ranges_tells_them_in_their_unit) {
-  const Folder folder;
-  const std::string file = folder.write("r.toml", kUnits);
+  const File file("r.toml", kUnits);
   const Ran yards = physim({"study", file, "--ranges", "600 yd .. 800 yd step 200 yd"});
   ASSERT_EQ(yards.code, 0) << yards.err;
   EXPECT_TRUE(has(yards.out, "range [yd]  right +- [in]")) << yards.out;
@@ -347,8 +335,7 @@ TEST(CasesOfUnits, a_study_over_ranges_tells_them_in_their_unit) {
 
 /// The table of inputs has what the file says, with its unit: 10 ft/s, 0.1 mrad, 9 degF.
 TEST(CasesOfUnits, inputs_of_a_study_are_told_in_the_units_of_the_file) {
-  const Folder folder;
-  const Ran ran = physim({"study", folder.write("r.toml", kUnits)});
+  const Ran ran = physim({"study", Folder().write("r.toml", kUnits)});
   ASSERT_EQ(ran.code, 0) << ran.err;
   for (const auto& [input, deviation] : {std::pair{"shot.speed [ft/s]", " 10 "},
                                          {"shot.azimuth [mrad]", " 0.1 "},
@@ -360,7 +347,5 @@ TEST(CasesOfUnits, inputs_of_a_study_are_told_in_the_units_of_the_file) {
   EXPECT_TRUE(has(ran.out, "with shot.speed += ") && has(ran.out, " ft/s, shot.azimuth += ")) << ran.out;
 }
 
-}  // namespace cli_cases_cli_test
-}  // namespace physim::testing_cli
-
+}  // namespace physim::testing_cli::cli_cases_cli_test
 #endif

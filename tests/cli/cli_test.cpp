@@ -1,10 +1,6 @@
 // `physim run`, `compare` and `list`, as a user runs them.
-#include <gtest/gtest.h>
-
-#include <algorithm>
 #include <cmath>
 #include <map>
-#include <nlohmann/json.hpp>
 
 #include "cli/program.hpp"
 #include "physim/result.hpp"
@@ -12,8 +8,7 @@
 
 #ifdef PHYSIM_CLI
 
-namespace physim::testing_cli {
-namespace cli_cli_test {
+namespace physim::testing_cli::cli_cli_test {
 
 constexpr const char* kBall = R"(physim = 1
 title = "A ball, it's {x} \"thrown\""
@@ -86,14 +81,12 @@ TEST(Cli, NamesTheKernelsThereAre) {
 }
 
 TEST(Cli, WritesNoColourIntoAPipe) {
-  const Folder folder;
-  EXPECT_FALSE(has(physim({"run", folder.write("ball.toml", kBall)}).out, "\033"));
+  EXPECT_FALSE(has(physim({"run", Folder().write("ball.toml", kBall)}).out, "\033"));
 }
 
 // -------------------------------------------------------------------------------------------------------------- run
 TEST(CliRun, PrintsARangeCard) {
-  const Folder folder;
-  const Ran ran = physim({"run", folder.write("ball.toml", kBall)});
+  const Ran ran = physim({"run", Folder().write("ball.toml", kBall)});
   EXPECT_EQ(ran.code, 0) << ran.err;
   EXPECT_EQ(ran.err, "");
   for (const char* part : {"A ball, it's {x} \"thrown\"", "constant_air", "range [m]",
@@ -120,8 +113,7 @@ TEST(CliRun, OddFlightsAreShownToo) {
 }
 
 TEST(CliRun, TheRangeThatEndsAFlightIsOnItsCard) {
-  const Folder folder;
-  const std::string file = folder.write("ball.toml", kBall);
+  const File file("ball.toml", kBall);
   for (int range = 11; range < 60; range += 3) {
     const std::string text = std::to_string(range) + " m";
     const Ran ran = physim({"run", file, "--set", "until.range=" + text, "--set", "output.ranges=[\"" + text + "\"]"});
@@ -131,8 +123,7 @@ TEST(CliRun, TheRangeThatEndsAFlightIsOnItsCard) {
 }
 
 TEST(CliRun, CsvHoldsTheFlightAndNothingElse) {
-  const Folder folder;
-  const Ran ran = physim({"run", folder.write("ball.toml", kBall), "--csv", "-"});
+  const Ran ran = physim({"run", Folder().write("ball.toml", kBall), "--csv", "-"});
   EXPECT_EQ(ran.code, 0) << ran.err;
   const std::vector<std::string> lines = lines_of(ran.out);
   ASSERT_GE(lines.size(), 201U);
@@ -217,8 +208,7 @@ TEST(CliRun, SaysWhereAFlightLeavesItsOwnDragCurve) {
 }
 
 TEST(Cli, mistakes_of_all_options_are_told_at_once) {
-  const Folder folder;
-  const std::string file = folder.write("m.toml", "physim = 1\n[[shot]]\nspeed = 50\nmas = 3\n");
+  const File file("m.toml", "physim = 1\n[[shot]]\nspeed = 50\nmas = 3\n");
   const Ran ran = physim({"run", file, "--set", "shot.speeed=5", "--set", "shot.diameter", "--set", "shot.mass=-1 kg"});
   EXPECT_EQ(ran.code, 2);
   for (const char* mistake : {"speeed", "an override without \"=\"", "shot.mass", "mas"})
@@ -243,17 +233,15 @@ TEST(CliRun, RanksOfAJobWriteNoEscapeCodes) {
 }
 
 TEST(CliRun, IntervalIsKept) {
-  const Folder folder;
   const std::vector<std::string> lines =
-      lines_of(physim({"run", folder.write("ball.toml", kBall), "--csv", "-", "--interval", "100 ms"}).out);
+      lines_of(physim({"run", Folder().write("ball.toml", kBall), "--csv", "-", "--interval", "100 ms"}).out);
   ASSERT_GT(lines.size(), 5U);
   EXPECT_TRUE(lines[2].starts_with("ball,0.1,")) << lines[2];
   EXPECT_TRUE(lines[4].starts_with("ball,0.3,")) << lines[4];
 }
 
 TEST(CliRun, IntervalsThatCannotBeAreRefused) {
-  const Folder folder;
-  const std::string file = folder.write("ball.toml", kBall);
+  const File file("ball.toml", kBall);
   const auto with = [&](const char* interval) { return physim({"run", file, "--csv", "-", "--interval", interval}); };
   expect_complaint(with("0 s"), "positive");
   expect_complaint(with("-1 s"), "positive");
@@ -265,8 +253,7 @@ TEST(CliRun, IntervalsThatCannotBeAreRefused) {
 }
 
 TEST(CliRun, JsonHoldsResultAndProvenance) {
-  const Folder folder;
-  const Ran ran = physim({"run", folder.write("ball.toml", kBall), "--json", "-", "--set", "shot.mass=0.4 kg"});
+  const Ran ran = physim({"run", Folder().write("ball.toml", kBall), "--json", "-", "--set", "shot.mass=0.4 kg"});
   ASSERT_EQ(ran.code, 0) << ran.err;
   const auto json = nlohmann::json::parse(ran.out);
   EXPECT_EQ(json.at("program"), "physim");
@@ -289,8 +276,7 @@ TEST(CliRun, JsonHoldsResultAndProvenance) {
 
 /// Defaults with which the flight would end elsewhere, and no others.
 TEST(CliRun, JsonListsWhatWasAssumed) {
-  const Folder folder;
-  const std::string file = folder.write("ball.toml", kBall);
+  const File file("ball.toml", kBall);
   const auto assumed = [&](const std::vector<std::string>& more) {
     std::vector<std::string> words = {"run", file, "--json", "-"};
     words.insert(words.end(), more.begin(), more.end());
@@ -313,8 +299,7 @@ TEST(CliRun, JsonListsWhatWasAssumed) {
 }
 
 TEST(CliRun, NamesWithCommasSurvive) {
-  const Folder folder;
-  const Ran ran = physim({"run", folder.write("ball.toml", kBall), "--csv", "-", "--set", "shot.name=a, b"});
+  const Ran ran = physim({"run", Folder().write("ball.toml", kBall), "--csv", "-", "--set", "shot.name=a, b"});
   ASSERT_EQ(ran.code, 0) << ran.err;
   EXPECT_TRUE(lines_of(ran.out)[1].starts_with("\"a, b\",0,")) << lines_of(ran.out)[1];
 }
@@ -339,12 +324,11 @@ TEST(CliRun, ExpectationsDecideTheExitCode) {
 }
 
 TEST(CliRun, ChecksAreShownAsTypedOneLineEach) {
-  const Folder folder;
   const std::string expect =
       "[[expect]]\nat = \"end\"\nquantity = \"y\"\nequals = \"0 m\"\nwithin = \"26 mm\"\n"
       "source = \"\"\"\n  first line \n\n\tand second\\u001b[31m\n\"\"\"\n"
       "[[expect]]\nat = { range = \"10 yd\" }\nquantity = \"range\"\nequals = \"30 ft\"\nwithin = \"2.6 cm\"\n";
-  const Ran ran = physim({"run", folder.write("ball.toml", kBall + expect)});
+  const Ran ran = physim({"run", Folder().write("ball.toml", kBall + expect)});
   EXPECT_EQ(ran.code, 0) << ran.err;
   const std::vector<std::string> lines = lines_of(ran.out);
   ASSERT_GT(lines.size(), 4U);
@@ -355,10 +339,9 @@ TEST(CliRun, ChecksAreShownAsTypedOneLineEach) {
 }
 
 TEST(CliRun, ManyOddEndsAreCounted) {
-  const Folder folder;
   std::string many = kBall;
   for (int i = 0; i < 9; ++i) many += "[[shot]]\nname = \"s" + std::to_string(i) + "\"\nspeed = 30\nelevation = 1\n";
-  const Ran ran = physim({"run", folder.write("many.toml", many), "--set", "tolerance.max_steps=1"});
+  const Ran ran = physim({"run", Folder().write("many.toml", many), "--set", "tolerance.max_steps=1"});
   EXPECT_EQ(ran.code, 1) << ran.err;
   const std::vector<std::string> lines = lines_of(ran.err);
   ASSERT_EQ(lines.size(), 6U) << ran.err;
@@ -417,8 +400,7 @@ TEST(CliFiles, AreNeverWrittenOverEachOther) {
 }
 
 TEST(CliFiles, AFullStandardOutputIsAnError) {
-  const Folder folder;
-  const std::string file = folder.write("ball.toml", kBall);
+  const File file("ball.toml", kBall);
   for (const std::vector<std::string>& arguments :
        {std::vector<std::string>{"run", file}, {"run", file, "--csv", "-"}, {"list", "settings"}}) {
     const Ran ran = run_program(PHYSIM_CLI, arguments, "/dev/full");
@@ -428,8 +410,7 @@ TEST(CliFiles, AFullStandardOutputIsAnError) {
 }
 
 TEST(CliFiles, ADeviceIsWrittenToAndNotReplaced) {
-  const Folder folder;
-  EXPECT_EQ(physim({"run", folder.write("ball.toml", kBall), "--csv", "/dev/null"}).code, 0);
+  EXPECT_EQ(physim({"run", Folder().write("ball.toml", kBall), "--csv", "/dev/null"}).code, 0);
   EXPECT_TRUE(std::filesystem::is_character_file("/dev/null"));
 }
 
@@ -535,8 +516,7 @@ TEST(CliCompare, JudgesByTheRotationThatTheShotAsksFor) {
 }
 
 TEST(CliCompare, ErrorsShrinkWithTheStep) {
-  const Folder folder;
-  const Ran ran = physim({"compare", folder.write("ball.toml", kBall), "--json", "-"});
+  const Ran ran = physim({"compare", Folder().write("ball.toml", kBall), "--json", "-"});
   ASSERT_EQ(ran.code, 0) << ran.err;
   const auto json = nlohmann::json::parse(ran.out);
   const auto error_of = [&](const std::string& wanted) {
@@ -584,7 +564,5 @@ TEST(CliList, SettingsAsMarkdown) {
   EXPECT_TRUE(has(ran.out, "| `shot.mass` |"));
 }
 
-}  // namespace cli_cli_test
-}  // namespace physim::testing_cli
-
+}  // namespace physim::testing_cli::cli_cli_test
 #endif  // PHYSIM_CLI

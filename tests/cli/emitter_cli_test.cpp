@@ -1,16 +1,11 @@
 // `physim run` of scenarios with emitters, as a user runs it.
-#include <gtest/gtest.h>
-
 #include <chrono>
-
-#include <nlohmann/json.hpp>
 
 #include "cli/program.hpp"
 
 #ifdef PHYSIM_CLI
 
-namespace physim::testing_cli {
-namespace cli_emitter_cli_test {
+namespace physim::testing_cli::cli_emitter_cli_test {
 
 constexpr const char* kEmitters = R"(physim = 1
 [environment]
@@ -52,8 +47,7 @@ within = 100
 )";
 
 TEST(CliEmitter, PrintsATable) {
-  const Folder folder;
-  const Ran ran = physim({"run", folder.write("e.toml", kEmitters)});
+  const Ran ran = physim({"run", Folder().write("e.toml", kEmitters)});
   EXPECT_EQ(ran.code, 0) << ran.out << ran.err;
   EXPECT_EQ(ran.err, "") << "a full emitter refuses, and its table says so";
   for (const char* part : {"\n  what   spawned  landed", "\n  stone        1       1", "\n  emitter  born  alive",
@@ -89,8 +83,7 @@ TEST(CliEmitter, WritesCountsPathsAndAPicture) {
 }
 
 TEST(CliEmitter, HashesDoNotDependOnThreads) {
-  const Folder folder;
-  const std::string file = folder.write("e.toml", kEmitters);
+  const File file("e.toml", kEmitters);
   const std::string hash = hash_of(physim({"run", file, "--threads", "1"}));
   EXPECT_EQ(hash_of(physim({"run", file, "--threads", "5", "--set", "world.rows_per_thread=1"})), hash);
   EXPECT_NE(hash_of(physim({"run", file, "--set", "emitter.seed=3"})), hash);
@@ -111,8 +104,7 @@ TEST(CliEmitter, GoesOnFromASaveAndIsReplayed) {
 
 /// An emitter that fires itself at every birth would never end: it is cut, and that is told.
 TEST(CliEmitter, WarnsOfWhatWasCut) {
-  const Folder folder;
-  const Ran ran = physim({"run", folder.write("e.toml", R"(physim = 1
+  const Ran ran = physim({"run", Folder().write("e.toml", R"(physim = 1
 [[shot]]
 name = "dot"
 fidelity = { preset = "arcade", precision = "float64" }
@@ -146,11 +138,10 @@ shot = "round"
 )";
 
 TEST(CliEmitter, TellsHowManyWereNotBorn) {
-  const Folder folder;
   const Ran ran =
       physim({"run",
-              folder.write("e.toml", std::string(kFiring) + "per_second = 0\nbursts = [{ time = 0, count = 5e6 }]\n"
-                                                            "maximum = 10\n"),
+              Folder().write("e.toml", std::string(kFiring) + "per_second = 0\nbursts = [{ time = 0, count = 5e6 }]\n"
+                                                              "maximum = 10\n"),
               "--steps", "2"});
   EXPECT_EQ(ran.code, 0) << ran.err;
   EXPECT_TRUE(has(ran.err, "warning: 3951424 particles of \"gun\" could not be emitted")) << ran.err << "5e6 less 2^20";
@@ -187,12 +178,11 @@ TEST(CliEmitter, SaysThatRoundsLeftTheAirOfAge) {
 
 /// One particle every 0.1 s for 5 s each, whatever was before; the past costs nothing where it left nothing behind.
 TEST(CliEmitter, APrewarmOfALongCycleIsThere) {
-  const Folder folder;
   const auto alive = [&](const std::string& duration) {
     const std::string text = std::string(kFiring) +
                              "position = [0, \"1000 m\", 0]\ncycle = { prewarm = true, duration = \"" + duration +
                              "\" }\n";
-    const Ran ran = physim({"run", folder.write("e.toml", text), "--steps", "30", "--json", "-"});
+    const Ran ran = physim({"run", Folder().write("e.toml", text), "--steps", "30", "--json", "-"});
     EXPECT_EQ(ran.code, 0) << ran.err;
     const auto group = nlohmann::json::parse(ran.out)["world"]["groups"][0];
     EXPECT_EQ(group["emitter"]["cut"], 0) << duration;
@@ -205,15 +195,12 @@ TEST(CliEmitter, APrewarmOfALongCycleIsThere) {
 }
 
 TEST(CliEmitter, SaysWhereAFileIsWrong) {
-  const Folder folder;
-  const std::string file = folder.write("e.toml", kEmitters);
+  const File file("e.toml", kEmitters);
   const Ran ran = physim({"run", file, "--set", "emitter.start.sped=1"});
   EXPECT_EQ(ran.code, 2);
   EXPECT_TRUE(has(ran.err, "unknown setting \"emitter.start.sped\"; did you mean \"emitter.start.speed\"?")) << ran.err;
   EXPECT_TRUE(has(physim({"list", "settings"}).out, "emitter.start.lifetime"));
 }
 
-}  // namespace cli_emitter_cli_test
-}  // namespace physim::testing_cli
-
+}  // namespace physim::testing_cli::cli_emitter_cli_test
 #endif

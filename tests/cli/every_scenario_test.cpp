@@ -1,9 +1,5 @@
 // Every shipped scenario through every command that takes it: as a flight, compared, as a table, in every format, as a
 // world, recorded and replayed.
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <nlohmann/json.hpp>
 #include <regex>
 
 #include "cli/program.hpp"
@@ -11,8 +7,7 @@
 
 #ifdef PHYSIM_CLI
 
-namespace physim::testing_cli {
-namespace cli_every_scenario_test {
+namespace physim::testing_cli::cli_every_scenario_test {
 
 /// Why a command refuses a shipped scenario, or is left out here; empty where it goes through.
 struct Exception {
@@ -137,7 +132,5 @@ std::string name_of(const testing::TestParamInfo<std::string>& given) { return g
 INSTANTIATE_TEST_SUITE_P(Shipped, EveryScenario, testing::ValuesIn(test::shipped_scenarios()), name_of);
 INSTANTIATE_TEST_SUITE_P(Shipped, EveryFlight, testing::ValuesIn(flights()), name_of);
 
-}  // namespace cli_every_scenario_test
-}  // namespace physim::testing_cli
-
+}  // namespace physim::testing_cli::cli_every_scenario_test
 #endif

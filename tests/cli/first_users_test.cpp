@@ -1,12 +1,9 @@
 // What first users stumbled on at the command line: answers that were wrong or silent.
-#include <gtest/gtest.h>
-
 #include "cli/program.hpp"
 
 #ifdef PHYSIM_CLI
 
-namespace physim::testing_cli {
-namespace cli_first_users_test {
+namespace physim::testing_cli::cli_first_users_test {
 
 constexpr const char* kBullet = R"(physim = 1
 [[shot]]
@@ -55,8 +52,7 @@ TEST(FirstUsers, ACardSaysWhyARangeIsNotReached) {
 
 /// A flight that lands at 1019.716 m does not reach 1019.8 m: "landed at 1020 m" would be beyond it.
 TEST(FirstUsers, ACardTellsTheEndInDigitsThatShowIt) {
-  const Folder folder;
-  const std::string file = folder.write("v.toml", R"(physim = 1
+  const File file("v.toml", R"(physim = 1
 [environment]
 gravity = { model = "constant", acceleration = 9.80665 }
 atmosphere = "vacuum"
@@ -73,8 +69,7 @@ ranges = [1019.8, 2000]
 }
 
 TEST(FirstUsers, ARowOfAPresetsTableIsNotSetAlone) {
-  const Folder folder;
-  const std::string file = folder.write("g.toml", "physim = 1\n[[shot]]\npreset = \"golf_ball\"\n");
+  const File file("g.toml", "physim = 1\n[[shot]]\npreset = \"golf_ball\"\n");
   const Ran ran = physim({"run", file, "--set", "shot.magnus.table.1.speed=7"});
   EXPECT_EQ(ran.code, 2) << "it would be the whole table: " << ran.out;
   EXPECT_TRUE(has(ran.err, "shot.magnus.table is that of the preset \"golf_ball\"")) << ran.err;
@@ -82,8 +77,7 @@ TEST(FirstUsers, ARowOfAPresetsTableIsNotSetAlone) {
 }
 
 TEST(FirstUsers, CardsInCsvKeepAllDigits) {
-  const Folder folder;
-  const std::string file = folder.write("b.toml", kBullet);
+  const File file("b.toml", kBullet);
   const Ran csv = physim({"table", file, "--format", "csv"});
   ASSERT_EQ(csv.code, 0) << csv.err;
   std::istringstream lines(csv.out);
@@ -99,8 +93,7 @@ TEST(FirstUsers, CardsInCsvKeepAllDigits) {
 }
 
 TEST(FirstUsers, EveryCardOfWhatSpinsShowsItsStability) {
-  const Folder folder;
-  const std::string file = folder.write("b.toml", kBullet);
+  const File file("b.toml", kBullet);
   for (const auto& words : {std::vector<std::string>{"run", file},
                             {"table", file},
                             {"table", file, "--format", "markdown"},
@@ -112,8 +105,7 @@ TEST(FirstUsers, EveryCardOfWhatSpinsShowsItsStability) {
 }
 
 TEST(FirstUsers, AForgottenUnitOrSpeedIsToldAsSuch) {
-  const Folder folder;
-  const std::string file = folder.write("b.toml", kBullet);
+  const File file("b.toml", kBullet);
   const Ran unit = physim({"run", file, "--set", "shot.drag.ballistic_coefficient=0.218"});
   EXPECT_EQ(unit.code, 2);
   EXPECT_TRUE(has(unit.err, "ballistic_coefficient") && has(unit.err, "lb/in^2")) << unit.err;
@@ -137,11 +129,10 @@ TEST(FirstUsers, AShotWithoutASightIsShownByItsHeight) {
 }
 
 TEST(FirstUsers, ACrowdTellsWhatItNeedsBeforeItStarts) {
-  const Folder folder;
   const std::string world =
       std::string(kBullet).substr(0, std::string(kBullet).find("[output]")) +
       "[[volley]]\nshot = \"308\"\ncount = 9000000\nrate = \"1 1/s\"\n[world]\nduration = \"0.1 s\"\n";
-  const Ran ran = physim({"run", folder.write("w.toml", world), "--set", "shot.fidelity=game"});
+  const Ran ran = physim({"run", Folder().write("w.toml", world), "--set", "shot.fidelity=game"});
   EXPECT_TRUE(has(ran.err, "9000000 launches will take about 3.2 GB")) << ran.err << ran.out;
 }
 
@@ -178,7 +169,5 @@ TEST(FirstUsers, AMotorOfACollectionIsReadThoughOthersAreFaulty) {
   EXPECT_TRUE(has(refused.err, "all.eng:3")) << refused.err;
 }
 
-}  // namespace cli_first_users_test
-}  // namespace physim::testing_cli
-
+}  // namespace physim::testing_cli::cli_first_users_test
 #endif

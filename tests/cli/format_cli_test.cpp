@@ -1,13 +1,8 @@
 // Every format through every command that writes results: what the table of formats says is what the program does.
-#include <gtest/gtest.h>
-
-#include <filesystem>
-
 #include "cli/program.hpp"
 #include "report/format.hpp"
 
-namespace physim::testing_cli {
-namespace cli_format_cli_test {
+namespace physim::testing_cli::cli_format_cli_test {
 
 using namespace report;
 
@@ -72,8 +67,7 @@ TEST(FormatOptions, AFolderGetsAFileOfEachFormat) {
 }
 
 TEST(FormatOptions, RangeCardsAreWrittenInEveryFormatOfRecords) {
-  const Folder folder;
-  const std::string shot = folder.write("shot.toml", kRoundShot);
+  const File shot("shot.toml", kRoundShot);
   for (const Format& format : formats()) {
     const Ran ran = run_program(PHYSIM_CLI, {"table", shot, "--format", std::string(format.name)});
     EXPECT_EQ(ran.code, can_write(format, Subject::records) ? 0 : 2) << format.name << ran.err;
@@ -81,5 +75,4 @@ TEST(FormatOptions, RangeCardsAreWrittenInEveryFormatOfRecords) {
   }
 }
 
-}  // namespace cli_format_cli_test
-}  // namespace physim::testing_cli
+}  // namespace physim::testing_cli::cli_format_cli_test

@@ -1,11 +1,6 @@
 // `physim run --kml --czml --geojson`, read back by readers that know nothing of PhySim.
-#include <gtest/gtest.h>
-
-#include <algorithm>
 #include <cmath>
 #include <map>
-#include <nlohmann/json.hpp>
-#include <sstream>
 
 #include "cli/program.hpp"
 #include "physim/physim.hpp"
@@ -14,8 +9,7 @@
 
 #ifdef PHYSIM_CLI
 
-namespace physim {
-namespace cli_globe_test {
+namespace physim::cli_globe_test {
 
 using nlohmann::json;
 
@@ -38,10 +32,9 @@ fidelity = { preset = "simulation", earth = "ellipsoid", gravity = "wgs84", drag
 
 /// The same shot through the library.
 Flight the_flight() {
-  Environment e;
-  e.altitude = 50;
-  e.atmosphere.model = AirModel::vacuum;
-  e.earth = {.latitude = 53 * kDegree, .longitude = 170 * kDegree, .azimuth = 80 * kDegree};
+  Environment e{.altitude = 50,
+                .atmosphere = {.model = AirModel::vacuum},
+                .earth = {.latitude = 53 * kDegree, .longitude = 170 * kDegree, .azimuth = 80 * kDegree}};
   Fidelity f = Fidelity::simulation();
   f.earth = EarthModel::ellipsoid;
   f.gravity = GravityModel::wgs84;
@@ -576,7 +569,5 @@ TEST(FilesForOthers, RealReadersReadPathsTimesAndHits) {
   }
 }
 
-}  // namespace cli_globe_test
-}  // namespace physim
-
+}  // namespace physim::cli_globe_test
 #endif  // PHYSIM_CLI

@@ -1,14 +1,9 @@
 // What `physim run` writes of many shots goes to the file as it is made: no room for all of it, and no half of it.
-#include <gtest/gtest.h>
-
-#include <nlohmann/json.hpp>
-
 #include "cli/program.hpp"
 
 #if defined(PHYSIM_CLI) && !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)
 
-namespace physim::testing_cli {
-namespace cli_large_output_test {
+namespace physim::testing_cli::cli_large_output_test {
 
 constexpr const char* kMany = R"(physim = 1
 [[shot]]
@@ -82,7 +77,5 @@ TEST(CliLarge, WhatWasAssumedIsFoundByShortFlights) {
   EXPECT_FALSE(json.at("shots").at(0).at("assumed").empty());
 }
 
-}  // namespace cli_large_output_test
-}  // namespace physim::testing_cli
-
+}  // namespace physim::testing_cli::cli_large_output_test
 #endif

@@ -1,17 +1,12 @@
 // Files that another version of the program wrote, through every command that reads them: each is refused with exit
 // code 2 in one line that names the file and the version.
-#include <gtest/gtest.h>
-
-#include <algorithm>
-
 #include "cli/program.hpp"
 #include "cli/throw_study.hpp"
 #include "physim/result.hpp"
 
 #ifdef PHYSIM_CLI
 
-namespace physim::testing_cli {
-namespace cli_other_version_test {
+namespace physim::testing_cli::cli_other_version_test {
 
 /// A copy of a file that says another format, and version 7 of the program. Its check sums are wrong now: what they
 /// should be is a matter of the other format.
@@ -65,7 +60,5 @@ TEST(CliOtherVersion, ofAPartOfAStudyIsNamed) {
   EXPECT_EQ(read(part), before) << "it stays as it was";
 }
 
-}  // namespace cli_other_version_test
-}  // namespace physim::testing_cli
-
+}  // namespace physim::testing_cli::cli_other_version_test
 #endif

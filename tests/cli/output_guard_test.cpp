@@ -1,19 +1,12 @@
 // No output option of any command replaces what the command reads: every option is tried on every kind of input, by
 // every name of it. The options come from the help of the program, so that a new one is tried, too.
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <filesystem>
 #include <map>
 #include <optional>
 #include <set>
 
-#include "cli/program.hpp"
 #include "named_files.hpp"
-#include "physim/files.hpp"
 
-namespace physim {
-namespace cli_output_guard_test {
+namespace physim::cli_output_guard_test {
 
 namespace fs = std::filesystem;
 using testing_cli::Folder;
@@ -328,5 +321,4 @@ TEST(OutputGuard, what_is_gone_on_with_may_be_replaced) {
   EXPECT_TRUE(has(merged.err, "--resume cannot write: it is the part to be merged itself")) << merged.err;
 }
 
-}  // namespace cli_output_guard_test
-}  // namespace physim
+}  // namespace physim::cli_output_guard_test

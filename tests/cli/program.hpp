@@ -2,7 +2,6 @@
 #pragma once
 
 #include <fcntl.h>
-#include <gtest/gtest.h>
 #include <spawn.h>
 #include <sys/wait.h>
 #include <unistd.h>
@@ -13,8 +12,9 @@
 #include <fstream>
 #include <nlohmann/json.hpp>
 #include <sstream>
-#include <string>
 #include <vector>
+
+#include "must.hpp"
 
 namespace physim::testing_cli {
 
@@ -51,6 +51,17 @@ class Folder {
 
  private:
   std::filesystem::path path_;
+};
+
+/// A file of this content in a folder of its own, both removed at the end; wherever a path is wanted.
+class File {
+ public:
+  File(const std::string& name, const std::string& content) : path_(folder_.write(name, content)) {}
+  operator const std::string&() const { return path_; }  // NOLINT: a file is its path
+
+ private:
+  Folder folder_;
+  std::string path_;
 };
 
 inline std::string read(const std::string& path) {

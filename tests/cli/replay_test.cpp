@@ -1,17 +1,11 @@
 // `physim replay`, as a user runs it.
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <nlohmann/json.hpp>
-
 #include "cli/program.hpp"
 #include "physim/files.hpp"
 #include "world/recording_bytes.hpp"
 
 #ifdef PHYSIM_CLI
 
-namespace physim::testing_cli {
-namespace cli_replay_test {
+namespace physim::testing_cli::cli_replay_test {
 
 Ran replay(std::vector<std::string> arguments) {
   arguments.insert(arguments.begin(), "replay");
@@ -159,7 +153,5 @@ TEST(RecordingFile, SavesWhatIsInMemory) {
   EXPECT_EQ(folder.names().size(), 1u);
 }
 
-}  // namespace cli_replay_test
-}  // namespace physim::testing_cli
-
+}  // namespace physim::testing_cli::cli_replay_test
 #endif

@@ -1,17 +1,12 @@
 // Things in the way of single flights, on the command line: what `physim run` tells of them, what other commands leave
 // aside, and how `physim aim` finds its way.
-#include <gtest/gtest.h>
-
-#include <algorithm>
 #include <cmath>
-#include <nlohmann/json.hpp>
 
 #include "cli/program.hpp"
 
 #ifdef PHYSIM_CLI
 
-namespace physim::testing_cli {
-namespace cli_scene_cli_test {
+namespace physim::testing_cli::cli_scene_cli_test {
 
 constexpr double kDegree = 3.14159265358979323846 / 180;
 const std::string kMortar = PHYSIM_SOURCE_DIR "/scenarios/mortar_over_hill.toml";
@@ -83,17 +78,15 @@ TEST(CliScene, RunCountsPassagesOfSensors) {
 
 /// Things are hit wherever they stand: they lie on no plane, which quantities could lack.
 TEST(CliScene, StudyOfImpactsAloneCountsHitsOnThings) {
-  const Folder folder;
-  const std::string file =
-      folder.write("s.toml",
-                   "physim = 1\n[environment]\natmosphere = \"vacuum\"\n[[shape]]\nname = \"b\"\nbox = [1, 1, "
-                   "1]\n[[thing]]\nname = \"wall\"\n"
-                   "shape = \"b\"\nposition = [100, 0, 0]\n[[shot]]\nname = \"s\"\nmass = 1\nspeed = "
-                   "800\ngravity_scale = 0\nfidelity = { preset = "
-                   "\"simulation\", drag = \"off\", air = \"vacuum\", earth = \"flat\" }\n[until]\nground = "
-                   "\"off\"\ntime = 1\n[study]\nshots = 4096\n"
-                   "inputs = [\"shot.elevation = 0 mrad +- 5 mrad\", \"shot.azimuth = 0 mrad +- 5 mrad\"]\n"
-                   "quantities = [\"impact_speed\", \"obliquity\", \"impact_energy\"]\n");
+  const File file("s.toml",
+                  "physim = 1\n[environment]\natmosphere = \"vacuum\"\n[[shape]]\nname = \"b\"\nbox = [1, 1, "
+                  "1]\n[[thing]]\nname = \"wall\"\n"
+                  "shape = \"b\"\nposition = [100, 0, 0]\n[[shot]]\nname = \"s\"\nmass = 1\nspeed = "
+                  "800\ngravity_scale = 0\nfidelity = { preset = "
+                  "\"simulation\", drag = \"off\", air = \"vacuum\", earth = \"flat\" }\n[until]\nground = "
+                  "\"off\"\ntime = 1\n[study]\nshots = 4096\n"
+                  "inputs = [\"shot.elevation = 0 mrad +- 5 mrad\", \"shot.azimuth = 0 mrad +- 5 mrad\"]\n"
+                  "quantities = [\"impact_speed\", \"obliquity\", \"impact_energy\"]\n");
   const Ran ran = physim({"study", file, "--json", "-"});
   EXPECT_EQ(ran.code, 0) << ran.err;
   const auto json = nlohmann::json::parse(ran.out, nullptr, false);
@@ -110,8 +103,7 @@ TEST(CliScene, StudyOfImpactsAloneCountsHitsOnThings) {
 }
 
 TEST(CliScene, RunSaysWhichTrianglesAreLeftOut) {
-  const Folder folder;
-  const std::string path = folder.write("sliver.toml", R"(physim = 1
+  const File path("sliver.toml", R"(physim = 1
 [[shape]]
 name = "sheet"
 mesh = { vertices = [[0, -9, -9], [0, 9, -9], [0, 0, 9], [0, 9, -9]], triangles = [[0, 1, 2], [0, 1, 3], [1, 1, 2]] }
@@ -246,7 +238,5 @@ TEST(CliScene, DangerSpaceOnTheSlopeOfTheHill) {
   EXPECT_TRUE(has(bare.err, "--terrain: error: the scenario has nothing to stand on")) << bare.err;
 }
 
-}  // namespace cli_scene_cli_test
-}  // namespace physim::testing_cli
-
+}  // namespace physim::testing_cli::cli_scene_cli_test
 #endif

@@ -1,10 +1,7 @@
 // `physim study`, as a user runs it.
-#include <gtest/gtest.h>
-
 #include <sys/stat.h>
 
 #include <cmath>
-#include <nlohmann/json.hpp>
 #include <thread>
 
 #include "cli/program.hpp"
@@ -13,12 +10,10 @@
 
 #ifdef PHYSIM_CLI
 
-namespace physim::testing_cli {
-namespace cli_study_cli_test {
+namespace physim::testing_cli::cli_study_cli_test {
 
 TEST(StudyCli, tells_figures_that_are_known) {
-  const Folder folder;
-  const std::string file = folder.write("throw.toml", throw_study(30000));
+  const File file("throw.toml", throw_study(30000));
   const Ran ran = physim({"study", file, "--json", "-"});
   ASSERT_EQ(ran.code, 0) << ran.err;
   const auto json = nlohmann::json::parse(ran.out);
@@ -70,8 +65,7 @@ TEST(StudyCli, tells_impacts) {
 }
 
 TEST(StudyCli, tables_stand_below_each_other) {
-  const Folder folder;
-  const Ran ran = physim({"study", folder.write("throw.toml", throw_study(4096)), "--set", "study.indices=true"});
+  const Ran ran = physim({"study", Folder().write("throw.toml", throw_study(4096)), "--set", "study.indices=true"});
   ASSERT_EQ(ran.code, 0) << ran.err;
   for (const char* head : {"right [m]  ", "distance [m]", "target", "input", "Sobol indices", "worst shot"})
     EXPECT_TRUE(has(ran.out, "\n  " + std::string(head))) << head << " in\n" << ran.out;
@@ -153,8 +147,7 @@ TEST(StudyCli, keeps_what_it_flies_in_a_file_alone) {
 }
 
 TEST(StudyCli, over_range_and_until_a_width) {
-  const Folder folder;
-  const std::string file = folder.write("throw.toml", throw_study(30000));
+  const File file("throw.toml", throw_study(30000));
   const Ran ran = physim(
       {"study", file, "--ranges", "20 m .. 40 m step 20 m", "--target", "wall: rectangle 100 m x 100 m", "--csv", "-"});
   ASSERT_EQ(ran.code, 0) << ran.err;
@@ -177,9 +170,8 @@ TEST(StudyCli, over_range_and_until_a_width) {
 }
 
 TEST(StudyCli, a_zeroed_shot_is_held_off_for_what_is_known) {
-  const Folder folder;
   // 89.4, 60.2 and 38.3 % with mean wind and drift dialled, and 36.0 % at 600 m without.
-  const std::string file = folder.write("rifle.toml", "physim = 1\n" + test::creedmoor() + R"([study]
+  const File file("rifle.toml", "physim = 1\n" + test::creedmoor() + R"([study]
 inputs = ["environment.wind.velocity.z = -5 mph +- 2 mph"]
 targets = ["plate: rectangle 45 cm x 75 cm"]
 shots = 20000
@@ -198,8 +190,7 @@ shots = 20000
 }
 
 TEST(StudyCli, says_what_targets_are_and_flies_any_rounds) {
-  const Folder folder;
-  const std::string file = folder.write("throw.toml", throw_study(6000));
+  const File file("throw.toml", throw_study(6000));
   const Ran ran = physim({"study", file, "--target", "round: circle 10 cm at 0 m, 90 m", "--set", "study.rounds=6"});
   ASSERT_EQ(ran.code, 0) << ran.err;
   EXPECT_TRUE(has(ran.out, "near    1 m x 3.6 m")) << ran.out;
@@ -209,8 +200,7 @@ TEST(StudyCli, says_what_targets_are_and_flies_any_rounds) {
 
 /// The worst shot of a study, by its number alone.
 TEST(StudyCli, flies_a_shot_again) {
-  const Folder folder;
-  const std::string file = folder.write("throw.toml", throw_study(8192));
+  const File file("throw.toml", throw_study(8192));
   const auto json = nlohmann::json::parse(physim({"study", file, "--json", "-"}).out);
   const auto& worst = json["worst"][0];
   const std::string number = std::to_string(worst["shot"].get<std::uint64_t>());
@@ -230,8 +220,7 @@ TEST(StudyCli, flies_a_shot_again) {
 
 /// Where no terminal is, rate, time left and the figure so far are told line by line.
 TEST(StudyCli, logs_how_far_it_has_come) {
-  const Folder folder;
-  const std::string file = folder.write("throw.toml", throw_study(400'000));
+  const File file("throw.toml", throw_study(400'000));
   const Ran ran = physim({"study", file, "--log-every", "1 ms", "--threads", "1"});
   ASSERT_EQ(ran.code, 0) << ran.err;
   const std::string line = ran.err.substr(0, ran.err.find('\n'));
@@ -245,8 +234,7 @@ TEST(StudyCli, logs_how_far_it_has_come) {
 
 /// The ball lands within 1.8 m of 90 m where its speed is within 0.3 m/s of 30 m/s: a deviation.
 TEST(StudyCli, over_inputs) {
-  const Folder folder;
-  const std::string file = folder.write("throw.toml", throw_study(40000));
+  const File file("throw.toml", throw_study(40000));
   const Ran ran = physim({"study", file, "--over-inputs", "4", "--json", "-"});
   ASSERT_EQ(ran.code, 0) << ran.err;
   const auto json = nlohmann::json::parse(ran.out);
@@ -298,8 +286,7 @@ TEST(StudyCli, until_a_time) {
 }
 
 TEST(StudyCli, indices_of_what_does_not_vary_are_none) {
-  const Folder folder;
-  const Ran ran = physim({"study", folder.write("throw.toml", throw_study(4096)), "--set", "study.indices=true"});
+  const Ran ran = physim({"study", Folder().write("throw.toml", throw_study(4096)), "--set", "study.indices=true"});
   ASSERT_EQ(ran.code, 0) << ran.err;
   EXPECT_TRUE(has(ran.out, "right  no variance")) << ran.out;
   EXPECT_FALSE(has(ran.out, "nan")) << ran.out;
@@ -392,8 +379,7 @@ TEST(StudyCli, histograms) {
 }
 
 TEST(StudyCli, what_a_table_over_range_leaves_out_is_told) {
-  const Folder folder;
-  const std::string file = folder.write("throw.toml", throw_study(4096));
+  const File file("throw.toml", throw_study(4096));
   for (const std::string given : {"study.aim=1 m, 0 m", "study.quantities=[\"right\", \"up\", \"time\"]"}) {
     const Ran ran = physim({"study", file, "--ranges", "20 m", "--set", given});
     EXPECT_EQ(ran.code, 0) << ran.err;
@@ -449,7 +435,5 @@ TEST(StudyCli, bad_input_says_what_is_wrong) {
   EXPECT_TRUE(has(refusal({"--resume", folder / "no/folder"}), "folder"));
 }
 
-}  // namespace cli_study_cli_test
-}  // namespace physim::testing_cli
-
+}  // namespace physim::testing_cli::cli_study_cli_test
 #endif

@@ -1,6 +1,4 @@
 // `physim study --hdf5`: each shot, as the library itself gives it again.
-#include <gtest/gtest.h>
-
 #include <cmath>
 
 #include "cli/program.hpp"
@@ -14,8 +12,7 @@
 
 #ifdef PHYSIM_CLI
 
-namespace physim::testing_cli {
-namespace cli_study_columns_test {
+namespace physim::testing_cli::cli_study_columns_test {
 
 #if PHYSIM_HAS_HDF5
 
@@ -102,7 +99,5 @@ TEST(StudyColumns, need_hdf5) { GTEST_SKIP() << "built without HDF5: no file of 
 
 #endif
 
-}  // namespace cli_study_columns_test
-}  // namespace physim::testing_cli
-
+}  // namespace physim::testing_cli::cli_study_columns_test
 #endif

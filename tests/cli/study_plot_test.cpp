@@ -1,16 +1,12 @@
 // Pictures and maps of `physim study`, as a user asks for them.
-#include <gtest/gtest.h>
-
 #include <cmath>
-#include <cstdlib>
 
 #include "cli/program.hpp"
 #include "cli/throw_study.hpp"
 
 #ifdef PHYSIM_CLI
 
-namespace physim::testing_cli {
-namespace cli_study_plot_test {
+namespace physim::testing_cli::cli_study_plot_test {
 
 const std::string kThrow = throw_study(8192, R"(, "shot.azimuth = +- 1 deg")");
 
@@ -85,8 +81,7 @@ TEST(StudyPlot, a_missing_gnuplot_is_named_with_its_package) {
 
 /// 90 m to the north of the equator: 90 m over the meridian's radius of curvature there, a (1 - e^2) = 6335439 m.
 TEST(StudyPlot, maps_lie_where_shots_come_down) {
-  const Folder folder;
-  const std::string file = folder.write("throw.toml", kThrow);
+  const File file("throw.toml", kThrow);
   const Ran ran = physim({"study", file, "--set", "shot.fidelity.earth=ellipsoid", "--set", "study.targets=[]", "--set",
                           "environment.earth.rotation_rate=0", "--kml", "-"});
   ASSERT_EQ(ran.code, 0) << ran.err;
@@ -119,7 +114,5 @@ TEST(StudyPlot, bad_input_says_what_is_wrong) {
   EXPECT_TRUE(has(quantity, "study.quantities[0]") && has(quantity, "right")) << quantity;
 }
 
-}  // namespace cli_study_plot_test
-}  // namespace physim::testing_cli
-
+}  // namespace physim::testing_cli::cli_study_plot_test
 #endif

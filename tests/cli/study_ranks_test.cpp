@@ -1,6 +1,4 @@
 // `mpirun -n 4 physim study`: ranks of a job fly one study, with the bits of threads, and end in clear words.
-#include <gtest/gtest.h>
-
 #include <csignal>
 #include <cstdio>
 #include <thread>
@@ -10,8 +8,7 @@
 
 #ifdef PHYSIM_CLI
 
-namespace physim::testing_cli {
-namespace cli_study_ranks_test {
+namespace physim::testing_cli::cli_study_ranks_test {
 
 constexpr const char* kRifle = R"(physim = 1
 title = "A rifle"
@@ -33,8 +30,7 @@ shots = 100000
 
 /// Without MPI a job is refused: each rank would fly the whole study.
 TEST(StudyRanks, a_job_is_told_apart_from_a_run_alone) {
-  const Folder folder;
-  const std::string file = folder.write("rifle.toml", kRifle);
+  const File file("rifle.toml", kRifle);
   EXPECT_EQ(physim({"study", file, "--shots", "4096"}).code, 0);
 #if !PHYSIM_HAS_MPI
   const Ran ran = physim({"study", file}, {"PMI_SIZE=4", "PATH=/usr/bin"});
@@ -94,8 +90,7 @@ TEST(StudyRanks, have_the_bits_of_threads_at_places_too) {
 }
 
 TEST(StudyRanks, stop_at_a_width_where_threads_do) {
-  const Folder folder;
-  const std::string file = folder.write("rifle.toml", kRifle);
+  const File file("rifle.toml", kRifle);
   const std::vector<std::string> command = {"study", file, "--shots", "400000", "--until-width", "1 %", "--csv", "-"};
   const Ran threads = physim(command), ranks = job(3, command);
   ASSERT_EQ(ranks.code, 0) << ranks.err;
@@ -161,7 +156,5 @@ TEST(StudyRanks, need_mpi) { GTEST_SKIP() << "built without MPI: no job of ranks
 
 #endif
 
-}  // namespace cli_study_ranks_test
-}  // namespace physim::testing_cli
-
+}  // namespace physim::testing_cli::cli_study_ranks_test
 #endif

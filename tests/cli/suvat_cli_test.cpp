@@ -1,15 +1,11 @@
 // `physim suvat`, as a user runs it.
-#include <gtest/gtest.h>
-
 #include <cmath>
-#include <nlohmann/json.hpp>
 
 #include "cli/program.hpp"
 
 #ifdef PHYSIM_CLI
 
-namespace physim::testing_cli {
-namespace cli_suvat_cli_test {
+namespace physim::testing_cli::cli_suvat_cli_test {
 
 TEST(SuvatCli, shows_both_motions) {
   const Ran ran = physim({"suvat", "u=30m/s", "a=-9.81m/s^2", "s=20m"});
@@ -58,7 +54,5 @@ TEST(SuvatCli, bad_input_is_named_with_a_hint) {
   }
 }
 
-}  // namespace cli_suvat_cli_test
-}  // namespace physim::testing_cli
-
+}  // namespace physim::testing_cli::cli_suvat_cli_test
 #endif  // PHYSIM_CLI

@@ -1,14 +1,9 @@
 // `physim validate`, as a user runs it.
-#include <gtest/gtest.h>
-
-#include <nlohmann/json.hpp>
-
 #include "cli/program.hpp"
 
 #ifdef PHYSIM_CLI
 
-namespace physim::testing_cli {
-namespace cli_validate_test {
+namespace physim::testing_cli::cli_validate_test {
 
 Ran validate(std::vector<std::string> arguments) {
   arguments.insert(arguments.begin(), "validate");
@@ -219,7 +214,5 @@ TEST(Validate, ReportIsWrittenAndSaysHowItWasMade) {
     EXPECT_TRUE(has(text, part)) << text;
 }
 
-}  // namespace cli_validate_test
-}  // namespace physim::testing_cli
-
+}  // namespace physim::testing_cli::cli_validate_test
 #endif  // PHYSIM_CLI

@@ -1,16 +1,9 @@
 // `physim run` of scenarios with a [world], as a user runs it.
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <fstream>
-#include <nlohmann/json.hpp>
-
 #include "cli/program.hpp"
 
 #ifdef PHYSIM_CLI
 
-namespace physim::testing_cli {
-namespace cli_world_cli_test {
+namespace physim::testing_cli::cli_world_cli_test {
 
 constexpr const char* kWorld = R"(physim = 1
 title = "A burst, it's {x}"
@@ -194,7 +187,6 @@ TEST(CliWorld, ReplayCountsWhatEmittersFired) {
 
 /// Without a thing, hit_y and hit_z are those of all that was hit: the wall of the world, and things.
 TEST(CliWorld, HeightsOfHitsAreThoseOfThingsToo) {
-  const Folder folder;
   const std::string text = R"(physim = 1
 [environment]
 gravity = "off"
@@ -219,8 +211,8 @@ wall = "10 m"
 )";
   const auto expecting = [&](const std::string& shot, const std::string& quantity, const std::string& equals) {
     const Ran ran =
-        physim({"run", folder.write("w.toml", text + "[[expect]]\nshot = \"" + shot + "\"\nquantity = \"" + quantity +
-                                                  "\"\nequals = \"" + equals + "\"\nwithin = \"1 mm\"\n")});
+        physim({"run", Folder().write("w.toml", text + "[[expect]]\nshot = \"" + shot + "\"\nquantity = \"" + quantity +
+                                                    "\"\nequals = \"" + equals + "\"\nwithin = \"1 mm\"\n")});
     EXPECT_EQ(ran.code, 0) << shot << " " << quantity << ran.out << ran.err;
   };
   expecting("low", "hit_y", "0.3 m");
@@ -241,8 +233,7 @@ TEST(CliWorld, PrintsASummary) {
 }
 
 TEST(CliWorld, HashesDoNotDependOnThreadsAndKernels) {
-  const Folder folder;
-  const std::string file = folder.write("w.toml", kWorld);
+  const File file("w.toml", kWorld);
   const std::string hash = hash_of(physim({"run", file, "--threads", "1"}));
   EXPECT_EQ(hash_of(physim({"run", file, "--threads", "7"})), hash);
   std::istringstream kernels(physim({"list", "kernels"}).out);
@@ -293,8 +284,7 @@ TEST(CliWorld, RecordsForReplay) {
 }
 
 TEST(CliWorld, TakesStepsInsteadOfADuration) {
-  const Folder folder;
-  EXPECT_TRUE(has(physim({"run", folder.write("w.toml", kWorld), "--steps", "17"}).out, "steps 17 of"));
+  EXPECT_TRUE(has(physim({"run", Folder().write("w.toml", kWorld), "--steps", "17"}).out, "steps 17 of"));
 }
 
 TEST(CliWorld, SaysWhatIsNotForFlights) {
@@ -312,8 +302,7 @@ TEST(CliWorld, SaysWhatIsNotForFlights) {
 }
 
 TEST(CliWorld, WarnsOfRefusals) {
-  const Folder folder;
-  const Ran ran = physim({"run", folder.write("w.toml", kWorld), "--set", "world.max_projectiles=5"});
+  const Ran ran = physim({"run", Folder().write("w.toml", kWorld), "--set", "world.max_projectiles=5"});
   EXPECT_TRUE(has(ran.err, "warning: 295 launches of \"burst, \"quoted\"\" were refused: the world is full"))
       << ran.err;
 }
@@ -323,7 +312,5 @@ TEST(CliWorld, ListsPresets) {
   for (const char* part : {"small_arms", "rifle_bullet", "tennis_ball", "artillery"}) EXPECT_TRUE(has(ran.out, part));
 }
 
-}  // namespace cli_world_cli_test
-}  // namespace physim::testing_cli
-
+}  // namespace physim::testing_cli::cli_world_cli_test
 #endif

@@ -1,8 +1,6 @@
 // What is computed while frames are drawn.
 #include "simclient/core/beside.hpp"
 
-#include <gtest/gtest.h>
-
 #include <chrono>
 #include <future>
 

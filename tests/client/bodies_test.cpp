@@ -1,8 +1,6 @@
 // What projectiles look like: their shapes by what they are, their meshes, and how they are turned.
 #include "simclient/core/bodies.hpp"
 
-#include <gtest/gtest.h>
-
 #include <algorithm>
 #include <cmath>
 
@@ -41,8 +39,7 @@ TEST(Bodies, AreWhatScenariosFire) {
                                                       {"table_tennis", BodyShape::ball}};
   for (const auto& [scenario, shape] : wanted)
     EXPECT_EQ(static_cast<int>(shape_in(scenario)), static_cast<int>(shape)) << scenario;
-  ProjectileDef cock;
-  cock.name = "Shuttlecock";
+  ProjectileDef cock{.name = "Shuttlecock"};
   EXPECT_EQ(look_of(cock).shape, BodyShape::shuttlecock);
 }
 

@@ -1,10 +1,7 @@
 // The client's logic without a window: launcher, actions, scripts, settings, plots, camera, scene.
 #include "simclient/core/client.hpp"
 
-#include <gtest/gtest.h>
-
 #include <cmath>
-#include <fstream>
 #include <map>
 #include <set>
 
@@ -352,9 +349,8 @@ TEST(Plots, CurvesAreTheFlight) {
   for (const PlotPoint& p : path.curves[0].points) EXPECT_NEAR(p.y, 1.5 + 2 * p.x / 35, 1e-5);  // e = 2
   const Plot energy = make_plot(specs[2], client.session.tracks(), track, client.session.scenario(), 5, 5);
   EXPECT_NEAR(energy.curves[0].points.back().y, 0.5 * (35 * 35 + 4), 1e-2);
-  const auto hit = nearest_point(path, {path.x.part(0), path.y.part(1.5)}, 2, 0.1);
-  ASSERT_TRUE(hit);
-  EXPECT_EQ(hit->point.x, 0);
+  const auto hit = must(nearest_point(path, {path.x.part(0), path.y.part(1.5)}, 2, 0.1));
+  EXPECT_EQ(hit.point.x, 0);
   EXPECT_FALSE(nearest_point(path, {5, 5}, 2, 0.1));
 }
 
@@ -433,11 +429,10 @@ TEST(Compare, KeepsTheColoursOfItsRungs) {
 TEST(Compare, HasTheFiguresOfTheCommandLine) {
   Client client = client_of("308_168gr_g7");
   const std::vector<ComparedRung>& rungs = client.comparison();
-  const auto ladder = report::climb(client.session.scenario(), client.launcher.shot());
-  ASSERT_TRUE(ladder);
+  const auto ladder = must(report::climb(client.session.scenario(), client.launcher.shot()));
   int compared = 0;
   for (const ComparedRung& rung : rungs)
-    for (const report::RungResult& other : ladder->rungs)
+    for (const report::RungResult& other : ladder.rungs)
       if (other.rung.name() == rung.name) {
         EXPECT_EQ(rung.at_end, other.error) << rung.name;
         EXPECT_EQ(std::abs(rung.later), other.time_error) << rung.name;
@@ -454,13 +449,11 @@ TEST(Camera, PixelsAndPointsAgree) {
   for (const double stretch : {1.0, 20.0})
     for (const double yaw : {0.0, 1.0, -2.5}) {
       camera.yaw = yaw, camera.pitch = 0.4, camera.stretch = stretch, camera.target = {10, 1, -3};
-      const auto centre = camera.project(camera.target);
-      ASSERT_TRUE(centre);
-      EXPECT_NEAR(centre->x, 450, 1e-9);
-      EXPECT_NEAR(centre->y, 250, 1e-9);
-      const auto point = camera.at_height({300, 420}, 0);
-      ASSERT_TRUE(point);
-      const auto back = camera.project(*point);
+      const auto centre = must(camera.project(camera.target));
+      EXPECT_NEAR(centre.x, 450, 1e-9);
+      EXPECT_NEAR(centre.y, 250, 1e-9);
+      const auto point = must(camera.at_height({300, 420}, 0));
+      const auto back = camera.project(point);
       EXPECT_NEAR(back->x, 300, 1e-6);
       EXPECT_NEAR(back->y, 420, 1e-6);
       EXPECT_FALSE(camera.project(camera.eye() - camera.forward() * 5.0));
@@ -485,11 +478,10 @@ TEST(Camera, FitShowsAll) {
       client.camera.mode = mode;
       client.fit_view();
       for (const TrackSample& s : client.prediction().path) {
-        const auto pixel = client.camera.project(s.position);
-        ASSERT_TRUE(pixel);
-        EXPECT_GE(std::min(pixel->x, pixel->y), 0) << scenario;
-        EXPECT_LE(pixel->x, client.camera.width()) << scenario;
-        EXPECT_LE(pixel->y, client.camera.height()) << scenario;
+        const auto pixel = must(client.camera.project(s.position));
+        EXPECT_GE(std::min(pixel.x, pixel.y), 0) << scenario;
+        EXPECT_LE(pixel.x, client.camera.width()) << scenario;
+        EXPECT_LE(pixel.y, client.camera.height()) << scenario;
       }
     }
   }
@@ -515,12 +507,10 @@ TEST(Scene, ProbeAndTapeMeasureFindTheirPoints) {
   Client client = client_of();
   ASSERT_TRUE(run(client, "laser; fire; wait 30; tape"));
   const TrackSample s = client.session.tracks()[0].samples[20];
-  const auto seen = client.camera.project(s.position);
-  ASSERT_TRUE(seen);
-  const auto probe = client.probe(*seen);
-  ASSERT_TRUE(probe);
-  EXPECT_LT(length(probe->sample.position - s.position), 1.5);
-  client.click(*seen);
+  const auto seen = must(client.camera.project(s.position));
+  const auto probe = must(client.probe(seen));
+  EXPECT_LT(length(probe.sample.position - s.position), 1.5);
+  client.click(seen);
   ASSERT_TRUE(client.tape.from);
   const auto ground = client.camera.project({10, 0, 3});
   client.click(*ground);

@@ -1,6 +1,4 @@
 // Emitters in the client: how they are drawn, and their curves as a hand changes them.
-#include <gtest/gtest.h>
-
 #include <cmath>
 
 #include "cli/program.hpp"
@@ -59,9 +57,8 @@ TEST(EmitterEdit, a_change_is_flown_to_the_moment_at_hand_and_saved_as_toml) {
   const testing_cli::Folder folder;
   const std::string file = folder / "physim_emitter_edit.toml";
   ASSERT_TRUE(client.save(file));
-  const Result<Scenario> read = load_scenario(file);
-  ASSERT_TRUE(read) << read.error().text();
-  EXPECT_TRUE(have_same_lines(read->emitters[0].def, emitters[0].def));
+  const Scenario read = must(load_scenario(file));
+  EXPECT_TRUE(have_same_lines(read.emitters[0].def, emitters[0].def));
 }
 
 TEST(EmitterEdit, what_makes_no_sense_changes_nothing) {

@@ -1,9 +1,4 @@
 // What the client writes replaces nothing that its session reads; only a scenario is saved over itself.
-#include <gtest/gtest.h>
-
-#include <filesystem>
-
-#include "cli/program.hpp"
 #include "named_files.hpp"
 #include "simclient/core/client.hpp"
 

@@ -1,10 +1,6 @@
 // What the dialogue of files shows, and what is meant by what was typed there.
 #include "simclient/core/folder.hpp"
 
-#include <gtest/gtest.h>
-
-#include <filesystem>
-
 #include "cli/program.hpp"
 
 namespace physim::client::client_folder {

@@ -1,7 +1,4 @@
 // The view looks at what a scenario is about: in all shipped scenarios, and until a hand moves it.
-#include <gtest/gtest.h>
-
-#include <algorithm>
 #include <nlohmann/json.hpp>
 
 #include "client/support.hpp"
@@ -76,13 +73,12 @@ TEST(Framing, EveryCornerOfThingsIsInView) {
     client.fit_view();
     const Scenery& things = client.scenery();
     for (int i = 0; i < 8; ++i) {
-      const auto seen = client.camera.project({(i & 1) != 0 ? things.high.x : things.low.x,
-                                               (i & 2) != 0 ? things.high.y : things.low.y,
-                                               (i & 4) != 0 ? things.high.z : things.low.z});
-      ASSERT_TRUE(seen);
-      EXPECT_GE(std::min(seen->x, seen->y), 0) << width;
-      EXPECT_LE(seen->x, width);
-      EXPECT_LE(seen->y, height);
+      const auto seen = must(client.camera.project({(i & 1) != 0 ? things.high.x : things.low.x,
+                                                    (i & 2) != 0 ? things.high.y : things.low.y,
+                                                    (i & 4) != 0 ? things.high.z : things.low.z}));
+      EXPECT_GE(std::min(seen.x, seen.y), 0) << width;
+      EXPECT_LE(seen.x, width);
+      EXPECT_LE(seen.y, height);
     }
   }
 }

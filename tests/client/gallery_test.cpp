@@ -2,8 +2,6 @@
 // flies.
 #include "simclient/core/gallery.hpp"
 
-#include <gtest/gtest.h>
-
 #include <map>
 
 #include "client/support.hpp"
@@ -79,12 +77,11 @@ TEST(Gallery, PicturesShowWhatFlies) {
 
 /// Its second shot goes over the hill that stops the first.
 TEST(Gallery, PicturesShowAllOfEachFlight) {
-  const Result<Pose> pose = pose_of("mortar_over_hill", 224, 140);
-  ASSERT_TRUE(pose);
-  ASSERT_GE(pose->paths.size(), 2U);
-  for (const auto& path : pose->paths)
+  const Pose pose = must(pose_of("mortar_over_hill", 224, 140));
+  ASSERT_GE(pose.paths.size(), 2U);
+  for (const auto& path : pose.paths)
     for (const TrackSample& s : path) {
-      const auto at = pose->client.camera.project(s.position);
+      const auto at = pose.client.camera.project(s.position);
       ASSERT_TRUE(at && at->x >= 0 && at->y >= 0 && at->x <= 224 && at->y <= 140) << at->x << " " << at->y;
     }
 }

@@ -1,8 +1,6 @@
 // The light of hot particles.
 #include "simclient/core/glow.hpp"
 
-#include <gtest/gtest.h>
-
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -87,8 +85,7 @@ TEST(Glow, WhatIsColdOrBehindTheEyeHasNone) {
 /// A wall two metres wide and high across the view, so far before the camera's target; in front of the eye it is
 /// turned by 45 degrees.
 Scenery wall_before(const Camera& camera, double before) {
-  Scenery out;
-  out.origin = camera.target - camera.forward() * before;
+  Scenery out{.origin = camera.target - camera.forward() * before};
   const Vec3d right = camera.right() + camera.forward(), up = camera.up();
   for (const auto& [x, y] : {std::pair{-1, -1}, {1, -1}, {1, 1}, {-1, -1}, {1, 1}, {-1, 1}})
     out.vertices.push_back(lit_vertex(right * x + up * y, {0, 0, 1}, 0x808080FF));

@@ -1,8 +1,6 @@
 // Undo and redo, over every kind of change.
 #include "simclient/core/history.hpp"
 
-#include <gtest/gtest.h>
-
 #include "cli/program.hpp"
 #include "client/support.hpp"
 #include "scenario/scenario.hpp"
@@ -92,9 +90,8 @@ TEST(History, StepsComeInOrderAndADragIsOne) {
 }
 
 TEST(History, WhatIsTakenBackIsSaved) {
-  const testing_cli::Folder folder;
   const std::string text = testing_cli::read(PHYSIM_SOURCE_DIR "/scenarios/22lr.toml");
-  const std::string file = folder.write("mine.toml", text);
+  const testing_cli::File file("mine.toml", text);
   Client client = std::move(open_client(file, {}).value());
   ASSERT_TRUE(run(client, "turn-up; elevation; save"));
   const std::string aimed = testing_cli::read(file);
@@ -105,9 +102,8 @@ TEST(History, WhatIsTakenBackIsSaved) {
 
 /// 997 words of an author, which a world with a wall cannot keep.
 TEST(Saving, AsksBeforeExpectationsAreLost) {
-  const testing_cli::Folder folder;
   const std::string text = testing_cli::read(PHYSIM_SOURCE_DIR "/scenarios/308_168gr_g7.toml");
-  const std::string file = folder.write("mine.toml", text);
+  const testing_cli::File file("mine.toml", text);
   Client client = std::move(open_client(file, {}).value());
   run_action(client, *find_action("save"));
   EXPECT_FALSE(client.question) << "nothing would be lost";

@@ -1,8 +1,6 @@
 // How settings and flights share their column.
 #include "simclient/core/layout.hpp"
 
-#include <gtest/gtest.h>
-
 #include "client/support.hpp"
 
 namespace physim::client {

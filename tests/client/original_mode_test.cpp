@@ -1,8 +1,5 @@
 // The original's mode of the launcher: its three shots with its 18 settings, against its frame loop.
-#include <gtest/gtest.h>
-
 #include <cmath>
-#include <string>
 
 #include "client/support.hpp"
 #include "simclient/core/compare.hpp"
@@ -97,9 +94,8 @@ TEST(OriginalMode, the_push_follows_the_barrel_and_the_mass_and_the_arrow_shows_
   push = client.launcher.shot().projectile.force;
   EXPECT_NEAR(std::atan2(push.y, std::hypot(push.x, push.z)), client.launcher.elevation(), 1e-12);
   EXPECT_NEAR(length(push), 50 * std::hypot(10, 2), 1e-9);
-  const auto arrow = client.arrow();
-  ASSERT_TRUE(arrow);
-  const Vec3d way = normalized(arrow->to - arrow->from);
+  const auto arrow = must(client.arrow());
+  const Vec3d way = normalized(arrow.to - arrow.from);
   EXPECT_NEAR(dot(way, normalized(push)), 1, 1e-12);
 }
 
@@ -148,11 +144,9 @@ TEST(OriginalMode, the_comparison_flies_what_is_fired) {
 TEST(OriginalMode, saves_what_it_fires) {
   Client client = client_of();
   client.launcher.cycle_motion(), client.launcher.cycle_gravity(), client.launcher.cycle_drag();
-  Scenario scenario;
-  scenario.shots = {client.launcher.shot()};
-  const Result<Scenario> again = parse_scenario(scenario_text(scenario), "f.toml");
-  ASSERT_TRUE(again.ok()) << again.error().text();
-  const Flight a = fly_shot(scenario, scenario.shots[0]), b = fly_shot(*again, again->shots[0]);
+  Scenario scenario{.shots = {client.launcher.shot()}};
+  const Scenario again = must(parse_scenario(scenario_text(scenario), "f.toml"));
+  const Flight a = fly_shot(scenario, scenario.shots[0]), b = fly_shot(again, again.shots[0]);
   EXPECT_EQ(a.end().position, b.end().position);
 }
 

@@ -1,10 +1,5 @@
 // Every shipped scenario is edited in each panel, saved, and opened again: nothing is lost.
-#include <gtest/gtest.h>
-
-#include <algorithm>
 #include <cmath>
-#include <cstdlib>
-#include <filesystem>
 #include <functional>
 #include <set>
 
@@ -169,9 +164,7 @@ TEST_P(Panels, LoseNothing) {
     if (!has_part) continue;
     const Status saved = client.save(file);
     ASSERT_TRUE(saved) << saved.error().text();
-    Result<Client> opened = open_client(file, {});
-    ASSERT_TRUE(opened) << opened.error().text();
-    Client& again = *opened;
+    Client again = must(open_client(file, {}));
     const Scenario &set = client.session.scenario(), &found = again.session.scenario();
     const bool becomes_world = !before.world.given && before.things.empty() && !set.things.empty();
     const bool is_of_shots = std::ranges::count(before.shots, client.launcher.shot().projectile.name,
@@ -215,9 +208,8 @@ TEST(PanelsOfAFile, AreNotSavedIfTheyCouldNotBeOpened) {
 
 /// Two settings of a table that the file has none of yet: the second one stands beside the first.
 TEST(PanelsOfAFile, AddSettingsToANewTable) {
-  const testing_cli::Folder folder;
   const std::string text = testing_cli::read(PHYSIM_SOURCE_DIR "/scenarios/308_168gr_g7.toml");
-  const std::string file = folder.write("mine.toml", text);
+  const testing_cli::File file("mine.toml", text);
   Client client = std::move(open_client(file, {}).value());
   ASSERT_TRUE(client.set("environment.gravity.acceleration=9.7 m/s^2"));
   ASSERT_TRUE(client.set("environment.gravity.radius=6400 km"));

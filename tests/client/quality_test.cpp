@@ -1,8 +1,6 @@
 // The quality of what is drawn: it follows the time that frames take, and calmly.
 #include "simclient/core/quality.hpp"
 
-#include <gtest/gtest.h>
-
 #include <functional>
 
 #include "client/support.hpp"
@@ -89,9 +87,7 @@ TEST(Quality, IsChosenByHandAndNamed) {
 TEST(Quality, DotsInOneCellAreTheNearestOfThem) {
   Camera camera;
   camera.set_viewport(800, 600);
-  Scene scene;
-  scene.quality = Quality::medium;
-  scene.crowd_size = 3;
+  Scene scene{.quality = Quality::medium, .crowd_size = 3};
   const Vec3d eye = camera.eye(), at = camera.target;
   for (const double part : {1.0, 0.5, 0.8}) scene.crowd.push_back({eye + (at - eye) * part, 0xFF});  // behind another
   scene.crowd.push_back({at + camera.right() * (8 * camera.pixel_size(at)), 0xFF});                  // beside them

@@ -1,8 +1,6 @@
 // Sliders: each changes what it is called after, and nothing else; accuracy is one of them.
 #include "simclient/core/quick_settings.hpp"
 
-#include <gtest/gtest.h>
-
 #include <algorithm>
 
 #include "client/support.hpp"

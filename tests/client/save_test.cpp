@@ -1,10 +1,6 @@
 // What the client saves: a scenario stays what its file was, nothing that could not be read is written, and nobody
 // loses work without being asked.
-#include <gtest/gtest.h>
-
-#include <algorithm>
 #include <cmath>
-#include <filesystem>
 
 #include "cli/program.hpp"
 #include "scenario/revise.hpp"
@@ -70,16 +66,14 @@ TEST_P(ShippedScenario, SurvivesOpenSaveOpen) {
   const Scenario before = load_scenario(file).value();
   Client client = open(file);
   ASSERT_TRUE(run(client, "save " + saved));
-  const Result<Scenario> after = load_scenario(saved);
-  ASSERT_TRUE(after) << after.error().text();
-  EXPECT_TRUE(say_the_same(*after, before));
-  EXPECT_EQ(after->world.given, before.world.given);
-  EXPECT_EQ(after->expect.size(), before.expect.size());
-  const Result<Scenario> anew = parse_scenario(scenario_text(before), "anew.toml");
-  ASSERT_TRUE(anew) << anew.error().text();
+  const Scenario after = must(load_scenario(saved));
+  EXPECT_TRUE(say_the_same(after, before));
+  EXPECT_EQ(after.world.given, before.world.given);
+  EXPECT_EQ(after.expect.size(), before.expect.size());
+  const Scenario anew = must(parse_scenario(scenario_text(before), "anew.toml"));
   const std::string wanted = outcome(before);
-  EXPECT_EQ(outcome(*after), wanted);
-  EXPECT_EQ(outcome(*anew), wanted) << scenario_text(before);
+  EXPECT_EQ(outcome(after), wanted);
+  EXPECT_EQ(outcome(anew), wanted) << scenario_text(before);
   Client again = open(saved);
   EXPECT_EQ(again.launcher.shot().projectile, client.launcher.shot().projectile);
   EXPECT_EQ(again.launcher.shot().body, client.launcher.shot().body);
@@ -121,8 +115,7 @@ TEST(Save, WritesWhatIsChangedIntoTheFileThatWasOpened) {
 
 /// An aim is dialled on top of a zero, and both are in the file.
 TEST(Save, KeepsAZeroAndTheAimOffIt) {
-  const Folder folder;
-  const std::string file = folder.write("rifle.toml", testing_cli::read(shipped("22lr")));
+  const testing_cli::File file("rifle.toml", testing_cli::read(shipped("22lr")));
   Client client = open(file);
   client.launcher.turn(0.01, 0.002);
   const double elevation = fly_shot(client.session.scenario(), client.launcher.shot()).elevation();

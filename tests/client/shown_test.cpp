@@ -1,6 +1,4 @@
 // What the client shows is so: the comparison's truth and figures, forces that add up, the pace reached.
-#include <gtest/gtest.h>
-
 #include <algorithm>
 #include <cmath>
 #include <map>
@@ -38,10 +36,9 @@ TEST_P(Compared, HasTheFiguresOfTheCommandLineToTheDigit) {
   client.compared = {"classic", "arcade", "game", "constant_air", "small_arms", "artillery", "simulation", "reference"};
   const auto& rungs = client.comparison();
   const Scenario& scenario = client.session.scenario();
-  const auto ladder = report::climb(scenario, client.launcher.shot());
-  ASSERT_TRUE(ladder) << ladder.error().text();
-  const std::string table = report::ladder_text({scenario, *ladder}, report::Style());
-  const report::RungResult& truth = ladder->rungs.back();
+  const auto ladder = must(report::climb(scenario, client.launcher.shot()));
+  const std::string table = report::ladder_text({scenario, ladder}, report::Style());
+  const report::RungResult& truth = ladder.rungs.back();
   ASSERT_TRUE(rungs.back().is_truth);
   EXPECT_EQ(rungs.back().granted.fidelity, truth.flight.fidelity_in_use().fidelity);
   EXPECT_EQ(rungs.back().end.position, truth.flight.end().position);
@@ -49,7 +46,7 @@ TEST_P(Compared, HasTheFiguresOfTheCommandLineToTheDigit) {
   for (const ComparedRung& rung : rungs) {
     EXPECT_EQ(rung.is_truth, &rung == &rungs.back());
     const bool as_chosen = rung.name == "as set" && client.launcher.shot().cheapest_within;
-    const auto figures = printed(table, as_chosen ? ladder->rungs.front().rung.name() : rung.name);
+    const auto figures = printed(table, as_chosen ? ladder.rungs.front().rung.name() : rung.name);
     if (figures.empty() || !rung.problem.empty()) continue;
     EXPECT_EQ(rung.figures()[0], figures[0]) << rung.name;
     EXPECT_EQ(rung.figures()[2], figures[1]) << rung.name;
@@ -94,11 +91,10 @@ TEST(Comparison, SaysWhyInASentence) {
   EXPECT_NE(own.find(" m short: "), std::string::npos) << own;
   EXPECT_NEAR(std::stod(own), truth.end.range - rungs.front().end.range, 1);
   EXPECT_EQ(truth.why(truth), "the truth");
-  const auto ladder = report::climb_presets(client.session.scenario(), client.launcher.shot());
-  ASSERT_TRUE(ladder) << ladder.error().text();
+  const auto ladder = must(report::climb_presets(client.session.scenario(), client.launcher.shot()));
   int found = 0;
   for (const ComparedRung& rung : rungs)
-    for (const report::RungResult& result : ladder->rungs) {
+    for (const report::RungResult& result : ladder.rungs) {
       if (result.rung.name() != rung.name || rung.is_truth) continue;
       const std::string why = rung.why(truth);
       const bool is_same = why.ends_with("float32") || why.ends_with("the same physics, other steps");

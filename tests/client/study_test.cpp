@@ -1,9 +1,6 @@
 // Studies in the client: the figures of `physim study`, that grow from frame to frame.
-#include <gtest/gtest.h>
-
 #include <chrono>
 #include <cmath>
-#include <nlohmann/json.hpp>
 #include <thread>
 
 #include "cli/program.hpp"
@@ -158,11 +155,10 @@ TEST(StudyDesk, what_is_asked_changes_and_is_saved) {
   const testing_cli::Folder folder;
   const std::string file = folder / "physim_study_desk.toml";
   ASSERT_TRUE(client.save(file));
-  const Result<Scenario> read = load_scenario(file);
-  ASSERT_TRUE(read) << read.error().text();
-  EXPECT_EQ(read->study.inputs, client.study.asked.inputs);
-  EXPECT_EQ(read->study.targets, client.study.asked.targets);
-  EXPECT_EQ(read->study.at, std::vector<std::string>{"apex: y, time"});
+  const Scenario read = must(load_scenario(file));
+  EXPECT_EQ(read.study.inputs, client.study.asked.inputs);
+  EXPECT_EQ(read.study.targets, client.study.asked.targets);
+  EXPECT_EQ(read.study.at, std::vector<std::string>{"apex: y, time"});
   remove_study_text(client, &ScenarioStudy::inputs, 0);
   remove_study_text(client, &ScenarioStudy::targets, 0);
   remove_study_text(client, &ScenarioStudy::targets, 7);

@@ -1,8 +1,7 @@
 // What tests of the client share.
 #pragma once
 
-#include <string>
-
+#include "must.hpp"
 #include "simclient/core/script.hpp"
 
 namespace physim::client {

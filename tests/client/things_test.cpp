@@ -1,8 +1,5 @@
 // Scenes in the client: what was hit, what is drawn of it, what a hand puts up, and what is saved of that.
-#include <gtest/gtest.h>
-
 #include <cmath>
-#include <filesystem>
 
 #include "base/text.hpp"
 #include "cli/program.hpp"
@@ -97,15 +94,12 @@ TEST(Hits, StayOnThingsThatMove) {
   const SteadyMotion motion{.velocity = {0, 1, 0}, .angular_velocity = {0, 0.5, 0}};
   const InstanceId door =
       scene.add({.shape = box, .transform = {.position = {10, 0, 0}}, .name = "door", .motion = motion}).value();
-  WorldDef def;
-  def.ground.mode = GroundMode::none;
-  def.environment.gravity.model = GravityModel::off;
+  WorldDef def{.environment = {.gravity = {.model = GravityModel::off}}, .ground = {.mode = GroundMode::none}};
   World world = std::move(World::create(def).value());
   ASSERT_TRUE(world.set_scene(scene));
   ProjectileDef ball;
   ball.name = "ball";
-  Launch launch;
-  launch.velocity = Vec3d{40, 0, 0};
+  Launch launch{.velocity = Vec3d{40, 0, 0}};
   ASSERT_TRUE(world.spawn(ball, launch));
   HitLog log;
   for (int i = 0; i < 60 && log.count() == 0; ++i) world.step(1.0 / 60), log.look_at(world, world.events());
@@ -242,11 +236,10 @@ TEST(Scenery, FitsIntoTheView) {
     Client client = client_of(name);
     client.fit_view();
     for (const Vec3d& corner : {client.scenery().low, client.scenery().high}) {
-      const auto pixel = client.camera.project(corner);
-      ASSERT_TRUE(pixel) << name;
-      EXPECT_GE(std::min(pixel->x, pixel->y), 0) << name;
-      EXPECT_LE(pixel->x, client.camera.width()) << name;
-      EXPECT_LE(pixel->y, client.camera.height()) << name;
+      const auto pixel = must(client.camera.project(corner), name);
+      EXPECT_GE(std::min(pixel.x, pixel.y), 0) << name;
+      EXPECT_LE(pixel.x, client.camera.width()) << name;
+      EXPECT_LE(pixel.y, client.camera.height()) << name;
     }
   }
 }

@@ -1,9 +1,6 @@
 // What is kept of paths shows them: against every step of the flights of all shipped scenarios.
 #include "simclient/core/thinning.hpp"
 
-#include <gtest/gtest.h>
-
-#include <algorithm>
 #include <cmath>
 #include <random>
 
@@ -117,8 +114,7 @@ INSTANTIATE_TEST_SUITE_P(Shipped, OfEach, testing::ValuesIn(test::shipped_scenar
 TEST(Thinning, KeepsCornersAndOtherQuantities) {
   std::vector<TrackSample> samples;
   for (int i = 0; i <= 4000; ++i) {
-    TrackSample s;
-    s.time = i * 1e-3;
+    TrackSample s{.time = i * 1e-3};
     s.position = {s.time, std::abs(s.time - 2), 0};  // a corner at 2 s
     s.mach = std::sin(20 * s.time);
     samples.push_back(s);
@@ -142,8 +138,7 @@ TEST(Thinning, TracksStayBoundedHoweverOftenTheyTurn) {
   std::mt19937 random(7);
   Track track;
   for (int i = 0; i < 200'000; ++i) {
-    TrackSample s;
-    s.time = i;
+    TrackSample s{.time = double(i)};
     s.position = {static_cast<double>(random() % 1000), static_cast<double>(random() % 1000), 0};
     add_sample(track, s);
   }

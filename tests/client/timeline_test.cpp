@@ -1,8 +1,6 @@
 // Going back and on: by the timeline, to the bit, with what was changed by hand on the way.
 #include "simclient/core/timeline.hpp"
 
-#include <gtest/gtest.h>
-
 #include <random>
 
 #include "cli/program.hpp"

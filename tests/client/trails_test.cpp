@@ -1,6 +1,4 @@
 // Colours of trails by what flies along them, and targets that say how far a shot was from their middle.
-#include <gtest/gtest.h>
-
 #include <algorithm>
 #include <set>
 
@@ -40,11 +38,10 @@ TEST(TrailColours, FollowWhatIsAskedFor) {
     build_scene(client, 1, scene);
     ASSERT_TRUE(scene.legend);
     EXPECT_EQ(scene.legend->what, by);
-    const auto scale = trail_scale(client);
-    ASSERT_TRUE(scale);
+    const auto scale = must(trail_scale(client));
     const auto& samples = client.session.tracks()[0].samples;
-    EXPECT_EQ((*scale)(samples.front()), scale_colour(1)) << "fastest at the muzzle";
-    EXPECT_EQ((*scale)(samples.back()), scale_colour(0));
+    EXPECT_EQ(scale(samples.front()), scale_colour(1)) << "fastest at the muzzle";
+    EXPECT_EQ(scale(samples.back()), scale_colour(0));
   }
   EXPECT_FALSE(run(client, "trail-colour weight"));
   ASSERT_TRUE(run(client, "trail-colour"));  // the next of all: those of the shot again
@@ -91,13 +88,12 @@ TEST(Targets, TellHowFarAShotWasFromTheMiddle) {
     const std::vector<TargetDisc> targets = targets_of(client.session.scenario());
     ASSERT_EQ(targets.size(), 1U);
     EXPECT_NEAR(std::abs(targets[0].normal.x), 1, 1e-12);
-    auto report = report_of(targets[0], client.session, client.session.tracks()[0]);
-    ASSERT_TRUE(report) << shot.says;
-    if (!report->has_hit) report->change = client.aim_change_of(client.session.tracks()[0], targets[0]);
-    EXPECT_NE(report->text(1).find(shot.says), std::string::npos) << report->text(1);
+    auto report = must(report_of(targets[0], client.session, client.session.tracks()[0]), shot.says);
+    if (!report.has_hit) report.change = client.aim_change_of(client.session.tracks()[0], targets[0]);
+    EXPECT_NE(report.text(1).find(shot.says), std::string::npos) << report.text(1);
     Scene scene;
     build_scene(client, 1, scene);
-    EXPECT_TRUE(std::ranges::any_of(scene.labels, [&](const SceneLabel& l) { return l.text == report->text(1); }));
+    EXPECT_TRUE(std::ranges::any_of(scene.labels, [&](const SceneLabel& l) { return l.text == report.text(1); }));
   }
 }
 
@@ -116,9 +112,8 @@ TEST(Targets, TheCorrectionHits) {
     ASSERT_TRUE(change && change->is_in_reach) << aim;
     client.launcher.turn(change->right, change->up);
     ASSERT_TRUE(run(client, "fire; wait 1200"));
-    const auto again = report_of(target, client.session, client.session.tracks()[1]);
-    ASSERT_TRUE(again) << aim;
-    EXPECT_TRUE(again->has_hit) << aim << again->text(target.radius);
+    const auto again = must(report_of(target, client.session, client.session.tracks()[1]), aim);
+    EXPECT_TRUE(again.has_hit) << aim << again.text(target.radius);
   }
   Client slow = client_of();
   ASSERT_TRUE(run(slow, "shot sphere; set shot.speed=10 m/s; target 280 1 0; fire; wait 1200"));

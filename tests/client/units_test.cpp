@@ -1,11 +1,6 @@
 // Units as typed survive Save: what is changed keeps the unit that it has in its file, what is typed the unit that it
 // was typed with, and angles that have neither are in degrees. All else of the file stays as it is.
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <filesystem>
 #include <map>
-#include <sstream>
 
 #include "cli/program.hpp"
 #include "client/support.hpp"
@@ -23,6 +18,7 @@ namespace physim::client::client_units {
 namespace {
 
 using testing_cli::Folder;
+using testing_cli::lines_of;
 
 constexpr const char* kShipped = PHYSIM_SOURCE_DIR "/scenarios/";
 
@@ -49,22 +45,14 @@ std::string said_with_unit(const FileUnits& file, const SettingRow& row, const s
   return has_unit && parse_quantity(*text, quantity) ? *text : "";
 }
 
-std::vector<std::string> lines_of(const std::string& text) {
-  std::vector<std::string> lines;
-  std::istringstream in(text);
-  for (std::string line; std::getline(in, line);) lines.push_back(line);
-  return lines;
-}
-
 /// Every value reads back with the same bits.
 void expect_saved(const Client& client, const std::string& file) {
   Scenario wanted = client.session.scenario();
   const ScenarioShot& next = client.launcher.shot();
   for (ScenarioShot& shot : wanted.shots)
     if (shot.projectile.name == next.projectile.name) shot = next;
-  const Result<Scenario> saved = load_scenario(file);
-  ASSERT_TRUE(saved) << saved.error().text();
-  EXPECT_EQ(effective_settings(*saved), effective_settings(wanted)) << testing_cli::read(file);
+  const Scenario saved = must(load_scenario(file));
+  EXPECT_EQ(effective_settings(saved), effective_settings(wanted)) << testing_cli::read(file);
 }
 
 class ScenarioWithUnits : public testing::TestWithParam<std::string> {};
@@ -143,8 +131,7 @@ TEST(Units, ThatAreTypedAreKeptInNewFiles) {
 
 /// Options of the command line are typed, too.
 TEST(Units, OfOptionsAreKept) {
-  const Folder folder;
-  const std::string file = folder.write(
+  const testing_cli::File file(
       "a.toml", "physim = 1\n[world]\nduration = \"2 s\"\n[[shot]]\nmass = \"170 gr\"\nlength = \"1 in\"\n");
   Client client =
       std::move(open_client(file, {"world.duration=0.1 min", "shot.mass=10 g", "shot.length=0.0508"}).value());
@@ -156,8 +143,7 @@ TEST(Units, OfOptionsAreKept) {
 
 /// A text of "0.5 m" is a name.
 TEST(Units, AreOfNumbersAlone) {
-  const Folder folder;
-  const std::string file = folder.write("a.toml", "physim = 1\ntitle = \"2 ft\"\n[[shot]]\nlength = \"2 ft\"\n");
+  const testing_cli::File file("a.toml", "physim = 1\ntitle = \"2 ft\"\n[[shot]]\nlength = \"2 ft\"\n");
   Client client = std::move(open_client(file, {"title=0.6096 m", "shot.length=1.2192"}).value());
   ASSERT_TRUE(client.save(""));
   EXPECT_EQ(said(file, "title"), "title = \"0.6096 m\"");
@@ -165,10 +151,9 @@ TEST(Units, AreOfNumbersAlone) {
 }
 
 TEST(Units, OfComponentsAndListsAreKept) {
-  const Folder folder;
-  const std::string file = folder.write("a.toml",
-                                        "physim = 1\n[environment]\nwind.velocity = [ \"2 mph\", 0, \"1 kn\" ] # wind\n"
-                                        "[[shot]]\n[output]\nranges = [\n  \"100 yd\",  # near\n  \"200 yd\",\n]\n");
+  const testing_cli::File file("a.toml",
+                               "physim = 1\n[environment]\nwind.velocity = [ \"2 mph\", 0, \"1 kn\" ] # wind\n"
+                               "[[shot]]\n[output]\nranges = [\n  \"100 yd\",  # near\n  \"200 yd\",\n]\n");
   Client client = std::move(open_client(file, {"output.ranges=[91.44, 274.32, 365.76]"}).value());
   ASSERT_TRUE(client.set("environment.wind.velocity=[1.34112, 0, \"1 kn\"]"));
   ASSERT_TRUE(client.save(""));
@@ -180,11 +165,10 @@ TEST(Units, OfComponentsAndListsAreKept) {
 
 /// A slider goes to numbers that there are in the unit of the file.
 TEST(Units, OfSlidersAreThoseOfTheFile) {
-  const Folder folder;
-  const std::string file = folder.write("a.toml",
-                                        "physim = 1\n[environment]\nwind.velocity = [\"1 mph\", \"0.1 mph\", \"2 "
-                                        "mph\"]\n[[shot]]\nname = \"a\"\nmass = \"170 gr\"\n"
-                                        "speed = \"2700 ft/s\"\nelevation = \"3 mil\"\n");
+  const testing_cli::File file("a.toml",
+                               "physim = 1\n[environment]\nwind.velocity = [\"1 mph\", \"0.1 mph\", \"2 "
+                               "mph\"]\n[[shot]]\nname = \"a\"\nmass = \"170 gr\"\n"
+                               "speed = \"2700 ft/s\"\nelevation = \"3 mil\"\n");
   Client client = std::move(open_client(file, {}).value());
   for (const QuickSetting& setting : quick_settings(client))
     if (setting.what != Quick::drag) {
@@ -205,8 +189,7 @@ TEST(Units, OfSlidersAreThoseOfTheFile) {
 
 /// Whatever its last digits are, a value reads back as the same bits.
 TEST(Units, NeverChangeAValue) {
-  const Folder folder;
-  const std::string file = folder.write(
+  const testing_cli::File file(
       "a.toml", "physim = 1\n[[shot]]\nmass = \"170 gr\"\nelevation = \"3 deg\"\nazimuth = 0.1\ntwist = \"10 in\"\n");
   Client client = std::move(open_client(file, {}).value());
   ScenarioShot shot = client.launcher.shot();

@@ -1,13 +1,9 @@
 // Large batches, which are sorted: each segment gets the answer that it gets alone.
-#include <gtest/gtest.h>
-
 #include <limits>
 
 #include "collide/crowd_support.hpp"
-#include "physim/result.hpp"
 
-namespace physim {
-namespace collide_cast_batch_test {
+namespace physim::collide_cast_batch_test {
 
 using namespace test;
 using namespace test_crowd;
@@ -89,9 +85,7 @@ TEST(SceneBatch, batches_of_any_length_are_as_one_by_one) {
         numbers.push_back(i > 0 && r.one_in(5) ? numbers.back() : r.below(all.size()));
         segments.push_back(all[numbers.back()]);
       }
-      SceneHit full;
-      full.instance = {7, 7};
-      full.part = 0.5;
+      SceneHit full{.part = 0.5, .instance = {7, 7}};
       std::vector<SceneHit> hits(length + 1, full), lent = hits;
       scene.first_hits(segments, hits, {.layers = 3});
       scene.first_hits(segments, lent, {.layers = 3}, pool.get());
@@ -105,5 +99,4 @@ TEST(SceneBatch, batches_of_any_length_are_as_one_by_one) {
   }
 }
 
-}  // namespace collide_cast_batch_test
-}  // namespace physim
+}  // namespace physim::collide_cast_batch_test

@@ -1,14 +1,11 @@
 // Many segments at once in trees of boxes: the same answers as alone, whatever the kernel and however many boxes each
 // of them meets.
-#include <gtest/gtest.h>
-
 #include "collide/clear_batch.hpp"
 #include "collide/crowd_support.hpp"
 #include "collide/scene_by_motion.hpp"
-#include "physim/flight.hpp"
+#include "support.hpp"
 
-namespace physim {
-namespace collide_cast_crowd_test {
+namespace physim::collide_cast_crowd_test {
 
 using namespace test;
 using namespace test_crowd;
@@ -58,7 +55,7 @@ TEST(CastCrowd, segments_that_meet_thousands_of_boxes_are_as_alone) {
 TEST(CastCrowd, the_deepest_tree_has_room) {
   Random r(52);
   Scene scene;
-  ASSERT_TRUE(scene.add({.shape = *scene.add_shape(series())}));
+  add_thing(scene, series());
   std::vector<SceneSegment> segments;
   for (int i = 0; i < 400; ++i) {
     const double far = std::ldexp(1.0, static_cast<int>(r.below(40)));
@@ -84,10 +81,8 @@ TEST(CastCrowd, every_kernel_finds_the_same) {
 /// A clear part is not shorter for what a sphere beside a triangle would touch if that had no corners.
 TEST(CastCrowd, a_clear_part_reaches_the_box_of_a_triangle) {
   Scene scene;
-  MeshShape needle;
-  needle.vertices = {{10, 0, 0}, {30, 0, 0.05}, {30, 0, -0.05}};
-  needle.triangles = {{0, 1, 2}};
-  ASSERT_TRUE(scene.add({.shape = *scene.add_shape(needle)}));
+  MeshShape needle{.vertices = {{10, 0, 0}, {30, 0, 0.05}, {30, 0, -0.05}}, .triangles = {{0, 1, 2}}};
+  add_thing(scene, needle);
   const SceneSegment towards{
       {0, 0, 0}, {20, 0, 0}, 0.5};  // its tip is at 10, the prism about its sides begins before 0
   EXPECT_GT(scene.clear_part(towards), 0.474);
@@ -98,5 +93,4 @@ TEST(CastCrowd, a_clear_part_reaches_the_box_of_a_triangle) {
   for (const collide::ClearQuery& query : queries) EXPECT_EQ(query.part, parts.clear_part(towards, {}));
 }
 
-}  // namespace collide_cast_crowd_test
-}  // namespace physim
+}  // namespace physim::collide_cast_crowd_test

@@ -1,12 +1,8 @@
 // Clearance: a bound below the distance of whatever there is, which the exact answers must not undercut.
-#include <gtest/gtest.h>
-
 #include "collide/scene_support.hpp"
-#include "physim/scene.hpp"
 #include "support.hpp"
 
-namespace physim {
-namespace collide_clearance_test {
+namespace physim::collide_clearance_test {
 
 using namespace test;
 
@@ -182,5 +178,4 @@ TEST(SceneClearance, does_not_depend_on_how_the_scene_came_to_be) {
   }
 }
 
-}  // namespace collide_clearance_test
-}  // namespace physim
+}  // namespace physim::collide_clearance_test

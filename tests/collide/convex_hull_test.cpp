@@ -1,16 +1,12 @@
 // Convex hulls, beside all triangles of all points, and their casts beside a signed distance made of those.
-#include <gtest/gtest.h>
-
 #include <array>
 
 #include "collide/quickhull.hpp"
 #include "collide/reference.hpp"
 #include "collide/scene_support.hpp"
-#include "physim/scene.hpp"
 #include "support.hpp"
 
-namespace physim {
-namespace collide_convex_hull_test {
+namespace physim::collide_convex_hull_test {
 
 using namespace test;
 using collide::GridPoint;
@@ -150,9 +146,8 @@ TEST(ConvexHull, is_exact_on_its_grid) {
   }
   std::vector<GridPoint> grid;  // a cube of points: its corners alone remain
   for (int i = 0; i < 1000; ++i) grid.push_back({i % 10, i / 10 % 10, i / 100});
-  const auto cube = quickhull(grid);
-  ASSERT_TRUE(cube);
-  EXPECT_EQ(cube->size(), 12u);
+  const auto cube = must(quickhull(grid));
+  EXPECT_EQ(cube.size(), 12u);
   EXPECT_FALSE(quickhull(std::vector<GridPoint>(9, GridPoint{1, 2, 3})));
 }
 
@@ -167,10 +162,9 @@ TEST(ConvexHull, the_smallest_bodies_of_its_grid_are_held) {
       for (GridPoint& p : points) p[to] += by * p[from];
     }
     for (std::size_t i = 3; i > 0; --i) std::swap(points[i], points[static_cast<std::size_t>(r.below(int(i) + 1))]);
-    const auto triangles = quickhull(points);
-    ASSERT_TRUE(triangles) << round;
-    EXPECT_EQ(triangles->size(), 4u);
-    expect_hull(points, *triangles);
+    const auto triangles = must(quickhull(points), round);
+    EXPECT_EQ(triangles.size(), 4u);
+    expect_hull(points, triangles);
   }
 }
 
@@ -202,10 +196,9 @@ TEST(ConvexHull, many_points_far_from_the_origin_are_held) {
   ConvexHullShape shape;
   for (int i = 0; i < 3000; ++i) shape.points.push_back(Vec3d{1e6, -2e6, 3e6} + normalized(r.vector(1)) * 5);
   Scene scene;
-  const auto hull = scene.add_shape(shape);
-  ASSERT_TRUE(hull) << hull.error().text();
-  EXPECT_GT(scene.info(*hull)->triangles, 5000u) << "nearly all of a ball's points are corners";
-  ASSERT_TRUE(scene.add({.shape = *hull}));
+  const auto hull = must(scene.add_shape(shape));
+  EXPECT_GT(scene.info(hull)->triangles, 5000u) << "nearly all of a ball's points are corners";
+  ASSERT_TRUE(scene.add({.shape = hull}));
   for (int i = 0; i < 300; ++i) EXPECT_LT(scene.nearest(shape.points[static_cast<std::size_t>(i)]).distance, 1e-8);
 }
 
@@ -226,5 +219,4 @@ TEST(ConvexHull, what_is_none_is_refused) {
   EXPECT_EQ(place({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1e-9}}), "none") << "thin, and a body";
 }
 
-}  // namespace collide_convex_hull_test
-}  // namespace physim
+}  // namespace physim::collide_convex_hull_test

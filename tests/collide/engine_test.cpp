@@ -1,16 +1,9 @@
 // Questions to a scene whose things are an engine's: against the scene that answers, and with answers that are none.
-#include <gtest/gtest.h>
-
-#include <cmath>
-#include <limits>
-#include <stdexcept>
-
 #include "collide/scene_support.hpp"
 #include "engine_support.hpp"
 #include "support.hpp"
 
-namespace physim {
-namespace collide_engine_test {
+namespace physim::collide_engine_test {
 
 using test::answered_by;
 using test::Random;
@@ -145,8 +138,7 @@ TEST(Engine, surfaces_are_met_a_skin_before_they_are_there) {
 TEST(Engine, own_things_and_the_engines_are_met_in_order) {
   Scene scene;
   ASSERT_TRUE(scene.set_engine({floor_off_by(0), 1e-6}));
-  const InstanceId table =
-      *scene.add({.shape = *scene.add_shape(BoxShape{{1, 0.5, 1}}), .transform = {.position = {0, 0.5, 0}}});
+  const InstanceId table = add_thing(scene, BoxShape{{1, 0.5, 1}}, {.transform = {.position = {0, 0.5, 0}}});
   const SceneSegment through{{0, 5, 0}, {0, -5, 0}}, beside{{3, 5, 0}, {3, -5, 0}};
   EXPECT_EQ(scene.first_hit(through).instance, table);
   EXPECT_EQ(scene.first_hit(beside).instance.generation, kEngineGeneration);
@@ -243,12 +235,11 @@ TEST(Engine, saves_hold_the_skin_and_want_the_function_again) {
   const auto refused = Scene::load(save);
   ASSERT_FALSE(refused);
   EXPECT_EQ(refused.error().place, "query");
-  const auto loaded = Scene::load(save, floor_off_by(0));
-  ASSERT_TRUE(loaded);
-  EXPECT_EQ(loaded->skin(), 2e-3);
-  EXPECT_EQ(loaded->hash(), scene.hash());
-  EXPECT_EQ(loaded->save(), save);
-  EXPECT_TRUE(loaded->first_hit({{90, 1, 0}, {90, -1, 0}}));
+  const auto loaded = must(Scene::load(save, floor_off_by(0)));
+  EXPECT_EQ(loaded.skin(), 2e-3);
+  EXPECT_EQ(loaded.hash(), scene.hash());
+  EXPECT_EQ(loaded.save(), save);
+  EXPECT_TRUE(loaded.first_hit({{90, 1, 0}, {90, -1, 0}}));
   ASSERT_TRUE(scene.set_engine({}));
   EXPECT_EQ(scene.hash(), hash);
   EXPECT_EQ(scene.save().size(), without.size());
@@ -257,5 +248,4 @@ TEST(Engine, saves_hold_the_skin_and_want_the_function_again) {
     EXPECT_FALSE(Scene::load(std::span(save).first(cut), floor_off_by(0)));
 }
 
-}  // namespace collide_engine_test
-}  // namespace physim
+}  // namespace physim::collide_engine_test

@@ -4,10 +4,8 @@
 #include "collide/height_field.hpp"
 #include "collide/scene_by_motion.hpp"
 #include "collide/scene_support.hpp"
-#include "physim/flight.hpp"
 
-namespace physim {
-namespace collide_height_field_test {
+namespace physim::collide_height_field_test {
 
 using namespace test;
 
@@ -294,5 +292,4 @@ TEST(HeightField, many_segments_meet_it_where_each_does_alone_whatever_the_kerne
   EXPECT_GT(some, 2000);
 }
 
-}  // namespace collide_height_field_test
-}  // namespace physim
+}  // namespace physim::collide_height_field_test

@@ -1,16 +1,11 @@
 // What becomes of projectiles that meet materials: the order of decisions, each law by what it must give, and what
 // holds for all of them.
-#include "physim/scene.hpp"
-
-#include <gtest/gtest.h>
-
 #include <random>
 
 #include "base/hash.hpp"
 #include "support.hpp"
 
-namespace physim {
-namespace collide_impact_test {
+namespace physim::collide_impact_test {
 
 using test::kDegree;
 using test::near;
@@ -25,11 +20,7 @@ Impact bullet(double speed, double angle_deg, double thickness = 0) {
           .velocity = {speed * std::cos(angle), -speed * std::sin(angle), 0},
           .thickness = thickness};
 }
-ImpactResult of(const Impact& hit, const Material& material) {
-  const auto result = impact(hit, material);
-  EXPECT_TRUE(result) << (result ? "" : result.error().text());
-  return result ? *result : ImpactResult{};
-}
+ImpactResult of(const Impact& hit, const Material& material) { return must(impact(hit, material)); }
 double angle_of(const Vec3d& v) { return std::asin(v.y / length(v)) / kDegree; }
 
 TEST(Impact, nothing_happens_to_what_does_not_move_towards_the_surface) {
@@ -344,5 +335,4 @@ TEST(Impact, the_bits_are_the_same_everywhere) {
   EXPECT_EQ(hash.value(), 3930440734917941278u);
 }
 
-}  // namespace collide_impact_test
-}  // namespace physim
+}  // namespace physim::collide_impact_test

@@ -1,14 +1,10 @@
 // Things in motion: what is met when, beside a reference that walks along the curve in long double and knows no chords.
-#include <gtest/gtest.h>
-
 #include "collide/reference.hpp"
 #include "collide/scene_support.hpp"
 #include "math/quat.hpp"
-#include "physim/scene.hpp"
 #include "support.hpp"
 
-namespace physim {
-namespace collide_motion_test {
+namespace physim::collide_motion_test {
 
 using namespace test;
 
@@ -57,8 +53,7 @@ void expect_met(const Shape& shape, bool turns, int casts, const std::string& wh
     const double far = r.one_in(4) ? 1e5 : 3;
     const Transform at = random_transform(r, far);
     const SteadyMotion motion = random_motion(r, turns);
-    const auto thing = scene.add({.shape = scene.add_shape(shape).value(), .transform = at, .motion = motion});
-    ASSERT_TRUE(thing);
+    const auto thing = must(scene.add({.shape = scene.add_shape(shape).value(), .transform = at, .motion = motion}));
     SceneSegment s = random_segment(r, at.position, at.scale);
     s.time = motion.start + r.in(-0.01, 0.01);
     s.duration = r.one_in(5) ? 0 : r.in(0.001, 0.05);
@@ -89,7 +84,7 @@ void expect_met(const Shape& shape, bool turns, int casts, const std::string& wh
     if (std::fabs(met.least) > 10 * kGrazed) {
       EXPECT_NEAR(hit.part, static_cast<double>(met.part), turns ? 1e-6 : 1e-9) << what << " " << i;
     }
-    EXPECT_TRUE(near(velocity_at(*scene.state(*thing, hit.time), hit.position - hit.normal * s.radius), hit.velocity,
+    EXPECT_TRUE(near(velocity_at(*scene.state(thing, hit.time), hit.position - hit.normal * s.radius), hit.velocity,
                      1e-12, 1e-12));
   }
   EXPECT_GT(hits, casts / 20);
@@ -211,14 +206,13 @@ TEST(SceneMotion, keys_are_passed_at_their_times) {
   KeyedMotion motion{{{1, {0, 0, 0}, {}, {1, 0, 0}}, {3, {4, 2, 0}, quarter, {0, 3, 0}}, {4, {4, 2, 6}, {}, {}}}};
   for (const MotionCurve curve : {MotionCurve::straight, MotionCurve::smooth}) {
     motion.curve = curve;
-    const auto thing = scene.add({.shape = box, .motion = motion});
-    ASSERT_TRUE(thing);
+    const auto thing = must(scene.add({.shape = box, .motion = motion}));
     for (const MotionKey& key : motion.keys) {
-      const MotionState state = *scene.state(*thing, key.time);
+      const MotionState state = *scene.state(thing, key.time);
       EXPECT_TRUE(near(state.position, key.position, 1e-15, 1e-15));
       EXPECT_NEAR(std::abs(state.rotation.w), std::abs(key.rotation.w), 1e-15);
     }
-    const MotionState middle = *scene.state(*thing, 2);
+    const MotionState middle = *scene.state(thing, 2);
     // Hermite's cubic at its middle: the mean of the ends and an eighth of the difference of the slopes times 2 s.
     const Vec3d hermite{2 + 0.25, 1 - 0.75, 0};
     EXPECT_TRUE(near(middle.position, curve == MotionCurve::smooth ? hermite : Vec3d{2, 1, 0}, 1e-15));
@@ -226,13 +220,13 @@ TEST(SceneMotion, keys_are_passed_at_their_times) {
     EXPECT_TRUE(near(middle.angular_velocity, {0, 0.75, 0}, 1e-14));
     const double step = 1e-6;
     for (const double t : {0.5, 1.7, 2.9, 3.5, 7.0}) {
-      const MotionState a = *scene.state(*thing, t - step), b = *scene.state(*thing, t + step);
-      EXPECT_TRUE(near((b.position - a.position) * (0.5 / step), scene.state(*thing, t)->velocity, 1e-8, 1e-8)) << t;
+      const MotionState a = *scene.state(thing, t - step), b = *scene.state(thing, t + step);
+      EXPECT_TRUE(near((b.position - a.position) * (0.5 / step), scene.state(thing, t)->velocity, 1e-8, 1e-8)) << t;
     }
-    EXPECT_EQ(scene.state(*thing, -100)->position, motion.keys.front().position) << "it stands before the first";
-    EXPECT_EQ(scene.state(*thing, 100)->velocity, Vec3d{}) << "and after the last one";
-    EXPECT_TRUE(scene.remove(*thing));
-    EXPECT_FALSE(scene.state(*thing));
+    EXPECT_EQ(scene.state(thing, -100)->position, motion.keys.front().position) << "it stands before the first";
+    EXPECT_EQ(scene.state(thing, 100)->velocity, Vec3d{}) << "and after the last one";
+    EXPECT_TRUE(scene.remove(thing));
+    EXPECT_FALSE(scene.state(thing));
   }
 }
 
@@ -291,15 +285,12 @@ TEST(SceneMotion, answers_do_not_depend_on_what_is_covered) {
 TEST(SceneMotion, a_wall_that_moves_lets_nothing_through) {
   Random r(39);
   Scene scene;
-  MeshShape sheet;
-  sheet.vertices = {{0, -1, -1}, {0, 1, -1}, {0, 1, 1}, {0, -1, 1}};
-  sheet.triangles = {{0, 1, 2}, {0, 2, 3}};
+  MeshShape sheet{.vertices = {{0, -1, -1}, {0, 1, -1}, {0, 1, 1}, {0, -1, 1}}, .triangles = {{0, 1, 2}, {0, 2, 3}}};
   const ShapeId shapes[] = {scene.add_shape(sheet).value(), scene.add_shape(BoxShape{{0.0005, 1, 1}}).value()};
   for (const ShapeId shape : shapes)
     for (const double spin : {0.0, 3.0}) {
       const SteadyMotion motion{.velocity = {-50, 0, 0}, .angular_velocity = {spin, 0, 0}};
-      const auto wall = scene.add({.shape = shape, .motion = motion});
-      ASSERT_TRUE(wall);
+      const auto wall = must(scene.add({.shape = shape, .motion = motion}));
       for (int i = 0; i < 3000; ++i) {
         const double speed = r.one_in(2) ? 5 : 900, dt = 1.0 / 60;
         const Vec3d velocity = normalized(Vec3d{r.one_in(2) ? 1.0 : -1.0, r.in(-0.3, 0.3), 0}) * speed;
@@ -316,32 +307,31 @@ TEST(SceneMotion, a_wall_that_moves_lets_nothing_through) {
         EXPECT_NEAR(hit.time, when, 2e-3 / std::abs(velocity.x + 50) * 2);
         EXPECT_NEAR(hit.velocity.x, -50, 1e-9);
       }
-      ASSERT_TRUE(scene.remove(*wall));
+      ASSERT_TRUE(scene.remove(wall));
     }
 }
 
 TEST(SceneMotion, things_come_to_rest_and_move_on) {
   Scene scene;
   const ShapeId box = scene.add_shape(BoxShape{}).value();
-  const auto thing = scene.add({.shape = box, .transform = {.position = {5, 0, 0}}});
-  ASSERT_TRUE(thing);
+  const auto thing = must(scene.add({.shape = box, .transform = {.position = {5, 0, 0}}}));
   const SceneSegment down{{7, 9, 0}, {7, -9, 0}, 0, 2, 0};
   EXPECT_FALSE(scene.first_hit(down));
   std::uint64_t before = scene.changes();
-  ASSERT_TRUE(scene.set_motion(*thing, SteadyMotion{.velocity = {1, 0, 0}}));
+  ASSERT_TRUE(scene.set_motion(thing, SteadyMotion{.velocity = {1, 0, 0}}));
   EXPECT_GT(scene.changes(), before);
   EXPECT_TRUE(scene.first_hit(down)) << "after 2 s it is there";
   EXPECT_EQ(scene.first_hit(down).velocity, (Vec3d{1, 0, 0}));
   before = scene.changes();
   ASSERT_TRUE(scene.cover(0, 5));
   EXPECT_EQ(scene.changes(), before) << "what is met where is what it was";
-  ASSERT_TRUE(scene.set_motion(*thing, AtRest{}));
+  ASSERT_TRUE(scene.set_motion(thing, AtRest{}));
   EXPECT_FALSE(scene.first_hit(down));
-  ASSERT_TRUE(scene.set_motion(*thing, SteadyMotion{.velocity = {1, 0, 0}}));
-  ASSERT_TRUE(scene.move(*thing, {.position = {7, 0, 0}}));
+  ASSERT_TRUE(scene.set_motion(thing, SteadyMotion{.velocity = {1, 0, 0}}));
+  ASSERT_TRUE(scene.move(thing, {.position = {7, 0, 0}}));
   EXPECT_TRUE(scene.first_hit(down));
   EXPECT_EQ(scene.first_hit(down).velocity, Vec3d{}) << "it rests where it was put";
-  EXPECT_EQ(scene.instance(*thing)->motion, SceneMotion(AtRest{}));
+  EXPECT_EQ(scene.instance(thing)->motion, SceneMotion(AtRest{}));
 }
 
 TEST(SceneMotion, bad_input_is_refused_with_its_place) {
@@ -381,9 +371,9 @@ TEST(SceneMotion, bad_input_is_refused_with_its_place) {
 TEST(Motion, in_next_to_no_time_things_stand_where_they_are) {
   Scene scene;
   for (const ShapeDef& shape : {ShapeDef(PlaneShape{}), ShapeDef(BoxShape{{1, 1, 1}}), ShapeDef(SphereShape{1})})
-    ASSERT_TRUE(scene.add({.shape = *scene.add_shape(shape),
-                           .transform = {.position = {0, -1, 0}},
-                           .motion = SteadyMotion{.velocity = {0, 1, 0}, .angular_velocity = {0, 2, 1}}}));
+    add_thing(scene, shape,
+              {.transform = {.position = {0, -1, 0}},
+               .motion = SteadyMotion{.velocity = {0, 1, 0}, .angular_velocity = {0, 2, 1}}});
   for (const double radius : {0.0, 0.2}) {
     const SceneSegment at_once{{0.3, 5, 0.1}, {0.3, -5, 0.1}, radius, 0.25, 0};
     const SceneHit wanted = scene.first_hit(at_once);
@@ -400,5 +390,4 @@ TEST(Motion, in_next_to_no_time_things_stand_where_they_are) {
   }
 }
 
-}  // namespace collide_motion_test
-}  // namespace physim
+}  // namespace physim::collide_motion_test

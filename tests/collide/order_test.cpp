@@ -7,11 +7,9 @@
 #include <cmath>
 #include <limits>
 
-#include "physim/result.hpp"
 #include "random_shots.hpp"
 
-namespace physim {
-namespace collide_order_test {
+namespace physim::collide_order_test {
 
 using test::Random;
 
@@ -78,5 +76,4 @@ TEST(OrderByPlace, changes_no_answer) {
   EXPECT_GT(some, 1000);
 }
 
-}  // namespace collide_order_test
-}  // namespace physim
+}  // namespace physim::collide_order_test

@@ -1,13 +1,11 @@
 // Touches of two on curved paths, against a search that steps along them.
 #include "collide/pair_path.hpp"
-
-#include <gtest/gtest.h>
+#include "must.hpp"
 
 #include <random>
 #include <vector>
 
-namespace physim::collide {
-namespace collide_pair_path_test {
+namespace physim::collide::collide_pair_path_test {
 
 /// The cubic of a leg by Hermite's own polynomials.
 Vec3d place(const Leg& leg, double time) {
@@ -87,10 +85,9 @@ TEST_F(PairPaths, whoever_is_inside_is_seen_coming_out) {
     if (length(v - w) < 8) continue;
     const Vec3d x = any(0.2);
     const std::vector<Knot> a{{0, x, v}, {0.25, x + v * 0.25, v}}, b{{0, {}, w}, {0.25, w * 0.25, w}};
-    const auto out = first_touch(a, b, 1, Touch::goes_away, 0);
-    ASSERT_TRUE(out);
-    EXPECT_NEAR(length(x + (v - w) * *out), 1, 1e-12);
-    EXPECT_FALSE(first_touch(a, b, 1, Touch::goes_away, *out + 1e-9) > *out + 2e-9);
+    const auto out = must(first_touch(a, b, 1, Touch::goes_away, 0));
+    EXPECT_NEAR(length(x + (v - w) * out), 1, 1e-12);
+    EXPECT_FALSE(first_touch(a, b, 1, Touch::goes_away, out + 1e-9) > out + 2e-9);
   }
 }
 
@@ -98,10 +95,9 @@ TEST_F(PairPaths, far_from_the_origin_the_search_ends) {
   const Vec3d far{4e6, -3e6, 5e6};
   const std::vector<Knot> a{{0, far, {50, -3, 0}}, {1, far + Vec3d{50, -8, 0}, {50, -13, 0}}};
   const std::vector<Knot> b{{0, far + Vec3d{40, -2, 0}, {-50, 1, 0}}, {1, far + Vec3d{-10, -1, 0}, {-50, 0, 0}}};
-  const auto found = first_touch(a, b, 1, Touch::comes_near, 0);
-  ASSERT_TRUE(found);
+  const auto found = must(first_touch(a, b, 1, Touch::comes_near, 0));
   const Leg one = leg_of(a, 0), other = leg_of(b, 0);
-  EXPECT_NEAR(length(one.at(*found).x - other.at(*found).x), 1, 1e-8);
+  EXPECT_NEAR(length(one.at(found).x - other.at(found).x), 1, 1e-8);
 }
 
 /// One flies around another one at just the distance at which they touch: no piece of the way is for sure too far.
@@ -145,5 +141,4 @@ TEST_F(PairPaths, nothing_comes_nearer_than_no_distance) {
     EXPECT_FALSE(first_touch(comes, rests, distance, Touch::comes_near, 0)) << distance;
 }
 
-}  // namespace collide_pair_path_test
-}  // namespace physim::collide
+}  // namespace physim::collide::collide_pair_path_test

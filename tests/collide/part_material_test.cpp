@@ -1,15 +1,11 @@
 // Materials of parts of compounds: what questions tell of them, what is refused, what saves hold.
-#include <gtest/gtest.h>
-
 #include <optional>
 
 #include "base/archive.hpp"
 #include "collide/scene_support.hpp"
-#include "physim/scene.hpp"
 #include "support.hpp"
 
-namespace physim {
-namespace collide_part_material_test {
+namespace physim::collide_part_material_test {
 
 using namespace test;
 
@@ -43,9 +39,8 @@ Twins twins(Random& r) {
   }
   twins.parts = compound.parts.size();
   const InstanceDef thing{.shape = *twins.compound.add_shape(compound), .transform = at, .material = materials[0]};
-  const auto added = twins.compound.add(thing);
-  EXPECT_TRUE(added);
-  EXPECT_EQ(twins.compound.parts(*added), 10u);
+  const auto added = must(twins.compound.add(thing));
+  EXPECT_EQ(twins.compound.parts(added), 10u);
   return twins;
 }
 
@@ -119,7 +114,7 @@ TEST(PartMaterials, at_an_edge_the_first_triangle_is_told) {
     MeshShape sheet{{{0, -1, -1}, {0, 1, -1}, {0, 1, 1}, {0, -1, 1}}, {{0, 2, 1}, {0, 3, 2}}, {one, two}};
     if (swapped) std::swap(sheet.triangles[0], sheet.triangles[1]), std::swap(sheet.materials[0], sheet.materials[1]);
     const ShapeId part = *scene.add_shape(sheet);
-    ASSERT_TRUE(scene.add({.shape = *scene.add_shape(CompoundShape{{{part, {}}}})}));
+    add_thing(scene, CompoundShape{{{part, {}}}});
     const SceneSegment s{{-1, 0.25, 0.25}, {1, 0.25, 0.25}};
     EXPECT_EQ(scene.first_hit(s).material, swapped ? two : one);
     ASSERT_EQ(scene.all_hits(s).size(), 1u);
@@ -143,18 +138,17 @@ Scene small_scene(MaterialId of = {2}) {
   static_cast<void>(scene.add_material({.name = "wood"}));
   static_cast<void>(scene.add_material({.name = "steel"}));
   const ShapeId box = *scene.add_shape(BoxShape{});
-  EXPECT_TRUE(scene.add({.shape = *scene.add_shape(CompoundShape{{{box, {}}, {box, {{3, 0, 0}, {}, 1}, of}}})}));
+  add_thing(scene, CompoundShape{{{box, {}}, {box, {{3, 0, 0}, {}, 1}, of}}});
   return scene;
 }
 
 TEST(PartMaterials, are_saved_and_told_apart_by_hashes) {
   const Scene scene = small_scene();
-  const auto loaded = Scene::load(scene.save());
-  ASSERT_TRUE(loaded) << loaded.error().text();
-  EXPECT_EQ(loaded->hash(), scene.hash());
-  EXPECT_EQ(loaded->save(), scene.save());
+  const auto loaded = must(Scene::load(scene.save()));
+  EXPECT_EQ(loaded.hash(), scene.hash());
+  EXPECT_EQ(loaded.save(), scene.save());
   const SceneSegment s{{3, 5, 0}, {3, -5, 0}};
-  EXPECT_EQ(loaded->material(loaded->first_hit(s).material).name, "steel");
+  EXPECT_EQ(loaded.material(loaded.first_hit(s).material).name, "steel");
   EXPECT_NE(small_scene({1}).hash(), scene.hash());
   EXPECT_NE(small_scene({0}).hash(), scene.hash());
 }
@@ -200,5 +194,4 @@ TEST(PartMaterials, are_drawn) {
   EXPECT_EQ(sheet.of, (std::vector<std::pair<MaterialId, int>>{{wood, 12}, {steel, 2}, {own, 12}}));
 }
 
-}  // namespace collide_part_material_test
-}  // namespace physim
+}  // namespace physim::collide_part_material_test

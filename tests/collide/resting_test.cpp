@@ -7,8 +7,7 @@
 
 #include "random_shots.hpp"
 
-namespace physim {
-namespace collide_resting_test {
+namespace physim::collide_resting_test {
 
 using test::Random;
 
@@ -77,5 +76,4 @@ TEST(RestingThings, things_in_a_row_make_no_tree_that_is_too_deep) {
   EXPECT_EQ(seen, 3000);
 }
 
-}  // namespace collide_resting_test
-}  // namespace physim
+}  // namespace physim::collide_resting_test

@@ -1,14 +1,9 @@
 // What is drawn of a scene is its surface: closed, outwards, and where segments meet it.
-#include "physim/scene.hpp"
-
-#include <gtest/gtest.h>
-
 #include "collide/scene_support.hpp"
 #include "math/vec3.hpp"
 #include "support.hpp"
 
-namespace physim {
-namespace collide_scene_draw_test {
+namespace physim::collide_scene_draw_test {
 
 using namespace test;
 
@@ -120,5 +115,4 @@ TEST(SceneDraw, what_is_asked_for_is_drawn) {
   EXPECT_TRUE(none.triangles.empty());
 }
 
-}  // namespace collide_scene_draw_test
-}  // namespace physim
+}  // namespace physim::collide_scene_draw_test

@@ -1,15 +1,9 @@
 // Scenes and bad input: what is refused, and that whatever is taken is answered with numbers.
-#include <gtest/gtest.h>
-
-#include <algorithm>
-
 #include "collide/scene_support.hpp"
 #include "math/vec3.hpp"
-#include "physim/scene.hpp"
 #include "support.hpp"
 
-namespace physim {
-namespace collide_scene_input_test {
+namespace physim::collide_scene_input_test {
 
 using namespace test;
 
@@ -42,10 +36,9 @@ TEST(Scene, bad_input_is_refused_with_its_place) {
   mesh = ball(4, 0);
   mesh.triangles.push_back({0, 1, 1});
   mesh.triangles.insert(mesh.triangles.begin(), {2, 2, 2});
-  const auto kept = scene.add_shape(mesh);
-  ASSERT_TRUE(kept);
-  EXPECT_EQ(scene.info(*kept)->degenerate, 2u);
-  ASSERT_TRUE(scene.add({.shape = *kept}));
+  const auto kept = must(scene.add_shape(mesh));
+  EXPECT_EQ(scene.info(kept)->degenerate, 2u);
+  ASSERT_TRUE(scene.add({.shape = kept}));
   EXPECT_GE(scene.first_hit({{0, 3, 0.1}, {0, 0, 0.1}}).primitive, 1u) << "numbers are those that were given";
   HeightFieldShape field{.columns = 2, .rows = 2, .heights = {0, 0, 0}};
   EXPECT_EQ(refusal(field), "shape.heights");
@@ -70,12 +63,11 @@ TEST(Scene, bad_input_is_refused_with_its_place) {
   EXPECT_FALSE(scene.first_hit({{0, 9, 0}, {0, -9, 0}, -1})) << "a negative radius";
   for (const double radius : {0.0, 0.6}) {
     const ShapeId box = scene.add_shape(BoxShape{}).value();
-    const auto thing = scene.add({.shape = box, .transform = {.position = {20, 0, 0}}});
-    ASSERT_TRUE(thing);
+    const auto thing = must(scene.add({.shape = box, .transform = {.position = {20, 0, 0}}}));
     const SceneHit hit = scene.first_hit({{20, 0.3, 0}, {20, 0.3, 0}, radius});
     EXPECT_TRUE(hit.starts_inside) << "no way at all, but it touches";
     EXPECT_EQ(hit.normal, Vec3d{}) << "there is no way to be against";
-    EXPECT_TRUE(scene.remove(*thing));
+    EXPECT_TRUE(scene.remove(thing));
   }
   Scene moved = std::move(scene);
   EXPECT_EQ(scene.size(), 0u) << "what it was moved from is empty";
@@ -169,5 +161,4 @@ TEST(Scene, odd_motions_and_times_do_no_harm) {
   EXPECT_GT(hits, 60);
 }
 
-}  // namespace collide_scene_input_test
-}  // namespace physim
+}  // namespace physim::collide_scene_input_test

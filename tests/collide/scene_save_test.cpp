@@ -1,16 +1,11 @@
 // Saves of scenes: the same bytes, ids and answers come back, and what is no save is refused.
-#include <gtest/gtest.h>
-
 #include <cstring>
 
 #include "base/archive.hpp"
 #include "collide/scene_support.hpp"
-#include "physim/result.hpp"
-#include "physim/scene.hpp"
 #include "support.hpp"
 
-namespace physim {
-namespace collide_scene_save_test {
+namespace physim::collide_scene_save_test {
 
 using namespace test;
 
@@ -59,12 +54,11 @@ Scene lived_in() {
 TEST(SceneSave, gives_back_the_same_scene) {
   Scene scene = lived_in();
   const std::vector<std::byte> save = scene.save();
-  auto loaded = Scene::load(save);
-  ASSERT_TRUE(loaded) << loaded.error().text();
-  EXPECT_EQ(loaded->save(), save);
-  EXPECT_EQ(loaded->hash(), scene.hash());
-  EXPECT_EQ(loaded->size(), scene.size());
-  EXPECT_EQ(loaded->changes(), scene.changes());
+  auto loaded = must(Scene::load(save));
+  EXPECT_EQ(loaded.save(), save);
+  EXPECT_EQ(loaded.hash(), scene.hash());
+  EXPECT_EQ(loaded.size(), scene.size());
+  EXPECT_EQ(loaded.changes(), scene.changes());
   Random r(63);
   int hits = 0;
   for (int i = 0; i < 2000; ++i) {
@@ -72,7 +66,7 @@ TEST(SceneSave, gives_back_the_same_scene) {
     s.radius = r.one_in(2) ? 0 : 0.1;
     s.time = r.in(-0.2, 1);
     s.duration = r.in(0, 0.1);
-    const SceneHit a = scene.first_hit(s), b = loaded->first_hit(s);
+    const SceneHit a = scene.first_hit(s), b = loaded.first_hit(s);
     hits += a ? 1 : 0;
     ASSERT_EQ(a.instance, b.instance) << i;
     ASSERT_EQ(a.part, b.part) << i;
@@ -80,16 +74,16 @@ TEST(SceneSave, gives_back_the_same_scene) {
     ASSERT_EQ(a.primitive, b.primitive) << i;
     ASSERT_EQ(a.material, b.material) << i;
     ASSERT_EQ(scene.clearance(s.from, 10, {}, s.time, s.time + 0.1),
-              loaded->clearance(s.from, 10, {}, s.time, s.time + 0.1));
+              loaded.clearance(s.from, 10, {}, s.time, s.time + 0.1));
   }
   EXPECT_GT(hits, 500);
-  EXPECT_EQ(scene.instance({2, 1})->name, loaded->instance({2, 1})->name);
+  EXPECT_EQ(scene.instance({2, 1})->name, loaded.instance({2, 1})->name);
   for (int i = 0; i < 12; ++i) {
-    const auto a = scene.add_shape(SphereShape{}), b = loaded->add_shape(SphereShape{});
+    const auto a = scene.add_shape(SphereShape{}), b = loaded.add_shape(SphereShape{});
     EXPECT_EQ(*a, *b);
-    EXPECT_EQ(scene.add({.shape = *a}).value(), loaded->add({.shape = *b}).value()) << "ids of what comes later";
+    EXPECT_EQ(scene.add({.shape = *a}).value(), loaded.add({.shape = *b}).value()) << "ids of what comes later";
   }
-  EXPECT_EQ(loaded->hash(), scene.hash());
+  EXPECT_EQ(loaded.hash(), scene.hash());
   EXPECT_TRUE(Scene::load(Scene().save()));
 }
 
@@ -149,9 +143,8 @@ TEST(SceneSave, of_another_version_is_read_or_refused_by_name) {
   save.erase(save.begin() + 20, save.begin() + kVersionPlace + static_cast<long>(length));
   save[kFormat] = std::byte{3};
   for (unsigned i = 0; i < 8; ++i) save[kContent + i] = static_cast<std::byte>((save.size() - 28) >> (8 * i));
-  const auto loaded = Scene::load(with_a_good_sum(save));
-  ASSERT_TRUE(loaded) << loaded.error().text();
-  EXPECT_EQ(loaded->hash(), scene.hash());
+  const auto loaded = must(Scene::load(with_a_good_sum(save)));
+  EXPECT_EQ(loaded.hash(), scene.hash());
   save[kFormat] = std::byte{2};
   EXPECT_EQ(Scene::load(save).error().message, "the save is of format 2, written by an older version of PhySim" + now);
 }
@@ -185,5 +178,4 @@ TEST(SceneSave, what_is_no_save_is_refused) {
   EXPECT_NE(Scene::load(later).error().text().find("format 99"), std::string::npos);
 }
 
-}  // namespace collide_scene_save_test
-}  // namespace physim
+}  // namespace physim::collide_scene_save_test

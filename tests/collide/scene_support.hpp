@@ -3,7 +3,6 @@
 
 #include <cmath>
 
-#include "physim/scene.hpp"
 #include "random_shots.hpp"
 
 namespace physim::test {
@@ -21,18 +20,17 @@ inline MeshShape closed_box(const Vec3d& half) {
 inline Vec3d random_vector(Random& r, double size) { return {r.in(-size, size), r.in(-size, size), r.in(-size, size)}; }
 
 inline Transform random_transform(Random& r, double far) {
-  Transform t;
-  t.position = random_vector(r, far);
-  t.rotation = {r.in(-1, 1), r.in(-1, 1), r.in(-1, 1), r.in(0.1, 1)};
-  t.scale = r.in(0.3, 3);
-  return t;
+  return {.position = random_vector(r, far),
+          .rotation = {r.in(-1, 1), r.in(-1, 1), r.in(-1, 1), r.in(0.1, 1)},
+          .scale = r.in(0.3, 3)};
 }
 
 /// Ends near a body, at it, in it and far away; some along an axis of W.
 inline SceneSegment random_segment(Random& r, const Vec3d& about, double size) {
-  SceneSegment s;
-  s.from = about + random_vector(r, r.one_in(4) ? 0.3 * size : r.one_in(4) ? 30 * size : 3 * size);
-  s.to = about + random_vector(r, r.one_in(3) ? 0.5 * size : 3 * size);
+  SceneSegment s{.from = about + random_vector(r, r.one_in(4)   ? 0.3 * size
+                                                  : r.one_in(4) ? 30 * size
+                                                                : 3 * size),
+                 .to = about + random_vector(r, r.one_in(3) ? 0.5 * size : 3 * size)};
   if (r.one_in(8)) s.to.x = s.from.x;
   if (r.one_in(8)) s.to.y = s.from.y;
   return s;

@@ -1,8 +1,4 @@
 // Scenes: what segments and spheres meet, beside a reference that is other code; and how things come, go and move.
-#include "physim/scene.hpp"
-
-#include <gtest/gtest.h>
-
 #include <set>
 
 #include "collide/reference.hpp"
@@ -10,8 +6,7 @@
 #include "math/quat.hpp"
 #include "support.hpp"
 
-namespace physim {
-namespace collide_scene_test {
+namespace physim::collide_scene_test {
 
 using namespace test;
 
@@ -22,10 +17,8 @@ void expect_casts_of(const Shape& shape, const std::string& what, int casts) {
   for (const double far : {0.0, 10.0, 1e6}) {
     Scene scene;
     Transform at = far == 0 ? Transform{} : random_transform(r, far);
-    const auto added = scene.add_shape(shape);
-    ASSERT_TRUE(added) << added.error().text();
-    const auto thing = scene.add({.shape = *added, .transform = at});
-    ASSERT_TRUE(thing);
+    const auto added = must(scene.add_shape(shape));
+    const auto thing = must(scene.add({.shape = added, .transform = at}));
     for (int i = 0; i < casts && !testing::Test::HasFailure(); ++i) {
       SceneSegment s = random_segment(r, at.position, at.scale);
       s.radius = r.one_in(2) ? 0 : r.in(0.01, 1);
@@ -36,7 +29,7 @@ void expect_casts_of(const Shape& shape, const std::string& what, int casts) {
       EXPECT_EQ(unlike(hit, s, met, gap), "") << what << " at " << far << ", cast " << i;
       EXPECT_EQ(scene.any_hit(s), static_cast<bool>(hit)) << what;
       if (!hit) continue;
-      EXPECT_EQ(hit.instance, *thing);
+      EXPECT_EQ(hit.instance, thing);
       EXPECT_NEAR(length(hit.normal), 1, 1e-12);
       EXPECT_LE(dot(hit.normal, s.to - s.from), 0) << what << ": against the way";
     }
@@ -128,10 +121,9 @@ TEST(Scene, points_meet_meshes_where_a_test_of_all_triangles_says) {
   Random r(5);
   const MeshShape mesh = ball(12, 0.15);
   Scene scene;
-  const auto shape = scene.add_shape(mesh);
-  ASSERT_TRUE(shape);
-  EXPECT_TRUE(scene.info(*shape)->closed);
-  ASSERT_TRUE(scene.add({.shape = *shape}));
+  const auto shape = must(scene.add_shape(mesh));
+  EXPECT_TRUE(scene.info(shape)->closed);
+  ASSERT_TRUE(scene.add({.shape = shape}));
   int hits = 0;
   for (int i = 0; i < 20000 && !HasFailure(); ++i) {
     const SceneSegment s = random_segment(r, {}, 1);
@@ -222,7 +214,7 @@ std::vector<ShapeDef> shapes_below_the_origin() {
 TEST(Scene, what_leaves_from_a_surface_does_not_meet_it) {
   const auto expect = [](const ShapeDef& shape, const Vec3d& at) {
     Scene scene;
-    ASSERT_TRUE(scene.add({.shape = *scene.add_shape(shape), .transform = {.position = at}}));
+    add_thing(scene, shape, {.transform = {.position = at}});
     const Vec3d from{0.5, 0, 0.25};
     for (const Vec3d& way : {Vec3d{0, 1, 0}, Vec3d{1, 1e-3, 0}, Vec3d{-1, 2, 0.5}, Vec3d{1, 0, 0.5}}) {
       EXPECT_FALSE(scene.first_hit({from, from + way})) << shape.index() << ": " << way.y;
@@ -237,7 +229,7 @@ TEST(Scene, what_leaves_from_a_surface_does_not_meet_it) {
   expect(BoxShape{{5, 1, 5}}, {0, -1, 0});
   expect(CylinderShape{5, 1}, {0, -1, 0});
   Scene scene;
-  ASSERT_TRUE(scene.add({.shape = *scene.add_shape(CylinderShape{1, 1})}));
+  add_thing(scene, CylinderShape{1, 1});
   EXPECT_FALSE(scene.first_hit({{1, -0.5, 0}, {1, 0.5, 0}})) << "along its side";
 }
 
@@ -255,9 +247,8 @@ TEST(Scene, meshes_whose_triangles_nearly_agree_in_a_coordinate_are_met) {
         hill.triangles.push_back({a + 1, a + kSide + 2, a + kSide + 1});
       }
     Scene scene;
-    const auto shape = scene.add_shape(hill);
-    ASSERT_TRUE(shape);
-    ASSERT_TRUE(scene.add({.shape = *shape}));
+    const auto shape = must(scene.add_shape(hill));
+    ASSERT_TRUE(scene.add({.shape = shape}));
     Random r(3);
     for (int i = 0; i < 100; ++i) {
       const Vec3d at{r.in(-19, 19), 0, r.in(-19, 19)};
@@ -351,9 +342,8 @@ TEST(Scene, compounds_are_their_parts) {
   Scene scene, parts;
   const auto box = scene.add_shape(BoxShape{{0.5, 0.1, 0.5}}), leg = scene.add_shape(CylinderShape{0.05, 0.4});
   const Transform top{.position = {0, 0.8, 0}}, foot{.position = {0.3, 0.4, 0.3}, .rotation = {1, 0.1, 0, 0}};
-  const auto table = scene.add_shape(CompoundShape{{{*box, top}, {*leg, foot}}});
-  ASSERT_TRUE(table) << table.error().text();
-  ASSERT_TRUE(scene.add({.shape = *table}));
+  const auto table = must(scene.add_shape(CompoundShape{{{*box, top}, {*leg, foot}}}));
+  ASSERT_TRUE(scene.add({.shape = table}));
   ASSERT_TRUE(parts.add({.shape = parts.add_shape(BoxShape{{0.5, 0.1, 0.5}}).value(), .transform = top}));
   ASSERT_TRUE(parts.add({.shape = parts.add_shape(CylinderShape{0.05, 0.4}).value(), .transform = foot}));
   for (int i = 0; i < 3000; ++i) {
@@ -373,10 +363,9 @@ TEST(Scene, compounds_are_their_parts) {
 TEST(Scene, materials_are_those_of_triangles_or_of_the_thing) {
   Scene scene;
   const auto steel = scene.add_material({.name = "steel"}), wood = scene.add_material({.name = "wood"});
-  MeshShape two;
-  two.vertices = {{0, 0, 0}, {0, 1, 0}, {0, 0, 1}, {0, 1, 1}};
-  two.triangles = {{0, 1, 2}, {2, 1, 3}};
-  two.materials = {*steel, MaterialId{}};
+  MeshShape two{.vertices = {{0, 0, 0}, {0, 1, 0}, {0, 0, 1}, {0, 1, 1}},
+                .triangles = {{0, 1, 2}, {2, 1, 3}},
+                .materials = {*steel, MaterialId{}}};
   ASSERT_TRUE(scene.add({.shape = scene.add_shape(two).value(), .material = *wood}));
   two.materials.clear();
   ASSERT_TRUE(
@@ -400,10 +389,9 @@ TEST(Scene, tiny_spheres_that_sink_slowly_into_large_triangles_meet_them) {
     const Vec3d normal = normalized(cross(b - a, c - a)), middle = (a + b + c) * (1.0 / 3);
     Scene scene;
     const bool is_hull = i % 4 == 0;
-    const auto shape = is_hull ? scene.add_shape(ConvexHullShape{{a, b, c, middle - normal * 50}})
-                               : scene.add_shape(MeshShape{{a, b, c}, {{0, 1, 2}}, {}});
-    ASSERT_TRUE(shape);
-    ASSERT_TRUE(scene.add({.shape = *shape}));
+    const auto shape = must(is_hull ? scene.add_shape(ConvexHullShape{{a, b, c, middle - normal * 50}})
+                                    : scene.add_shape(MeshShape{{a, b, c}, {{0, 1, 2}}, {}}));
+    ASSERT_TRUE(scene.add({.shape = shape}));
     for (int k = 0; k < 20; ++k, ++casts) {
       const Vec3d along = normalized(cross(normal, random_vector(r, 1)));
       const double radius = 1e-10, sinks = r.in(3e-10, 3e-9), way = r.in(1e-6, 1e-4);
@@ -426,11 +414,10 @@ TEST(Scene, nearest_tells_the_primitive_and_the_material_that_a_hit_there_has) {
                  {{0, 1, 2}, {2, 1, 1}, {2, 1, 3}, {2, 3, 4}, {4, 3, 5}},  // the second has no area
                  {steel, steel, wood, glass, MaterialId{}}};
   const auto tiles = scene.add_shape(roof), wall = scene.add_shape(BoxShape{{1, 0.5, 0.1}});
-  const auto house = scene.add_shape(CompoundShape{{{*wall, {.position = {0, 0.5, -1}}, glass},
-                                                    {*wall, {.position = {0, 0.5, 1}}},
-                                                    {*tiles, {.position = {0, 0.1, 0}, .scale = 1.2}, wood}}});
-  ASSERT_TRUE(house);
-  ASSERT_TRUE(scene.add({.shape = *house, .transform = {.rotation = {1, 0, 0.3, 0}}, .material = steel}));
+  const auto house = must(scene.add_shape(CompoundShape{{{*wall, {.position = {0, 0.5, -1}}, glass},
+                                                         {*wall, {.position = {0, 0.5, 1}}},
+                                                         {*tiles, {.position = {0, 0.1, 0}, .scale = 1.2}, wood}}}));
+  ASSERT_TRUE(scene.add({.shape = house, .transform = {.rotation = {1, 0, 0.3, 0}}, .material = steel}));
   ASSERT_TRUE(scene.add({.shape = *tiles, .transform = {.position = {4, 0, 0}, .scale = 0.7}, .material = glass}));
   ASSERT_TRUE(
       scene.add({.shape = *scene.add_shape(HeightFieldShape{4, 3, 1, 1.5, {0, 1, 0, 1, 1, 0, 2, 0, 0, 1, 0, 1}}),
@@ -455,5 +442,4 @@ TEST(Scene, nearest_tells_the_primitive_and_the_material_that_a_hit_there_has) {
       << "inside of a part";
 }
 
-}  // namespace collide_scene_test
-}  // namespace physim
+}  // namespace physim::collide_scene_test

@@ -1,19 +1,17 @@
 // Bodies are closed: where two touch, nothing goes between them, and what only touches an edge goes on.
 #include <array>
-#include <cmath>
 
 #include "collide/scene_support.hpp"
 #include "math/quat.hpp"
 #include "support.hpp"
 
-namespace physim {
-namespace collide_seam_test {
+namespace physim::collide_seam_test {
 
 using test::closed_box;
 using test::Random;
 
 void put(Scene& scene, const ShapeDef& shape, const Vec3d& position) {
-  ASSERT_TRUE(scene.add({.shape = *scene.add_shape(shape), .transform = {.position = position}}));
+  add_thing(scene, shape, {.transform = {.position = position}});
 }
 ConvexHullShape hull_box(const Vec3d& half) { return {closed_box(half).vertices}; }
 
@@ -49,8 +47,7 @@ TEST(Seam, what_rounding_takes_apart_has_no_gap) {
       const Vec3d one{r.in(0.1, 3), r.in(0.1, 1), r.in(0.5, 2)}, other{r.in(0.1, 3), r.in(0.1, 1), r.in(0.5, 2)};
       Scene scene;
       const auto add = [&](const ShapeDef& shape, const Vec3d& at) {
-        ASSERT_TRUE(scene.add({.shape = *scene.add_shape(shape),
-                               .transform = {.position = origin + rotate(turn, at), .rotation = turn}}));
+        add_thing(scene, shape, {.transform = {.position = origin + rotate(turn, at), .rotation = turn}});
       };
       add(i % 2 == 0 ? ShapeDef(BoxShape{one}) : ShapeDef(hull_box(one)), {-one.x, -one.y, 0});
       add(i % 5 == 0 ? ShapeDef(CylinderShape{other.x, other.y}) : ShapeDef(BoxShape{other}), {other.x, -other.y, 0});
@@ -76,8 +73,7 @@ TEST(Seam, the_smallest_balls_do_not_pass_faces) {
     const int kind = i % 5;
     const Vec3d middle = kind == 4 ? Vec3d{-half.x, 0, -half.z} : Vec3d{0, -half.y, 0};
     Scene scene;
-    ASSERT_TRUE(scene.add(
-        {.shape = *scene.add_shape(shapes[kind]), .transform = {.position = rotate(turn, middle), .rotation = turn}}));
+    add_thing(scene, shapes[kind], {.transform = {.position = rotate(turn, middle), .rotation = turn}});
     for (int k = 0; k < 200; ++k) {
       const double a = r.in(0, 6.28), part = 0.9 * half.x * r.in(0, 1);
       const Vec3d on = rotate(turn, kind == 3 ? Vec3d{part * std::cos(a), 0, part * std::sin(a)}
@@ -122,5 +118,4 @@ TEST(Seam, grazing_counts_the_same_in_box_hull_and_mesh) {
   }
 }
 
-}  // namespace collide_seam_test
-}  // namespace physim
+}  // namespace physim::collide_seam_test

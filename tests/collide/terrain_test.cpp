@@ -1,12 +1,7 @@
 // Terrain on the ellipsoid, beside the figure of the Earth.
-#include "physim/scene.hpp"
-
-#include <gtest/gtest.h>
-
 #include "support.hpp"
 
-namespace physim {
-namespace collide_terrain_test {
+namespace physim::collide_terrain_test {
 
 using namespace test;
 
@@ -24,17 +19,14 @@ GeodeticGrid square_about(double latitude, double longitude, double height) {
 }
 
 TEST(Terrain, falls_away_with_the_earth) {
-  Environment environment;
-  environment.earth.latitude = 45 * kDegree;
-  environment.earth.longitude = 7 * kDegree;
+  Environment environment{.earth = {.latitude = 45 * kDegree, .longitude = 7 * kDegree}};
   for (const double azimuth : {0.0, 180.0, 225.0}) {
     environment.earth.azimuth = azimuth * kDegree;
     const EarthFrames frames(environment, EarthModel::ellipsoid);
     for (const double height : {0.0, 2000.0}) {
-      const auto mesh = terrain_mesh(square_about(45, 7, height), frames);
-      ASSERT_TRUE(mesh) << mesh.error().text();
+      const auto mesh = must(terrain_mesh(square_about(45, 7, height), frames));
       Scene scene;
-      ASSERT_TRUE(scene.add({.shape = scene.add_shape(*mesh).value()}));
+      ASSERT_TRUE(scene.add({.shape = scene.add_shape(mesh).value()}));
       const SceneHit here = scene.first_hit({{0, 9000, 0}, {0, -9000, 0}});
       EXPECT_NEAR(here.position.y, height, 0.1);
       EXPECT_GT(here.normal.y, 0.999) << "upwards is outwards";
@@ -70,5 +62,4 @@ TEST(Terrain, what_is_no_grid_is_refused) {
   EXPECT_EQ(refusal([](GeodeticGrid& g) { g.heights[17] = kNan; }), "grid.heights[17]");
 }
 
-}  // namespace collide_terrain_test
-}  // namespace physim
+}  // namespace physim::collide_terrain_test

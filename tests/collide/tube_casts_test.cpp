@@ -1,13 +1,11 @@
 // Casts among what a tube may touch, and how far many ways are clear: each is as the scene says of it alone.
 #include "collide/tube_casts.hpp"
-
-#include <gtest/gtest.h>
+#include "support.hpp"
 
 #include "collide/crowd_support.hpp"
 #include "collide/scene_by_motion.hpp"
 
-namespace physim {
-namespace collide_tube_casts_test {
+namespace physim::collide_tube_casts_test {
 
 using namespace test_crowd;
 using collide::TubeCasts;
@@ -31,8 +29,7 @@ SceneSegment somewhere_along(Random& r) {
 
 /// Inside of a tube, of a part of its time; or with some that reach beyond.
 SceneSegment within(Random& r, const SceneSegment& tube, bool beyond = false) {
-  SceneSegment s;
-  s.radius = r.one_in(2) ? 0 : r.in(0, 1) * tube.radius;
+  SceneSegment s{.radius = r.one_in(2) ? 0 : r.in(0, 1) * tube.radius};
   const double room = beyond && r.one_in(9) ? 3 * tube.radius : tube.radius - s.radius;
   const auto place = [&] {
     const Vec3d off = r.vector(1);
@@ -112,7 +109,7 @@ TEST(TubeCasts, heaps_and_slivers_are_asked_whole) {
     slivers.triangles.push_back({i, i + 1, i + 2});
   }
   Scene scene;
-  ASSERT_TRUE(scene.add({.shape = *scene.add_shape(slivers)}));
+  add_thing(scene, slivers);
   const ShapeId bumpy = *scene.add_shape(ball(12, 0.3));
   for (int i = 0; i < 12; ++i)
     ASSERT_TRUE(scene.add({.shape = bumpy, .transform = {.position = Vec3d{9, 0, 0} + r.vector(1)}}));
@@ -162,5 +159,4 @@ TEST(ClearParts, of_many_ways_are_those_of_each) {
   }
 }
 
-}  // namespace collide_tube_casts_test
-}  // namespace physim
+}  // namespace physim::collide_tube_casts_test

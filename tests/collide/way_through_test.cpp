@@ -8,8 +8,7 @@
 
 #include "math/vec3.hpp"
 
-namespace physim {
-namespace collide_way_through_test {
+namespace physim::collide_way_through_test {
 
 struct Solid {
   const char* name;
@@ -118,5 +117,4 @@ TEST(Passages, of_parts_of_two_materials_are_reported_of_each) {
   EXPECT_EQ(collide::passages(scene, {}, {{-3, 0, 0}, {3, 0, 0}, 0, 0, 0}).size(), 4U);
 }
 
-}  // namespace collide_way_through_test
-}  // namespace physim
+}  // namespace physim::collide_way_through_test

@@ -8,8 +8,7 @@
 #include <fstream>
 #include <string>
 
-namespace physim {
-namespace docs_bench_folder_test {
+namespace physim::docs_bench_folder_test {
 
 namespace fs = std::filesystem;
 
@@ -46,5 +45,4 @@ TEST(BenchFolder, one_without_cyclone_is_refused) {
   fs::remove_all(folder);
 }
 
-}  // namespace docs_bench_folder_test
-}  // namespace physim
+}  // namespace physim::docs_bench_folder_test

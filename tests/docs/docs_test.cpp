@@ -1,23 +1,18 @@
 // Documentation that cannot rot: quoted code is in the examples, quoted output is what the program prints, links lead
 // somewhere, and every scenario that ships loads, flies and meets its expectations.
-#include <gtest/gtest.h>
-
-#include <algorithm>
 #include <cstdio>
-#include <filesystem>
-#include <fstream>
 #include <memory>
 #include <regex>
-#include <sstream>
 
+#include "cli/program.hpp"
 #include "report/gnuplot.hpp"
 #include "scenario/scenario.hpp"
 #include "scenario/world_run.hpp"
 
-namespace physim {
-namespace docs_docs_test {
+namespace physim::docs_docs_test {
 
 namespace fs = std::filesystem;
+using testing_cli::lines_of;
 
 const fs::path kRoot = PHYSIM_SOURCE_DIR;
 
@@ -27,13 +22,6 @@ std::string content_of(const fs::path& path) {
   std::ostringstream out;
   out << file.rdbuf();
   return out.str();
-}
-
-std::vector<std::string> lines_of(const std::string& text) {
-  std::vector<std::string> lines;
-  std::istringstream in(text);
-  for (std::string line; std::getline(in, line);) lines.push_back(line);
-  return lines;
 }
 
 std::vector<fs::path> files_with(const char* ending, const fs::path& folder) {
@@ -225,19 +213,15 @@ TEST(Docs, PicturesAreLight) {
 
 /// Runs a scenario that has a [world].
 void expect_of_world(const Scenario& scenario) {
-  Result<WorldRun> made = WorldRun::create(scenario);
-  ASSERT_TRUE(made.ok()) << made.error().text();
-  WorldRun& run = *made;
+  WorldRun run = must(WorldRun::create(scenario));
   for (std::uint64_t step = 0; step < run.steps(); ++step) run.step();
   const std::vector<WorldGroup> groups = run.groups();
   for (const Expectation& expect : scenario.expect)
     for (const WorldGroup& group : groups) {
       if (!expect.shot.empty() && expect.shot != group.name) continue;
       EXPECT_FALSE(expect.source.empty()) << expect.place << ": no source";
-      const Result<double> value = measure(group, expect);
-      ASSERT_TRUE(value.ok()) << value.error().text();
-      EXPECT_NEAR(*value, expect.equals, expect.within)
-          << expect.place << ": " << group.name << ": " << expect.quantity;
+      const double value = must(measure(group, expect));
+      EXPECT_NEAR(value, expect.equals, expect.within) << expect.place << ": " << group.name << ": " << expect.quantity;
     }
 }
 
@@ -245,31 +229,28 @@ TEST(Scenarios, AllMeetTheirExpectations) {
   const auto files = files_with(".toml", kRoot / "scenarios");
   ASSERT_FALSE(files.empty());
   for (const fs::path& file : files) {
-    const auto scenario = load_scenario(file.string());
-    ASSERT_TRUE(scenario.ok()) << scenario.error().text();
-    EXPECT_FALSE(scenario->title.empty()) << file;
-    EXPECT_FALSE(scenario->source.empty()) << file;
-    EXPECT_FALSE(scenario->expect.empty()) << file << " expects nothing";
-    if (scenario->world.given) {
-      expect_of_world(*scenario);
+    const auto scenario = must(load_scenario(file.string()));
+    EXPECT_FALSE(scenario.title.empty()) << file;
+    EXPECT_FALSE(scenario.source.empty()) << file;
+    EXPECT_FALSE(scenario.expect.empty()) << file << " expects nothing";
+    if (scenario.world.given) {
+      expect_of_world(scenario);
       continue;
     }
-    const SceneParts parts = scene_parts(*scenario).value();
-    for (const ScenarioShot& shot : scenario->shots) {
+    const SceneParts parts = scene_parts(scenario).value();
+    for (const ScenarioShot& shot : scenario.shots) {
       const ProjectileDef& p = shot.projectile;
-      const Flight flight = fly_shot(*scenario, shot);
+      const Flight flight = fly_shot(scenario, shot);
       ASSERT_FALSE(flight.error()) << file << ": " << p.name << ": " << flight.error()->text();
-      const FlightHits hits = flight_hits(*scenario, shot, flight, parts);
-      for (const Expectation& expect : scenario->expect) {
+      const FlightHits hits = flight_hits(scenario, shot, flight, parts);
+      for (const Expectation& expect : scenario.expect) {
         if (!expect.shot.empty() && expect.shot != p.name) continue;
         EXPECT_FALSE(expect.source.empty()) << expect.place << ": no source";
-        const Result<double> value = measure(flight, hits, expect);
-        ASSERT_TRUE(value.ok()) << value.error().text();
-        EXPECT_NEAR(*value, expect.equals, expect.within) << expect.place << ": " << p.name << ": " << expect.quantity;
+        const double value = must(measure(flight, hits, expect));
+        EXPECT_NEAR(value, expect.equals, expect.within) << expect.place << ": " << p.name << ": " << expect.quantity;
       }
     }
   }
 }
 
-}  // namespace docs_docs_test
-}  // namespace physim
+}  // namespace physim::docs_docs_test

@@ -9,8 +9,7 @@
 #include "physim/result.hpp"
 #include "physim/world.hpp"
 
-namespace physim {
-namespace docs_release_test {
+namespace physim::docs_release_test {
 
 const std::string kOwn = kVersion;
 
@@ -76,5 +75,4 @@ TEST(Release, TheTableOfFormatsIsOfThisVersion) {
   EXPECT_EQ(first_in("docs/api_changes.md", "\n\\| recording" + last), std::to_string(kRecordingFormat));
 }
 
-}  // namespace docs_release_test
-}  // namespace physim
+}  // namespace physim::docs_release_test

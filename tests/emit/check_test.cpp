@@ -1,27 +1,17 @@
 // Emitters that make no sense are refused, each with its place.
-#include <gtest/gtest.h>
-
 #include <functional>
 
 #include "emit/emission.hpp"
 #include "support.hpp"
 
-namespace physim {
-namespace emit_check_test {
+namespace physim::emit_check_test {
 
 using test::kInfinity;
 using test::kNan;
 using Change = std::function<void(EmitterDef&)>;
 using NumberOf = std::function<DrawnNumber&(EmitterDef&)>;
 
-EmitterDef good() {
-  EmitterDef def;
-  def.bursts = {{}};
-  def.gun.barrels = {{}};
-  def.flight.limit = {9};
-  def.subs = {{}};
-  return def;
-}
+EmitterDef good() { return {.bursts = {{}}, .gun = {.barrels = {{}}}, .flight = {.limit = {9}}, .subs = {{}}}; }
 
 void expect_refused(const Change& change, const std::string& place) {
   EmitterDef def = good();
@@ -265,5 +255,4 @@ TEST(EmitterInput, the_rest_is_looked_at) {
   expect_refused([](EmitterDef& d) { d.subs.resize(1001); }, "emitter.subs");
 }
 
-}  // namespace emit_check_test
-}  // namespace physim
+}  // namespace physim::emit_check_test

@@ -1,14 +1,11 @@
 // Numbers and colours that emitters draw: constants, between two, curves, between two curves; integrals; gradients.
 #include "emit/drawn.hpp"
 
-#include <gtest/gtest.h>
-
 #include "emit/statistics.hpp"
 #include "math/interpolation.hpp"
 #include "support.hpp"
 
-namespace physim {
-namespace emit_drawn_test {
+namespace physim::emit_drawn_test {
 
 using test::near;
 using test::parabola;
@@ -20,9 +17,7 @@ double never() {
 
 /// Start speeds at a phase of the cycle.
 std::vector<double> speeds(const DrawnNumber& speed, double phase, std::size_t count = test::kSamples) {
-  EmitterDef def;
-  def.start.speed = speed;
-  const Emission emission(def, 11);
+  const Emission emission({.start = {.speed = speed}}, 11);
   std::vector<double> all;
   for (std::size_t i = 0; i < count; ++i) all.push_back(emission.newborn({.number = i, .phase = phase}).speed);
   return all;
@@ -199,5 +194,4 @@ TEST(DrawnColour, gradients_of_many_are_straight_between_any_keys) {
   }
 }
 
-}  // namespace emit_drawn_test
-}  // namespace physim
+}  // namespace physim::emit_drawn_test

@@ -1,8 +1,6 @@
 // How particles start and are shown, what sub-emitters fire, and that every row of a definition counts.
 #include "emit/emission.hpp"
 
-#include <gtest/gtest.h>
-
 #include <functional>
 
 #include "base/hash.hpp"
@@ -14,18 +12,15 @@
 #include "random_emitters.hpp"
 #include "support.hpp"
 
-namespace physim {
-namespace emit_emission_test {
+namespace physim::emit_emission_test {
 
 using test::kInfinity;
 using test::near;
 using test::parabola;
 
 TEST(Emission, equal_definitions_and_seeds_give_equal_bits) {
-  EmitterDef def;
-  def.start.speed = {1, 9.0};
-  def.start.size = {1, 2.0, parabola()};
-  def.from = {.shape = EmitShape::sphere, .randomise = 0.4};
+  EmitterDef def{.from = {.shape = EmitShape::sphere, .randomise = 0.4},
+                 .start = {.speed = {1, 9.0}, .size = {1, 2.0, parabola()}}};
   const Emission a(def, 99), b(def, 99), other(def, 100);
   int differ = 0;
   for (std::uint64_t i = 10'000; i-- > 0;) {  // in another order, too
@@ -75,9 +70,9 @@ TEST(Emission, everything_is_drawn_by_itself) {
 }
 
 TEST(Emission, start_values_follow_the_cycle) {
-  EmitterDef def;
-  def.start = {
-      .lifetime = {2, {}, {{0, 1}, {1, 3}}}, .speed = {-6, {}, parabola()}, .gravity = {0.5, {}, {{0, 2}, {1, 0}}}};
+  EmitterDef def{.start = {.lifetime = {2, {}, {{0, 1}, {1, 3}}},
+                           .speed = {-6, {}, parabola()},
+                           .gravity = {0.5, {}, {{0, 2}, {1, 0}}}}};
   const Newborn n = Emission(def, 1).newborn({.phase = 0.25});
   EXPECT_DOUBLE_EQ(n.lifetime, 3);
   EXPECT_DOUBLE_EQ(n.speed, -4.5);
@@ -87,10 +82,8 @@ TEST(Emission, start_values_follow_the_cycle) {
 }
 
 TEST(Emission, sizes_are_products) {
-  EmitterDef def;
-  def.start.size = {2, {}, {{0, 1}, {1, 3}}};
-  def.start.size_y = {0.5}, def.start.size_z = {0.25};
-  def.life = {.size = {1, {}, {{0, 1}, {1, 0}}}, .fast = 10, .size_by_speed = {{0, 1}, {1, 5}}};
+  EmitterDef def{.start = {.size = {2, {}, {{0, 1}, {1, 3}}}, .size_y = {0.5}, .size_z = {0.25}},
+                 .life = {.size = {1, {}, {{0, 1}, {1, 0}}}, .fast = 10, .size_by_speed = {{0, 1}, {1, 5}}}};
   const Emission emission(def, 1);
   // 2 * 2 at half of the cycle, 3/4 at a quarter of its life, 3 at half of the speed.
   EXPECT_TRUE(near(emission.look(0, 0.5, 8, 2, 5).size, {9, 4.5, 2.25}, 1e-15));
@@ -101,9 +94,8 @@ TEST(Emission, sizes_are_products) {
 }
 
 TEST(Emission, turn_is_integrated_over_the_age) {
-  EmitterDef def;
-  def.start.rotation = {0.5}, def.start.rotation_y = {-1}, def.start.rotation_z = {2};
-  def.life.turn = {3, {}, parabola()};
+  EmitterDef def{.start = {.rotation = {0.5}, .rotation_y = {-1}, .rotation_z = {2}},
+                 .life = {.turn = {3, {}, parabola()}}};
   const Emission emission(def, 1);
   for (const double age : {0.0, 1.0, 3.7, 8.0})
     EXPECT_TRUE(
@@ -120,11 +112,7 @@ TEST(Emission, turn_is_integrated_over_the_age) {
 }
 
 TEST(Emission, flipped_ones_turn_the_other_way) {
-  EmitterDef def;
-  def.start.rotation = {0.5}, def.start.rotation_y = {1};
-  def.start.flipped = 0.2;
-  def.life.turn = {2};
-  const Emission emission(def, 1);
+  const Emission emission({.start = {.rotation = {0.5}, .rotation_y = {1}, .flipped = 0.2}, .life = {.turn = {2}}}, 1);
   int flipped = 0;
   const int n = 100'000;
   for (int i = 0; i < n; ++i) {
@@ -136,10 +124,10 @@ TEST(Emission, flipped_ones_turn_the_other_way) {
 }
 
 TEST(Emission, colours_are_multiplied) {
-  EmitterDef def;
-  def.start.colour = {0xff8040ff, {}, {{0, 0xffffffff}, {1, 0x00ffffff}}};
-  def.life.colour = {0xffffffff, {}, {{0, 0xffffffff}, {1, 0xffffff00}}};
-  def.life.fast = 20, def.life.colour_by_speed = {{0, 0xffffffff}, {1, 0xff00ffff}};
+  EmitterDef def{.start = {.colour = {0xff8040ff, {}, {{0, 0xffffffff}, {1, 0x00ffffff}}}},
+                 .life = {.colour = {0xffffffff, {}, {{0, 0xffffffff}, {1, 0xffffff00}}},
+                          .fast = 20,
+                          .colour_by_speed = {{0, 0xffffffff}, {1, 0xff00ffff}}}};
   const Emission emission(def, 1);
   EXPECT_EQ(emission.look(0, 0, 4, 0, 0).colour, 0xff8040ffu);
   EXPECT_EQ(emission.look(0, 0.5, 4, 0, 0).colour, 0x808040ffu);
@@ -150,9 +138,7 @@ TEST(Emission, colours_are_multiplied) {
 }
 
 TEST(Emission, sub_emitters_fire_by_their_probability_and_count) {
-  EmitterDef def;
-  def.subs = {{.count = {2, 4.0}, .probability = 0.25}, {.count = {3}}, {.probability = 0}};
-  const Emission emission(def, 6);
+  const Emission emission({.subs = {{.count = {2, 4.0}, .probability = 0.25}, {.count = {3}}, {.probability = 0}}}, 6);
   const double n = 400'000;
   std::vector<double> counts(5);
   double both = 0;
@@ -398,5 +384,4 @@ TEST(Emission, newborns_of_a_pack_are_those_of_each) {
   EXPECT_GT(compared, 250 * kPack);
 }
 
-}  // namespace emit_emission_test
-}  // namespace physim
+}  // namespace physim::emit_emission_test

@@ -1,11 +1,8 @@
 // Where particles come out: every shape and mode against its closed form, a million samples each.
-#include <gtest/gtest.h>
-
 #include "emit/statistics.hpp"
 #include "support.hpp"
 
-namespace physim {
-namespace emit_emit_shape_test {
+namespace physim::emit_emit_shape_test {
 
 using test::evenly;
 using test::evenly_together;
@@ -18,11 +15,7 @@ using Pairs = std::vector<std::array<double, 2>>;
 
 constexpr double kTurn = 2 * 3.14159265358979323846;
 
-EmitterDef from(const EmitFrom& shape) {
-  EmitterDef def;
-  def.from = shape;
-  return def;
-}
+EmitterDef from(const EmitFrom& shape) { return {.from = shape}; }
 
 void expect_unit(const Vec3d& direction) { ASSERT_NEAR(length(direction), 1, 1e-15 * 4); }
 
@@ -250,5 +243,4 @@ TEST(EmitShape, randomise_turns_directions_a_part_of_the_way) {
   }
 }
 
-}  // namespace emit_emit_shape_test
-}  // namespace physim
+}  // namespace physim::emit_emit_shape_test

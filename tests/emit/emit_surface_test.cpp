@@ -1,14 +1,10 @@
 // Meshes and terrain that particles come out of: a million samples each, against areas, lengths and counts.
-#include <gtest/gtest.h>
-
 #include "emit/emit_surface.hpp"
 #include "emit/statistics.hpp"
 #include "random_shots.hpp"
 #include "scene_support.hpp"
-#include "support.hpp"
 
-namespace physim {
-namespace emit_emit_surface_test {
+namespace physim::emit_emit_surface_test {
 
 using test::as_expected;
 using test::evenly;
@@ -20,10 +16,7 @@ using test::Random;
 using Pairs = std::vector<std::array<double, 2>>;
 
 EmitterDef from(EmitShape shape, const ShapeDef& of, EmitAlong along = EmitAlong::normal) {
-  EmitterDef def;
-  def.from.shape = shape;
-  def.from.surface = {.shape = SharedShape::make(of).value(), .along = along};
-  return def;
+  return {.from = {.shape = shape, .surface = {.shape = SharedShape::make(of).value(), .along = along}}};
 }
 
 /// Triangles of many sizes above each other, so that a height tells which one a place lies in; some have no area.
@@ -263,8 +256,7 @@ TEST(EmitSurface, what_is_no_surface_is_refused) {
   EXPECT_EQ(SharedShape::make(MeshShape{{{0, 0, 0}, {1, 0, 0}}, {{0, 1, 0}}, {}}).error().message,
             "has no triangle with an area");
   const auto place = [](const EmitterDef& def) { return check(def).error().place; };
-  EmitterDef none;
-  none.from.shape = EmitShape::mesh;
+  EmitterDef none{.from = {.shape = EmitShape::mesh}};
   EXPECT_EQ(place(none), "emitter.from.surface.shape");
   EXPECT_EQ(place(from(EmitShape::terrain, cube())), "emitter.from.surface.shape");
   EXPECT_EQ(place(from(EmitShape::mesh_edges, hills())), "emitter.from.surface.shape");
@@ -283,5 +275,4 @@ TEST(EmitSurface, what_is_no_surface_is_refused) {
   EXPECT_EQ(place(def), "emitter.from.surface.low_z");
 }
 
-}  // namespace emit_emit_surface_test
-}  // namespace physim
+}  // namespace physim::emit_emit_surface_test

@@ -1,17 +1,13 @@
 // What acts on the flight of particles: each number by age, speed and chance.
 #include "emit/flight_law.hpp"
 
-#include <gtest/gtest.h>
-
-#include <cmath>
 #include <functional>
 
 #include "math/vec3.hpp"
 #include "random_emitters.hpp"
 #include "support.hpp"
 
-namespace physim {
-namespace emit_flight_law_test {
+namespace physim::emit_flight_law_test {
 
 const Curve kFalling{{0, 1}, {1, 0}};
 
@@ -109,8 +105,7 @@ TEST(FlightLaw, rates_of_drag_by_age_are_those_that_slow_down) {
   constexpr std::size_t kPack = FlightLaw::kPack;
   test::Random r(8);
   for (int round = 0; round < 30; ++round) {
-    ParticleFlight def;
-    def.drag = test::random_number(r, 0.1, 3);
+    ParticleFlight def{.drag = test::random_number(r, 0.1, 3)};
     const FlightLaw law(def, 9);
     ASSERT_TRUE(law.is_drag_by_age());
     std::array<std::uint64_t, kPack> number;
@@ -127,8 +122,7 @@ TEST(FlightLaw, rates_of_drag_by_age_are_those_that_slow_down) {
 
 TEST(FlightLaw, whatever_acts_beside_drag_by_age_is_told) {
   const auto alone = [](const auto& change) {
-    ParticleFlight def;
-    def.drag = {1};
+    ParticleFlight def{.drag = {1}};
     change(def);
     return FlightLaw(def, 1).is_drag_by_age();
   };
@@ -179,5 +173,4 @@ TEST(FlightLaw, of_a_pack_is_that_of_each) {
   }
 }
 
-}  // namespace emit_flight_law_test
-}  // namespace physim
+}  // namespace physim::emit_flight_law_test

@@ -1,25 +1,17 @@
 // Guns: when rounds leave against a loop that simulates the gun, barrels, convergence, dispersion, recoil, tracers.
 #include "emit/gun.hpp"
 
-#include <gtest/gtest.h>
-
 #include "emit/statistics.hpp"
 #include "emit/timeline.hpp"
 #include "math/normal.hpp"
 #include "support.hpp"
 
-namespace physim {
-namespace emit_gun_test {
+namespace physim::emit_gun_test {
 
 using test::kInfinity;
 using test::near;
 
-EmitterDef with_gun(const GunDef& gun) {
-  EmitterDef def;
-  def.per_second = {0};
-  def.gun = gun;
-  return def;
-}
+EmitterDef with_gun(const GunDef& gun) { return {.per_second = {0}, .gun = gun}; }
 
 std::vector<double> times_of(const EmitterDef& def, std::size_t most) {
   const Emission emission(def, 1);
@@ -172,5 +164,4 @@ TEST(Gun, rounds_come_out_of_the_shape_at_their_barrel) {
   }
 }
 
-}  // namespace emit_gun_test
-}  // namespace physim
+}  // namespace physim::emit_gun_test

@@ -1,17 +1,11 @@
 // Columns of numbers: each kernel gives each particle the bits that it has alone.
-#include <gtest/gtest.h>
-
-#include <algorithm>
-
 #include "emit/looks.hpp"
 #include "emit/pack_chance.hpp"
 #include "emit/particle_job.hpp"
-#include "physim/flight.hpp"
 #include "random_shots.hpp"
 #include "support.hpp"
 
-namespace physim {
-namespace emit_particle_kernels_test {
+namespace physim::emit_particle_kernels_test {
 
 using test::same_bits;
 using Column = std::array<double, kColumn>;
@@ -129,5 +123,4 @@ TEST(ParticleKernels, a_life_is_lived_from_birth_to_the_end_of_its_span) {
   });
 }
 
-}  // namespace emit_particle_kernels_test
-}  // namespace physim
+}  // namespace physim::emit_particle_kernels_test

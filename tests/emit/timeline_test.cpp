@@ -2,17 +2,11 @@
 // sources, and what never fires.
 #include "emit/timeline.hpp"
 
-#include <gtest/gtest.h>
-
-#include <array>
-#include <span>
-
 #include "emit/statistics.hpp"
 #include "random_shots.hpp"
 #include "support.hpp"
 
-namespace physim {
-namespace emit_timeline_test {
+namespace physim::emit_timeline_test {
 
 using test::kInfinity;
 using test::near;
@@ -20,11 +14,7 @@ using test::near;
 constexpr double kMillion = 1e6;  // [s]
 
 /// An emitter with no rate of its own.
-EmitterDef silent() {
-  EmitterDef def;
-  def.per_second = {0};
-  return def;
-}
+EmitterDef silent() { return {.per_second = {0}}; }
 
 /// The moments of a play up to a time, the time included.
 struct Played {
@@ -318,8 +308,7 @@ TEST(Timeline, a_state_goes_on_where_it_was_copied) {
 TEST(Timeline, steady_moments_taken_together_are_those_taken_one_by_one) {
   test::Random r(4);
   for (int round = 0; round < 300; ++round) {
-    EmitterDef def;
-    def.per_second = {r.one_in(9) ? 0 : r.in(1, 500)};
+    EmitterDef def{.per_second = {r.one_in(9) ? 0 : r.in(1, 500)}};
     if (r.one_in(6)) def.per_second.curve = {{0, 1}, {1, 2}};
     def.cycle.duration = r.in(0.1, 2), def.cycle.looping = r.one_in(2), def.cycle.delay = {r.one_in(2) ? 0.3 : 0};
     if (r.one_in(2)) def.bursts = {{.time = 0.05, .count = {3}, .cycles = 4, .interval = 0.01}};
@@ -345,5 +334,4 @@ TEST(Timeline, steady_moments_taken_together_are_those_taken_one_by_one) {
   }
 }
 
-}  // namespace emit_timeline_test
-}  // namespace physim
+}  // namespace physim::emit_timeline_test

@@ -1,10 +1,7 @@
 // Asking backwards: aim(), against closed forms and against flights.
-#include <gtest/gtest.h>
-
 #include "support.hpp"
 
-namespace physim {
-namespace flight_aim_test {
+namespace physim::flight_aim_test {
 
 using namespace test;
 
@@ -19,9 +16,7 @@ std::pair<double, double> elevations_in_vacuum(double speed, double distance, do
 
 Aim aimed(const ProjectileDef& p, const Launch& l, const Environment& e, const Fidelity& f, const Target& t,
           const AimOptions& o = {}) {
-  const Result<Aim> answer = aim(p, l, e, f, t, o);
-  EXPECT_TRUE(answer) << (answer ? "" : answer.error().text());
-  return answer ? *answer : Aim{};
+  return must(aim(p, l, e, f, t, o));
 }
 
 /// How near a solution comes to the target when it is flown by itself.
@@ -49,8 +44,7 @@ TEST(Aim, in_vacuum_both_solutions_are_those_of_the_parabola) {
 }
 
 TEST(Aim, holds_under_the_aerodynamic_jump) {
-  Environment e;
-  e.wind.velocity = {2, 0, -8};
+  Environment e{.wind = {.velocity = {2, 0, -8}}};
   Fidelity f = Fidelity::small_arms();
   f.aerodynamic_jump = true;
   const ProjectileDef p = bullet_308();
@@ -98,8 +92,7 @@ TEST(Aim, next_to_the_farthest_range_is_found_and_beyond_it_is_not) {
 
 TEST(Aim, a_moving_target_is_led) {
   // Without gravity: |T + V t| = v t has a positive root t; the direction is (T + V t) / (v t).
-  Environment empty;
-  empty.gravity.model = GravityModel::off;
+  Environment empty{.gravity = {.model = GravityModel::off}};
   const Target target{{400, 50, -100}, {-30, 5, 60}};
   const double v = 200, a = v * v - length_squared(target.velocity), b = dot(target.position, target.velocity);
   const double time = (b + std::sqrt(b * b + a * length_squared(target.position))) / a;
@@ -112,8 +105,7 @@ TEST(Aim, a_moving_target_is_led) {
 }
 
 TEST(Aim, an_accelerating_target_is_led_through_air_and_wind) {
-  Environment windy;
-  windy.wind.velocity = {2, 0, -9};
+  Environment windy{.wind = {.velocity = {2, 0, -9}}};
   const Target target{{500, 30, 80}, {-12, 1, 15}, {0.5, -0.2, -1}};
   const Aim answer = aimed(bullet_308(), {.speed = 800}, windy, Fidelity::simulation(), target);
   ASSERT_TRUE(answer.low);
@@ -122,8 +114,7 @@ TEST(Aim, an_accelerating_target_is_led_through_air_and_wind) {
 
 TEST(Aim, with_linear_drag_it_is_the_closed_form) {
   // x = v cos(e) (1 - exp(-k t)) / k, y = (v sin(e) + g/k) (1 - exp(-k t)) / k - g t / k with k = k1 / m.
-  ProjectileDef p{.mass = 2};
-  p.drag.k1 = 0.3;
+  ProjectileDef p{.mass = 2, .drag = {.k1 = 0.3}};
   const double k = 0.15, v = 120, distance = 300, height = 20;
   Fidelity f = vacuum();
   f.drag = DragModel::linear_quadratic;
@@ -139,9 +130,7 @@ TEST(Aim, with_linear_drag_it_is_the_closed_form) {
 }
 
 TEST(Aim, hits_on_every_rung) {
-  Environment e;
-  e.wind.profile = {{0, {1, 0, -3}}, {500, {4, 0, -8}}};
-  e.earth.latitude = 0.8;
+  Environment e{.wind = {.profile = {{0, {1, 0, -3}}, {500, {4, 0, -8}}}}, .earth = {.latitude = 0.8}};
   ProjectileDef p = bullet_308();
   p.drag.k2 = 2e-6;
   const Target target{{900, 60, 25}};
@@ -162,8 +151,7 @@ TEST(Aim, hits_on_every_rung) {
 
 TEST(Aim, over_a_round_earth_reaches_across_a_tenth_of_it) {
   ProjectileDef p{.mass = 100, .diameter = 0.3};
-  Environment e;
-  e.earth = {.latitude = 0.6, .longitude = 0.2, .azimuth = 1};
+  Environment e{.earth = {.latitude = 0.6, .longitude = 0.2, .azimuth = 1}};
   Fidelity f = vacuum();
   f.gravity = GravityModel::j2;
   f.earth = EarthModel::ellipsoid;
@@ -209,9 +197,7 @@ TEST(Aim, the_nearest_is_a_solution_where_there_is_one) {
 }
 
 TEST(Aim, a_velocity_gives_its_magnitude_and_the_sight_is_not_read) {
-  Launch launch;
-  launch.velocity = Vec3d{0, 0, 300};
-  launch.sight = {.height = 1, .look_angle = 0.4, .cant = 1, .zero_range = 0};
+  Launch launch{.velocity = Vec3d{0, 0, 300}, .sight = {.height = 1, .look_angle = 0.4, .cant = 1, .zero_range = 0}};
   const Aim answer = aimed({}, launch, constant_gravity(), vacuum(), {{3000, 0, 0}});
   ASSERT_TRUE(answer.low);
   EXPECT_EQ(answer.low->launch.speed, 300);
@@ -239,9 +225,7 @@ TEST(Aim, bad_input_is_refused_with_its_place) {
   EXPECT_EQ(place(good, there, {.tolerance = 0}), "options.tolerance");
   EXPECT_EQ(place(good, there, {.time = -1}), "options.time");
   EXPECT_EQ(place(good, there, {.ground = kNan}), "options.ground");
-  ProjectileDef massless;
-  massless.mass = -1;
-  const Result<Aim> refused = aim(massless, good, {}, {}, there);
+  const Result<Aim> refused = aim({.mass = -1}, good, {}, {}, there);
   ASSERT_FALSE(refused);
   EXPECT_EQ(refused.error().place, "projectile.mass");
   Environment stormy;
@@ -256,33 +240,30 @@ TEST(Aim, bad_input_is_refused_with_its_place) {
 // ------------------------------------------------------------------------------------------------------------- ranges
 TEST(MaxRange, in_vacuum_it_is_at_half_the_right_angle_over_the_slope) {
   for (const double slope : {-0.5, 0.0, 0.3}) {
-    const auto far = max_range({}, {.speed = 100}, constant_gravity(), vacuum(), 0, slope);
-    ASSERT_TRUE(far) << far.error().text();
+    const auto far = must(max_range({}, {.speed = 100}, constant_gravity(), vacuum(), 0, slope));
     // R = v^2 / (g (1 + sin a)) at e = 45 deg + a / 2; a flat top hides the last digits of e.
-    EXPECT_NEAR(far->elevation, 45 * test::kDegree + slope / 2, 2e-5);
-    EXPECT_NEAR(far->range, 1e4 / (kG * (1 + std::sin(slope))), 1e-6);
-    EXPECT_NEAR(far->time, 2 * 100 * std::sin(far->elevation - slope) / (kG * std::cos(slope)), 1e-6);
+    EXPECT_NEAR(far.elevation, 45 * test::kDegree + slope / 2, 2e-5);
+    EXPECT_NEAR(far.range, 1e4 / (kG * (1 + std::sin(slope))), 1e-6);
+    EXPECT_NEAR(far.time, 2 * 100 * std::sin(far.elevation - slope) / (kG * std::cos(slope)), 1e-6);
   }
 }
 
 TEST(MaxRange, from_a_height_it_is_lower_than_half_the_right_angle) {
   // tan e = v / sqrt(v^2 + 2 g h), R = v/g sqrt(v^2 + 2 g h).
-  const auto far = max_range({}, {.position = {0, 30, 0}, .speed = 20}, constant_gravity(), vacuum());
-  ASSERT_TRUE(far);
+  const auto far = must(max_range({}, {.position = {0, 30, 0}, .speed = 20}, constant_gravity(), vacuum()));
   const double root = std::sqrt(400 + 2 * kG * 30);
-  EXPECT_NEAR(far->elevation, std::atan(20 / root), 2e-5);
-  EXPECT_NEAR(std::hypot(far->position.x, far->position.z), 20 / kG * root, 1e-5);
+  EXPECT_NEAR(far.elevation, std::atan(20 / root), 2e-5);
+  EXPECT_NEAR(std::hypot(far.position.x, far.position.z), 20 / kG * root, 1e-5);
 }
 
 TEST(MaxRange, with_drag_no_other_elevation_carries_farther) {
-  const auto far = max_range(bullet_308(), {.speed = 800}, {}, Fidelity::simulation());
-  ASSERT_TRUE(far);
-  EXPECT_GT(far->elevation, 25 * test::kDegree);
-  EXPECT_LT(far->elevation, 40 * test::kDegree);
+  const auto far = must(max_range(bullet_308(), {.speed = 800}, {}, Fidelity::simulation()));
+  EXPECT_GT(far.elevation, 25 * test::kDegree);
+  EXPECT_LT(far.elevation, 40 * test::kDegree);
   for (const double turn : {-0.02, 0.02}) {
     const Flight other =
-        fly(bullet_308(), {.speed = 800, .elevation = far->elevation + turn}, {}, Fidelity::simulation());
-    EXPECT_LT(length(other.end().position), far->range);
+        fly(bullet_308(), {.speed = 800, .elevation = far.elevation + turn}, {}, Fidelity::simulation());
+    EXPECT_LT(length(other.end().position), far.range);
   }
 }
 
@@ -300,9 +281,7 @@ TEST(MaxRange, steps_that_pilots_find_carry_as_far_as_adaptive_ones) {
 }
 
 TEST(MaxRange, what_does_not_come_down_is_refused) {
-  Environment weightless;
-  weightless.gravity.model = GravityModel::off;
-  const auto far = max_range({}, {.speed = 100}, weightless, vacuum(), 0, 0, 60);
+  const auto far = max_range({}, {.speed = 100}, {.gravity = {.model = GravityModel::off}}, vacuum(), 0, 0, 60);
   ASSERT_FALSE(far);
   EXPECT_NE(far.error().message.find("does not come down"), std::string::npos);
   EXPECT_FALSE(max_range({}, {.speed = 0}, {}, {}));
@@ -319,42 +298,34 @@ TEST(DangerSpace, of_a_parabola) {
     const double t = std::tan(e);
     return (t + std::sqrt(t * t - 4 * k * y)) / (2 * k);
   };
-  const auto space = danger_space(flight, x0, h);
-  ASSERT_TRUE(space);
-  EXPECT_NEAR(space->from, place(y0 + h / 2), 1e-6);
-  EXPECT_NEAR(space->to, place(y0 - h / 2), 1e-6);
-  const auto all = danger_space(flight, x0, 1000);
-  ASSERT_TRUE(all);
-  EXPECT_EQ(all->from, 0);
-  EXPECT_NEAR(all->to, flight.end().range, 1e-9);
+  const auto space = must(danger_space(flight, x0, h));
+  EXPECT_NEAR(space.from, place(y0 + h / 2), 1e-6);
+  EXPECT_NEAR(space.to, place(y0 - h / 2), 1e-6);
+  const auto all = must(danger_space(flight, x0, 1000));
+  EXPECT_EQ(all.from, 0);
+  EXPECT_NEAR(all.to, flight.end().range, 1e-9);
   EXPECT_FALSE(danger_space(flight, 1e6, 1));
   EXPECT_FALSE(danger_space(flight, x0, 0));
 }
 
 TEST(TimeToRange, of_a_parabola) {
-  const auto time = time_to_range({}, {.speed = 300, .elevation = 0.1}, constant_gravity(), vacuum(), 500);
-  ASSERT_TRUE(time);
-  EXPECT_NEAR(*time, 500 / (300 * std::cos(0.1)), 1e-9);
+  const auto time = must(time_to_range({}, {.speed = 300, .elevation = 0.1}, constant_gravity(), vacuum(), 500));
+  EXPECT_NEAR(time, 500 / (300 * std::cos(0.1)), 1e-9);
   EXPECT_FALSE(time_to_range({}, {.speed = 300}, {}, {}, -1));
   EXPECT_FALSE(time_to_range(bullet_308(), {.speed = 300}, {}, {}, 1e7));
 }
 
 /// A rocket that starts from rest, with a tail that needs no attitude.
 ProjectileDef rocket_from_rest() {
-  ProjectileDef p;
-  p.mass = 0.2;
-  p.diameter = 0.03;
-  p.drag.table = DragTable::constant;
-  p.drag.coefficient = 0.5;
-  p.motor.thrust = {{0, 12}, {1.5, 12}, {1.8, 0}};
-  p.motor.propellant_mass = 0.02;
-  return p;
+  return {.mass = 0.2,
+          .diameter = 0.03,
+          .drag = {.table = DragTable::constant, .coefficient = 0.5},
+          .motor = {.thrust = {{0, 12}, {1.5, 12}, {1.8, 0}}, .propellant_mass = 0.02}};
 }
 
 TEST(AimRocket, from_rest_hits_where_flown_rockets_came_by) {
   const ProjectileDef p = rocket_from_rest();
-  Environment e;
-  e.wind.velocity = {1, 0, -3};
+  Environment e{.wind = {.velocity = {1, 0, -3}}};
   for (const Fidelity& f : {Fidelity::constant_air(), Fidelity::small_arms()})
     for (const double elevation : {0.3, 0.8, 1.3})
       for (const double azimuth : {0.0, -2.2}) {
@@ -381,8 +352,7 @@ TEST(AimRocket, from_rest_hits_where_flown_rockets_came_by) {
 TEST(AimRocket, the_steep_way_is_found_between_long_steps) {
   ProjectileDef p = rocket_from_rest();
   p.motor.thrust = {{0, 40}, {1.8, 40}, {1.8, 0}};
-  Environment e;
-  e.atmosphere.model = AirModel::vacuum;
+  Environment e{.atmosphere = {.model = AirModel::vacuum}};
   const Fidelity f = Fidelity::constant_air();
   const auto carry = [&](double elevation) {
     return fly(p, {.elevation = elevation, .rail_length = 1}, e, f).end().position.x;
@@ -404,10 +374,9 @@ TEST(AimRocket, the_steep_way_is_found_between_long_steps) {
 TEST(AimRocket, what_is_too_far_is_told_and_balls_still_need_a_speed) {
   const ProjectileDef p = rocket_from_rest();
   const Fidelity f = Fidelity::constant_air();
-  const auto far = aim(p, {.rail_length = 1}, {}, f, {.position = {5000, 0, 0}});
-  ASSERT_TRUE(far);
-  EXPECT_FALSE(far->in_reach());
-  EXPECT_GT(far->nearest.miss, 1000);
+  const auto far = must(aim(p, {.rail_length = 1}, {}, f, {.position = {5000, 0, 0}}));
+  EXPECT_FALSE(far.in_reach());
+  EXPECT_GT(far.nearest.miss, 1000);
   const auto without_rail = aim(p, {}, {}, f, {.position = {50, 0, 0}});
   ASSERT_FALSE(without_rail);
   EXPECT_EQ(without_rail.error().place, "launch.rail_length");
@@ -422,7 +391,7 @@ struct Walled {
   Scene scene;
   InstanceId wall;
   Walled(double at, double height) {
-    wall = *scene.add({.shape = *scene.add_shape(BoxShape{{0.5, height, 500}}), .transform = {.position = {at, 0, 0}}});
+    wall = add_thing(scene, BoxShape{{0.5, height, 500}}, {.transform = {.position = {at, 0, 0}}});
   }
 };
 
@@ -443,8 +412,7 @@ TEST(Aim, finds_the_arcs_that_clear_a_wall_as_parabolas_do) {
     for (const double radius : {0.0, 0.5}) {
       for (const double part : {0.9, 0.999, 1.001, 1.1}) {
         const Walled low_wall(at, part * lowest(low, at)), high_wall(at, part * lowest(high, at));
-        AimOptions options{.tolerance = 1e-6, .scene = &low_wall.scene};
-        options.contact.collision.radius = radius;
+        AimOptions options{.tolerance = 1e-6, .scene = &low_wall.scene, .contact = {.collision = {.radius = radius}}};
         const bool clear = radius == 0 ? part < 1 : part * lowest(low, at) < lowest(low, at) - 2;
         const bool surely = radius == 0 || clear || part > 1;
         const Aim over_low = aimed({}, launch, constant_gravity(), vacuum(), target, options);
@@ -480,7 +448,7 @@ TEST(Aim, what_is_aimed_at_is_in_nobodys_way) {
   EXPECT_FALSE(answer.sight_ends);
   // On the ground itself the path ends at the target.
   Scene ground;
-  ASSERT_TRUE(ground.add({.shape = *ground.add_shape(PlaneShape{})}));
+  add_thing(ground, PlaneShape{});
   options = {.tolerance = 1e-3, .scene = &ground};
   EXPECT_TRUE(
       aimed({}, {.position = {0, 1, 0}, .speed = 120}, constant_gravity(), vacuum(), {{900, 0, 0}}, options).low);
@@ -493,11 +461,10 @@ TEST(Aim, what_is_aimed_at_is_in_nobodys_way) {
 TEST(MaxRange, between_a_steep_slope_and_the_vertical) {
   for (const double degrees : {80.0, 85.0, 89.0, 89.9}) {
     const double slope = degrees * test::kDegree;
-    const auto far = max_range({}, {.speed = 100}, constant_gravity(), vacuum(), 0, slope);
-    ASSERT_TRUE(far) << far.error().text();
+    const auto far = must(max_range({}, {.speed = 100}, constant_gravity(), vacuum(), 0, slope));
     // R = v^2 / (g (1 + sin a)) at e = 45 deg + a / 2.
-    EXPECT_NEAR(far->range, 1e4 / (kG * (1 + std::sin(slope))), 1e-6) << degrees;
-    EXPECT_GT(far->elevation, slope);
+    EXPECT_NEAR(far.range, 1e4 / (kG * (1 + std::sin(slope))), 1e-6) << degrees;
+    EXPECT_GT(far.elevation, slope);
   }
 }
 
@@ -520,5 +487,4 @@ TEST(Aim, two_solutions_may_have_one_elevation) {
   EXPECT_NE(answer.explanation().find("; high: "), std::string::npos) << answer.explanation();
 }
 
-}  // namespace flight_aim_test
-}  // namespace physim
+}  // namespace physim::flight_aim_test

@@ -1,13 +1,10 @@
 // The cache of auto fidelity: one computation for each kind of projectile, the same answer however it is asked.
-#include <gtest/gtest.h>
-
 #include <random>
 #include <thread>
 
 #include "support.hpp"
 
-namespace physim {
-namespace flight_auto_fidelity_cache_test {
+namespace physim::flight_auto_fidelity_cache_test {
 
 using namespace test;
 
@@ -16,8 +13,7 @@ const Purpose kPurpose{.error = 0.05, .time = 0.5};
 
 TEST(AutoFidelityCache, ComputesOnceForAKind) {
   AutoFidelityCache cache;
-  const auto first = cache.cheapest_within(bullet_308(), kLaunch, {}, kPurpose);
-  ASSERT_TRUE(first.ok()) << first.error().text();
+  const auto first = must(cache.cheapest_within(bullet_308(), kLaunch, {}, kPurpose));
   ProjectileDef renamed = bullet_308();
   renamed.name = "another name";
   renamed.fidelity = Fidelity::arcade();
@@ -25,9 +21,8 @@ TEST(AutoFidelityCache, ComputesOnceForAKind) {
   alike.speed = 805;
   alike.elevation = 0.05;
   alike.position = {100, 2, -30};
-  const auto again = cache.cheapest_within(renamed, alike, {}, kPurpose);
-  ASSERT_TRUE(again.ok());
-  EXPECT_EQ(first->get(), again->get());
+  const auto again = must(cache.cheapest_within(renamed, alike, {}, kPurpose));
+  EXPECT_EQ(first.get(), again.get());
   EXPECT_EQ(cache.computed(), 1U);
   EXPECT_EQ(cache.size(), 1U);
 }
@@ -154,8 +149,7 @@ TEST(AutoFidelityCache, AVelocityIsOfTheClassOfItsAngles) {
 
 TEST(AutoFidelityCache, LaunchesBetweenTheCornersKeepTheWord) {
   AutoFidelityCache cache;
-  const auto choice = cache.cheapest_within(bullet_308(), kLaunch, {}, kPurpose);
-  ASSERT_TRUE(choice.ok());
+  const auto choice = must(cache.cheapest_within(bullet_308(), kLaunch, {}, kPurpose));
   const std::vector<Launch> corners = launch_class(kLaunch, {});
   for (const double part : {0.2, 0.5, 0.9}) {
     Launch launch = kLaunch;
@@ -163,7 +157,7 @@ TEST(AutoFidelityCache, LaunchesBetweenTheCornersKeepTheWord) {
     launch.elevation = corners[0].elevation + part * (corners[7].elevation - corners[0].elevation);
     const Until until{.ground = std::nullopt, .time = kPurpose.time};
     const Flight truth = fly(bullet_308(), launch, {}, Fidelity::reference(), {}, until);
-    const Flight flight = fly_chosen(bullet_308(), launch, {}, **choice, until);
+    const Flight flight = fly_chosen(bullet_308(), launch, {}, *choice, until);
     double error = 0;
     for (int i = 0; i <= 200; ++i) {
       const double time = kPurpose.time * i / 200;
@@ -173,5 +167,4 @@ TEST(AutoFidelityCache, LaunchesBetweenTheCornersKeepTheWord) {
   }
 }
 
-}  // namespace flight_auto_fidelity_cache_test
-}  // namespace physim
+}  // namespace physim::flight_auto_fidelity_cache_test

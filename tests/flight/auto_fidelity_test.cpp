@@ -1,13 +1,10 @@
 // Auto fidelity: what is chosen keeps its word when it is measured here, by other means than it was chosen with.
-#include <gtest/gtest.h>
-
 #include <set>
 
 #include "model/ladder.hpp"
 #include "support.hpp"
 
-namespace physim {
-namespace flight_auto_fidelity_test {
+namespace physim::flight_auto_fidelity_test {
 
 using namespace test;
 
@@ -21,10 +18,7 @@ struct Case {
 };
 
 Environment windy() {
-  Environment environment;
-  environment.wind.velocity = {1, 0, -3};
-  environment.earth = {.latitude = 45 * test::kDegree, .azimuth = 90 * test::kDegree};
-  return environment;
+  return {.wind = {.velocity = {1, 0, -3}}, .earth = {.latitude = 45 * test::kDegree, .azimuth = 90 * test::kDegree}};
 }
 
 Environment nothing_but_weight() {
@@ -35,23 +29,15 @@ Environment nothing_but_weight() {
 }
 
 ProjectileDef shell() {
-  ProjectileDef p{.mass = 43, .diameter = 0.155, .length = 0.8, .twist = 3.1};
-  p.drag.table = DragTable::g7;
-  return p;
+  return {.mass = 43, .diameter = 0.155, .length = 0.8, .twist = 3.1, .drag = {.table = DragTable::g7}};
 }
 
 /// Creeps through air, with drag linear in the velocity and a truth that says so.
-ProjectileDef grain() {
-  ProjectileDef p{.mass = 1e-6, .diameter = 1e-4};
-  p.drag.k1 = 2e-6;
-  return p;
-}
+ProjectileDef grain() { return {.mass = 1e-6, .diameter = 1e-4, .drag = {.k1 = 2e-6}}; }
 
 std::vector<Case> cases() {
   ProjectileDef ball{.mass = 0.057, .diameter = 0.067};
-  ProjectileDef rocket{.mass = 5, .diameter = 0.05};
-  rocket.force = {200, 30, 0};
-  rocket.force_duration = 0.7;
+  ProjectileDef rocket{.mass = 5, .diameter = 0.05, .force = {200, 30, 0}, .force_duration = 0.7};
   return {{"bullet", bullet_308(), {.speed = 800, .elevation = 0.01}, windy(), 1, {}},
           {"bullet in a vacuum", bullet_308(), {.speed = 800, .elevation = 0.01}, nothing_but_weight(), 2, {}},
           {"ball", ball, {.position = {0, 1, 0}, .speed = 50, .elevation = 0.1}, windy(), 10, 0.0},
@@ -112,11 +98,10 @@ TEST(AutoFidelity, ASmallerErrorIsNeverCheaper) {
 
 TEST(AutoFidelity, NoCheaperCandidateWouldHaveDone) {
   for (const Case& c : cases()) {
-    const auto choice = chosen(c, 0.01);
-    ASSERT_TRUE(choice.ok()) << c.what;
-    for (const FidelityTrial& trial : choice->trials) {
-      EXPECT_EQ(trial.within, trial.error + choice->truth_error <= 0.01) << c.what;
-      EXPECT_TRUE(!trial.lowered.empty() || !trial.within || trial.cost >= choice->cost) << c.what;
+    const auto choice = must(chosen(c, 0.01), c.what);
+    for (const FidelityTrial& trial : choice.trials) {
+      EXPECT_EQ(trial.within, trial.error + choice.truth_error <= 0.01) << c.what;
+      EXPECT_TRUE(!trial.lowered.empty() || !trial.within || trial.cost >= choice.cost) << c.what;
     }
   }
 }
@@ -124,20 +109,18 @@ TEST(AutoFidelity, NoCheaperCandidateWouldHaveDone) {
 TEST(AutoFidelity, AVacuumGetsTheClosedForm) {
   const Case c = cases()[1];
   for (const double error : {1.0, 1e-3, 1e-6, 1e-10}) {
-    const auto choice = chosen(c, error);
-    ASSERT_TRUE(choice.ok()) << choice.error().text();
-    EXPECT_EQ(choice->fidelity.motion, Motion::closed_form);
-    EXPECT_EQ(choice->fidelity.precision, error > 2e-4 ? Precision::float32 : Precision::float64) << error;
+    const auto choice = must(chosen(c, error));
+    EXPECT_EQ(choice.fidelity.motion, Motion::closed_form);
+    EXPECT_EQ(choice.fidelity.precision, error > 2e-4 ? Precision::float32 : Precision::float64) << error;
   }
 }
 
 TEST(AutoFidelity, AProjectileWithoutDragGetsTheClosedForm) {
   Case c = cases()[2];
   c.projectile.drag.coefficient = 0;
-  const auto choice = chosen(c, 0.1);
-  ASSERT_TRUE(choice.ok()) << choice.error().text();
-  EXPECT_EQ(choice->fidelity.motion, Motion::closed_form);
-  EXPECT_EQ(choice->fidelity.drag, DragModel::off);
+  const auto choice = must(chosen(c, 0.1));
+  EXPECT_EQ(choice.fidelity.motion, Motion::closed_form);
+  EXPECT_EQ(choice.fidelity.drag, DragModel::off);
 }
 
 TEST(AutoFidelity, LinearDragGetsTheClosedForm) {
@@ -145,45 +128,41 @@ TEST(AutoFidelity, LinearDragGetsTheClosedForm) {
   purpose.truth.drag = DragModel::linear_quadratic;
   Environment environment = windy();
   environment.earth.rotation_rate = 0;
-  const auto choice = cheapest_within(grain(), Launch{.speed = 5, .elevation = 0.5}, environment, purpose);
-  ASSERT_TRUE(choice.ok()) << choice.error().text();
-  EXPECT_EQ(choice->fidelity.motion, Motion::closed_form);
-  EXPECT_EQ(choice->fidelity.drag, DragModel::linear_quadratic);
-  EXPECT_EQ(choice->fidelity.wind, WindModel::constant);
+  const auto choice = must(cheapest_within(grain(), Launch{.speed = 5, .elevation = 0.5}, environment, purpose));
+  EXPECT_EQ(choice.fidelity.motion, Motion::closed_form);
+  EXPECT_EQ(choice.fidelity.drag, DragModel::linear_quadratic);
+  EXPECT_EQ(choice.fidelity.wind, WindModel::constant);
 }
 
 TEST(AutoFidelity, ABulletInAGameGetsSomethingCheap) {
   Case c = cases()[0];
   c.time = 0.1;
-  const auto choice = chosen(c, 1);
-  ASSERT_TRUE(choice.ok()) << choice.error().text();
-  EXPECT_EQ(choice->fidelity.integrator, Integrator::semi_implicit_euler);
-  EXPECT_LT(level(choice->fidelity.drag), level(DragModel::equation));
-  EXPECT_EQ(choice->fidelity.precision, Precision::float32);
-  EXPECT_GT(choice->truth_cost, 50 * choice->cost);
+  const auto choice = must(chosen(c, 1));
+  EXPECT_EQ(choice.fidelity.integrator, Integrator::semi_implicit_euler);
+  EXPECT_LT(level(choice.fidelity.drag), level(DragModel::equation));
+  EXPECT_EQ(choice.fidelity.precision, Precision::float32);
+  EXPECT_GT(choice.truth_cost, 50 * choice.cost);
 }
 
 TEST(AutoFidelity, ABulletAtATenthOfAMillimetreGetsTheStandardAir) {
-  const auto choice = chosen(cases()[0], 1e-4);
-  ASSERT_TRUE(choice.ok()) << choice.error().text();
-  EXPECT_EQ(choice->fidelity.drag, DragModel::equation);
-  EXPECT_EQ(choice->fidelity.air, AirModel::isa);
-  EXPECT_EQ(choice->fidelity.integrator, Integrator::rk4);
-  EXPECT_EQ(choice->fidelity.earth, EarthModel::flat_coriolis);
-  EXPECT_EQ(choice->fidelity.rotation, RotationModel::spin_drift);
+  const auto choice = must(chosen(cases()[0], 1e-4));
+  EXPECT_EQ(choice.fidelity.drag, DragModel::equation);
+  EXPECT_EQ(choice.fidelity.air, AirModel::isa);
+  EXPECT_EQ(choice.fidelity.integrator, Integrator::rk4);
+  EXPECT_EQ(choice.fidelity.earth, EarthModel::flat_coriolis);
+  EXPECT_EQ(choice.fidelity.rotation, RotationModel::spin_drift);
 }
 
 TEST(AutoFidelity, SaysWhatEachEffectIsWorth) {
-  const auto choice = chosen(cases()[0], 0.01);
-  ASSERT_TRUE(choice.ok());
-  const FidelityTrial* off = trial_of(*choice, "drag", DragModel::off);
-  const FidelityTrial* constants = trial_of(*choice, "drag", DragModel::linear_quadratic);
+  const auto choice = must(chosen(cases()[0], 0.01));
+  const FidelityTrial* off = trial_of(choice, "drag", DragModel::off);
+  const FidelityTrial* constants = trial_of(choice, "drag", DragModel::linear_quadratic);
   ASSERT_TRUE(off && constants);
   EXPECT_GT(off->error, 100);
   EXPECT_GT(off->error, 5 * constants->error);
   EXPECT_FALSE(off->within);
   std::set<std::string> effects;
-  for (const FidelityTrial& trial : choice->trials) effects.insert(trial.lowered);
+  for (const FidelityTrial& trial : choice.trials) effects.insert(trial.lowered);
   for (const char* effect : {"air", "wind", "gravity", "earth", "rotation", "integrator"})
     EXPECT_TRUE(effects.contains(effect)) << effect;
 }
@@ -191,16 +170,14 @@ TEST(AutoFidelity, SaysWhatEachEffectIsWorth) {
 TEST(AutoFidelity, NeverLessThanWasAllowed) {
   const Case c = cases()[1];
   const Purpose purpose{.error = 1, .time = 1, .least_motion = Motion::force, .least_precision = Precision::float64};
-  const auto choice = cheapest_within(c.projectile, c.launch, c.environment, purpose);
-  ASSERT_TRUE(choice.ok()) << choice.error().text();
-  EXPECT_EQ(choice->fidelity.motion, Motion::force);
-  EXPECT_EQ(choice->fidelity.precision, Precision::float64);
+  const auto choice = must(cheapest_within(c.projectile, c.launch, c.environment, purpose));
+  EXPECT_EQ(choice.fidelity.motion, Motion::force);
+  EXPECT_EQ(choice.fidelity.precision, Precision::float64);
 }
 
 TEST(AutoFidelity, AThrustThatMattersIsKept) {
-  const auto choice = chosen(cases()[4], 0.1);
-  ASSERT_TRUE(choice.ok()) << choice.error().text();
-  EXPECT_EQ(choice->fidelity.motion, Motion::force) << "the other motions know no forces";
+  const auto choice = must(chosen(cases()[4], 0.1));
+  EXPECT_EQ(choice.fidelity.motion, Motion::force) << "the other motions know no forces";
 }
 
 /// What a bullet gets that is fired in a crosswind.
@@ -211,9 +188,7 @@ Result<AutoFidelity> bullet_in_wind(double speed, const Purpose& purpose) {
                              .length = 1.226_in,
                              .twist = 12_in,
                              .drag = {.table = DragTable::g7, .ballistic_coefficient = 0.218_lb_in2}};
-  Environment environment;
-  environment.wind.velocity = {0, 0, -2};
-  return cheapest_within(bullet, {.speed = speed, .elevation = 0.2_deg}, environment, purpose);
+  return cheapest_within(bullet, {.speed = speed, .elevation = 0.2_deg}, {.wind = {.velocity = {0, 0, -2}}}, purpose);
 }
 
 // The table of docs/auto_fidelity.md, and the sentence quoted there.
@@ -244,12 +219,11 @@ TEST(AutoFidelity, ItsPageTellsTheTruth) {
 }
 
 TEST(AutoFidelity, TheTruthItselfIsToldWhereNothingCheaperStaysWithin) {
-  const auto choice = bullet_in_wind(600, {.error = 1e-8, .time = 0.5});
-  ASSERT_TRUE(choice.ok()) << choice.error().text();
-  EXPECT_EQ(choice->fidelity.integrator, Integrator::dop853);
-  EXPECT_EQ(choice->explanation().find("nothing cheaper than the reference stays within 10 nm over 0.5 s: measured "),
+  const auto choice = must(bullet_in_wind(600, {.error = 1e-8, .time = 0.5}));
+  EXPECT_EQ(choice.fidelity.integrator, Integrator::dop853);
+  EXPECT_EQ(choice.explanation().find("nothing cheaper than the reference stays within 10 nm over 0.5 s: measured "),
             0U)
-      << choice->explanation();
+      << choice.explanation();
 }
 
 TEST(AutoFidelity, SeveralLaunchesCountByTheirWorst) {
@@ -275,16 +249,15 @@ TEST(AutoFidelity, IsDeterministic) {
 
 TEST(AutoFidelity, ExplainsItself) {
   const Case c = cases()[1];
-  const auto choice = chosen(c, 0.01);
-  ASSERT_TRUE(choice.ok());
-  EXPECT_EQ(choice->explanation().find("the cheapest within 1 cm over 2 s: measured "), 0U) << choice->explanation();
-  const Flight flight = fly_chosen(c.projectile, c.launch, c.environment, *choice, {.time = 2});
+  const auto choice = must(chosen(c, 0.01));
+  EXPECT_EQ(choice.explanation().find("the cheapest within 1 cm over 2 s: measured "), 0U) << choice.explanation();
+  const Flight flight = fly_chosen(c.projectile, c.launch, c.environment, choice, {.time = 2});
   ASSERT_FALSE(flight.error());
   const FidelityNote note = flight.fidelity_in_use().notes.back();
   EXPECT_EQ(note.effect, "fidelity");
   EXPECT_EQ(note.asked, "cheapest_within 1 cm");
   EXPECT_EQ(note.granted, "closed_form, drag off");
-  EXPECT_EQ(note.reason, choice->explanation());
+  EXPECT_EQ(note.reason, choice.explanation());
 }
 
 TEST(AutoFidelity, AnErrorBelowTheTruthsOwnIsRefused) {
@@ -348,11 +321,9 @@ TEST(AutoFidelity, LandingCountsWhereItHappens) {
   Case c = cases()[0];
   c.launch = {.position = {0, 1, 0}, .speed = 800};
   c.ground = 0.0;
-  const auto choice = chosen(c, 0.05);
-  ASSERT_TRUE(choice.ok()) << choice.error().text();
-  EXPECT_LE(measured_again(c, *choice), 0.0505);
-  EXPECT_LT(choice->time, 0.6);
+  const auto choice = must(chosen(c, 0.05));
+  EXPECT_LE(measured_again(c, choice), 0.0505);
+  EXPECT_LT(choice.time, 0.6);
 }
 
-}  // namespace flight_auto_fidelity_test
-}  // namespace physim
+}  // namespace physim::flight_auto_fidelity_test

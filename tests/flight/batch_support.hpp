@@ -1,11 +1,6 @@
 // Random batches, and what makes two of their results the same.
 #pragma once
 
-#include <gtest/gtest.h>
-
-#include <string>
-#include <vector>
-
 #include "random_shots.hpp"
 #include "support.hpp"
 

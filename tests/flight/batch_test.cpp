@@ -1,14 +1,7 @@
 // fly_batch() gives the numbers of fly(), bit for bit: every integrator, precision and instruction set.
-#include <gtest/gtest.h>
-
-#include <string>
-#include <utility>
-
 #include "flight/batch_support.hpp"
-#include "physim/body.hpp"
 
-namespace physim {
-namespace flight_batch_test {
+namespace physim::flight_batch_test {
 
 using namespace test;
 
@@ -138,11 +131,12 @@ TEST_F(BatchTest, launches_that_differ_in_spin_and_rail_fly_as_shots) {
 }
 
 TEST_F(BatchTest, launches_of_what_turns_end_in_the_attitude_of_a_flight) {
-  ProjectileDef shell{.mass = 15, .diameter = 0.105, .twist = 2, .drag = {.table = DragTable::g1}};
-  shell.inertia.moments = {0.023, 0.23, 0.23};
-  shell.aero.lift = {{0, 0, 2}};
-  shell.aero.pitching = {{0, 0, 3.8}};
-  shell.aero.roll_damping = {{0, 0, -0.01}};
+  ProjectileDef shell{.mass = 15,
+                      .diameter = 0.105,
+                      .twist = 2,
+                      .drag = {.table = DragTable::g1},
+                      .inertia = {.moments = {0.023, 0.23, 0.23}},
+                      .aero = {.lift = {{0, 0, 2}}, .pitching = {{0, 0, 3.8}}, .roll_damping = {{0, 0, -0.01}}}};
   std::vector<Launch> launches;
   for (int i = 0; i < 40; ++i) launches.push_back({.position = {0, 1, 0}, .speed = 90.0 + i, .elevation = 0.3});
   launches[7].position.y = -1;  // ends at once
@@ -186,8 +180,7 @@ TEST_F(BatchTest, what_cannot_happen_ends_no_flight) {
   const std::vector<Shot> rockets(40, Shot{rocket, launch});
   const std::vector<Shot> bullets(40, Shot{bullet_308(), {.position = {0, 2, 0}, .speed = 200, .elevation = 0.2}});
   for (const EventKind kind : {EventKind::ignition, EventKind::burnout, EventKind::rail_exit}) {
-    Until until;
-    until.events = {{.kind = kind, .terminal = true}};
+    Until until{.events = {{.kind = kind, .terminal = true}}};
     for (const std::string& kernel : kernels()) {
       ASSERT_TRUE(use_kernel(kernel));
       EXPECT_FALSE(fly_batch(rockets, {}, Fidelity::simulation(), {}, until).error);
@@ -205,8 +198,7 @@ TEST_F(BatchTest, what_was_granted_is_that_of_the_first_shot_accepted) {
   for (Shot& shot : shots) shot.projectile.twist = 0;
   shots[0].projectile.twist = 0.3;
   shots[0].projectile.length = 0.03;
-  Fidelity f;
-  f.rotation = RotationModel::spin_drift;
+  Fidelity f{.rotation = RotationModel::spin_drift};
   EXPECT_EQ(fly_batch(shots, {}, f).fidelity_in_use.fidelity.rotation, RotationModel::spin_drift);
   shots[0].launch.speed = kNan;
   EXPECT_EQ(fly_batch(shots, {}, f).fidelity_in_use.fidelity.rotation, RotationModel::none);
@@ -246,15 +238,12 @@ TEST_F(BatchTest, a_result_used_again_holds_nothing_of_before) {
   for (int i = 0; i < 50; ++i) launches.push_back({.position = {0, 2, 0}, .speed = 100.0 + i, .elevation = 0.1});
   std::vector<Launch> some_bad = launches;
   some_bad[3].speed = kNan;
-  ProjectileDef brick;
-  brick.mass = 2;
-  brick.inertia.moments = {0.002, 0.006, 0.007};
+  ProjectileDef brick{.mass = 2, .inertia = {.moments = {0.002, 0.006, 0.007}}};
   Fidelity turning = Fidelity::simulation();
   turning.rotation = RotationModel::rigid_body;
   Fidelity fixed = Fidelity::simulation();
   fixed.integrator = Integrator::rk4;
-  Environment bad;
-  bad.altitude = kNan;
+  Environment bad{.altitude = kNan};
   BatchResult result;
   const auto flies_as_anew = [&](const char* what, const ProjectileDef& p, const std::vector<Launch>& list,
                                  const Environment& e, const Fidelity& f, const Tolerance& t = {}) {
@@ -313,9 +302,7 @@ TEST_F(BatchTest, lanes_are_refilled_whatever_the_durations) {
     }
     for (const Integrator integrator : {Integrator::tsit5, Integrator::rk4})
       for (const Precision precision : {Precision::float32, Precision::float64}) {
-        Fidelity f;
-        f.integrator = integrator;
-        f.precision = precision;
+        Fidelity f{.integrator = integrator, .precision = precision};
         const Tolerance tolerance{1e-6, 1e-6, 0.01};
         for (const std::string& kernel : kernels()) {
           use_kernel(kernel);
@@ -378,8 +365,7 @@ TEST_F(BatchTest, own_drag_curves_are_checked_and_granted_as_in_single_flights) 
 
 TEST_F(BatchTest, bad_common_input_refuses_all) {
   const std::vector<Shot> shots(3, Shot{bullet_308(), {.speed = 300}});
-  Environment bad;
-  bad.atmosphere.humidity = 7;
+  Environment bad{.atmosphere = {.humidity = 7}};
   for (const BatchResult& batch : {fly_batch(shots, bad, {}), fly_batch(shots, {}, {}, {.relative = 1e-20}),
                                    fly_batch(shots, {}, {}, {}, {.time = kNan})}) {
     ASSERT_TRUE(batch.error);
@@ -431,10 +417,8 @@ TEST_F(BatchTest, features_that_come_with_later_shots_change_no_earlier_one) {
   std::vector<Shot> shots(70, Shot{bullet_308(), {.elevation = 0.01}});
   for (std::size_t i = 0; i < shots.size(); ++i) change(i, shots[i]);
   const Environment environment;
-  Fidelity fidelity;
-  fidelity.precision = Precision::float32;
-  Until until;
-  until.range = 400;
+  Fidelity fidelity{.precision = Precision::float32};
+  Until until{.range = 400};
   for (const std::string& kernel : kernels()) {
     ASSERT_TRUE(use_kernel(kernel));
     const BatchResult batch = fly_batch(shots, environment, fidelity, {}, until);
@@ -453,8 +437,7 @@ TEST_F(BatchTest, features_that_come_with_later_shots_change_no_earlier_one) {
 TEST_F(BatchTest, an_automatic_step_is_small_enough_for_all_shots) {
   std::vector<Shot> shots;
   for (int i = 0; i < 15; ++i) shots.push_back({bullet_308(), {.speed = 800.0 - 10 * i, .elevation = 0.01}});
-  Fidelity f;
-  f.integrator = Integrator::rk4;
+  Fidelity f{.integrator = Integrator::rk4};
   const Until until{.ground = {}, .range = 800};
   const BatchResult batch = fly_batch(shots, {}, f, {.position_error = 1e-3}, until);
   f.integrator = Integrator::dop853;
@@ -466,12 +449,10 @@ TEST_F(BatchTest, an_automatic_step_is_small_enough_for_all_shots) {
 
 TEST_F(BatchTest, what_was_granted_is_told) {
   const std::vector<Shot> shots(3, Shot{bullet_308(), {.speed = 300}});
-  Fidelity f;
-  f.motion = Motion::velocity;
+  Fidelity f{.motion = Motion::velocity};
   const BatchResult batch = fly_batch(shots, {}, f);
   EXPECT_EQ(batch.fidelity_in_use.fidelity.drag, DragModel::damping);
   EXPECT_FALSE(batch.fidelity_in_use.notes.empty());
 }
 
-}  // namespace flight_batch_test
-}  // namespace physim
+}  // namespace physim::flight_batch_test

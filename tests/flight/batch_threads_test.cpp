@@ -2,12 +2,9 @@
 #include <thread>
 
 #include "flight/batch_support.hpp"
-#include "physim/environment.hpp"
-#include "physim/result.hpp"
 #include "processor_mode.hpp"
 
-namespace physim {
-namespace flight_batch_threads_test {
+namespace physim::flight_batch_threads_test {
 
 using namespace test;
 
@@ -134,8 +131,7 @@ TEST(BatchThreads, attitudes) {
 
 TEST(BatchThreads, bad_common_input_refuses_all) {
   const std::vector<Launch> some = launches(5000);
-  Environment nowhere;
-  nowhere.altitude = kNan;
+  Environment nowhere{.altitude = kNan};
   const auto pool = make_thread_pool(3);
   expect_same(fly_batch(bullet_308(), some, nowhere, Fidelity::game()),
               fly_batch(bullet_308(), some, nowhere, Fidelity::game(), {}, {}, pool.get()), "nowhere");
@@ -151,5 +147,4 @@ TEST(BatchThreads, a_result_is_used_again) {
   }
 }
 
-}  // namespace flight_batch_threads_test
-}  // namespace physim
+}  // namespace physim::flight_batch_threads_test

@@ -1,10 +1,7 @@
 // Columns of ballistic coefficients and form factors: each shot is that of fly() with a projectile of its own.
 #include "flight/batch_support.hpp"
-#include "physim/flight.hpp"
-#include "physim/result.hpp"
 
-namespace physim {
-namespace flight_column_drag_test {
+namespace physim::flight_column_drag_test {
 
 using namespace test;
 
@@ -126,10 +123,8 @@ TEST(ColumnDrag, threads_change_nothing) {
 /// Drag of a constant coefficient without gravity has a closed form: v = v0 / (1 + v0 t rho Cd pi / (8 BC)).
 TEST(ColumnDrag, slows_by_the_closed_form) {
   const std::vector<double> coefficient{20, 50, 100, 400}, speed(4, 100);
-  ProjectileDef ball;
-  ball.mass = 0.1, ball.diameter = 0.05, ball.drag = {.coefficient = 0.5};
-  Environment thick;
-  thick.atmosphere.density = 1.2;
+  ProjectileDef ball{.mass = 0.1, .diameter = 0.05, .drag = {.coefficient = 0.5}};
+  Environment thick{.atmosphere = {.density = 1.2}};
   Fidelity f = Fidelity::simulation();
   f.air = AirModel::constant, f.gravity = GravityModel::off;
   std::vector<double> vx(4);
@@ -172,5 +167,4 @@ TEST(ColumnDrag, bad_drag_is_refused_alone_and_bad_columns_together) {
   EXPECT_EQ(ends.time[0], 7) << "nothing is written";
 }
 
-}  // namespace flight_column_drag_test
-}  // namespace physim
+}  // namespace physim::flight_column_drag_test

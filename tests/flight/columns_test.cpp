@@ -1,10 +1,7 @@
 // fly_columns() gives the numbers of fly_batch(), column by column.
 #include "flight/batch_support.hpp"
-#include "physim/flight.hpp"
-#include "physim/result.hpp"
 
-namespace physim {
-namespace flight_columns_test {
+namespace physim::flight_columns_test {
 
 using namespace test;
 
@@ -89,8 +86,7 @@ void expect_as_batch(const ProjectileDef& projectile, const LaunchColumns& from,
 
 TEST(Columns, ends_are_those_of_a_batch) {
   const Launches l = random_launches(5000);
-  Environment windy;
-  windy.wind.velocity = {2, 0, -4};
+  Environment windy{.wind = {.velocity = {2, 0, -4}}};
   Fidelity steps_by_pilots = Fidelity::simulation();
   steps_by_pilots.integrator = Integrator::rk4;
   Fidelity drifting = Fidelity::small_arms();
@@ -117,8 +113,7 @@ TEST(Columns, plain_launches_are_those_of_a_batch) {
   }
   LaunchColumns from = l.columns();
   from.common.sight = {.height = 0.05, .look_angle = 0.1, .cant = -0.2};
-  Environment windy;
-  windy.wind.velocity = {2, 0, -4};
+  Environment windy{.wind = {.velocity = {2, 0, -4}}};
   for (const std::string& kernel : kernels()) {
     ASSERT_TRUE(use_kernel(kernel));
     for (const Integrator integrator : {Integrator::rk4, Integrator::tsit5, Integrator::rk43, Integrator::dop853})
@@ -231,5 +226,4 @@ TEST(Columns, bad_columns_refuse_all_and_write_nothing) {
   EXPECT_EQ(fly_columns(bullet_308(), {}, {}, Fidelity::game(), {}, {}, {}).refused, 0U) << "no shots";
 }
 
-}  // namespace flight_columns_test
-}  // namespace physim
+}  // namespace physim::flight_columns_test

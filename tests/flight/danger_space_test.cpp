@@ -1,14 +1,12 @@
 // danger_space() over the ground of a scene: a parabola over a slope, a straight path over a plateau, and what is
 // refused.
-#include <gtest/gtest.h>
-
 #include <cmath>
 
+#include "must.hpp"
 #include "physim/scene.hpp"
 #include "physim/solve.hpp"
 
-namespace physim {
-namespace flight_danger_space_test {
+namespace physim::flight_danger_space_test {
 
 constexpr double kG = 9.80665, kDegree = 3.14159265358979323846 / 180;
 
@@ -20,10 +18,7 @@ Fidelity simple(GravityModel gravity) {
   return fidelity;
 }
 Environment airless() {
-  Environment environment;
-  environment.gravity = {.model = GravityModel::constant, .acceleration = kG};
-  environment.atmosphere.model = AirModel::vacuum;
-  return environment;
+  return {.gravity = {.model = GravityModel::constant, .acceleration = kG}, .atmosphere = {.model = AirModel::vacuum}};
 }
 
 Scene slope(double tilt) {
@@ -38,8 +33,7 @@ TEST(DangerSpaceOverGround, OfAParabolaOverASlope) {
   for (const double tilt : {-10 * kDegree, 0.0, 10 * kDegree, 25 * kDegree}) {
     const Scene scene = slope(tilt);
     const double e = 30 * kDegree, v = 100, h = 1.7, k = kG / (2 * v * v * std::cos(e) * std::cos(e));
-    Until until{.ground = {}, .time = 60};
-    until.scene = &scene;
+    Until until{.ground = {}, .time = 60, .scene = &scene};
     const Launch launch{.position = {0, 1e-3, 0}, .speed = v, .elevation = e};
     const Flight flight = fly({}, launch, airless(), simple(GravityModel::constant), {}, until);
     ASSERT_EQ(flight.outcome(), Outcome::hit);
@@ -47,15 +41,13 @@ TEST(DangerSpaceOverGround, OfAParabolaOverASlope) {
     const auto place = [&](double height) {  // on the falling branch; it starts a millimetre high
       return (b + std::sqrt(b * b - 4 * k * (height - 1e-3))) / (2 * k);
     };
-    const auto space = danger_space(flight, 0.5 * (place(0) + place(h)), h, scene);
-    ASSERT_TRUE(space) << space.error().text();
-    EXPECT_NEAR(space->from, place(h), 1e-6) << tilt;
-    EXPECT_NEAR(space->to, place(0), 1e-5) << tilt;
+    const auto space = must(danger_space(flight, 0.5 * (place(0) + place(h)), h, scene));
+    EXPECT_NEAR(space.from, place(h), 1e-6) << tilt;
+    EXPECT_NEAR(space.to, place(0), 1e-5) << tilt;
     // Near the muzzle it rises out of the target again.
-    const auto first = danger_space(flight, 1, h, scene);
-    ASSERT_TRUE(first);
-    EXPECT_EQ(first->from, 0);
-    EXPECT_NEAR(first->to, (b - std::sqrt(b * b - 4 * k * (h - 1e-3))) / (2 * k), 1e-6);
+    const auto first = must(danger_space(flight, 1, h, scene));
+    EXPECT_EQ(first.from, 0);
+    EXPECT_NEAR(first.to, (b - std::sqrt(b * b - 4 * k * (h - 1e-3))) / (2 * k), 1e-6);
   }
 }
 
@@ -66,18 +58,16 @@ TEST(DangerSpaceOverGround, EndsAtTheEdgesOfAPlateau) {
   ASSERT_TRUE(scene.add({.shape = box, .transform = {.position = {550, 0, 0}}, .layers = 2}));
   const Flight flight = fly({}, {.position = {0, 10, 0}, .speed = 200}, airless(), simple(GravityModel::off), {},
                             {.ground = {}, .time = 5});
-  const auto space = danger_space(flight, 530, 2, scene);
-  ASSERT_TRUE(space) << space.error().text();
-  EXPECT_NEAR(space->from, 500, 1e-6);
-  EXPECT_NEAR(space->to, 600, 1e-6);
+  const auto space = must(danger_space(flight, 530, 2, scene));
+  EXPECT_NEAR(space.from, 500, 1e-6);
+  EXPECT_NEAR(space.to, 600, 1e-6);
   const auto beside = danger_space(flight, 400, 2, scene);
   ASSERT_FALSE(beside);
   EXPECT_EQ(beside.error().message, "the path passes 10 m above the ground there");
   EXPECT_FALSE(danger_space(flight, 530, 2, scene, 1)) << "the plateau is of another layer";
-  const auto high = danger_space(flight, 400, 11, scene);
-  ASSERT_TRUE(high);
-  EXPECT_EQ(high->from, 0);
-  EXPECT_NEAR(high->to, 1000, 1e-9);
+  const auto high = must(danger_space(flight, 400, 11, scene));
+  EXPECT_EQ(high.from, 0);
+  EXPECT_NEAR(high.to, 1000, 1e-9);
 }
 
 /// Over a sphere as large as the Earth, a straight path rises: it leaves the target where its altitude is the height.
@@ -91,11 +81,10 @@ TEST(DangerSpaceOverGround, LiesBelowAlongTheVerticalOfARoundEarth) {
   Scene scene;
   const ShapeId ball = scene.add_shape(SphereShape{radius}).value();
   ASSERT_TRUE(scene.add({.shape = ball, .transform = {.position = {0, -radius, 0}}}));
-  const auto space = danger_space(flight, 1000, 11, scene);
-  ASSERT_TRUE(space) << space.error().text();
-  EXPECT_EQ(space->from, 0);
-  EXPECT_NEAR(space->to, std::sqrt((radius + 11) * (radius + 11) - (radius + 10) * (radius + 10)), 0.01);
-  EXPECT_NEAR(frames.geodetic(flight.at_range(space->to)->position).height, 11, 1e-6);
+  const auto space = must(danger_space(flight, 1000, 11, scene));
+  EXPECT_EQ(space.from, 0);
+  EXPECT_NEAR(space.to, std::sqrt((radius + 11) * (radius + 11) - (radius + 10) * (radius + 10)), 0.01);
+  EXPECT_NEAR(frames.geodetic(flight.at_range(space.to)->position).height, 11, 1e-6);
 }
 
 TEST(DangerSpaceOverGround, RefusesWhatHasNone) {
@@ -110,5 +99,4 @@ TEST(DangerSpaceOverGround, RefusesWhatHasNone) {
   EXPECT_FALSE(danger_space(flight, 1e6, 2, nothing));
 }
 
-}  // namespace flight_danger_space_test
-}  // namespace physim
+}  // namespace physim::flight_danger_space_test

@@ -1,22 +1,13 @@
 // Shots that once went wrong: on and under the ground, across a value twice, in air that is hardly there.
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <cmath>
-
-#include "physim/physim.hpp"
 #include "support.hpp"
 
-namespace physim {
-namespace flight_edge_cases_test {
+namespace physim::flight_edge_cases_test {
 
 constexpr double kG = 9.80665;
 
 Environment still(double density) {
-  Environment e;
-  e.gravity.model = GravityModel::constant;
-  e.atmosphere = {.model = AirModel::constant, .density = density, .sound_speed = 340};
-  return e;
+  return {.gravity = {.model = GravityModel::constant},
+          .atmosphere = {.model = AirModel::constant, .density = density, .sound_speed = 340}};
 }
 
 TEST(EdgeCases, a_level_shot_from_the_ground_has_landed) {
@@ -43,9 +34,7 @@ TEST(EdgeCases, a_shot_that_never_leaves_the_underground_lands_at_its_apex) {
 }
 
 TEST(EdgeCases, thrust_lifts_a_level_shot_off_the_ground) {
-  ProjectileDef rocket;
-  rocket.force = {0, 2 * kG, 0};
-  rocket.force_duration = 1;
+  ProjectileDef rocket{.force = {0, 2 * kG, 0}, .force_duration = 1};
   const Flight flight = fly(rocket, {.speed = 10}, still(0), Fidelity::constant_air());
   EXPECT_EQ(flight.outcome(), Outcome::landed);
   // Up with g for 1 s, then a lob from g/2 with speed g: t = 1 + (1 + sqrt(2)).
@@ -53,8 +42,7 @@ TEST(EdgeCases, thrust_lifts_a_level_shot_off_the_ground) {
 }
 
 TEST(EdgeCases, a_range_crossed_out_and_back_in_one_step_is_seen) {
-  ProjectileDef grain;
-  grain.drag.k1 = 0.5;
+  ProjectileDef grain{.drag = {.k1 = 0.5}};
   Environment e = still(1.2);
   e.wind.velocity = {-60, 0, 0};
   Fidelity f = Fidelity::arcade();
@@ -73,8 +61,7 @@ TEST(EdgeCases, a_range_crossed_out_and_back_in_one_step_is_seen) {
 
 TEST(EdgeCases, a_speed_passed_twice_in_one_step_is_seen_twice) {
   const double slowest = 100 * std::cos(0.5235987755982988);
-  Until until;
-  until.events = {{EventKind::speed, slowest + 0.1}};
+  Until until{.events = {{EventKind::speed, slowest + 0.1}}};
   for (const Integrator integrator : test::kAdaptive) {
     Fidelity f = Fidelity::simulation();
     f.integrator = integrator;
@@ -95,9 +82,8 @@ TEST(EdgeCases, the_start_counts_as_a_crossing_of_its_height_only_for_any_direct
 TEST(EdgeCases, a_zero_beyond_thirty_degrees_is_found) {
   Fidelity f = Fidelity::constant_air();
   f.drag = DragModel::off;
-  const auto elevation = zero_elevation({}, {.speed = 100}, still(0), f, 950);
-  ASSERT_TRUE(elevation) << elevation.error().text();
-  EXPECT_NEAR(*elevation, 0.5 * std::asin(950 * kG / 1e4), 1e-7);
+  const auto elevation = must(zero_elevation({}, {.speed = 100}, still(0), f, 950));
+  EXPECT_NEAR(elevation, 0.5 * std::asin(950 * kG / 1e4), 1e-7);
   EXPECT_FALSE(zero_elevation({}, {.speed = 100}, still(0), f, 1030));
 }
 
@@ -111,8 +97,7 @@ TEST(EdgeCases, a_spline_that_would_overshoot_is_not_granted) {
 }
 
 TEST(EdgeCases, spin_drift_needs_air_and_a_stability_that_means_something) {
-  ProjectileDef bullet;
-  bullet.mass = 0.0109, bullet.diameter = 0.00782, bullet.length = 0.031, bullet.twist = 0.3;
+  ProjectileDef bullet{.mass = 0.0109, .diameter = 0.00782, .length = 0.031, .twist = 0.3};
   Environment e = still(0);
   for (const AirModel model : {AirModel::vacuum, AirModel::constant}) {
     e.atmosphere.model = model;
@@ -120,24 +105,19 @@ TEST(EdgeCases, spin_drift_needs_air_and_a_stability_that_means_something) {
     EXPECT_EQ(flight.fidelity_in_use().fidelity.rotation, RotationModel::none);
     EXPECT_EQ(flight.end().windage, 0);
   }
-  Environment high;
-  high.altitude = 80000;
+  Environment high{.altitude = 80000};
   EXPECT_EQ(fly(bullet, {.speed = 800, .elevation = 0.1}, high, Fidelity::small_arms()).end().windage, 0);
 }
 
 TEST(EdgeCases, more_vapour_than_air_is_refused) {
-  Environment e;
-  e.atmosphere.temperature = 350;
-  e.atmosphere.pressure = 200;
-  e.atmosphere.humidity = 1;
+  Environment e{.atmosphere = {.temperature = 350, .pressure = 200, .humidity = 1}};
   const Flight flight = fly({}, {.speed = 100, .elevation = 0.5}, e, Fidelity::simulation());
   ASSERT_TRUE(flight.error());
   EXPECT_EQ(flight.error()->place, "environment.atmosphere.humidity");
 }
 
 TEST(EdgeCases, derived_k2_equals_the_drag_equation_at_launch_with_wind_and_bands) {
-  ProjectileDef p;
-  p.drag = {.table = DragTable::g7, .bands = {{0, 100}, {600, 200}}};
+  ProjectileDef p{.drag = {.table = DragTable::g7, .bands = {{0, 100}, {600, 200}}}};
   Environment e = still(1.2);
   e.wind.velocity = {-20, 0, 5};
   Fidelity exact = Fidelity::constant_air();
@@ -150,8 +130,7 @@ TEST(EdgeCases, derived_k2_equals_the_drag_equation_at_launch_with_wind_and_band
 }
 
 TEST(EdgeCases, planar_effects_add_up) {
-  Environment e;
-  e.wind.velocity = {0, 0, 10};
+  Environment e{.wind = {.velocity = {0, 0, 10}}};
   Fidelity f = Fidelity::artillery();
   f.planar = true;
   const Accelerations a = fly({}, {.speed = 300, .elevation = 0.7}, e, f).accelerations(3);
@@ -215,9 +194,7 @@ TEST(EdgeCases, precision_alone_may_be_lowered) {
 }
 
 TEST(EdgeCases, what_is_left_out_is_said) {
-  ProjectileDef pushed;
-  pushed.force = {1, 0, 0};
-  const Flight flight = fly(pushed, {.speed = 10, .elevation = 1}, {}, Fidelity::arcade());
+  const Flight flight = fly({.force = {1, 0, 0}}, {.speed = 10, .elevation = 1}, {}, Fidelity::arcade());
   bool said = false;
   for (const FidelityNote& note : flight.fidelity_in_use().notes) said = said || note.effect == "motion";
   EXPECT_TRUE(said);
@@ -278,9 +255,8 @@ TEST(EdgeCases, a_flight_that_starts_at_rest_on_a_knot_of_the_wind_gets_away) {
 
 TEST(EdgeCases, a_flight_that_starts_at_rest_on_a_knot_of_its_drag_gets_away) {
   // The wind alone flows past it, with the Mach number of the knot: faster, slower, and across.
-  ProjectileDef ball{.mass = 1, .diameter = 0.3};
-  ball.drag.table = DragTable::custom;
-  ball.drag.curve = {{0, 0.4}, {0.1, 0.5}, {0.2, 1.5}};
+  ProjectileDef ball{
+      .mass = 1, .diameter = 0.3, .drag = {.table = DragTable::custom, .curve = {{0, 0.4}, {0.1, 0.5}, {0.2, 1.5}}}};
   for (Fidelity f : adaptive_in_both_precisions())
     for (const Vec3d push : {Vec3d{-20, 0, 0}, Vec3d{20, 0, 0}, Vec3d{0, 0, 0}}) {
       f.interpolation = Interpolation::linear;
@@ -295,9 +271,12 @@ TEST(EdgeCases, a_flight_that_starts_at_rest_on_a_knot_of_its_drag_gets_away) {
 }
 
 TEST(EdgeCases, a_body_that_starts_at_rest_on_a_knot_of_its_aerodynamics_gets_away) {
-  ProjectileDef body{.mass = 1, .diameter = 0.3, .drag = {.coefficient = 0.5}};
-  body.inertia.moments = {0.01, 0.01, 0.01};
-  body.aero.drag_yaw = {{.mach = 0, .value = 0.2}, {.mach = 0.1, .value = 0.4}, {.mach = 0.2, .value = 2}};
+  ProjectileDef body{
+      .mass = 1,
+      .diameter = 0.3,
+      .drag = {.coefficient = 0.5},
+      .inertia = {.moments = {0.01, 0.01, 0.01}},
+      .aero = {.drag_yaw = {{.mach = 0, .value = 0.2}, {.mach = 0.1, .value = 0.4}, {.mach = 0.2, .value = 2}}}};
   for (Fidelity f : adaptive_in_both_precisions())
     for (const Vec3d push : {Vec3d{-20, 0, 0}, Vec3d{20, 0, 0}, Vec3d{0, 0, 0}}) {
       f.rotation = RotationModel::rigid_body;
@@ -311,5 +290,4 @@ TEST(EdgeCases, a_body_that_starts_at_rest_on_a_knot_of_its_aerodynamics_gets_aw
     }
 }
 
-}  // namespace flight_edge_cases_test
-}  // namespace physim
+}  // namespace physim::flight_edge_cases_test

@@ -1,12 +1,7 @@
 // Events: each kind, direction and terminal flag, against times worked by hand.
-#include <gtest/gtest.h>
-
-#include <algorithm>
-
 #include "support.hpp"
 
-namespace physim {
-namespace flight_events_test {
+namespace physim::flight_events_test {
 
 using namespace test;
 
@@ -15,9 +10,7 @@ constexpr double kG = 9.80665;
 /// 50 m/s up and 20 m/s downrange in vacuum from 10 m: x = 20 t, y = 10 + 50 t - g t^2 / 2.
 Flight lob(const Until& until, Integrator integrator = Integrator::tsit5,
            const Tolerance& tolerance = {1e-9, 1e-9, 0.01}, Precision precision = Precision::float64) {
-  Launch launch;
-  launch.position = {0, 10, 0};
-  launch.velocity = Vec3d{20, 50, 0};
+  Launch launch{.position = {0, 10, 0}, .velocity = Vec3d{20, 50, 0}};
   Fidelity f = vacuum(integrator);
   f.precision = precision;
   return fly({}, launch, constant_gravity(), f, tolerance, until);
@@ -29,12 +22,11 @@ double time_at_height(double y, bool rising) {
 }
 
 TEST(Events, each_kind_is_found_where_it_should_be) {
-  Until until;
-  until.events = {{EventKind::height, 100},
-                  {EventKind::range, 100},
-                  {EventKind::speed, 30},
-                  {EventKind::time, 3.25},
-                  {EventKind::mach, 0.1}};
+  Until until{.events = {{EventKind::height, 100},
+                         {EventKind::range, 100},
+                         {EventKind::speed, 30},
+                         {EventKind::time, 3.25},
+                         {EventKind::mach, 0.1}}};
   const Flight flight = lob(until);
   const auto heights = of_kind(flight, EventKind::height);
   ASSERT_EQ(heights.size(), 2u);
@@ -71,9 +63,7 @@ TEST(Events, each_kind_is_found_where_it_should_be) {
 TEST(Events, direction_chooses_among_the_crossings) {
   for (const auto& [direction, expected] :
        {std::pair{Crossing::any, 2u}, {Crossing::rising, 1u}, {Crossing::falling, 1u}}) {
-    Until until;
-    until.events = {{EventKind::height, 60, direction}, {EventKind::speed, 40, direction}};
-    const Flight flight = lob(until);
+    const Flight flight = lob({.events = {{EventKind::height, 60, direction}, {EventKind::speed, 40, direction}}});
     const auto heights = of_kind(flight, EventKind::height);
     ASSERT_EQ(heights.size(), expected);
     EXPECT_EQ(of_kind(flight, EventKind::speed).size(), expected);
@@ -95,9 +85,7 @@ TEST(Events, a_terminal_one_ends_the_flight_and_later_ones_do_not_happen) {
                {{EventKind::time, 1.5, Crossing::any, true}, 1.5},
                {{EventKind::range, 77, Crossing::rising, true}, 77.0 / 20}};
   for (const auto& c : cases) {
-    Until until;
-    until.events = {c.spec, {EventKind::time, 9.9}};
-    const Flight flight = lob(until);
+    const Flight flight = lob({.events = {c.spec, {EventKind::time, 9.9}}});
     EXPECT_EQ(flight.outcome(), Outcome::event) << name(c.spec.kind);
     EXPECT_NEAR(flight.duration(), c.time, 1e-11) << name(c.spec.kind);
     EXPECT_EQ(flight.events().back().kind, c.spec.kind);
@@ -124,8 +112,7 @@ TEST(Events, the_earliest_terminal_event_wins) {
 
 TEST(Events, a_step_may_cross_a_height_twice) {
   // One step far longer than the flight: up through the height and down again inside it, then the ground.
-  Until until;
-  until.events = {{EventKind::height, 120, Crossing::any}, {EventKind::height, 20, Crossing::falling}};
+  Until until{.events = {{EventKind::height, 120, Crossing::any}, {EventKind::height, 20, Crossing::falling}}};
   for (const Integrator integrator :
        {Integrator::heun, Integrator::rk4, Integrator::rk43, Integrator::tsit5, Integrator::dop853}) {
     const Flight flight = lob(until, integrator, {.step = 500});
@@ -228,5 +215,4 @@ TEST(Events, no_place_falls_between_two_steps) {
         }
 }
 
-}  // namespace flight_events_test
-}  // namespace physim
+}  // namespace physim::flight_events_test

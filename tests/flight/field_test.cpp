@@ -1,15 +1,10 @@
 // Wind and force by functions of one's own, in flights: against wind that is no function, closed forms, and batches.
-#include <gtest/gtest.h>
-
 #include <array>
-#include <stdexcept>
 
-#include "physim/body.hpp"
 #include "random_shots.hpp"
 #include "support.hpp"
 
-namespace physim {
-namespace flight_field_test {
+namespace physim::flight_field_test {
 
 using namespace test;
 
@@ -27,12 +22,7 @@ ForceFunction force_by(F on) {
   };
 }
 
-Environment nothing() {
-  Environment e;
-  e.gravity.model = GravityModel::off;
-  e.atmosphere.model = AirModel::vacuum;
-  return e;
-}
+Environment nothing() { return {.gravity = {.model = GravityModel::off}, .atmosphere = {.model = AirModel::vacuum}}; }
 
 /// Wind that changes with place and time, smoothly and without elementary functions of the library.
 Vec3d swirl(double t, const Vec3d& x) {
@@ -86,8 +76,7 @@ TEST(Field, one_of_straight_lines_is_the_profile) {
 TEST(Field, wind_of_any_time_moves_a_linear_drag) {
   // v' = -k (v - w0 t): v = w0 (t - 1/k + exp(-k t)/k).
   const double k = 0.7, w0 = 3;
-  ProjectileDef p{.mass = 2};
-  p.drag.k1 = 2 * k;
+  ProjectileDef p{.mass = 2, .drag = {.k1 = 2 * k}};
   Environment e = nothing();
   e.wind.field = wind_by([=](double t, const Vec3d&) { return Vec3d{0, 0, w0 * t}; });
   Fidelity f = vacuum();
@@ -144,9 +133,8 @@ TEST(Field, a_force_that_grows_gives_a_cubic) {
 }
 
 TEST(Field, a_force_is_over_the_mass_that_is_left) {
-  ProjectileDef rocket{.mass = 2, .diameter = 0.1, .length = 1};
-  rocket.motor.thrust = {{0, 100}, {2, 100}};
-  rocket.motor.propellant_mass = 1;
+  ProjectileDef rocket{
+      .mass = 2, .diameter = 0.1, .length = 1, .motor = {.thrust = {{0, 100}, {2, 100}}, .propellant_mass = 1}};
   Environment e = nothing();
   e.force = [](const FieldForceBatch& b) {
     for (std::size_t i = 0; i < b.time.size(); ++i) b.force[i] = {0, 0, b.mass[i] * b.mass[i]};
@@ -157,8 +145,7 @@ TEST(Field, a_force_is_over_the_mass_that_is_left) {
 }
 
 TEST(Field, it_adds_to_a_force_of_the_projectile) {
-  ProjectileDef p{.mass = 4};
-  p.force = {8, 0, 0};
+  ProjectileDef p{.mass = 4, .force = {8, 0, 0}};
   Environment e = nothing();
   e.force = force_by([](double, const Vec3d&, const Vec3d&, double) { return Vec3d{0, 4, 0}; });
   const Flight flight = fly(p, {}, e, vacuum(), {}, {.ground = {}, .time = 2});
@@ -178,9 +165,7 @@ TEST(Field, planar_flight_takes_up_what_leads_out_of_it) {
 
 // ------------------------------------------------------------------------------------------------ rungs
 TEST(Field, what_a_rung_does_not_know_is_told) {
-  Environment e;
-  e.wind.field = wind_by(swirl);
-  e.force = force_by(tug);
+  Environment e{.wind = {.field = wind_by(swirl)}, .force = force_by(tug)};
   const auto noted = [&](const Fidelity& f, const char* effect, const char* reason) {
     bool found = false;
     for (const FidelityNote& note : grant(f, bullet_308(), e).notes)
@@ -246,9 +231,7 @@ TEST(Field, functions_are_equal_where_they_are_shared) {
 
 TEST(Field, a_flight_keeps_its_functions) {
   Flight flight = [] {
-    Environment e;
-    e.wind.field = wind_by(swirl);
-    e.force = force_by(tug);
+    Environment e{.wind = {.field = wind_by(swirl)}, .force = force_by(tug)};
     Fidelity f = Fidelity::simulation();
     f.rotation = RotationModel::none;
     return fly(bullet_308(), {.speed = 800}, e, f, {}, {.ground = {}, .time = 1});
@@ -277,9 +260,7 @@ std::vector<Shot> some_shots(unsigned count) {
 }
 
 TEST_F(FieldBatch, gives_the_numbers_of_flights) {
-  Environment e;
-  e.wind.field = wind_by(swirl);
-  e.force = force_by(tug);
+  Environment e{.wind = {.field = wind_by(swirl)}, .force = force_by(tug)};
   const Until until{.ground = -100.0, .time = 8, .events = {{.kind = EventKind::mach, .value = 1}}};
   const auto shots = some_shots(37);
   for (const std::string& kernel : kernels())
@@ -307,8 +288,7 @@ TEST_F(FieldBatch, gives_the_numbers_of_flights) {
 }
 
 TEST_F(FieldBatch, a_mach_number_is_that_in_the_wind_of_the_moment) {
-  Environment e;
-  e.wind.field = wind_by(swirl);
+  Environment e{.wind = {.field = wind_by(swirl)}};
   const Until until{.ground = {}, .time = 6, .events = {{.kind = EventKind::mach, .value = 1, .terminal = true}}};
   Fidelity f = Fidelity::simulation();
   f.rotation = RotationModel::none;  // a drift that is added to the path has a speed of its own
@@ -386,9 +366,7 @@ TEST(Field, wrong_from_the_start_ends_every_kind_of_body) {
 
 // ------------------------------------------------------------------------------------------------ who flies many times
 TEST(Field, a_pilots_step_keeps_the_error) {
-  Environment e;
-  e.wind.field = wind_by(swirl);
-  e.force = force_by(tug);
+  Environment e{.wind = {.field = wind_by(swirl)}, .force = force_by(tug)};
   Fidelity f = Fidelity::simulation();
   f.rotation = RotationModel::none;
   const Launch launch{.speed = 600, .elevation = 0.3};
@@ -407,17 +385,15 @@ TEST(Field, a_zero_and_an_aim_hit_in_it) {
   e.wind.field = wind_by([](double t, const Vec3d& x) { return Vec3d{0, 0, 6 * t + 0.01 * x.x}; });
   e.force = force_by([](double t, const Vec3d&, const Vec3d&, double m) { return Vec3d{0, 5 * t * m, 0}; });
   const Fidelity f = Fidelity::simulation();
-  const auto elevation = zero_elevation(bullet_308(), {.speed = 800}, e, f, 400);
-  ASSERT_TRUE(elevation) << elevation.error().text();
+  const auto elevation = must(zero_elevation(bullet_308(), {.speed = 800}, e, f, 400));
   const Flight zeroed =
-      fly(bullet_308(), {.speed = 800, .elevation = *elevation}, e, f, {}, {.ground = {}, .range = 400});
+      fly(bullet_308(), {.speed = 800, .elevation = elevation}, e, f, {}, {.ground = {}, .range = 400});
   EXPECT_LT(std::abs(zeroed.end().position.y), 1e-6);
   const Vec3d target{700, 20, 5};
-  const auto aimed = aim(bullet_308(), {.speed = 800}, e, f, {.position = target});
-  ASSERT_TRUE(aimed) << aimed.error().text();
-  ASSERT_TRUE(aimed->low.has_value());
-  EXPECT_LT(aimed->low->miss, 1e-3);
-  const Flight again = fly(bullet_308(), aimed->low->launch, e, f, {}, {.ground = {}, .time = aimed->low->time});
+  const auto aimed = must(aim(bullet_308(), {.speed = 800}, e, f, {.position = target}));
+  ASSERT_TRUE(aimed.low.has_value());
+  EXPECT_LT(aimed.low->miss, 1e-3);
+  const Flight again = fly(bullet_308(), aimed.low->launch, e, f, {}, {.ground = {}, .time = aimed.low->time});
   EXPECT_LT(length(again.end().position - target), 2e-3);
 }
 
@@ -428,21 +404,17 @@ TEST(Field, auto_fidelity_measures_against_it) {
   const Purpose purpose{.error = 0.05, .time = 1};
   const ProjectileDef p{.mass = 5, .diameter = 0.05};
   AutoFidelityCache cache;
-  const auto without = cache.cheapest_within(p, launch, calm, purpose);
-  ASSERT_TRUE(without) << without.error().text();
-  EXPECT_EQ((*without)->fidelity.motion, Motion::closed_form);
-  const auto with = cache.cheapest_within(p, launch, e, purpose);
-  ASSERT_TRUE(with) << with.error().text();
-  EXPECT_EQ((*with)->fidelity.motion, Motion::force) << "only it knows forces";
+  const auto without = must(cache.cheapest_within(p, launch, calm, purpose));
+  EXPECT_EQ(without->fidelity.motion, Motion::closed_form);
+  const auto with = must(cache.cheapest_within(p, launch, e, purpose));
+  EXPECT_EQ(with->fidelity.motion, Motion::force) << "only it knows forces";
   EXPECT_EQ(cache.computed(), 2u);
-  EXPECT_EQ(cache.cheapest_within(p, launch, e, purpose)->get(), with->get()) << "the same function, the same launch";
+  EXPECT_EQ(cache.cheapest_within(p, launch, e, purpose)->get(), with.get()) << "the same function, the same launch";
   EXPECT_EQ(cache.computed(), 2u);
   e.force = force_by([](double, const Vec3d&, const Vec3d&, double) { return Vec3d{}; });
-  const auto another = cache.cheapest_within(p, launch, e, purpose);
-  ASSERT_TRUE(another);
+  const auto another = must(cache.cheapest_within(p, launch, e, purpose));
   EXPECT_EQ(cache.computed(), 3u);
-  EXPECT_EQ((*another)->fidelity.motion, Motion::closed_form);
+  EXPECT_EQ(another->fidelity.motion, Motion::closed_form);
 }
 
-}  // namespace flight_field_test
-}  // namespace physim
+}  // namespace physim::flight_field_test

@@ -1,11 +1,7 @@
 // What first users stumbled on in flights and batches: answers that were wrong or silent.
-#include <algorithm>
-#include <limits>
-
 #include "support.hpp"
 
-namespace physim::test {
-namespace flight_first_users_test {
+namespace physim::test::flight_first_users_test {
 
 bool has_note(const Flight& flight, const std::string& effect, const std::string& part) {
   return std::ranges::any_of(flight.fidelity_in_use().notes, [&](const FidelityNote& note) {
@@ -63,8 +59,7 @@ TEST(FirstUsers, a_flight_that_has_landed_at_once_says_why) {
 }
 
 TEST(FirstUsers, a_standard_drag_function_alone_says_whose_mass_and_size_are_flown) {
-  ProjectileDef p;
-  p.drag.table = DragTable::g7;
+  ProjectileDef p{.drag = {.table = DragTable::g7}};
   const Launch launch{.position = {0, 1, 0}, .speed = 800};
   EXPECT_TRUE(has_note(fly(p, launch, {}, Fidelity::simulation()), "drag", "1 kg and 0.1 m"));
   p.drag.ballistic_coefficient = 150;
@@ -99,8 +94,7 @@ TEST(FirstUsers, spin_drift_that_means_nothing_says_so) {
 }
 
 TEST(FirstUsers, models_beyond_where_they_hold_say_so) {
-  ProjectileDef ball{.mass = 0.15, .diameter = 0.07};
-  ball.drag.table = DragTable::sphere;
+  ProjectileDef ball{.mass = 0.15, .diameter = 0.07, .drag = {.table = DragTable::sphere}};
   const Launch slow{.position = {0, 1, 0}, .speed = 40}, fast{.position = {0, 1, 0}, .speed = 200};
   EXPECT_FALSE(has_note(fly(ball, slow, {}, Fidelity::simulation()), "drag", "Mach"));
   EXPECT_TRUE(has_note(fly(ball, fast, {}, Fidelity::simulation()), "drag", "below Mach 0.3"));
@@ -108,8 +102,7 @@ TEST(FirstUsers, models_beyond_where_they_hold_say_so) {
   rocket.mass = 0.1;
   rocket.motor.thrust = {{0, 10}, {1, 0}};
   rocket.motor.propellant_mass = 0.01;
-  Environment windy;
-  windy.wind.velocity = {0, 0, 8};
+  Environment windy{.wind = {.velocity = {0, 0, 8}}};
   const Launch up{.speed = 1, .elevation = 1.5, .rail_length = 1};
   EXPECT_TRUE(has_note(fly(rocket, up, windy, Fidelity::simulation()), "rotation", "follows the air at once"));
   EXPECT_FALSE(has_note(fly(rocket, up, {}, Fidelity::simulation()), "rotation", "follows the air at once"));
@@ -125,29 +118,28 @@ TEST(FirstUsers, an_apex_that_ends_the_flight_is_told_once) {
 }
 
 TEST(FirstUsers, a_rocket_from_rest_has_a_farthest_range) {
-  ProjectileDef rocket{.mass = 0.12, .diameter = 0.025};
-  rocket.drag = {.table = DragTable::constant, .coefficient = 0.6};
-  rocket.motor = {.thrust = {{0, 10}, {0.8, 10}, {0.9, 0}}, .propellant_mass = 0.01};
+  ProjectileDef rocket{.mass = 0.12,
+                       .diameter = 0.025,
+                       .drag = {.table = DragTable::constant, .coefficient = 0.6},
+                       .motor = {.thrust = {{0, 10}, {0.8, 10}, {0.9, 0}}, .propellant_mass = 0.01}};
   Launch launch{.position = {0, 0.5, 0}, .rail_length = 1};
-  const auto far = max_range(rocket, launch, {}, Fidelity::simulation(), 0);
-  ASSERT_TRUE(far) << far.error().text();
+  const auto far = must(max_range(rocket, launch, {}, Fidelity::simulation(), 0));
   const auto range_at = [&](double elevation) {
     launch.elevation = elevation;
     return fly(rocket, launch, {}, Fidelity::simulation()).end().position.x;
   };
-  EXPECT_NEAR(range_at(far->elevation), far->range, 1e-3);
-  for (const double by : {-0.1, -0.02, 0.02, 0.1}) EXPECT_LT(range_at(far->elevation + by), far->range) << by;
+  EXPECT_NEAR(range_at(far.elevation), far.range, 1e-3);
+  for (const double by : {-0.1, -0.02, 0.02, 0.1}) EXPECT_LT(range_at(far.elevation + by), far.range) << by;
 }
 
 TEST(FirstUsers, two_points_of_thrust_at_one_time_are_a_step) {
-  ProjectileDef p{.mass = 1, .diameter = 0.05};
-  p.drag = {.table = DragTable::constant, .coefficient = 0};
-  p.motor = {.thrust = {{0, 50}, {1, 50}, {1, 20}, {3, 20}}, .propellant_mass = 0};
+  ProjectileDef p{.mass = 1,
+                  .diameter = 0.05,
+                  .drag = {.table = DragTable::constant, .coefficient = 0},
+                  .motor = {.thrust = {{0, 50}, {1, 50}, {1, 20}, {3, 20}}, .propellant_mass = 0}};
   EXPECT_EQ(total_impulse(p.motor), 90);
   const Launch up{.elevation = kDegree * 90, .rail_length = 1e-3};
-  Environment space;
-  space.gravity.model = GravityModel::off;
-  space.atmosphere.model = AirModel::vacuum;
+  Environment space{.gravity = {.model = GravityModel::off}, .atmosphere = {.model = AirModel::vacuum}};
   for (const Integrator integrator : {Integrator::rk4, Integrator::tsit5}) {
     Fidelity f = Fidelity::simulation();
     f.integrator = integrator;
@@ -162,5 +154,4 @@ TEST(FirstUsers, two_points_of_thrust_at_one_time_are_a_step) {
   EXPECT_EQ(fly(p, up, space, Fidelity::simulation()).error()->place, "projectile.motor.thrust[3]");
 }
 
-}  // namespace flight_first_users_test
-}  // namespace physim::test
+}  // namespace physim::test::flight_first_users_test

@@ -1,11 +1,7 @@
 // Fitting drag to measurements: what made the data must come back.
-#include <gtest/gtest.h>
-
-#include "physim/solve.hpp"
 #include "support.hpp"
 
-namespace physim {
-namespace flight_fit_test {
+namespace physim::flight_fit_test {
 
 using namespace test;
 
@@ -43,22 +39,20 @@ TEST(Fit, finds_the_ballistic_coefficient_that_made_the_data) {
     for (const double guess : {0.3, 1.0, 4.0}) {
       auto data = measured(bullet_308(), zeroed(), {}, Fidelity::simulation(), {200, 500, 900});
       keep(data, kind == 0, kind == 1, kind == 2);
-      const auto fit = fit_drag(with_bc(guess), zeroed(), {}, Fidelity::simulation(), data);
-      ASSERT_TRUE(fit) << fit.error().text();
-      EXPECT_TRUE(near(fit->projectile.drag.ballistic_coefficient, truth, 1e-6)) << kind << ' ' << guess;
-      EXPECT_TRUE(near(fit->scale, guess, 1e-6));
-      EXPECT_LT(fit->rms, 1e-3);
-      EXPECT_EQ(fit->residuals.size(), 3u);
+      const auto fit = must(fit_drag(with_bc(guess), zeroed(), {}, Fidelity::simulation(), data));
+      EXPECT_TRUE(near(fit.projectile.drag.ballistic_coefficient, truth, 1e-6)) << kind << ' ' << guess;
+      EXPECT_TRUE(near(fit.scale, guess, 1e-6));
+      EXPECT_LT(fit.rms, 1e-3);
+      EXPECT_EQ(fit.residuals.size(), 3u);
     }
 }
 
 TEST(Fit, one_speed_is_enough_and_has_no_standard_error) {
   auto data = measured(bullet_308(), zeroed(), {}, Fidelity::simulation(), {300});
   keep(data, true, false, false);
-  const auto fit = fit_drag(with_bc(2), zeroed(), {}, Fidelity::simulation(), data);
-  ASSERT_TRUE(fit);
-  EXPECT_TRUE(near(fit->scale, 2, 1e-6));
-  EXPECT_EQ(fit->scale_error, 0);
+  const auto fit = must(fit_drag(with_bc(2), zeroed(), {}, Fidelity::simulation(), data));
+  EXPECT_TRUE(near(fit.scale, 2, 1e-6));
+  EXPECT_EQ(fit.scale_error, 0);
 }
 
 TEST(Fit, finds_the_muzzle_speed_too) {
@@ -66,37 +60,31 @@ TEST(Fit, finds_the_muzzle_speed_too) {
   keep(data, true, false, false);
   Launch slower = zeroed();
   slower.speed = 720;
-  const auto fit = fit_drag(with_bc(1.5), slower, {}, Fidelity::simulation(), data, {.muzzle_speed = true});
-  ASSERT_TRUE(fit) << fit.error().text();
-  EXPECT_NEAR(fit->launch.speed, 800, 1e-3);
-  EXPECT_TRUE(near(fit->scale, 1.5, 1e-5));
+  const auto fit = must(fit_drag(with_bc(1.5), slower, {}, Fidelity::simulation(), data, {.muzzle_speed = true}));
+  EXPECT_NEAR(fit.launch.speed, 800, 1e-3);
+  EXPECT_TRUE(near(fit.scale, 1.5, 1e-5));
 }
 
 TEST(Fit, linear_drag_is_recovered_in_closed_form) {
   // v = v0 - k x along a level path without gravity, k = k1 / m.
-  Environment weightless;
-  weightless.gravity.model = GravityModel::off;
-  ProjectileDef p{.mass = 0.5};
-  p.drag.k1 = 0.05;
+  Environment weightless{.gravity = {.model = GravityModel::off}};
+  ProjectileDef p{.mass = 0.5, .drag = {.k1 = 0.05}};
   Fidelity f = vacuum();
   f.drag = DragModel::linear_quadratic;
   f.air = AirModel::constant;
   const std::vector<Measurement> data{{.range = 50, .speed = 100 - 0.24 * 50},
                                       {.range = 150, .speed = 100 - 0.24 * 150}};
-  const auto fit = fit_drag(p, {.speed = 100}, weightless, f, data);
-  ASSERT_TRUE(fit) << fit.error().text();
-  EXPECT_NEAR(fit->projectile.drag.k1, 0.24 * 0.5, 1e-7);
+  const auto fit = must(fit_drag(p, {.speed = 100}, weightless, f, data));
+  EXPECT_NEAR(fit.projectile.drag.k1, 0.24 * 0.5, 1e-7);
 }
 
 TEST(Fit, without_a_ballistic_coefficient_the_form_factor_is_fitted) {
-  ProjectileDef p{.mass = 0.0459, .diameter = 0.0427};
-  p.drag.coefficient = 0.3;
+  ProjectileDef p{.mass = 0.0459, .diameter = 0.0427, .drag = {.coefficient = 0.3}};
   const Launch launch{.speed = 60, .elevation = 0.2};
   auto data = measured(p, launch, {}, Fidelity::constant_air(), {20, 60, 100});
   p.drag.form_factor = 2.5;
-  const auto fit = fit_drag(p, launch, {}, Fidelity::constant_air(), data);
-  ASSERT_TRUE(fit) << fit.error().text();
-  EXPECT_TRUE(near(fit->projectile.drag.form_factor, 1, 1e-4));
+  const auto fit = must(fit_drag(p, launch, {}, Fidelity::constant_air(), data));
+  EXPECT_TRUE(near(fit.projectile.drag.form_factor, 1, 1e-4));
 }
 
 TEST(Fit, the_standard_error_is_that_of_repeated_fits) {
@@ -117,11 +105,10 @@ TEST(Fit, the_standard_error_is_that_of_repeated_fits) {
       for (int k = 0; k < 12; ++k) error += uniform();  // about normal, deviation 1
       *m.speed += 2 * error;
     }
-    const auto fit = fit_drag(bullet_308(), zeroed(), {}, Fidelity::simulation(), data, {.speed_error = 2});
-    ASSERT_TRUE(fit);
-    sum += fit->scale;
-    squares += fit->scale * fit->scale;
-    claimed += fit->scale_error / kFits;
+    const auto fit = must(fit_drag(bullet_308(), zeroed(), {}, Fidelity::simulation(), data, {.speed_error = 2}));
+    sum += fit.scale;
+    squares += fit.scale * fit.scale;
+    claimed += fit.scale_error / kFits;
   }
   const double spread = std::sqrt((squares - sum * sum / kFits) / (kFits - 1));
   EXPECT_TRUE(near(spread, claimed, 0.35)) << spread << ' ' << claimed;
@@ -134,15 +121,14 @@ TEST(Fit, a_published_table_gives_the_ballistic_coefficient_it_was_made_with) {
   constexpr double kFoot = 0.3048, kInch = 0.0254, kPerSquareInch = 0.45359237 / (0.0254 * 0.0254);
   ProjectileDef p = bullet_308();
   p.drag = {.table = DragTable::g7, .ballistic_coefficient = 100};
-  Environment e;
-  e.wind.velocity = {1.580525, 0, -1.580525};
+  Environment e{.wind = {.velocity = {1.580525, 0, -1.580525}}};
   const Launch launch{.speed = 2750 * kFoot, .elevation = 1.2278391e-3, .sight = {.height = 2 * kInch}};
   const std::vector<Measurement> table{{.range = 1500 * kFoot, .speed = 1814 * kFoot, .drop = -56.2 * kInch},
                                        {.range = 3000 * kFoot, .drop = -399.9 * kInch}};
-  const auto fit = fit_drag(p, launch, e, Fidelity::small_arms(), table, {.speed_error = 0.3, .drop_error = 0.01});
-  ASSERT_TRUE(fit) << fit.error().text();
-  EXPECT_TRUE(near(fit->projectile.drag.ballistic_coefficient, 0.223 * kPerSquareInch, 2e-3));
-  EXPECT_GT(fit->scale_error, 0);
+  const auto fit =
+      must(fit_drag(p, launch, e, Fidelity::small_arms(), table, {.speed_error = 0.3, .drop_error = 0.01}));
+  EXPECT_TRUE(near(fit.projectile.drag.ballistic_coefficient, 0.223 * kPerSquareInch, 2e-3));
+  EXPECT_GT(fit.scale_error, 0);
 }
 
 TEST(Fit, what_makes_no_sense_is_refused_with_its_place) {
@@ -170,5 +156,4 @@ TEST(Fit, what_makes_no_sense_is_refused_with_its_place) {
   EXPECT_EQ(fit_drag(bad, {.speed = 800}, {}, {}, good).error().place, "projectile.mass");
 }
 
-}  // namespace flight_fit_test
-}  // namespace physim
+}  // namespace physim::flight_fit_test

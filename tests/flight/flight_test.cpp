@@ -1,10 +1,7 @@
 // Flights and the questions that can be asked of them.
-#include <gtest/gtest.h>
-
 #include "support.hpp"
 
-namespace physim {
-namespace flight_flight_test {
+namespace physim::flight_flight_test {
 
 using namespace test;
 
@@ -57,9 +54,8 @@ TEST(Flight, at_range_hits_the_range_along_the_line_of_sight) {
         .speed = 800, .elevation = look + 0.01, .azimuth = 0.4, .sight = {.height = 0.05, .look_angle = look}};
     const Flight flight = fly(bullet_308(), launch, {}, {}, {}, {.ground = {}, .range = 900});
     for (double range = 0; range < 900; range += 37) {
-      const auto s = flight.at_range(range);
-      ASSERT_TRUE(s) << range;
-      EXPECT_NEAR(s->range, range, 1e-10);
+      const auto s = must(flight.at_range(range), range);
+      EXPECT_NEAR(s.range, range, 1e-10);
     }
   }
 }
@@ -69,9 +65,8 @@ TEST(Flight, at_range_reaches_the_very_end) {
   for (int i = 1; i <= 200; ++i) {
     const double range = 10.3 * i;
     const Flight flight = fly(bullet_308(), {.speed = 800}, {}, {}, {1e-6, 1e-6}, {.ground = {}, .range = range});
-    const auto s = flight.at_range(range);
-    ASSERT_TRUE(s) << range << ": " << s.error().text();
-    EXPECT_NEAR(s->range, range, 1e-9);
+    const auto s = must(flight.at_range(range), range);
+    EXPECT_NEAR(s.range, range, 1e-9);
   }
 }
 
@@ -80,9 +75,8 @@ TEST(Flight, at_height_reaches_the_ground_it_landed_on) {
     const double ground = -0.37 * i;
     const Flight flight = fly(bullet_308(), {.speed = 300}, {}, {}, {1e-6, 1e-6}, {.ground = ground});
     ASSERT_EQ(flight.outcome(), Outcome::landed);
-    const auto s = flight.at_height(ground, Crossing::falling);
-    ASSERT_TRUE(s) << ground << ": " << s.error().text();
-    EXPECT_NEAR(s->time, flight.duration(), 1e-9);
+    const auto s = must(flight.at_height(ground, Crossing::falling), ground);
+    EXPECT_NEAR(s.time, flight.duration(), 1e-9);
   }
 }
 
@@ -140,9 +134,7 @@ TEST(Flight, fixed_steps_are_counted_so_that_time_gathers_no_rounding) {
 }
 
 TEST(Flight, a_planar_one_never_leaves_the_vertical_plane_of_fire) {
-  Environment e;
-  e.wind.profile = {{0, {3, 1, -9}}, {100, {-4, 0, 12}}};
-  e.earth.latitude = 1;
+  Environment e{.wind = {.profile = {{0, {3, 1, -9}}, {100, {-4, 0, 12}}}}, .earth = {.latitude = 1}};
   ProjectileDef p = bullet_308();
   p.drag.k1 = 1e-3;
   p.drag.damping = 0.7;
@@ -168,8 +160,7 @@ TEST(Flight, a_planar_one_never_leaves_the_vertical_plane_of_fire) {
 }
 
 TEST(Flight, planar_changes_nothing_where_nothing_acts_sideways) {
-  Fidelity f;
-  f.rotation = RotationModel::none;
+  Fidelity f{.rotation = RotationModel::none};
   const Flight free = shot(f);
   f.planar = true;
   EXPECT_TRUE(near(shot(f).end().position, free.end().position, 1e-12));
@@ -177,8 +168,7 @@ TEST(Flight, planar_changes_nothing_where_nothing_acts_sideways) {
 
 TEST(Flight, float32_agrees_with_float64_to_its_rounding) {
   for (const Integrator integrator : kIntegrators) {
-    Fidelity f;
-    f.integrator = integrator;
+    Fidelity f{.integrator = integrator};
     const Until until{.ground = {}, .time = 1.2};
     const Tolerance tolerance{2e-6, 2e-6, 1.0 / 512};
     const auto fly_in = [&](Precision precision) {
@@ -194,8 +184,7 @@ TEST(Flight, float32_agrees_with_float64_to_its_rounding) {
 }
 
 TEST(Flight, integrators_agree_with_each_other_and_with_closed_forms) {
-  ProjectileDef p;
-  p.drag.k1 = 0.2;
+  ProjectileDef p{.drag = {.k1 = 0.2}};
   Environment e = constant_gravity();
   e.wind.velocity = {4, 0, -3};
   Fidelity f = vacuum();
@@ -220,8 +209,7 @@ TEST(Flight, integrators_agree_with_each_other_and_with_closed_forms) {
 }
 
 TEST(Flight, motion_velocity_and_motion_force_agree_where_both_know_the_effects) {
-  ProjectileDef p;
-  p.drag.damping = 0.6;
+  ProjectileDef p{.drag = {.damping = 0.6}};
   for (const Integrator integrator : {Integrator::semi_implicit_euler, Integrator::rk4, Integrator::tsit5}) {
     Fidelity f = vacuum(integrator);
     f.drag = DragModel::damping;
@@ -249,11 +237,9 @@ TEST(Flight, copies_share_their_record) {
 TEST(Flight, at_range_takes_the_end_for_a_range_that_is_rounding_longer) {
   const double end = 1500 * 0.9144;
   const Flight flight = fly(bullet_308(), {.speed = 800, .elevation = 0.03}, {}, {}, {}, {.ground = {}, .range = end});
-  const auto there = flight.at_range(end * (1 + 4e-16));
-  ASSERT_TRUE(there) << there.error().text();
-  EXPECT_EQ(there->time, flight.duration());
+  const auto there = must(flight.at_range(end * (1 + 4e-16)));
+  EXPECT_EQ(there.time, flight.duration());
   EXPECT_FALSE(flight.at_range(end * (1 + 1e-9)));
 }
 
-}  // namespace flight_flight_test
-}  // namespace physim
+}  // namespace physim::flight_flight_test

@@ -1,15 +1,9 @@
 // Lift and drag by spin: the trochoid of a constant Magnus acceleration, formulas and tables worked by hand, golf and
 // baseball against published flights.
-#include <gtest/gtest.h>
-
-#include <cmath>
-
 #include "model/magnus.hpp"
-#include "physim/body.hpp"
 #include "support.hpp"
 
-namespace physim {
-namespace flight_magnus_test {
+namespace physim::flight_magnus_test {
 
 using namespace test;
 
@@ -32,12 +26,7 @@ Environment air_of(double density) {
 
 /// A ball whose lift is kappa x v in air of 1.2 kg/m^3, without drag.
 ProjectileDef trochoid_ball() {
-  ProjectileDef p;
-  p.mass = 0.4;
-  p.diameter = 0.2;
-  p.drag.coefficient = 0;
-  p.magnus.lift = 1.5;
-  return p;
+  return {.mass = 0.4, .diameter = 0.2, .drag = {.coefficient = 0}, .magnus = {.lift = 1.5}};
 }
 double spin_of_kappa(double kappa) {  // kappa = rho A l r omega / (2 m)
   const double area = 3.14159265358979323846 * 0.01;
@@ -67,9 +56,7 @@ TEST(Magnus, a_constant_one_flies_a_trochoid) {
   // Spin about the launch: right is z; up and forward lie in the plane of fire.
   for (const auto& [back, side, gyro] :
        {std::tuple{0.5, 0.0, 0.0}, {0.0, 1.0, 0.0}, {0.3, -0.4, 1.2}, {-2.0, 0.5, 0.1}}) {
-    Launch launch;
-    launch.velocity = v0;
-    launch.spin = {spin_of_kappa(back), spin_of_kappa(side), spin_of_kappa(gyro)};
+    Launch launch{.velocity = v0, .spin = {spin_of_kappa(back), spin_of_kappa(side), spin_of_kappa(gyro)}};
     const Vec3d forward = v0 * (1 / length(v0));
     const Vec3d up{-forward.y, forward.x, 0};
     const Vec3d kappa = Vec3d{0, 0, back} - up * side + forward * gyro;
@@ -110,8 +97,7 @@ TEST(Magnus, the_published_trochoids) {
 
 TEST(Magnus, backspin_lifts_and_sidespin_turns_right) {
   const auto end = [&](LaunchSpin spin) {
-    Launch launch{.position = {0, 1, 0}, .speed = 20};
-    launch.spin = spin;
+    Launch launch{.position = {0, 1, 0}, .speed = 20, .spin = spin};
     return fly(trochoid_ball(), launch, air_of(1.2), spinning(), {}, {.ground = {}, .time = 0.5}).end().position;
   };
   const Vec3d plain = end({});
@@ -126,8 +112,7 @@ TEST(Magnus, backspin_lifts_and_sidespin_turns_right) {
 TEST(Magnus, gyrospin_lifts_nothing_by_tables_either) {
   for (const auto& preset : {presets::golf_ball(), presets::football(), presets::table_tennis_ball()}) {
     const auto lift = [&](const LaunchSpin& spin) {
-      Launch launch{.position = {0, 1, 0}, .speed = 15, .elevation = 0.3};
-      launch.spin = spin;
+      Launch launch{.position = {0, 1, 0}, .speed = 15, .elevation = 0.3, .spin = spin};
       const Flight flight = fly(preset.projectile, launch, air_of(1.2), spinning(), {}, {.ground = {}, .time = 0.01});
       return length(flight.accelerations(0).lift);
     };
@@ -140,8 +125,7 @@ TEST(Magnus, gyrospin_lifts_nothing_by_tables_either) {
 
 TEST(Magnus, nathans_formula_by_hand) {
   const ProjectileDef p = presets::baseball().projectile;
-  Launch launch{.speed = 40};
-  launch.spin.backspin = 2000 * kRpm;
+  Launch launch{.speed = 40, .spin = {.backspin = 2000 * kRpm}};
   const Flight flight = fly(p, launch, air_of(1.2), spinning(), {}, {.ground = {}, .time = 1});
   const Accelerations a = flight.accelerations(0);
   const double r = 0.5 * p.diameter, S = r * 2000 * kRpm / 40;
@@ -154,16 +138,14 @@ TEST(Magnus, nathans_formula_by_hand) {
 TEST(Magnus, the_spin_dies_away) {
   ProjectileDef p = trochoid_ball();
   p.magnus.decay_time = 2;
-  Launch launch{.speed = 30};
-  launch.spin.backspin = 20;
+  Launch launch{.speed = 30, .spin = {.backspin = 20}};
   const Flight flight = fly(p, launch, air_of(1.2), spinning(), {}, {.ground = {}, .time = 3});
   const auto per_speed = [&](double t) { return length(flight.accelerations(t).lift) / flight.at(t).speed; };
   EXPECT_NEAR(per_speed(2) / per_speed(0), std::exp(-1), 1e-12);
 }
 
 TEST(Magnus, tables_are_bilinear_and_held) {
-  MagnusDef m;
-  m.table = {{10, 100, 0.2, 0.1}, {10, 200, 0.4, 0.3}, {20, 100, 0.6, 0.5}, {20, 200, 1.2, 0.9}};
+  MagnusDef m{.table = {{10, 100, 0.2, 0.1}, {10, 200, 0.4, 0.3}, {20, 100, 0.6, 0.5}, {20, 200, 1.2, 0.9}}};
   const MagnusGrid g = magnus_grid(m);
   ASSERT_TRUE(is_full(g, 4));
   EXPECT_NEAR(magnus_at(g, 10, 100, 9).drag, 0.2, 1e-15);
@@ -183,8 +165,7 @@ double carry(double mph, double degrees, double rpm) {
   Environment e = constant_gravity();
   e.atmosphere.model = AirModel::constant;
   e.atmosphere.temperature = 298.15;
-  Launch launch{.speed = mph * kMph, .elevation = degrees * kDegree};
-  launch.spin.backspin = rpm * kRpm;
+  Launch launch{.speed = mph * kMph, .elevation = degrees * kDegree, .spin = {.backspin = rpm * kRpm}};
   return fly(presets::golf_ball().projectile, launch, e, spinning()).end().position.x / kYard;
 }
 
@@ -220,8 +201,7 @@ TEST(Magnus, golf_lift_at_little_spin_is_measured) {
                                      {69.6, 0.044, 0.231, 0.115}};
   for (const auto& [speed, parameter, cd, cl] : kMeasured) {
     const ProjectileDef ball = presets::golf_ball().projectile;
-    Launch launch{.speed = speed};
-    launch.spin.backspin = parameter * speed / (ball.diameter / 2);
+    Launch launch{.speed = speed, .spin = {.backspin = parameter * speed / (ball.diameter / 2)}};
     const Flight flight = fly(ball, launch, air_of(1.2), spinning(), {}, {.ground = {}, .time = 0.01});
     const double area = 3.14159265358979 / 4 * ball.diameter * ball.diameter;
     const double part = ball.mass / (0.5 * 1.2 * area * speed * speed);
@@ -250,10 +230,8 @@ TEST(Magnus, a_published_fly_ball) {
 /// Lift coefficient of a table-tennis ball at a speed and a spin, from the accelerations at launch.
 double lift_coefficient(double speed, double spin) {
   const ProjectileDef ball = presets::table_tennis_ball().projectile;
-  Environment e;
-  e.atmosphere.model = AirModel::constant;
-  Launch launch{.speed = speed};
-  launch.spin.backspin = spin;
+  Environment e{.atmosphere = {.model = AirModel::constant}};
+  Launch launch{.speed = speed, .spin = {.backspin = spin}};
   const Flight flight = fly(ball, launch, e, spinning(), {}, {.ground = {}, .time = 0.01});
   const double area = 3.14159265358979 / 4 * ball.diameter * ball.diameter;
   return flight.accelerations(0).lift.y * 2 * ball.mass / (1.225 * area * speed * speed);
@@ -320,13 +298,11 @@ TEST(Magnus, batches_and_float32_agree) {
 
 TEST(Magnus, a_world_flies_the_bits_of_a_flight) {
   WorldDef def;
-  auto made = World::create(def);
-  ASSERT_TRUE(made);
-  World world = std::move(made.value());
+  auto made = must(World::create(def));
+  World world = std::move(made);
   ProjectileDef p = presets::golf_ball().projectile;
   p.fidelity = spinning(Integrator::rk4);
-  Launch launch{.speed = 70, .elevation = 0.2, .azimuth = 0.3};
-  launch.spin = {300, 50, 10};
+  Launch launch{.speed = 70, .elevation = 0.2, .azimuth = 0.3, .spin = {300, 50, 10}};
   const ProjectileId id = *world.spawn(p, launch);
   const ProjectileId later = *world.spawn(p, launch, {}, 0.25);
   constexpr double kStep = 1.0 / 64;
@@ -372,10 +348,8 @@ TEST(Magnus, bad_input_is_refused) {
   EXPECT_EQ(place_of([](auto& m) { m.table = {{1, 1, -1, 0}}; }), "projectile.magnus.table[0]");
   EXPECT_EQ(place_of([](auto& m) { m.table = {{1, 1, 1, 0}, {1, 2, 1, 0}, {2, 1, 1, 0}}; }), "projectile.magnus.table");
   EXPECT_EQ(place_of([](auto& m) { m.table = {{1, 1, 1, 0}, {1, 1, 1, 0}}; }), "projectile.magnus.table");
-  Launch launch{.speed = 10};
-  launch.spin.sidespin = kInfinity;
+  Launch launch{.speed = 10, .spin = {.sidespin = kInfinity}};
   EXPECT_EQ(fly(trochoid_ball(), launch).error()->place, "launch.spin.sidespin");
 }
 
-}  // namespace flight_magnus_test
-}  // namespace physim
+}  // namespace physim::flight_magnus_test

@@ -1,12 +1,7 @@
 // A motor that pauses flies like a rocket that coasts, and its impulse is that of both pulses.
-#include <gtest/gtest.h>
-
-#include <cmath>
-
 #include "support.hpp"
 
-namespace physim {
-namespace flight_motor_pause_test {
+namespace physim::flight_motor_pause_test {
 
 using namespace test;
 
@@ -14,27 +9,21 @@ constexpr double kPi = 3.14159265358979323846;
 constexpr double kPauses = 0.2, kGoesOn = 1.7;
 
 ProjectileDef two_pulses() {
-  ProjectileDef p;
-  p.mass = 2;
-  p.diameter = 0.1;
-  p.drag.coefficient = 0.4;
-  p.motor.thrust = {{0, 100}, {kPauses, 100}, {kPauses, 0}, {kGoesOn, 0}, {kGoesOn, 50}, {1.9, 50}, {1.9, 0}};
-  p.motor.propellant_mass = 0.3;
-  return p;
+  return {
+      .mass = 2,
+      .diameter = 0.1,
+      .drag = {.coefficient = 0.4},
+      .motor = {.thrust = {{0, 100}, {kPauses, 100}, {kPauses, 0}, {kGoesOn, 0}, {kGoesOn, 50}, {1.9, 50}, {1.9, 0}},
+                .propellant_mass = 0.3}};
 }
 Environment without_gravity() {
-  Environment environment;
-  environment.gravity.model = GravityModel::off;
-  environment.atmosphere.model = AirModel::constant;
-  environment.atmosphere.density = 1.2;
-  return environment;
+  return {.gravity = {.model = GravityModel::off}, .atmosphere = {.model = AirModel::constant, .density = 1.2}};
 }
 Flight shot(const ProjectileDef& p, Integrator integrator, DragModel drag) {
   Fidelity f = vacuum(integrator);
   f.drag = drag;
   f.air = AirModel::constant;
-  const Launch launch{.speed = 10, .elevation = 0};
-  return fly(p, launch, without_gravity(), f, {1e-11, 1e-11, 1e-2}, {.ground = {}, .time = 3});
+  return fly(p, {.speed = 10, .elevation = 0}, without_gravity(), f, {1e-11, 1e-11, 1e-2}, {.ground = {}, .time = 3});
 }
 
 TEST(MotorPause, in_vacuum_the_speed_is_that_of_tsiolkovsky) {
@@ -62,5 +51,4 @@ TEST(MotorPause, it_has_the_drag_of_a_coasting_rocket) {
   }
 }
 
-}  // namespace flight_motor_pause_test
-}  // namespace physim
+}  // namespace physim::flight_motor_pause_test

@@ -1,9 +1,6 @@
 // A rocket and a motor whose flights have closed forms, for tests of motors and rails.
 #pragma once
 
-#include <cmath>
-
-#include "physim/projectile.hpp"
 #include "support.hpp"
 
 namespace physim::test {
@@ -16,19 +13,14 @@ inline constexpr double kMass = 10, kPropellant = 4, kThrust = 300, kBurn = 5;
 inline constexpr double kFlow = kPropellant / kBurn, kExhaust = kThrust / kFlow;
 
 inline ProjectileDef rocket() {
-  ProjectileDef p;
-  p.mass = kMass;
-  p.motor.thrust = {{0, kThrust}, {kBurn, kThrust}};
-  p.motor.propellant_mass = kPropellant;
-  return p;
+  return {.mass = kMass, .motor = {.thrust = {{0, kThrust}, {kBurn, kThrust}}, .propellant_mass = kPropellant}};
 }
 
 /// 20 N s in 1.9 s, in the shape of a model rocket's motor; its points are multiples of no usual step.
 inline MotorDef peaked_motor() {
-  MotorDef m;
-  m.thrust = {{0, 0}, {0.0317, 0.95}, {0.2371, 28.1}, {0.3113, 14.3}, {0.7173, 9.7}, {1.5791, 10.1}, {1.8937, 0}};
-  m.propellant_mass = 0.0108;
-  return m;
+  return {
+      .thrust = {{0, 0}, {0.0317, 0.95}, {0.2371, 28.1}, {0.3113, 14.3}, {0.7173, 9.7}, {1.5791, 10.1}, {1.8937, 0}},
+      .propellant_mass = 0.0108};
 }
 
 inline double tsiolkovsky_speed(double t) { return kExhaust * std::log(kMass / (kMass - kFlow * t)); }

@@ -1,15 +1,8 @@
 // Motors against closed forms: Tsiolkovsky's equation and its integral; the order of integrators over tables whose
 // points their steps miss.
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <cmath>
-
 #include "flight/motor_support.hpp"
-#include "physim/projectile.hpp"
 
-namespace physim {
-namespace flight_motor_test {
+namespace physim::flight_motor_test {
 
 using namespace test;
 
@@ -25,9 +18,7 @@ TEST(Motor, impulse_mass_and_thrust_of_a_table) {
   EXPECT_EQ(propellant_left(m, 9), 0);
   EXPECT_EQ(total_impulse({}), 0);
   // A triangle of 2 s and 10 N: half of its impulse, 5 N s, is delivered at 1 s; a quarter of it at sqrt(1/2) s.
-  MotorDef triangle;
-  triangle.thrust = {{0, 0}, {1, 10}, {2, 0}};
-  triangle.propellant_mass = 1;
+  MotorDef triangle{.thrust = {{0, 0}, {1, 10}, {2, 0}}, .propellant_mass = 1};
   EXPECT_NEAR(total_impulse(triangle), 10, 1e-12);
   EXPECT_NEAR(propellant_left(triangle, 1), 0.5, 1e-12);
   EXPECT_NEAR(propellant_left(triangle, std::sqrt(0.5)), 0.75, 1e-12);
@@ -35,9 +26,7 @@ TEST(Motor, impulse_mass_and_thrust_of_a_table) {
 
 TEST(Motor, without_weight_and_air_tsiolkovskys_equation_holds) {
   for (const Integrator integrator : {Integrator::rk4, Integrator::rk43, Integrator::tsit5, Integrator::dop853}) {
-    Launch launch;
-    launch.elevation = 0.3;
-    launch.rail_length = kFar;
+    Launch launch{.elevation = 0.3, .rail_length = kFar};
     Tolerance tolerance{1e-12, 1e-12, 0.03};  // 5 s are no whole number of steps
     const Flight flight = fly(rocket(), launch, constant_gravity(), weightless(integrator), tolerance, {.time = 8});
     ASSERT_FALSE(flight.error()) << flight.error()->text();
@@ -59,9 +48,7 @@ TEST(Motor, without_weight_and_air_tsiolkovskys_equation_holds) {
 }
 
 TEST(Motor, straight_up_against_gravity) {
-  Launch launch;
-  launch.elevation = 90 * kDegree;
-  launch.rail_length = 2;
+  Launch launch{.elevation = 90 * kDegree, .rail_length = 2};
   ProjectileDef p = rocket();
   p.motor.ignition_delay = 0.7;
   for (const Integrator integrator : {Integrator::rk4, Integrator::rk43, Integrator::tsit5, Integrator::dop853}) {
@@ -110,9 +97,7 @@ double error_after(Integrator integrator, int steps) {
   p.drag.coefficient = 0.6;
   p.motor = peaked_motor();
   p.motor.drag_factor = 0.8;
-  Launch launch;
-  launch.elevation = 80 * kDegree;
-  launch.rail_length = 0.9;
+  Launch launch{.elevation = 80 * kDegree, .rail_length = 0.9};
   Fidelity f = Fidelity::constant_air();
   Tolerance tolerance{1e-13, 1e-13, 0};
   f.integrator = Integrator::dop853;
@@ -143,11 +128,7 @@ TEST(Motor, integrators_keep_their_order_over_a_burn) {
 }
 
 TEST(Motor, adaptive_integrators_stay_within_tolerance) {
-  ProjectileDef p;
-  p.mass = 0.1;
-  p.diameter = 0.03;
-  p.drag.table = DragTable::g1;
-  p.motor = peaked_motor();
+  ProjectileDef p{.mass = 0.1, .diameter = 0.03, .drag = {.table = DragTable::g1}, .motor = peaked_motor()};
   for (int i = 0; i < 60; ++i) {
     const Launch launch{.elevation = 85 * kDegree, .rail_length = 0.2 + 0.05 * i};
     Fidelity f = Fidelity::simulation();
@@ -212,8 +193,7 @@ TEST(Motor, drag_differs_while_it_burns_and_grows_as_the_mass_falls) {
 }
 
 TEST(Motor, thrust_points_along_the_velocity_through_the_air) {
-  Environment windy;
-  windy.wind.velocity = {-4, 0, 3};
+  Environment windy{.wind = {.velocity = {-4, 0, 3}}};
   Fidelity f = Fidelity::simulation();
   f.rotation = RotationModel::none;
   const Flight flight = fly(rocket(), {.elevation = 1.3, .rail_length = 2}, windy, f);
@@ -234,8 +214,7 @@ TEST(Motor, thrust_points_along_the_velocity_through_the_air) {
 TEST(Motor, pushes_a_rigid_body_along_its_axis) {
   ProjectileDef p = rocket();
   p.inertia.moments = {1, 20, 20};
-  Launch launch{.speed = 50, .elevation = 0.5, .rail_length = 4};
-  launch.attitude.pitch = 0.2;
+  Launch launch{.speed = 50, .elevation = 0.5, .rail_length = 4, .attitude = {.pitch = 0.2}};
   for (const BodyForm form : {BodyForm::quaternion, BodyForm::axis})
     for (const Integrator integrator : {Integrator::rk4, Integrator::tsit5}) {
       Fidelity f = vacuum(integrator);
@@ -268,11 +247,8 @@ TEST(Motor, after_burnout_energy_is_kept_in_vacuum) {
 
 TEST(Motor, straight_up_with_drag_as_fehskens_and_malewicki_solved_it) {
   // Constant thrust, mass and k = rho Cd A / 2: v = q tanh(q k t / m), q = sqrt((F - m g) / k); then a coast.
-  ProjectileDef p;
-  p.mass = 0.05;
-  p.diameter = 0.025;
-  p.drag.coefficient = 0.75;
-  p.motor.thrust = {{0, 4.7}, {1.8, 4.7}};
+  ProjectileDef p{
+      .mass = 0.05, .diameter = 0.025, .drag = {.coefficient = 0.75}, .motor = {.thrust = {{0, 4.7}, {1.8, 4.7}}}};
   const double k = 0.5 * 1.225 * 0.75 * 3.14159265358979323846 / 4 * 0.025 * 0.025, weight = 0.05 * kG;
   const double q = std::sqrt((4.7 - weight) / k);
   const double v = q * std::tanh(q * k * 1.8 / 0.05);
@@ -313,11 +289,9 @@ std::vector<Shot> fleet() {
 
 TEST(Motor, a_batch_flies_the_bits_of_single_flights) {
   const std::vector<Shot> shots = fleet();
-  Environment windy;
-  windy.wind.velocity = {3, 0.5, -2};
-  Until until;
-  until.time = 30;
-  until.events = {{EventKind::apex}, {EventKind::ignition}, {EventKind::burnout}, {EventKind::rail_exit}};
+  Environment windy{.wind = {.velocity = {3, 0.5, -2}}};
+  Until until{.time = 30,
+              .events = {{EventKind::apex}, {EventKind::ignition}, {EventKind::burnout}, {EventKind::rail_exit}}};
   for (const Integrator integrator :
        {Integrator::semi_implicit_euler, Integrator::rk4, Integrator::rk43, Integrator::tsit5, Integrator::dop853})
     for (const Precision precision : {Precision::float32, Precision::float64})
@@ -368,8 +342,7 @@ TEST(Motor, low_rungs_leave_it_out_and_say_so) {
 }
 
 TEST(Motor, flies_over_a_round_turning_earth) {
-  Environment earth;
-  earth.earth.latitude = 0.7;
+  Environment earth{.earth = {.latitude = 0.7}};
   Fidelity f = Fidelity::simulation();
   f.rotation = RotationModel::none;
   f.earth = EarthModel::ellipsoid;
@@ -459,5 +432,4 @@ TEST(Motor, bad_input_is_refused_with_its_place) {
   }
 }
 
-}  // namespace flight_motor_test
-}  // namespace physim
+}  // namespace physim::flight_motor_test

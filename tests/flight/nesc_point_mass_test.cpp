@@ -3,12 +3,9 @@
 // Source: E. B. Jackson, R. E. Shelton, A. A. Jackson, M. C. Pettus, Check-Cases for Verification of
 // 6-Degree-of-Freedom Flight Vehicle Simulations, NASA/TM-2015-218675, cases 1, 4, 6, 7 and 9. The figures are of
 // converged solutions of those definitions (Runge-Kutta of order 4 at 1 ms in long double).
-#include <gtest/gtest.h>
-
 #include "support.hpp"
 
-namespace physim {
-namespace flight_nesc_point_mass_test {
+namespace physim::flight_nesc_point_mass_test {
 
 using namespace test;
 
@@ -126,5 +123,4 @@ TEST(Nesc, the_azimuth_of_the_world_frame_changes_nothing) {
   EXPECT_TRUE(near(end_of(east).velocity, end_of(oblique).velocity, 0, 2e-9));
 }
 
-}  // namespace flight_nesc_point_mass_test
-}  // namespace physim
+}  // namespace physim::flight_nesc_point_mass_test

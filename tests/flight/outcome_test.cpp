@@ -1,12 +1,9 @@
 // How flights end: every outcome is reached by some input, and nothing runs for ever.
-#include <gtest/gtest.h>
-
 #include <chrono>
 
 #include "support.hpp"
 
-namespace physim {
-namespace flight_outcome_test {
+namespace physim::flight_outcome_test {
 
 using namespace test;
 
@@ -62,9 +59,7 @@ TEST(Outcome, left_domain) {
 
 TEST(Outcome, non_finite) {
   // A huge push overflows; whatever the integrator, the flight ends where it last was sound.
-  ProjectileDef p;
-  p.mass = 1e-300;
-  p.force = {1e300, 0, 0};
+  ProjectileDef p{.mass = 1e-300, .force = {1e300, 0, 0}};
   for (const Integrator integrator : kIntegrators)
     for (const Precision precision : {Precision::float32, Precision::float64}) {
       Fidelity f = vacuum(integrator);
@@ -78,8 +73,7 @@ TEST(Outcome, non_finite) {
 
 TEST(Outcome, steps_that_are_far_too_long_are_braked) {
   // Quadratic drag of such steps would blow up.
-  ProjectileDef p;
-  p.drag.k2 = 10;
+  ProjectileDef p{.drag = {.k2 = 10}};
   for (const Integrator integrator :
        {Integrator::explicit_euler, Integrator::semi_implicit_euler, Integrator::heun, Integrator::rk4}) {
     Fidelity f = vacuum(integrator);
@@ -91,8 +85,7 @@ TEST(Outcome, steps_that_are_far_too_long_are_braked) {
 
 TEST(Outcome, stalled) {
   // A wall of wind after 100 s: no step short enough to enter it moves the clock.
-  ProjectileDef p;
-  p.drag.k1 = 1;
+  ProjectileDef p{.drag = {.k1 = 1}};
   Environment e = constant_gravity();
   e.gravity.acceleration = 0;
   e.wind = {.profile = {{0, {10, 0, 0}}, {1000, {1e15, 0, 0}}},
@@ -113,10 +106,8 @@ TEST(Outcome, stalled) {
 
 TEST(Outcome, stalled_at_a_drag_that_overflows) {
   // Each try is shorter than the last one, until none is left; the bends of the wind are looked for in all of them.
-  ProjectileDef p{.mass = 0.01, .diameter = 1e140};
-  p.drag.table = DragTable::g7;
-  Environment e;
-  e.wind.profile = {{0, {1, 0, 0}}, {100, {5, 0, 0}}};
+  ProjectileDef p{.mass = 0.01, .diameter = 1e140, .drag = {.table = DragTable::g7}};
+  Environment e{.wind = {.profile = {{0, {1, 0, 0}}, {100, {5, 0, 0}}}}};
   for (const Integrator integrator : kAdaptive) {
     Fidelity f = Fidelity::simulation();
     f.integrator = integrator;
@@ -151,8 +142,7 @@ TEST(Outcome, nothing_that_never_lands_runs_for_ever) {
 
 TEST(Outcome, at_rest_in_still_air) {
   for (const Integrator integrator : kIntegrators) {
-    Fidelity f{.integrator = integrator};
-    f.gravity = GravityModel::off;
+    Fidelity f{.integrator = integrator, .gravity = GravityModel::off};
     const Flight flight = fly({}, {.position = {0, 1, 0}}, {}, f, {.step = 0.01}, {.time = 1});
     EXPECT_EQ(flight.outcome(), Outcome::time_limit) << text(integrator);
     EXPECT_EQ(flight.end().position, (Vec3d{0, 1, 0}));
@@ -164,13 +154,11 @@ TEST(Outcome, huge_steps_end) {
                                       Integrator::rk4, Integrator::classic})
     for (const double step : {1e6, 1e30, 1e300})
       for (const Precision precision : {Precision::float32, Precision::float64}) {
-        Fidelity f{.integrator = integrator};
-        f.precision = precision;
+        Fidelity f{.integrator = integrator, .precision = precision};
         const Flight flight = fly(bullet_308(), {.speed = 800, .elevation = 1}, {}, f, {.step = step});
         EXPECT_NE(flight.outcome(), Outcome::refused) << text(integrator) << step;
         EXPECT_LE(flight.cost().steps, 10000) << text(integrator) << step;
       }
 }
 
-}  // namespace flight_outcome_test
-}  // namespace physim
+}  // namespace physim::flight_outcome_test

@@ -6,12 +6,7 @@
 namespace physim::test {
 
 inline ProjectileDef plain_bullet() {
-  ProjectileDef p;
-  p.mass = 0.0109;
-  p.diameter = 7.82e-3;
-  p.drag.table = DragTable::g7;
-  p.drag.ballistic_coefficient = 153;
-  return p;
+  return {.mass = 0.0109, .diameter = 7.82e-3, .drag = {.table = DragTable::g7, .ballistic_coefficient = 153}};
 }
 
 }  // namespace physim::test

@@ -4,8 +4,7 @@
 
 #include "support.hpp"
 
-namespace physim {
-namespace flight_processor_mode_test {
+namespace physim::flight_processor_mode_test {
 
 using test::Bits;
 
@@ -201,5 +200,4 @@ TEST(ProcessorMode, OfTheCallerChangesNoPlaceNorAir) {
   });
 }
 
-}  // namespace flight_processor_mode_test
-}  // namespace physim
+}  // namespace physim::flight_processor_mode_test

@@ -1,20 +1,12 @@
 // Launch rails against closed forms: a constant push along a rail, the moment at which thrust overcomes weight.
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <cmath>
-
 #include "flight/motor_support.hpp"
 
-namespace physim {
-namespace flight_rail_test {
+namespace physim::flight_rail_test {
 
 using namespace test;
 
 TEST(Rail, a_constant_push_along_it) {
-  ProjectileDef p;
-  p.mass = 2;
-  p.force = {};
+  ProjectileDef p{.mass = 2, .force = {}};
   p.motor.thrust = {{0, 50}, {10, 50}};  // no propellant: the mass stays
   const double elevation = 40 * kDegree;
   for (const Integrator integrator : {Integrator::semi_implicit_euler, Integrator::heun, Integrator::rk4,
@@ -37,8 +29,7 @@ TEST(Rail, a_constant_push_along_it) {
 }
 
 TEST(Rail, holds_until_thrust_overcomes_weight) {
-  ProjectileDef p;
-  p.mass = 3;
+  ProjectileDef p{.mass = 3};
   p.motor.thrust = {{0, 0}, {4, 80}, {5, 80}};  // 20 N/s; no propellant
   const double elevation = 75 * kDegree;
   const double pull = kG * std::sin(elevation);
@@ -83,5 +74,4 @@ TEST(Rail, falling_past_its_end_is_free) {
   EXPECT_NEAR(flight.duration(), 60 / kG, 1e-9);
 }
 
-}  // namespace flight_rail_test
-}  // namespace physim
+}  // namespace physim::flight_rail_test

@@ -1,12 +1,8 @@
 // Rigid bodies without torque, through every door.
-#include <gtest/gtest.h>
-
-#include "physim/world.hpp"
 #include "rigid.hpp"
 #include "solve/problems.hpp"
 
-namespace physim {
-namespace flight_rigid_body_test {
+namespace physim::flight_rigid_body_test {
 
 using namespace test;
 
@@ -127,13 +123,10 @@ TEST(RigidBody, dense_output_is_no_less_accurate_than_the_steps) {
 }
 
 TEST(RigidBody, both_forms_fly_the_same) {
-  ProjectileDef shell;
-  shell.inertia.moments = {0.02, 0.2, 0.2};
-  shell.twist = 2;
+  ProjectileDef shell{.twist = 2, .inertia = {.moments = {0.02, 0.2, 0.2}}};
   Launch launch{.speed = 50, .elevation = 0.4};
   launch.attitude = {.yaw = 0.1, .pitch = 0.2, .roll = 0.3, .rates = {1, 2, -0.7}};
-  Environment e;
-  e.earth = {.latitude = 0.8, .azimuth = 1, .rotation_rate = 0.05};
+  Environment e{.earth = {.latitude = 0.8, .azimuth = 1, .rotation_rate = 0.05}};
   Fidelity f = rigid(Integrator::dop853);
   f.earth = EarthModel::flat_coriolis;
   const auto flown = [&](BodyForm form) {
@@ -160,11 +153,9 @@ TEST(RigidBody, a_yaw_damping_of_its_own_is_felt_where_the_axis_form_is_asked_fo
   p.diameter = 0.2;
   p.aero.pitch_damping = {{0, 0, -2}};
   p.aero.yaw_damping = {{0, 0, -6}};
-  Launch launch{.speed = 100};
-  launch.attitude.rates = {0, 0.1, 0.1};
-  Environment air;
-  air.gravity.model = GravityModel::off;
-  air.atmosphere = {.model = AirModel::constant, .density = 1.2, .sound_speed = 340.0};
+  Launch launch{.speed = 100, .attitude = {.rates = {0, 0.1, 0.1}}};
+  Environment air{.gravity = {.model = GravityModel::off},
+                  .atmosphere = {.model = AirModel::constant, .density = 1.2, .sound_speed = 340.0}};
   const double area = 0.25 * 3.14159265358979323846 * 0.2 * 0.2, rate = 0.5 * 1.2 * 100 * area * 0.2 * 0.2 / 0.1;
   for (const BodyForm form : {BodyForm::automatic, BodyForm::axis, BodyForm::quaternion}) {
     Fidelity f = test::rigid(Integrator::dop853, form);
@@ -177,14 +168,12 @@ TEST(RigidBody, a_yaw_damping_of_its_own_is_felt_where_the_axis_form_is_asked_fo
 }
 
 TEST(RigidBody, stands_still_among_the_stars_while_the_earth_turns) {
-  Environment e;
-  e.earth = {.latitude = 0.7, .longitude = 0.3, .azimuth = 0.5, .rotation_rate = 0.1};
+  Environment e{.earth = {.latitude = 0.7, .longitude = 0.3, .azimuth = 0.5, .rotation_rate = 0.1}};
   Launch launch{.speed = 10, .elevation = 1};
   launch.attitude = {.frame = AttitudeFrame::world, .yaw = 1, .pitch = 0.5, .rate_frame = RateFrame::inertial};
   for (const EarthModel earth : {EarthModel::flat_coriolis, EarthModel::ellipsoid})
     for (const BodyForm form : {BodyForm::axis, BodyForm::quaternion}) {
-      ProjectileDef ball;
-      ball.inertia.moments = {1, 1, 1};
+      ProjectileDef ball{.inertia = {.moments = {1, 1, 1}}};
       Fidelity f = rigid(Integrator::dop853, form);
       f.earth = earth;
       f.gravity = GravityModel::off;
@@ -201,12 +190,8 @@ TEST(RigidBody, stands_still_among_the_stars_while_the_earth_turns) {
 
 // So long a step overflows on its way: its error is not a number.
 TEST(RigidBody, a_step_that_overflows_is_not_accepted) {
-  ProjectileDef p;
-  p.mass = 10;
-  p.twist = 0.02;
-  p.inertia.moments = {0.007, 0.025, 0.025};
-  Launch launch{.speed = 400};
-  launch.attitude = {.yaw = 0.1, .rates = {0, 1, 2}};
+  ProjectileDef p{.mass = 10, .twist = 0.02, .inertia = {.moments = {0.007, 0.025, 0.025}}};
+  Launch launch{.speed = 400, .attitude = {.yaw = 0.1, .rates = {0, 1, 2}}};
   for (const Integrator integrator : kAdaptive) {
     Fidelity f = rigid(integrator, BodyForm::axis);
     f.precision = Precision::float32;
@@ -218,9 +203,7 @@ TEST(RigidBody, a_step_that_overflows_is_not_accepted) {
 }
 
 TEST(RigidBody, launch_points_along_the_bore_with_the_spin_of_its_rifling) {
-  ProjectileDef shell;
-  shell.inertia.moments = {0.02, 0.2, 0.2};
-  shell.twist = -1.8;
+  ProjectileDef shell{.twist = -1.8, .inertia = {.moments = {0.02, 0.2, 0.2}}};
   const Flight flight = fly(shell, {.speed = 100, .elevation = 0.5, .azimuth = 0.3}, {}, rigid(Integrator::tsit5));
   const Sample s = flight.at(0);
   EXPECT_TRUE(near(rotate(s.orientation, Vec3d{1, 0, 0}), s.velocity * 0.01, 1e-14));
@@ -251,9 +234,7 @@ TEST(RigidBody, what_cannot_turn_is_granted_less_with_a_reason) {
 TEST(RigidBody, impossible_inertia_is_refused) {
   for (const Inertia& bad :
        {Inertia{{1, 1, 3}, {}}, Inertia{{-1, 1, 1}, {}}, Inertia{{1, 1, 1}, {2, 0, 0}}, Inertia{{kNan, 1, 1}, {}}}) {
-    ProjectileDef p;
-    p.inertia = bad;
-    const Flight flight = fly(p, {}, {}, rigid(Integrator::rk4));
+    const Flight flight = fly({.inertia = bad}, {}, {}, rigid(Integrator::rk4));
     EXPECT_EQ(flight.outcome(), Outcome::refused);
     EXPECT_EQ(flight.error()->place.substr(0, 18), "projectile.inertia");
   }
@@ -384,5 +365,4 @@ TEST(RigidBody, air_moves_no_body_of_1e300_kg) {
   EXPECT_NEAR(flight.end().position.x, 50, 1e-9);
 }
 
-}  // namespace flight_rigid_body_test
-}  // namespace physim
+}  // namespace physim::flight_rigid_body_test

@@ -1,11 +1,8 @@
 // Long flights over the round Earth: what they must conserve, what orbits must do, and the frames they are seen in.
-#include <gtest/gtest.h>
-
 #include "random_shots.hpp"
 #include "support.hpp"
 
-namespace physim {
-namespace flight_round_earth_test {
+namespace physim::flight_round_earth_test {
 
 using namespace test;
 
@@ -21,11 +18,8 @@ Fidelity over(EarthModel earth, GravityModel gravity, Integrator integrator = In
 
 /// The Earth as a point mass under a sphere.
 Environment round_world(double latitude, double longitude, double azimuth) {
-  Environment e;
-  e.gravity.radius = 6371000;
-  e.gravity.acceleration = wgs84::kGM / (6371000.0 * 6371000.0);
-  e.earth = {.latitude = latitude * kDegree, .longitude = longitude * kDegree, .azimuth = azimuth * kDegree};
-  return e;
+  return {.gravity = {.acceleration = wgs84::kGM / (6371000.0 * 6371000.0), .radius = 6371000},
+          .earth = {.latitude = latitude * kDegree, .longitude = longitude * kDegree, .azimuth = azimuth * kDegree}};
 }
 
 FrameState inertial_at(const Flight& flight, double time) {
@@ -37,9 +31,8 @@ FrameState inertial_at(const Flight& flight, double time) {
 TEST(Frames, every_way_there_leads_back) {
   Random r(21);
   for (int i = 0; i < 300; ++i) {
-    Environment e;
-    e.altitude = r.in(-1000, 1e6);
-    e.earth = {.latitude = r.in(-1.57, 1.57), .longitude = r.in(-3.1, 3.1), .azimuth = r.in(-3, 3)};
+    Environment e{.altitude = r.in(-1000, 1e6),
+                  .earth = {.latitude = r.in(-1.57, 1.57), .longitude = r.in(-3.1, 3.1), .azimuth = r.in(-3, 3)}};
     if (i % 9 == 0) e.earth.latitude = kPi / 2;
     if (i % 9 == 1) e.earth.latitude = 0;
     const EarthFrames frames(e, static_cast<EarthModel>(r.below(5)));
@@ -58,9 +51,8 @@ TEST(Frames, every_way_there_leads_back) {
 }
 
 TEST(Frames, of_the_origin) {
-  Environment e;
-  e.altitude = 700;
-  e.earth = {.latitude = 47 * kDegree, .longitude = 8 * kDegree, .azimuth = 30 * kDegree};
+  Environment e{.altitude = 700,
+                .earth = {.latitude = 47 * kDegree, .longitude = 8 * kDegree, .azimuth = 30 * kDegree}};
   for (const EarthModel earth : {EarthModel::flat, EarthModel::sphere, EarthModel::ellipsoid}) {
     const EarthFrames frames(e, earth);
     const Geodetic g = frames.geodetic({});
@@ -78,8 +70,7 @@ TEST(Frames, of_the_origin) {
 }
 
 TEST(Frames, rest_on_the_ground_is_motion_in_space) {
-  Environment e;
-  e.earth = {.latitude = 60 * kDegree, .longitude = 20 * kDegree, .azimuth = 0};
+  Environment e{.earth = {.latitude = 60 * kDegree, .longitude = 20 * kDegree, .azimuth = 0}};
   const EarthFrames turning(e, EarthModel::ellipsoid);
   const FrameState start = turning.inertial({}, {}, 0), day = turning.inertial({}, {}, 2 * kPi / 7.292115e-5);
   const double p = std::hypot(start.position.x, start.position.y);
@@ -145,8 +136,7 @@ TEST(RoundEarth, a_dropped_ball_falls_to_the_east_as_kepler_says) {
 TEST(RoundEarth, a_ball_dropped_over_the_ellipsoid_falls_east_of_the_plumb_line) {
   // First order in Omega: east = Omega g t^3 cos(phi) / 3; the southward part is of second order.
   for (const double latitude : {0.0, 48.0, -30.0}) {
-    Environment e;
-    e.earth = {.latitude = latitude * kDegree, .azimuth = 90 * kDegree};
+    Environment e{.earth = {.latitude = latitude * kDegree, .azimuth = 90 * kDegree}};
     const Flight flight =
         fly({}, {.position = {0, 158, 0}}, e, over(EarthModel::ellipsoid, GravityModel::wgs84), kTight);
     // Gravity's slope delays a fall as if all of it happened at 5/6 of the height.
@@ -193,8 +183,7 @@ Drift drift_of(const Flight& flight, double (*potential)(const Vec3d&)) {
 }
 
 TEST(RoundEarth, an_intercontinental_lob_keeps_energy_and_momentum) {
-  Environment e;
-  e.earth = {.latitude = 34.6 * kDegree, .longitude = -120.6 * kDegree, .azimuth = 280 * kDegree};
+  Environment e{.earth = {.latitude = 34.6 * kDegree, .longitude = -120.6 * kDegree, .azimuth = 280 * kDegree}};
   const struct {
     GravityModel gravity;
     double (*potential)(const Vec3d&);
@@ -214,9 +203,8 @@ TEST(RoundEarth, an_intercontinental_lob_keeps_energy_and_momentum) {
 }
 
 TEST(RoundEarth, a_low_orbit_keeps_energy_and_momentum_and_its_plane_turns) {
-  Environment e;
-  e.altitude = 400e3;
-  e.earth = {.latitude = 0, .longitude = 12 * kDegree, .azimuth = (90 - 51.6) * kDegree};
+  Environment e{.altitude = 400e3,
+                .earth = {.latitude = 0, .longitude = 12 * kDegree, .azimuth = (90 - 51.6) * kDegree}};
   const EarthFrames frames(e, EarthModel::ellipsoid);
   // Circular, inclined by 51.6 degrees, in inertial space.
   const FrameState here = frames.inertial({}, {}, 0);
@@ -259,9 +247,7 @@ TEST(RoundEarth, a_satellite_over_one_meridian_stands_still) {
 
 // ------------------------------------------------------------------------------------------------- air and ground
 TEST(RoundEarth, wind_stays_level_and_still_air_turns_with_the_ground) {
-  Environment e;
-  e.earth = {.latitude = 50 * kDegree, .azimuth = 70 * kDegree};
-  e.wind.velocity = {7, 0, -3};
+  Environment e{.wind = {.velocity = {7, 0, -3}}, .earth = {.latitude = 50 * kDegree, .azimuth = 70 * kDegree}};
   for (const EarthModel earth : {EarthModel::sphere, EarthModel::sphere_rotating, EarthModel::ellipsoid}) {
     Fidelity f = over(earth, GravityModel::inverse_square);
     f.drag = DragModel::equation;
@@ -296,9 +282,8 @@ TEST(RoundEarth, along_the_great_circle_of_fire_the_wind_keeps_its_direction) {
 }
 
 TEST(RoundEarth, the_ground_is_a_height_above_the_ellipsoid) {
-  Environment e;
-  e.altitude = 1200;
-  e.earth = {.latitude = 40 * kDegree, .longitude = 179.9 * kDegree, .azimuth = 90 * kDegree};
+  Environment e{.altitude = 1200,
+                .earth = {.latitude = 40 * kDegree, .longitude = 179.9 * kDegree, .azimuth = 90 * kDegree}};
   const Flight flight = fly(bullet_308(), {.speed = 800, .elevation = 30 * kDegree}, e,
                             {.earth = EarthModel::ellipsoid, .rotation = RotationModel::none}, {}, {.ground = -200.0});
   ASSERT_EQ(flight.outcome(), Outcome::landed);
@@ -310,9 +295,8 @@ TEST(RoundEarth, the_ground_is_a_height_above_the_ellipsoid) {
 TEST(RoundEarth, a_level_shot_from_the_ground_lands_only_when_it_comes_down) {
   Random r(31);
   for (int i = 0; i < 50; ++i) {
-    Environment e;
-    e.altitude = r.one_in(2) ? 0 : r.in(0, 3000);
-    e.earth = {.latitude = r.in(-1.57, 1.57), .azimuth = r.in(-3, 3)};
+    Environment e{.altitude = r.one_in(2) ? 0 : r.in(0, 3000),
+                  .earth = {.latitude = r.in(-1.57, 1.57), .azimuth = r.in(-3, 3)}};
     Fidelity f = over(EarthModel::ellipsoid, GravityModel::wgs84, Integrator::tsit5);
     f.precision = r.one_in(2) ? Precision::float32 : Precision::float64;
     const Flight flight = fly({}, {.speed = 500, .elevation = 0.5}, e, f);
@@ -351,5 +335,4 @@ TEST(RoundEarth, batches_give_the_numbers_of_single_flights) {
   }
 }
 
-}  // namespace flight_round_earth_test
-}  // namespace physim
+}  // namespace physim::flight_round_earth_test

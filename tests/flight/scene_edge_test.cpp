@@ -1,8 +1,7 @@
 // Flights that only touch an edge of a thing.
 #include "scene_support.hpp"
 
-namespace physim {
-namespace flight_scene_edge_test {
+namespace physim::flight_scene_edge_test {
 
 using namespace test_scene;
 
@@ -10,9 +9,8 @@ using namespace test_scene;
 /// meets nothing. A sheet that stops whatever is slower than 200 m/s takes sqrt(300^2 - 200^2) m/s from what it lets.
 TEST(Seam, a_shot_that_touches_a_ridge_goes_on) {
   const ConvexHullShape roof{{{-5, 0, -9}, {5, 0, -9}, {-5, 0, 9}, {5, 0, 9}, {0, 5, -9}, {0, 5, 9}}};
-  MeshShape tent;
-  tent.vertices = roof.points;
-  tent.triangles = {{0, 4, 1}, {2, 3, 5}, {0, 2, 4}, {2, 5, 4}, {1, 4, 3}, {3, 4, 5}, {0, 1, 2}, {1, 3, 2}};
+  MeshShape tent{.vertices = roof.points,
+                 .triangles = {{0, 4, 1}, {2, 3, 5}, {0, 2, 4}, {2, 5, 4}, {1, 4, 3}, {3, 4, 5}, {0, 1, 2}, {1, 3, 2}}};
   const ProjectileDef bullet{.mass = 0.01};
   for (const ShapeDef& shape : {ShapeDef(roof), ShapeDef(tent)})
     for (const OnHit on_hit : {OnHit::impact, OnHit::stop, OnHit::bounce, OnHit::stick}) {
@@ -37,5 +35,4 @@ TEST(Seam, a_shot_that_touches_a_ridge_goes_on) {
     }
 }
 
-}  // namespace flight_scene_edge_test
-}  // namespace physim
+}  // namespace physim::flight_scene_edge_test

@@ -1,12 +1,8 @@
 // Flights that meet things: against closed forms, and against worlds at the same fixed step.
-#include <cmath>
-#include <string>
-
 #include "rigid.hpp"
 #include "scene_support.hpp"
 
-namespace physim {
-namespace flight_scene_flight_test {
+namespace physim::flight_scene_flight_test {
 
 using test::same_bits;
 using namespace test_scene;
@@ -15,8 +11,7 @@ using namespace test_scene;
 TEST(SceneFlight, a_parabola_meets_a_slope_and_a_sphere_where_the_closed_form_does) {
   const double slope = 0.3, speed = 40, elevation = 0.9;
   Scene hill;
-  ASSERT_TRUE(hill.add({.shape = *hill.add_shape(PlaneShape{}),
-                        .transform = {.rotation = {std::cos(slope / 2), 0, 0, std::sin(slope / 2)}}}));
+  add_thing(hill, PlaneShape{}, {.transform = {.rotation = {std::cos(slope / 2), 0, 0, std::sin(slope / 2)}}});
   // On a slope through the muzzle: t = 2 v sin(a - s) / (g cos s). Started above it, so that it is not met at once.
   const double time = 2 * speed * std::sin(elevation - slope) / (kG * std::cos(slope));
   const double range = speed * std::cos(elevation) * time;
@@ -133,9 +128,8 @@ TEST(SceneFlight, a_bounce_breaks_the_velocity_and_not_the_path) {
     ASSERT_EQ(of_kind(flight, EventKind::time).size(), 2u);  // and the end
     EXPECT_NEAR(of_kind(flight, EventKind::time)[0].time, 2.5, 1e-12);
     EXPECT_NEAR(of_kind(flight, EventKind::time)[0].value, 2.5, 1e-12);
-    const auto again = flight.at_height(1, Crossing::rising);
-    ASSERT_TRUE(again);
-    EXPECT_NEAR(again->time, crossings[1], 1e-7);
+    const auto again = must(flight.at_height(1, Crossing::rising));
+    EXPECT_NEAR(again.time, crossings[1], 1e-7);
     EXPECT_NEAR(flight.at_range(7)->time, 7.0 / 4, 1e-8);
     for (std::size_t i = 1; i < flight.events().size(); ++i)
       EXPECT_LE(flight.events()[i - 1].time, flight.events()[i].time);
@@ -179,16 +173,10 @@ TEST(SceneFlight, a_flight_and_a_world_meet_things_alike_to_rounding) {
         p.drag.damping = 0.9;
         Launch launch{.position = {0.5, 0.25, 0.125}, .speed = 35, .elevation = 0.4, .azimuth = 0.3};
         launch.spin = {.backspin = 200, .sidespin = 50, .gyrospin = 30};
-        WorldDef def;
-        def.ground.mode = GroundMode::none;
-        World world = make_world(def);
-        ASSERT_TRUE(world.set_scene(scene));
-        BodyDef body;
-        body.can_sleep = false;
-        body.restitution = 0.95;
-        body.collision = {.on_hit = OnHit::bounce, .radius = radius};
-        const auto id = world.spawn(p, launch, body);
-        ASSERT_TRUE(id) << id.error().text();
+        WorldDef def{.ground = {.mode = GroundMode::none}};
+        World world = make_world(def, scene);
+        BodyDef body{.can_sleep = false, .restitution = 0.95, .collision = {.on_hit = OnHit::bounce, .radius = radius}};
+        const auto id = must(world.spawn(p, launch, body));
         Until until = meeting(scene, OnHit::bounce, radius);
         until.contact.restitution = 0.95;
         until.time = 4;
@@ -201,8 +189,8 @@ TEST(SceneFlight, a_flight_and_a_world_meet_things_alike_to_rounding) {
           if (world.time() > flight.duration()) break;
           const Sample s = flight.at(world.time());
           const double within = fidelity.precision == Precision::float32 ? 1e-4 : 1e-11;
-          ASSERT_LE(length(world[*id].position() - s.position), within) << world.time();
-          ASSERT_LE(length(world[*id].velocity() - s.velocity), 35 * within) << world.time();
+          ASSERT_LE(length(world[id].position() - s.position), within) << world.time();
+          ASSERT_LE(length(world[id].velocity() - s.velocity), 35 * within) << world.time();
         }
         const auto told = of_kind(flight, EventKind::bounced);
         ASSERT_GT(told.size(), 4u);
@@ -278,5 +266,4 @@ TEST(SceneFlight, what_meets_nothing_flies_as_without_a_scene) {
   }
 }
 
-}  // namespace flight_scene_flight_test
-}  // namespace physim
+}  // namespace physim::flight_scene_flight_test

@@ -1,23 +1,18 @@
 // What flights do where they meet things: each way to meet them, spin, rest, limits, bad input, and random scenes.
-#include <cmath>
-
 #include "random_shots.hpp"
 #include "scene_support.hpp"
 
-namespace physim {
-namespace flight_scene_meeting_test {
+namespace physim::flight_scene_meeting_test {
 
 using namespace test_scene;
 
 TEST(MeetingFlight, flights_do_what_collision_says) {
   Scene scene;
   const MaterialId steel = *scene.add_material({.name = "steel"});
-  const InstanceId wall = *scene.add({.shape = *scene.add_shape(BoxShape{{0.01, 5, 5}}),
-                                      .transform = {.position = {10, 0, 0}},
-                                      .material = steel,
-                                      .layers = 2});
-  const InstanceId gate = *scene.add(
-      {.shape = *scene.add_shape(BoxShape{{0.5, 5, 5}}), .transform = {.position = {5, 0, 0}}, .sensor = true});
+  const InstanceId wall =
+      add_thing(scene, BoxShape{{0.01, 5, 5}}, {.transform = {.position = {10, 0, 0}}, .material = steel, .layers = 2});
+  const InstanceId gate =
+      add_thing(scene, BoxShape{{0.5, 5, 5}}, {.transform = {.position = {5, 0, 0}}, .sensor = true});
   const auto fired = [&](const CollisionDef& collision) {
     Until until = meeting(scene);
     until.contact.collision = collision;
@@ -70,9 +65,12 @@ TEST(MeetingFlight, a_bullet_goes_through_a_plank_and_into_a_wall_as_impact_says
   const auto through = of_kind(flight, EventKind::penetrated), stuck = of_kind(flight, EventKind::stopped);
   ASSERT_EQ(through.size(), 1u);
   ASSERT_EQ(stuck.size(), 1u);
-  Impact asked{.mass = p.mass, .diameter = p.diameter, .length = p.length, .velocity = {780, 0, 0}};
-  asked.normal = {-1, 0, 0};
-  asked.thickness = 0.018;
+  Impact asked{.mass = p.mass,
+               .diameter = p.diameter,
+               .length = p.length,
+               .velocity = {780, 0, 0},
+               .normal = {-1, 0, 0},
+               .thickness = 0.018};
   const ImpactResult plank = *impact(asked, materials::fir());
   EXPECT_NEAR(through[0].velocity.x, plank.velocity.x, 1e-6);
   EXPECT_NEAR(through[0].energy, plank.energy, 1e-6);
@@ -90,9 +88,8 @@ TEST(MeetingFlight, a_ball_slides_then_rolls_down_a_slope_and_rests_on_a_floor) 
   constexpr double kSlope = 30 * test::kDegree;
   Scene slope;
   const MaterialId rough = *slope.add_material({.restitution = 0, .friction = 1});
-  ASSERT_TRUE(slope.add({.shape = *slope.add_shape(PlaneShape{}),
-                         .transform = {.rotation = {std::cos(kSlope / 2), 0, 0, -std::sin(kSlope / 2)}},
-                         .material = rough}));
+  add_thing(slope, PlaneShape{},
+            {.transform = {.rotation = {std::cos(kSlope / 2), 0, 0, -std::sin(kSlope / 2)}}, .material = rough});
   for (const Fidelity& fidelity : {closed(), rung(Integrator::tsit5), rung(Integrator::rk4)}) {
     Until until = meeting(slope, OnHit::bounce, 0.1);
     until.contact.restitution = 0;
@@ -140,8 +137,7 @@ TEST(MeetingFlight, what_slides_past_a_range_ends_there) {
 
 TEST(MeetingFlight, moving_things_are_met_where_they_are_at_the_time) {
   Scene scene;
-  const InstanceId wall =
-      *scene.add({.shape = *scene.add_shape(BoxShape{{0.1, 5, 5}}), .transform = {.position = {100, 0, 0}}});
+  const InstanceId wall = add_thing(scene, BoxShape{{0.1, 5, 5}}, {.transform = {.position = {100, 0, 0}}});
   ASSERT_TRUE(scene.set_motion(wall, SteadyMotion{.velocity = {-20, 0, 0}}));
   for (const double begins : {0.0, 2.0}) {
     Until until = meeting(scene);
@@ -181,20 +177,17 @@ TEST(MeetingFlight, rockets_and_spin_drift_meet_things_where_they_fly_without) {
   rocket.mass = 1;
   rocket.motor.thrust = {{0, 60}, {0.8, 40}, {1, 0}};
   rocket.motor.propellant_mass = 0.2;
-  Launch pad;
-  pad.elevation = 1.4;
-  pad.rail_length = 2;
+  Launch pad{.elevation = 1.4, .rail_length = 2};
   for (const Integrator integrator : {Integrator::rk4, Integrator::tsit5}) {
     const Tolerance fine{.step = 1.0 / 500};
     Until until{.ground = std::nullopt, .time = 8};
     const Flight free = fly(rocket, pad, vacuum_of(kG), rung(integrator), fine, until);
     ASSERT_FALSE(free.error()) << free.error()->text();
-    const auto there = free.at_height(80);
-    ASSERT_TRUE(there);
+    const auto there = must(free.at_height(80));
     until.scene = &roof;
     const Flight stopped = fly(rocket, pad, vacuum_of(kG), rung(integrator), fine, until);
     ASSERT_EQ(stopped.outcome(), Outcome::hit);
-    EXPECT_NEAR(stopped.duration(), there->time, 1e-9);
+    EXPECT_NEAR(stopped.duration(), there.time, 1e-9);
     EXPECT_EQ(of_kind(stopped, EventKind::hit)[0].instance, ceiling);
     EXPECT_EQ(of_kind(stopped, EventKind::rail_exit).size(), 1u);
     until.contact.collision.on_hit = OnHit::bounce;
@@ -229,19 +222,11 @@ TEST(MeetingFlight, a_world_goes_on_with_a_flight_that_has_bounced) {
     ProjectileDef p = stone();
     const Flight flight =
         fly(p, {.position = {0, 2, 0}, .speed = 4}, vacuum_of(kG), fidelity, {.step = 1.0 / 64}, until);
-    WorldDef def;
-    def.ground.mode = GroundMode::none;
-    def.environment = vacuum_of(kG);
-    World world = make_world(def);
-    ASSERT_TRUE(world.set_scene(floor));
-    BodyDef body;
-    body.restitution = 0.9;
-    body.collision.on_hit = OnHit::bounce;
-    const auto id = world.spawn(flight, 1.0, body);
-    ASSERT_TRUE(id) << id.error().text();
+    World world = make_world({.environment = vacuum_of(kG), .ground = {.mode = GroundMode::none}}, floor);
+    const auto id = must(world.spawn(flight, 1.0, {.restitution = 0.9, .collision = {.on_hit = OnHit::bounce}}));
     for (int i = 1; i <= 120; ++i) {
       world.step(1.0 / 64);
-      ASSERT_LT(length(world[*id].position() - flight.at(1 + i / 64.0).position), 1e-6) << i;
+      ASSERT_LT(length(world[id].position() - flight.at(1 + i / 64.0).position), 1e-6) << i;
     }
   }
 }
@@ -310,8 +295,7 @@ TEST(MeetingFlight, batches_refuse_a_scene) {
   EXPECT_EQ(batch.error->place, "until.scene");
   EXPECT_EQ(batch.shots[1].outcome, Outcome::refused);
   const double speeds[] = {10, 20, 30};
-  LaunchColumns columns;
-  columns.speed = speeds;
+  LaunchColumns columns{.speed = speeds};
   EXPECT_EQ(fly_columns(stone(), columns, {}, Fidelity::game(), {}, meeting(scene), {}).refused, 3u);
 }
 
@@ -323,9 +307,8 @@ Scene cluttered(test::Random& r) {
     const Vec3d place{r.in(3, 28), r.in(-14, 14), r.in(-28, 28)};
     const Quatd turned = quat_from_yaw_pitch_roll(r.in(-3, 3), r.in(-1, 1), r.in(-3, 3));
     const ShapeDef shapes[] = {BoxShape{{0.5, 1, 2}}, SphereShape{1.5}, CapsuleShape{1, 0.5}};
-    EXPECT_TRUE(scene.add({.shape = *scene.add_shape(shapes[i % 3]),
-                           .transform = {.position = place, .rotation = turned},
-                           .material = i % 2 ? soft : MaterialId{}}));
+    add_thing(scene, shapes[i % 3],
+              {.transform = {.position = place, .rotation = turned}, .material = i % 2 ? soft : MaterialId{}});
   }
   return scene;
 }
@@ -344,9 +327,10 @@ TEST(MeetingFlight, random_flights_keep_what_is_promised) {
     if (run % 7 == 0) f.motion = Motion::closed_form;
     f.precision = r.one_in(3) ? Precision::float32 : Precision::float64;
     ProjectileDef p = run % 3 ? presets::tennis_ball().projectile : test::bullet_308();
-    Launch launch{.position = {r.in(-20, -5), r.in(-10, 10), r.in(-10, 10)}, .speed = r.in(1, 100)};
-    launch.elevation = r.in(-0.7, 0.7);
-    launch.azimuth = r.in(-0.7, 0.7);
+    Launch launch{.position = {r.in(-20, -5), r.in(-10, 10), r.in(-10, 10)},
+                  .speed = r.in(1, 100),
+                  .elevation = r.in(-0.7, 0.7),
+                  .azimuth = r.in(-0.7, 0.7)};
     if (run % 3) launch.spin = {.backspin = r.in(-300, 300), .sidespin = r.in(-100, 100)};
     const double radius = r.one_in(2) ? 0 : 0.05;
     Until until = meeting(scene, r.one_in(2) ? OnHit::bounce : OnHit::impact, radius);
@@ -387,5 +371,4 @@ TEST(MeetingFlight, random_flights_keep_what_is_promised) {
   EXPECT_GT(contacts, 500);
 }
 
-}  // namespace flight_scene_meeting_test
-}  // namespace physim
+}  // namespace physim::flight_scene_meeting_test

@@ -4,8 +4,7 @@
 #include "flight/step_budget.hpp"
 #include "physim/physim.hpp"
 
-namespace physim {
-namespace flight_search_bounds_test {
+namespace physim::flight_search_bounds_test {
 
 /// It falls at half a metre a second, and never comes near a target far away.
 const ProjectileDef kDust{.mass = 1e-6, .diameter = 0.01, .drag = {.coefficient = 1}};
@@ -44,5 +43,4 @@ TEST(Flight, of_no_record_is_refused) {
   EXPECT_EQ(StudyPart(nullptr).shards(), 0U);
 }
 
-}  // namespace flight_search_bounds_test
-}  // namespace physim
+}  // namespace physim::flight_search_bounds_test

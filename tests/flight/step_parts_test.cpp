@@ -5,8 +5,7 @@
 
 #include <random>
 
-namespace physim {
-namespace flight_step_parts_test {
+namespace physim::flight_step_parts_test {
 
 TEST(StepParts, a_step_that_touches_nothing_is_one_part) {
   StepParts parts(10, false);
@@ -73,5 +72,4 @@ TEST(StepParts, a_last_part_is_followed_by_none) {
   EXPECT_EQ(parts.next(), std::nullopt);
 }
 
-}  // namespace flight_step_parts_test
-}  // namespace physim
+}  // namespace physim::flight_step_parts_test

@@ -1,14 +1,12 @@
 // Flights straight up, straight down, from rest and nearly vertical, compared along the whole path with a flight that
 // is close to exact. The first users' case: a shuttlecock dropped from 30 m landed with 2.7 m/s, silently.
-#include <algorithm>
 #include <array>
 #include <cstdlib>
 #include <random>
 
 #include "support.hpp"
 
-namespace physim::test {
-namespace flight_vertical_flight_test {
+namespace physim::test::flight_vertical_flight_test {
 
 /// Of each kind of flight; PHYSIM_BODIES=1000 takes some minutes.
 const int kBodies = std::getenv("PHYSIM_BODIES") != nullptr ? std::atoi(std::getenv("PHYSIM_BODIES")) : 40;
@@ -31,8 +29,7 @@ Shot random_shot(std::mt19937_64& random, int way) {
   const auto between = [&](double low, double high) {  // evenly in the logarithm
     return low * std::pow(high / low, std::uniform_real_distribution<double>(0, 1)(random));
   };
-  Shot shot;
-  shot.projectile.diameter = between(0.003, 0.2);
+  Shot shot{.projectile = {.diameter = between(0.003, 0.2)}};
   shot.projectile.mass = std::pow(shot.projectile.diameter, 3) * between(20, 6000);
   constexpr std::array tables{DragTable::constant, DragTable::g1, DragTable::g7, DragTable::sphere};
   shot.projectile.drag.table = tables[random() % tables.size()];
@@ -171,5 +168,4 @@ TEST(VerticalFlight, frames_stay_bounded_and_halve_their_error_with_the_step) {
   }
 }
 
-}  // namespace flight_vertical_flight_test
-}  // namespace physim::test
+}  // namespace physim::test::flight_vertical_flight_test

@@ -1,12 +1,7 @@
 // Batches whose shots have weather of their own: each flies as fly() lets it fly in its own environment.
-#include "physim/environment.hpp"
-
 #include "flight/batch_support.hpp"
-#include "physim/flight.hpp"
-#include "physim/result.hpp"
 
-namespace physim {
-namespace flight_weather_test {
+namespace physim::flight_weather_test {
 
 using namespace test;
 
@@ -137,8 +132,7 @@ TEST(Weather, winds_move_a_profile) {
               }
             }
   // What it should come to: a profile that is moved is another profile.
-  Environment e;
-  e.wind = {.velocity = {1, 0, 2}, .profile = {{0, {2, 0, 1}}, {100, {4, 0, 0}}}};
+  Environment e{.wind = {.velocity = {1, 0, 2}, .profile = {{0, {2, 0, 1}}, {100, {4, 0, 0}}}}};
   const std::vector<double> gust = {4};
   const Environment moved = Weather{.wind_x = gust, .moves_profile = true}.at(0, e);
   EXPECT_EQ(moved.wind.profile[0].velocity, (Vec3d{5, 0, 1}));
@@ -256,8 +250,7 @@ TEST(Weather, is_that_of_all_layers_for_who_is_blown_out_of_the_lowest) {
     speed.push_back(r.in(20, 60)), elevation.push_back(r.in(-0.2, 0.3));
     upwards.push_back(i % 7 == 0 ? r.in(20, 60) : r.in(-1, 1)), temperature.push_back(r.in(250, 310));
   }
-  ProjectileDef chute;
-  chute.mass = 1, chute.diameter = 0.6, chute.drag = {.coefficient = 1};
+  ProjectileDef chute{.mass = 1, .diameter = 0.6, .drag = {.coefficient = 1}};
   ProjectileDef bullet = bullet_308();
   std::vector<double> x(count), y(count), z(count), time(count);
   int left = 0;
@@ -296,8 +289,7 @@ TEST(Weather, is_that_of_all_layers_for_a_stage_above_the_lowest) {
   std::vector<double> speed, upwards, temperature;
   for (std::size_t i = 0; i < count; ++i)
     speed.push_back(r.in(22, 23)), upwards.push_back(r.in(48, 52)), temperature.push_back(r.in(250, 310));
-  ProjectileDef ball;
-  ball.mass = 0.5, ball.diameter = 0.1, ball.drag = {.coefficient = 0.5};
+  ProjectileDef ball{.mass = 0.5, .diameter = 0.1, .drag = {.coefficient = 0.5}};
   const LaunchColumns from{.common = {.position = {0, 10990, 0}, .elevation = 1.5}, .speed = speed};
   const Tolerance tolerance{.step = 7};
   std::vector<double> y(count), vy(count);
@@ -376,8 +368,7 @@ TEST(Weather, in_float32_moves_corners_by_its_rounding_alone) {
 /// v = v0 / (1 + v0 t rho Cd A / (2 m)).
 TEST(Weather, density_slows_by_the_closed_form) {
   const std::vector<double> density{0.3, 0.9, 1.2, 1.8};
-  ProjectileDef ball;
-  ball.mass = 0.1, ball.diameter = 0.05, ball.drag = {.coefficient = 0.5};
+  ProjectileDef ball{.mass = 0.1, .diameter = 0.05, .drag = {.coefficient = 0.5}};
   Fidelity f = Fidelity::simulation();
   f.air = AirModel::constant, f.gravity = GravityModel::off;
   const std::vector<Launch> launches(density.size(), Launch{.speed = 100});
@@ -414,5 +405,4 @@ TEST(Weather, bad_days_are_refused_alone_and_bad_columns_together) {
   EXPECT_EQ(thin.shots[1].outcome, Outcome::landed);
 }
 
-}  // namespace flight_weather_test
-}  // namespace physim
+}  // namespace physim::flight_weather_test

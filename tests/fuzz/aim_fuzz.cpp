@@ -2,13 +2,10 @@
 // flown again, with a tight tolerance, and must hit. Whatever else comes out must be an honest miss with finite
 // numbers, or a refusal with words. How many targets are not found that a shot was seen to reach is counted, too.
 #include <cmath>
-#include <cstdio>
-#include <cstdlib>
 #include <limits>
 #include <string>
 
 #include "fuzz/arguments.hpp"
-#include "physim/physim.hpp"
 #include "random_shots.hpp"
 
 namespace physim::test {

@@ -8,8 +8,6 @@
 // a projectile is gone or no number.
 #include <algorithm>
 #include <array>
-#include <cmath>
-#include <cstdio>
 #include <random>
 #include <vector>
 

@@ -9,13 +9,10 @@
 #include <unistd.h>
 
 #include <csignal>
-#include <cstdio>
 
 #include "fuzz/arguments.hpp"
-#include "fuzz/extremes.hpp"
 #include "fuzz/odd_input.hpp"
 #include "fuzz/verdict.hpp"
-#include "physim/scene.hpp"
 #include "random_emitters.hpp"
 
 namespace physim::test {

@@ -8,7 +8,6 @@
 #include <string>
 #include <type_traits>
 #include <variant>
-#include <vector>
 
 #include "base/members.hpp"
 #include "random_shots.hpp"

@@ -4,7 +4,6 @@
 #include <cstdio>
 #include <cstdlib>
 
-#include "physim/physim.hpp"
 #include "random_shots.hpp"
 
 namespace physim::test {

@@ -1,15 +1,9 @@
 // Random input for every public call: mostly sensible, now and then what nobody should hand in.
 #pragma once
 
-#include <cmath>
-#include <limits>
-#include <string>
 #include <utility>
-#include <vector>
 
 #include "fuzz/extremes.hpp"
-#include "physim/physim.hpp"
-#include "random_shots.hpp"
 
 namespace physim::test {
 

@@ -1,9 +1,6 @@
 // The things of a world, changed by random calls.
 #pragma once
 
-#include <cmath>
-#include <vector>
-
 #include "fuzz/odd_input.hpp"
 
 namespace physim::test {

@@ -2,13 +2,11 @@
 #pragma once
 
 #include <algorithm>
-#include <array>
 #include <memory>
 #include <stdexcept>
 
 #include "base/hash.hpp"
 #include "fuzz/odd_change.hpp"
-#include "fuzz/odd_input.hpp"
 #include "fuzz/odd_scene.hpp"
 #include "fuzz/verdict.hpp"
 #include "world/recording_bytes.hpp"

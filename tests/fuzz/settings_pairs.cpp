@@ -7,9 +7,7 @@
 // path.
 #include <filesystem>
 #include <fstream>
-#include <iterator>
 #include <map>
-#include <optional>
 #include <random>
 #include <set>
 

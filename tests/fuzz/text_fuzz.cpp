@@ -6,7 +6,6 @@
 // written and read again. What crashes or hangs shows by itself.
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <filesystem>
 #include <fstream>
 #include <iterator>

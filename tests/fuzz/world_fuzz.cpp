@@ -10,7 +10,6 @@
 #include <unistd.h>
 
 #include <csignal>
-#include <cstdio>
 
 #include "fuzz/arguments.hpp"
 #include "fuzz/odd_flights.hpp"

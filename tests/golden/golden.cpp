@@ -8,10 +8,7 @@
 #include <cstdio>
 #include <string>
 
-#include "base/ieee_mode.hpp"
 #include "math/elementary.hpp"
-#include "physim/environment.hpp"
-#include "physim/physim.hpp"
 #include "random_shots.hpp"
 #include "scenes.hpp"
 #include "world.hpp"

@@ -4,7 +4,6 @@
 
 #include "alike.hpp"
 #include "base/hash.hpp"
-#include "base/ieee_mode.hpp"
 #include "random_emitters.hpp"
 #include "scenes.hpp"
 

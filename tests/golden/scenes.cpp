@@ -6,7 +6,6 @@
 
 #include "alike.hpp"
 #include "base/hash.hpp"
-#include "physim/world.hpp"
 #include "random_shots.hpp"
 
 namespace physim::test {

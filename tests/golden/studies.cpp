@@ -1,9 +1,7 @@
 // Studies in the golden hash: what their shards hold to the bit, drawn in each way, for every kernel and several
 // numbers of threads.
-#include <cstdio>
 #include <optional>
 #include <span>
-#include <string>
 #include <vector>
 
 #include "alike.hpp"

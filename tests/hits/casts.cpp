@@ -1,7 +1,5 @@
 // Casts beside a reference that is other code: signed distances in long double, without a tree.
-#include <cmath>
 #include <cstdio>
-#include <string>
 
 #include "collide/reference.hpp"
 #include "collide/scene_support.hpp"

@@ -5,8 +5,6 @@
 // The exit status is 1 where anything was wrong. ./dev hits 1000000 takes a quarter of an hour.
 #include "hits/hits.hpp"
 
-#include <cstdio>
-
 #include "fuzz/arguments.hpp"
 
 int main(int argc, char** argv) {

@@ -1,14 +1,10 @@
 // Flights at thin things and past them: each that is aimed at one is stopped by it, and no other one is.
-#include <cmath>
 #include <cstdio>
 #include <string>
-#include <vector>
 
 #include "collide/scene_support.hpp"
 #include "hits/hits.hpp"
 #include "math/quat.hpp"
-#include "physim/body.hpp"
-#include "physim/world.hpp"
 
 namespace physim::test {
 namespace {
@@ -25,10 +21,8 @@ constexpr const char* kSheetNames[] = {"mesh", "height field", "box of 1 mm", "b
 
 ShapeDef shape_of(Sheet sheet) {
   if (sheet == Sheet::mesh) {  // four triangles that meet in the middle
-    MeshShape mesh;
-    mesh.vertices = {{-1, 0, -1}, {1, 0, -1}, {1, 0, 1}, {-1, 0, 1}, {0, 0, 0}};
-    mesh.triangles = {{0, 4, 1}, {1, 4, 2}, {2, 4, 3}, {3, 4, 0}};
-    return mesh;
+    return MeshShape{.vertices = {{-1, 0, -1}, {1, 0, -1}, {1, 0, 1}, {-1, 0, 1}, {0, 0, 0}},
+                     .triangles = {{0, 4, 1}, {1, 4, 2}, {2, 4, 3}, {3, 4, 0}}};
   }
   if (sheet == Sheet::field) {
     HeightFieldShape field{.columns = 9, .rows = 9, .spacing_x = 0.25, .spacing_z = 0.25};
@@ -78,11 +72,11 @@ class Range {
     if (std::abs(at_.position.y + 5000) < 50) at_.position.y += 100;
     if (!is_level_) at_.rotation = normalized(random_transform(r, 0).rotation);
     frame_ = r.in(1.0 / 240, 1.0 / 30);
-    WorldDef world;
-    world.ground.mode = GroundMode::none;
-    world.environment.atmosphere.model = AirModel::isa;
-    world.environment.gravity = {.model = GravityModel::constant, .acceleration = is_level_ ? 9.80665 : 0};
-    world.step = frame_ / 2;
+    WorldDef world{
+        .environment = {.gravity = {.model = GravityModel::constant, .acceleration = is_level_ ? 9.80665 : 0},
+                        .atmosphere = {.model = AirModel::isa}},
+        .ground = {.mode = GroundMode::none},
+        .step = frame_ / 2};
     world_ = std::move(World::create(world).value());
     Scene scene;
     const Vec3d corner = sheet == Sheet::field ? rotate(at_.rotation, Vec3d{-1, 0, -1}) : Vec3d{};
@@ -133,11 +127,8 @@ class Range {
     Vec3d from = is_aimed ? Vec3d{within(), 0, within()} : Vec3d{r_.in(1.02, 2) + radius, 0, within()};
     if (!is_aimed && r_.one_in(2)) from = {-from.x, 0, from.z};
     from.y = side * far;
-    BodyDef body;
-    body.collision.radius = radius;
-    Launch launch;
-    launch.position = at_.position + rotate(at_.rotation, from);
-    launch.velocity = normal() * (-side * speed);
+    BodyDef body{.collision = {.radius = radius}};
+    Launch launch{.position = at_.position + rotate(at_.rotation, from), .velocity = normal() * (-side * speed)};
     shots_.push_back({world_.spawn(def_, launch, body).value(), is_aimed, speed, radius, from});
   }
 

@@ -1,8 +1,6 @@
 // Floors of two bodies that touch each other: whatever comes down on the seam is stopped by one of them.
-#include <cmath>
 #include <cstdio>
 #include <string>
-#include <vector>
 
 #include "collide/scene_support.hpp"
 #include "hits/hits.hpp"
@@ -86,10 +84,9 @@ void cast(Tried& tried, const Floor& floor, const Frame& frame, Body left, Body 
   const double ulp = 2.3e-16 * (1 + far);
   const double radius = r.one_in(2) ? 0 : std::pow(10.0, r.in(std::log10(8 * ulp), 0));
   const double high = r.in(0.01, 3);
-  SceneSegment s;
-  s.from = aim - rotate(frame.turn, down) * high;
-  s.to = aim + rotate(frame.turn, down) * r.in(0.05, 1);
-  s.radius = radius;
+  SceneSegment s{.from = aim - rotate(frame.turn, down) * high,
+                 .to = aim + rotate(frame.turn, down) * r.in(0.05, 1),
+                 .radius = radius};
   const double above = rotate(conjugate(frame.turn), s.from - frame.origin).y;  // floats have moved it
   const auto is_hollow = [](Body body) { return body == Body::field || body == Body::mesh; };
   // Triangles are met at their surfaces alone: what begins below those comes out below them, or meets nothing.

@@ -15,8 +15,7 @@ struct Counted {
 
 /// A gun fires at a wall until so many are on their way, and then until all have come.
 Counted fire(long count, double frame) {
-  WorldDef def;
-  def.ground.mode = GroundMode::none;
+  WorldDef def{.ground = {.mode = GroundMode::none}};
   World world = std::move(World::create(def).value());
   Scene scene;
   const bool stands = static_cast<bool>(
@@ -27,11 +26,10 @@ Counted fire(long count, double frame) {
   ball.fidelity.motion = Motion::closed_form;
   ball.fidelity.drag = DragModel::off;
   ball.fidelity.precision = Precision::float64;
-  EmitterDef emitter;
-  emitter.kind = world.add_kind(ball).value();
-  emitter.cycle.plays = false;
-  emitter.start.lifetime = {0.01};
-  emitter.maximum = 1u << 30;
+  EmitterDef emitter{.kind = world.add_kind(ball).value(),
+                     .cycle = {.plays = false},
+                     .start = {.lifetime = {0.01}},
+                     .maximum = 1u << 30};
   const EmitterId sparks = world.add_emitter(emitter).value();
   emitter.kind = world.add_kind(ball, {.collision = {.on_hit = OnHit::stop}}).value();
   emitter.cycle = {.duration = 1, .looping = false};

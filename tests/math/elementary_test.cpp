@@ -13,8 +13,7 @@
 #include <tuple>
 #include <vector>
 
-namespace physim {
-namespace math_elementary_test {
+namespace physim::math_elementary_test {
 
 // To measure the table of elementary.hpp anew: -DPHYSIM_ULP_POINTS=8000000, which also prints the worst errors.
 #ifdef PHYSIM_ULP_POINTS
@@ -387,5 +386,4 @@ TEST(Elementary, HasTheSameBitsOnEveryPlatform) {
   EXPECT_EQ(hash_of_results<float>(), 3556013968998374446u);
 }
 
-}  // namespace math_elementary_test
-}  // namespace physim
+}  // namespace physim::math_elementary_test

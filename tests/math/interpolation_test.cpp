@@ -1,7 +1,6 @@
 // Curves through points: what each interpolation promises, and that equal cells change nothing.
 #include "math/interpolation.hpp"
-
-#include <gtest/gtest.h>
+#include "must.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -9,8 +8,7 @@
 
 #include "physim/projectile.hpp"
 
-namespace physim {
-namespace math_interpolation_test {
+namespace physim::math_interpolation_test {
 
 constexpr Interpolation kAll[] = {Interpolation::linear, Interpolation::pchip, Interpolation::cubic};
 
@@ -149,10 +147,9 @@ TEST(Interpolation, equal_cells_are_the_same_polynomial_for_every_standard_drag_
     }
     for (const Interpolation how : kAll) {
       const PiecewiseCubic curve = interpolate(mach, cd, how);
-      const auto uniform = on_uniform_cells(curve, 16384);
-      ASSERT_TRUE(uniform) << table;
-      EXPECT_LE(uniform->rows.size(), 2000u) << table;  // the points of all nine are multiples of 0.005 or coarser
-      for (double x = -0.1; x < 6; x += 0.00137) ASSERT_NEAR(evaluate(*uniform, x), curve(x), 2e-14) << table;
+      const auto uniform = must(on_uniform_cells(curve, 16384), table);
+      EXPECT_LE(uniform.rows.size(), 2000u) << table;  // the points of all nine are multiples of 0.005 or coarser
+      for (double x = -0.1; x < 6; x += 0.00137) ASSERT_NEAR(evaluate(uniform, x), curve(x), 2e-14) << table;
     }
   }
 }
@@ -172,5 +169,4 @@ TEST(Interpolation, equal_cells_do_not_move_points_that_nearly_fit) {
   for (double at = 0; at < 2; at += 0.001) ASSERT_NEAR(evaluate(*uniform, at), curve(at), 1e-12);
 }
 
-}  // namespace math_interpolation_test
-}  // namespace physim
+}  // namespace physim::math_interpolation_test

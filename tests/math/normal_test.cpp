@@ -7,8 +7,7 @@
 
 #include "random_shots.hpp"
 
-namespace physim {
-namespace math_normal_test {
+namespace physim::math_normal_test {
 
 long double cdf(long double z) { return 0.5L * std::erfc(-z / std::sqrt(2.0L)); }
 
@@ -46,5 +45,4 @@ TEST(Normal, quantiles) {
   EXPECT_EQ(normal_quantile(0.5), 0);
 }
 
-}  // namespace math_normal_test
-}  // namespace physim
+}  // namespace physim::math_normal_test

@@ -5,8 +5,7 @@
 
 #include "physim/math.hpp"
 
-namespace physim {
-namespace math_numbers_test {
+namespace physim::math_numbers_test {
 
 template <class R>
 struct Five {
@@ -59,5 +58,4 @@ TEST(Numbers, are_cast_all_lanes_at_a_time) {
   EXPECT_EQ(lane_of(wide.place.y, 0), double(0.2f));
 }
 
-}  // namespace math_numbers_test
-}  // namespace physim
+}  // namespace physim::math_numbers_test

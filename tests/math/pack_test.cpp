@@ -9,8 +9,7 @@
 #include <random>
 #include <vector>
 
-namespace physim {
-namespace math_pack_test {
+namespace physim::math_pack_test {
 
 template <class P>
 class PackTest : public testing::Test {
@@ -241,5 +240,4 @@ TYPED_TEST(PackTest, WorksOnBits) {
   }
 }
 
-}  // namespace math_pack_test
-}  // namespace physim
+}  // namespace physim::math_pack_test

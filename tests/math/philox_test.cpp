@@ -3,8 +3,7 @@
 
 #include <gtest/gtest.h>
 
-namespace physim {
-namespace math_philox_test {
+namespace physim::math_philox_test {
 
 TEST(Philox, GivesThePublishedVectors) {
   EXPECT_EQ(philox({0, 0, 0, 0}, {0, 0}), (PhiloxCounter{0x6627e8d5, 0xe169c58d, 0xbc57ac4c, 0x9b00dbd8}));
@@ -20,5 +19,4 @@ TEST(Philox, UnitsStayInside) {
   EXPECT_LT(open_unit(0xffffffff), 1);
 }
 
-}  // namespace math_philox_test
-}  // namespace physim
+}  // namespace physim::math_philox_test

@@ -5,8 +5,7 @@
 
 #include <utility>
 
-namespace physim {
-namespace math_polynomial_test {
+namespace physim::math_polynomial_test {
 
 /// sum of (i + 1) 2^i for i < n = (n - 1) 2^n + 1
 template <int N>
@@ -38,5 +37,4 @@ TEST(Polynomial, takes_the_first_terms_where_it_is_told) {
   EXPECT_EQ((polynomial<1>(10.0, c)), 1);
 }
 
-}  // namespace math_polynomial_test
-}  // namespace physim
+}  // namespace physim::math_polynomial_test

@@ -3,8 +3,7 @@
 
 #include <gtest/gtest.h>
 
-namespace physim {
-namespace math_quat_test {
+namespace physim::math_quat_test {
 
 constexpr double kPi = 3.141592653589793;
 
@@ -97,5 +96,4 @@ TYPED_TEST(QuatTest, YawPitchRollTurnTheNoseRightUpAndTheRightSideDown) {
                     Vec3<T>{0, T(0.5), T(0.8660254037844386)});
 }
 
-}  // namespace math_quat_test
-}  // namespace physim
+}  // namespace physim::math_quat_test

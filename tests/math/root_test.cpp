@@ -10,8 +10,7 @@
 #include <string>
 #include <vector>
 
-namespace physim {
-namespace math_root_test {
+namespace physim::math_root_test {
 
 struct Counted {
   double root;
@@ -147,5 +146,4 @@ TEST(FindRoot, finds_in_the_lanes_of_a_pack_what_it_finds_alone) {
   }
 }
 
-}  // namespace math_root_test
-}  // namespace physim
+}  // namespace physim::math_root_test

@@ -1,15 +1,9 @@
 // Rough powers and logarithms: as good as they say, over all that a step's control feeds them, and the same in packs.
 #include "math/rough_power.hpp"
 
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <cmath>
-
 #include "support.hpp"
 
-namespace physim {
-namespace math_rough_power_test {
+namespace physim::math_rough_power_test {
 
 template <class S>
 class RoughPower : public testing::Test {};
@@ -62,5 +56,4 @@ TYPED_TEST(RoughPower, packs_give_the_bits_of_numbers) {
   }
 }
 
-}  // namespace math_rough_power_test
-}  // namespace physim
+}  // namespace physim::math_rough_power_test

@@ -5,8 +5,7 @@
 
 #include <vector>
 
-namespace physim {
-namespace math_row_table_test {
+namespace physim::math_row_table_test {
 
 template <class P>
 class RowTableTest : public testing::Test {};
@@ -46,5 +45,4 @@ TEST(RowTable, reaches_the_last_row_of_a_large_pool) {
   EXPECT_EQ(row_cubic(rows.data(), float(last), 0.0f), 42);
 }
 
-}  // namespace math_row_table_test
-}  // namespace physim
+}  // namespace physim::math_row_table_test

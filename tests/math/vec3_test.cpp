@@ -3,8 +3,7 @@
 
 #include <gtest/gtest.h>
 
-namespace physim {
-namespace math_vec3_test {
+namespace physim::math_vec3_test {
 
 template <class T>
 class Vec3Test : public testing::Test {};
@@ -122,5 +121,4 @@ TYPED_TEST(Vec3Test, ConvertsBetweenNumberTypes) {
   EXPECT_EQ(vec_cast<double>(v), (Vec3d{1, -2, 3}));
 }
 
-}  // namespace math_vec3_test
-}  // namespace physim
+}  // namespace physim::math_vec3_test

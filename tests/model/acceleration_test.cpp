@@ -1,16 +1,10 @@
 // The right-hand side and its ledger: what Flight and World tell effect by effect adds up to what is flown, on every
 // rung and under every constraint.
-#include <gtest/gtest.h>
-
-#include <cmath>
-
 #include "flight/flight_record.hpp"
-#include "physim/body.hpp"
 #include "random_shots.hpp"
 #include "support.hpp"
 
-namespace physim {
-namespace model_acceleration_test {
+namespace physim::model_acceleration_test {
 
 using namespace test;
 
@@ -27,25 +21,20 @@ double size_of(const Accelerations& a) {
 
 /// A finned body with a motor, an applied force and all aerodynamics, that also has a yaw of repose.
 ProjectileDef everything() {
-  ProjectileDef p;
-  p.mass = 15;
-  p.diameter = 0.105;
-  p.twist = 1.9;
-  p.force = {3, -2, 5};
-  p.force_duration = 1.5;
-  p.inertia.moments = {0.023, 0.23, 0.23};
-  p.drag.coefficient = 0.15;
-  p.drag.k1 = 0.1;
-  p.drag.k2 = 0.01;
-  p.motor.thrust = {{0, 900}, {0.4, 600}, {2, 0}};
-  p.motor.propellant_mass = 2;
-  p.aero.drag_yaw = {{0, 0, 3.2}};
-  p.aero.lift = {{0, 0, 1.6}};
-  p.aero.pitching = {{0, 0, 3.5}};
-  p.aero.pitch_damping = {{0, 0, -3.2}};
-  p.aero.roll_damping = {{0, 0, -0.015}};
-  p.aero.magnus_force = {{0, 0, -0.6}};
-  return p;
+  return {.mass = 15,
+          .diameter = 0.105,
+          .twist = 1.9,
+          .drag = {.coefficient = 0.15, .k1 = 0.1, .k2 = 0.01},
+          .inertia = {.moments = {0.023, 0.23, 0.23}},
+          .aero = {.drag_yaw = {{0, 0, 3.2}},
+                   .lift = {{0, 0, 1.6}},
+                   .pitching = {{0, 0, 3.5}},
+                   .pitch_damping = {{0, 0, -3.2}},
+                   .roll_damping = {{0, 0, -0.015}},
+                   .magnus_force = {{0, 0, -0.6}}},
+          .force = {3, -2, 5},
+          .force_duration = 1.5,
+          .motor = {.thrust = {{0, 900}, {0.4, 600}, {2, 0}}, .propellant_mass = 2}};
 }
 
 struct Case {
@@ -90,20 +79,14 @@ std::vector<Case> cases() {
   all.push_back({"planar on a rail", everything(), sliding, f});
   f.planar = false;
   f.rotation = RotationModel::magnus;
-  Launch struck{.speed = 70, .elevation = 0.2};
-  struck.spin.backspin = 270;
+  Launch struck{.speed = 70, .elevation = 0.2, .spin = {.backspin = 270}};
   all.push_back({"ball", presets::golf_ball().projectile, struck, f});
   f.planar = true;
   all.push_back({"planar ball", presets::golf_ball().projectile, struck, f});
   return all;
 }
 
-Environment windy() {
-  Environment e;
-  e.wind.velocity = {4, 1, -6};
-  e.earth.latitude = 0.7;
-  return e;
-}
+Environment windy() { return {.wind = {.velocity = {4, 1, -6}}, .earth = {.latitude = 0.7}}; }
 
 /// Steps of order one are braked by drag: they fly the same acceleration, less of it. A rate of drag k and a step h
 /// leave 1 / (1 + k h); `most` is an upper bound of k h.
@@ -226,10 +209,7 @@ TEST(Ledger, of_a_world_is_what_its_steps_feel) {
   for (Case each : cases())
     for (const bool pushed : {false, true})
       for (const bool frozen : {false, true}) {
-        WorldDef def;
-        def.environment = windy();
-        def.ground.mode = GroundMode::none;
-        World world = std::move(World::create(def).value());
+        World world = std::move(World::create({.environment = windy(), .ground = {.mode = GroundMode::none}}).value());
         each.projectile.fidelity = each.fidelity;
         each.projectile.fidelity.integrator = Integrator::semi_implicit_euler;
         BodyDef body;
@@ -242,5 +222,4 @@ TEST(Ledger, of_a_world_is_what_its_steps_feel) {
       }
 }
 
-}  // namespace model_acceleration_test
-}  // namespace physim
+}  // namespace physim::model_acceleration_test

@@ -1,15 +1,11 @@
 // Aerodynamic coefficients and what they do to a body.
-#include <gtest/gtest.h>
-
 #include "model/aero_tables.hpp"
 #include "model/stability.hpp"
-#include "physim/world.hpp"
 #include "prepare/check.hpp"
 #include "random_shots.hpp"
 #include "rigid.hpp"
 
-namespace physim {
-namespace model_aero_test {
+namespace physim::model_aero_test {
 
 using namespace test;
 
@@ -27,20 +23,12 @@ Fidelity in_air(BodyForm form, Integrator integrator = Integrator::dop853) {
   f.air = AirModel::constant;
   return f;
 }
-ProjectileDef shell() {
-  ProjectileDef p;
-  p.mass = 15;
-  p.diameter = 0.1;
-  p.twist = 2;
-  p.inertia.moments = {0.02, 0.2, 0.2};
-  return p;
-}
+ProjectileDef shell() { return {.mass = 15, .diameter = 0.1, .twist = 2, .inertia = {.moments = {0.02, 0.2, 0.2}}}; }
 constexpr double kArea = 0.25 * 3.14159265358979323846 * 0.01;
 
 // A body that flies off to infinity was given a cell behind the last one: a row beyond the end of its table.
 TEST(AeroTables, no_number_is_in_a_cell_behind_the_last) {
-  AeroDef aero;
-  aero.lift = {{.mach = 0.5, .value = 1}, {.mach = 1.5, .value = 2}};
+  AeroDef aero{.lift = {{.mach = 0.5, .value = 1}, {.mach = 1.5, .value = 2}}};
   TablePool pool;
   Rotor<double> r{};
   add_aero(aero, pool, r);
@@ -111,8 +99,7 @@ struct Evaluated {
   Vec3d turning;       // I omega' in W, as far as no gyroscopic moments are in it
 };
 Evaluated evaluated_at(const ProjectileDef& p, BodyForm form, double angle, const Vec3d& rates) {
-  Launch launch{.speed = 100};
-  launch.attitude = {.pitch = angle, .rates = rates};
+  Launch launch{.speed = 100, .attitude = {.pitch = angle, .rates = rates}};
   ProjectileDef unrifled = p;
   unrifled.twist = 0;
   const Prepared b(unrifled, launch, plain_air(), in_air(form));
@@ -179,8 +166,7 @@ TEST(Aero, fins_make_it_swing_about_its_path) {
   ProjectileDef p = shell();
   p.twist = 0;
   p.aero.pitching = {{0, 0, -2}};
-  Launch launch{.speed = 200};
-  launch.attitude.pitch = 1e-4;
+  Launch launch{.speed = 200, .attitude = {.pitch = 1e-4}};
   const double omega = std::sqrt(0.5 * 1.2 * 200 * 200 * kArea * 0.1 * 2 / 0.2);
   const Flight flight =
       fly(p, launch, plain_air(), in_air(BodyForm::automatic), {1e-12, 1e-12}, {.ground = {}, .time = 3});
@@ -201,11 +187,8 @@ TEST(Aero, both_forms_fly_the_same_shell) {
   p.aero.roll_damping = {{0, 0, -0.015}};
   p.aero.magnus_force = {{0, 0, -0.3}};
   p.aero.magnus_moment = {{0, 0, -0.3}, {0, 0.01, 0.1}};
-  Launch launch{.speed = 250, .elevation = 0.8};
-  launch.attitude.rates = {0, 1, 2};
-  Environment e;
-  e.wind.velocity = {-3, 0.5, 4};
-  e.earth = {.latitude = 0.8, .azimuth = 1};
+  Launch launch{.speed = 250, .elevation = 0.8, .attitude = {.rates = {0, 1, 2}}};
+  Environment e{.wind = {.velocity = {-3, 0.5, 4}}, .earth = {.latitude = 0.8, .azimuth = 1}};
   const auto flown = [&](BodyForm form) {
     Fidelity f = Fidelity::simulation();
     f.integrator = Integrator::dop853;
@@ -310,5 +293,4 @@ TEST(Aero, lanes_that_hold_no_flight_read_no_table) {
   use_kernel("");
 }
 
-}  // namespace model_aero_test
-}  // namespace physim
+}  // namespace physim::model_aero_test

@@ -1,24 +1,12 @@
 // The air of a sounding: levels, what lies between them, and flights through it.
 #include "model/air_levels.hpp"
 
-#include <gtest/gtest.h>
-
-#include <cmath>
-#include <vector>
-
 #include "model/humid_air.hpp"
-#include "physim/world.hpp"
-#include "support.hpp"
 #include "world/world_support.hpp"
 
-namespace physim {
-namespace model_air_levels_test {
+namespace physim::model_air_levels_test {
 
-Environment with_levels(std::vector<AirPoint> profile) {
-  Environment e;
-  e.atmosphere.profile = std::move(profile);
-  return e;
-}
+Environment with_levels(std::vector<AirPoint> profile) { return {.atmosphere = {.profile = std::move(profile)}}; }
 
 /// A morning with an inversion below a humid layer; pressures as a radiosonde measures them, to 10 Pa.
 std::vector<AirPoint> morning() {
@@ -31,8 +19,7 @@ std::vector<AirPoint> morning() {
 /// A ball of steel that a drag coefficient slows down, falling straight down from `height`.
 Flight fall(const Environment& e, double height, Precision precision = Precision::float64,
             Integrator integrator = Integrator::dop853) {
-  ProjectileDef ball{.mass = 10, .diameter = 0.15};
-  ball.drag = {.table = DragTable::constant, .coefficient = 0.47};
+  ProjectileDef ball{.mass = 10, .diameter = 0.15, .drag = {.table = DragTable::constant, .coefficient = 0.47}};
   Fidelity f = Fidelity::simulation();
   f.integrator = integrator, f.precision = precision, f.gravity = GravityModel::constant, f.earth = EarthModel::flat;
   const double error = precision == Precision::float32 ? 1e-5 : 1e-11;
@@ -178,21 +165,17 @@ TEST(AirLevels, are_the_same_behind_every_door) {
     EXPECT_EQ(batch.shots[3].position, flight.end().position);
     const Flight standard = fly(shell, launch, {}, f, {}, until);
     EXPECT_GT(std::abs(standard.end().position.y - flight.end().position.y), 5) << "it is not the standard";
-    WorldDef def;
-    def.environment = e;
-    def.ground.mode = GroundMode::none;
-    World world = make_world(def);
+    World world = make_world({.environment = e, .ground = {.mode = GroundMode::none}});
     const ProjectileId id = *world.spawn(shell, launch);
     for (int i = 0; i < 320; ++i) world.step(1.0 / 64);
-    auto loaded = World::load(*world.save());
-    ASSERT_TRUE(loaded);
-    for (int i = 0; i < 320; ++i) world.step(1.0 / 64), loaded->step(1.0 / 64);
-    EXPECT_EQ(loaded->hash(), world.hash());
+    auto loaded = reloaded(world);
+    for (int i = 0; i < 320; ++i) world.step(1.0 / 64), loaded.step(1.0 / 64);
+    EXPECT_EQ(loaded.hash(), world.hash());
     EXPECT_LT(length(world[id].position() - flight.end().position), precision == Precision::float64 ? 0.01 : 1.0);
     ASSERT_TRUE(world.set_environment(0, Environment{}));
     ASSERT_TRUE(world.set_environment(0, e));
-    for (int i = 0; i < 10; ++i) world.step(1.0 / 64), loaded->step(1.0 / 64);
-    EXPECT_EQ(loaded->hash(), world.hash());
+    for (int i = 0; i < 10; ++i) world.step(1.0 / 64), loaded.step(1.0 / 64);
+    EXPECT_EQ(loaded.hash(), world.hash());
   }
 }
 
@@ -253,5 +236,4 @@ TEST(AirLevels, that_contradict_themselves_are_refused) {
   EXPECT_NE(batch.error->text().find("is that of a station"), std::string::npos);
 }
 
-}  // namespace model_air_levels_test
-}  // namespace physim
+}  // namespace physim::model_air_levels_test

@@ -1,13 +1,10 @@
 // Plates: the balance of Recht and Ipson, Lambert's rods in the units they were published in, de Marre's examples.
-#include <gtest/gtest.h>
-
 #include "model/de_marre.hpp"
 #include "model/lambert_jonas.hpp"
 #include "model/recht_ipson.hpp"
 #include "support.hpp"
 
-namespace physim {
-namespace model_armour_test {
+namespace physim::model_armour_test {
 
 using test::near;
 
@@ -105,5 +102,4 @@ TEST(DeMarre, a_plate_of_a_given_quality_is_met_aslant) {
   EXPECT_EQ(de_marre_thickness(1, 0.1, 10, 0, 1), 0);
 }
 
-}  // namespace model_armour_test
-}  // namespace physim
+}  // namespace physim::model_armour_test

@@ -1,15 +1,12 @@
 // Bounces of balls that spin: the closed forms of Garwin and Cross, what is kept, and what never grows.
 #include "model/ball_contact.hpp"
 
-#include <gtest/gtest.h>
-
 #include <random>
 
 #include "model/contact.hpp"
 #include "support.hpp"
 
-namespace physim {
-namespace model_ball_contact_test {
+namespace physim::model_ball_contact_test {
 
 using test::near;
 
@@ -155,5 +152,4 @@ TEST(BallContact, a_ball_that_nothing_spins_is_the_point_of_the_ground) {
   }
 }
 
-}  // namespace model_ball_contact_test
-}  // namespace physim
+}  // namespace physim::model_ball_contact_test

@@ -1,12 +1,9 @@
 // Balls on a surface: sliding until they roll, in one piece and as long as the closed form says.
 #include "model/ball_rolling.hpp"
 
-#include <gtest/gtest.h>
-
 #include "support.hpp"
 
-namespace physim {
-namespace model_ball_rolling_test {
+namespace physim::model_ball_rolling_test {
 
 using test::near;
 
@@ -70,5 +67,4 @@ TEST(BallRolling, a_point_that_turns_around_stops_first) {
   EXPECT_EQ(stays.velocity, Vec3d{});
 }
 
-}  // namespace model_ball_rolling_test
-}  // namespace physim
+}  // namespace physim::model_ball_rolling_test

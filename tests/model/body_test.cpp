@@ -1,14 +1,11 @@
 // The parts of a body: where they lie, and that models read none but those that are named.
 #include "model/body.hpp"
 
-#include <gtest/gtest.h>
-
 #include "../random_shots.hpp"
 #include "../support.hpp"
 #include "model/closed_form.hpp"
 
-namespace physim {
-namespace model_body_test {
+namespace physim::model_body_test {
 
 using test::kNan;
 using test::Random;
@@ -80,5 +77,4 @@ TEST(BodyParts, of_other_rungs_are_not_carried) {
   EXPECT_EQ(parts_read(f, {}), PartSet());
 }
 
-}  // namespace model_body_test
-}  // namespace physim
+}  // namespace physim::model_body_test

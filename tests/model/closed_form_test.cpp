@@ -1,12 +1,9 @@
 // Closed forms against exact figures and a series summed in long double.
 #include "model/closed_form.hpp"
 
-#include <gtest/gtest.h>
-
 #include "support.hpp"
 
-namespace physim {
-namespace model_closed_form_test {
+namespace physim::model_closed_form_test {
 
 using test::kDegree;
 using test::near;
@@ -51,8 +48,7 @@ TEST(ClosedForm, linear_drag_with_wind) {
       {30, 70, 2, -5, 3.3706737447986720528, -9.232078377753174621, 0.95472079091717385804, 9.4140829896646742533,
        -1.0586088025360476518, 7.7146335444259021124, -4.9819763927103092951, -4.8642390558526457654}};
   for (const auto& row : rows) {
-    ProjectileDef p;
-    p.mass = 0.25;
+    ProjectileDef p{.mass = 0.25};
     p.drag.k1 = row.k * p.mass;
     Environment e = test::constant_gravity();
     e.wind.velocity = {row.wind, 0, 0};
@@ -107,11 +103,8 @@ State<double> exact(double k, double t, const Vec3d& v0, double g) {
 TEST(ClosedForm, keeps_its_digits_for_weak_drag) {
   const Vec3d v0{30, 40, -5};
   for (const double k : {1e-18, 1e-12, 1e-9, 1e-6, 1e-4, 1e-2, 0.0999, 0.1, 0.1001, 0.3}) {
-    ProjectileDef p;
-    p.drag.k1 = k;
-    Launch launch;
-    launch.velocity = v0;
-    const Prepared prepared(p, launch, test::constant_gravity(), closed(DragModel::linear_quadratic));
+    ProjectileDef p{.drag = {.k1 = k}};
+    const Prepared prepared(p, {.velocity = v0}, test::constant_gravity(), closed(DragModel::linear_quadratic));
     for (const double t : {1e-3, 1.0, 10.0}) {
       const State<double> s = closed_form(prepared.conditions(), prepared.body, t);
       const State<double> e = exact(k, t, v0, 9.80665);
@@ -122,8 +115,7 @@ TEST(ClosedForm, keeps_its_digits_for_weak_drag) {
 }
 
 TEST(ClosedForm, without_drag_is_the_limit_of_weak_drag) {
-  ProjectileDef weak;
-  weak.drag.k1 = 1e-15;
+  ProjectileDef weak{.drag = {.k1 = 1e-15}};
   const Launch launch{.speed = 100, .elevation = 0.7};
   const Flight a = fly(weak, launch, test::constant_gravity(), closed(DragModel::linear_quadratic));
   const Flight b = fly({}, launch, test::constant_gravity(), closed(DragModel::off));
@@ -131,8 +123,7 @@ TEST(ClosedForm, without_drag_is_the_limit_of_weak_drag) {
 }
 
 TEST(ClosedForm, strong_drag_ends_at_the_terminal_velocity) {
-  ProjectileDef p;
-  p.drag.k1 = 50;
+  ProjectileDef p{.drag = {.k1 = 50}};
   Environment e = test::constant_gravity();
   e.wind.velocity = {3, 0, -2};
   const Flight flight =
@@ -141,13 +132,10 @@ TEST(ClosedForm, strong_drag_ends_at_the_terminal_velocity) {
 }
 
 TEST(ClosedForm, velocity_is_the_derivative_of_position) {
-  ProjectileDef p;
-  p.drag.k1 = 0.3;
+  ProjectileDef p{.drag = {.k1 = 0.3}};
   Environment e = test::constant_gravity();
   e.wind.velocity = {3, 1, -2};
-  Launch launch;
-  launch.velocity = Vec3d{20, 30, 5};
-  const Prepared prepared(p, launch, e, closed(DragModel::linear_quadratic));
+  const Prepared prepared(p, {.velocity = Vec3d{20, 30, 5}}, e, closed(DragModel::linear_quadratic));
   const auto at = [&](double t) { return closed_form(prepared.conditions(), prepared.body, t); };
   for (const double t : {0.5, 3.2, 3.4, 9.0}) {  // k t = 1 lies between the second and the third
     const double h = 1e-3;
@@ -166,5 +154,4 @@ TEST(ClosedForm, float32_stays_within_half_a_millimetre_at_100_seconds) {
   EXPECT_TRUE(near(s.at(100).position, d.at(100).position, 4 * 6e-8, 0));
 }
 
-}  // namespace model_closed_form_test
-}  // namespace physim
+}  // namespace physim::model_closed_form_test

@@ -8,8 +8,7 @@
 #include "math/vec3.hpp"
 #include "random_shots.hpp"
 
-namespace physim {
-namespace model_curl_noise_test {
+namespace physim::model_curl_noise_test {
 
 using Seeds = std::array<std::uint32_t, CurlNoise::kMostOctaves>;
 constexpr Seeds kSeeds{11, 22, 33, 44, 55, 66, 77, 88};
@@ -104,5 +103,4 @@ TEST(CurlNoise, of_places_that_are_none_is_nothing_that_spreads) {
   EXPECT_LT(length(noise().at({-9e14, 9e14, 0.5}, 1e9)), 10);
 }
 
-}  // namespace model_curl_noise_test
-}  // namespace physim
+}  // namespace physim::model_curl_noise_test

@@ -3,14 +3,10 @@
 
 #include "model/table_pool.hpp"
 
-#include <gtest/gtest.h>
-
 #include "model/drag.hpp"
-#include "physim/projectile.hpp"
 #include "support.hpp"
 
-namespace physim {
-namespace model_drag_curves_test {
+namespace physim::model_drag_curves_test {
 
 using test::near;
 using test::Prepared;
@@ -208,5 +204,4 @@ TEST(DragCurves, curves_are_the_same_where_all_bits_of_their_points_are) {
   EXPECT_FALSE(same_points(one, {{-0.0, 0.2}, {1, 0.4}}));
 }
 
-}  // namespace model_drag_curves_test
-}  // namespace physim
+}  // namespace physim::model_drag_curves_test

@@ -1,14 +1,9 @@
 // Drag on every rung, against the formulas worked by hand and exact solutions.
 #include "model/drag.hpp"
 
-#include <gtest/gtest.h>
-
-#include "physim/environment.hpp"
-#include "physim/projectile.hpp"
 #include "support.hpp"
 
-namespace physim {
-namespace model_drag_test {
+namespace physim::model_drag_test {
 
 using test::near;
 using test::Prepared;
@@ -26,13 +21,7 @@ Environment air_of(double density, double sound_speed = 340) {
   return e;
 }
 
-ProjectileDef ball(double cd) {
-  ProjectileDef p;
-  p.mass = 0.145;
-  p.diameter = 0.0732;
-  p.drag.coefficient = cd;
-  return p;
-}
+ProjectileDef ball(double cd) { return {.mass = 0.145, .diameter = 0.0732, .drag = {.coefficient = cd}}; }
 
 TEST(Drag, equation_with_a_constant_coefficient) {
   const Prepared p(ball(0.35), {}, air_of(1.2), with(DragModel::equation));
@@ -142,8 +131,7 @@ TEST(Drag, linear_quadratic) {
 }
 
 TEST(Drag, linear_quadratic_without_constants_equals_the_equation_at_launch) {
-  Launch launch;
-  launch.speed = 820;
+  Launch launch{.speed = 820};
   const ProjectileDef p = test::bullet_308();
   const Prepared cheap(p, launch, air_of(1.2), with(DragModel::linear_quadratic));
   const Prepared full(p, launch, air_of(1.2), with(DragModel::equation));
@@ -157,8 +145,7 @@ TEST(Drag, damping_keeps_the_given_part_of_the_velocity_per_second) {
   p.drag.damping = 0.7;
   const Prepared prepared(p, {}, {}, with(DragModel::damping));
   EXPECT_TRUE(near(prepared.acceleration(0, {{}, {10, 0, 0}}), {10 * std::log(0.7), 0, 0}, 1e-15));
-  Launch launch;
-  launch.velocity = Vec3d{100, 0, 0};
+  Launch launch{.velocity = Vec3d{100, 0, 0}};
   Environment none = test::constant_gravity();
   none.gravity.acceleration = 0;
   const Flight flight = fly(p, launch, none, with(DragModel::damping), {}, {.ground = {}, .time = 3});
@@ -195,9 +182,7 @@ TEST(Drag, flights_with_quadratic_drag_in_a_plane) {
               {800, 35, 0.0003, 16.428026633543170421, 4464.1264333793521677, 2244.292579234092935,
                41.405428649676385366, 6742.1516686403359291, 51.33461682347928699, -150.02471824039181729}};
   for (const auto& row : rows) {
-    ProjectileDef p;
-    p.drag.coefficient = 1;
-    p.drag.ballistic_coefficient = 1.2 * kPi / (8 * row.k);
+    ProjectileDef p{.drag = {.coefficient = 1, .ballistic_coefficient = 1.2 * kPi / (8 * row.k)}};
     Fidelity f = with(DragModel::equation);
     f.gravity = GravityModel::constant;
     for (const Integrator integrator : test::kAdaptive) {
@@ -224,9 +209,7 @@ TEST(Drag, falls_through_exponential_air) {
               {0.0005, 8500, 39000, 3900, 206.06741596938544152},
               {0.0001, 7000, 20000, 2000, 432.31295074129134803}};
   for (const auto& row : rows) {
-    ProjectileDef p;
-    p.drag.coefficient = 1;
-    p.drag.ballistic_coefficient = 1.2 * kPi / (8 * row.k0);
+    ProjectileDef p{.drag = {.coefficient = 1, .ballistic_coefficient = 1.2 * kPi / (8 * row.k0)}};
     Environment e = air_of(1.2);
     e.atmosphere.model = AirModel::exponential;
     e.atmosphere.scale_height = row.scale;
@@ -237,5 +220,4 @@ TEST(Drag, falls_through_exponential_air) {
   }
 }
 
-}  // namespace model_drag_test
-}  // namespace physim
+}  // namespace physim::model_drag_test

@@ -1,13 +1,10 @@
 // The turning and the round Earth, and the sum of all effects.
 #include "model/earth.hpp"
 
-#include <gtest/gtest.h>
-
 #include "model/acceleration.hpp"
 #include "support.hpp"
 
-namespace physim {
-namespace model_earth_test {
+namespace physim::model_earth_test {
 
 using test::kDegree;
 using test::near;
@@ -71,8 +68,7 @@ TEST(Coriolis, flights_follow_the_exact_solution) {
 }
 
 TEST(Earth, heights_over_a_sphere_lose_no_digits) {
-  Environment e;
-  e.altitude = 250;
+  Environment e{.altitude = 250};
   Fidelity f = test::vacuum();
   f.earth = EarthModel::sphere;
   const Conditions<double> c = prepare_conditions(e, f);
@@ -116,10 +112,7 @@ TEST(Acceleration, is_the_sum_of_all_effects) {
 TEST(Acceleration, applied_force_ends_in_time) {
   // Thrust of 2 g for 3 s straight up: v = g (2 - 1) 3 at burnout, then free flight; heights by hand.
   const double g = 9.80665;
-  ProjectileDef p;
-  p.mass = 4;
-  p.force = {0, 8 * g, 0};
-  p.force_duration = 3;
+  ProjectileDef p{.mass = 4, .force = {0, 8 * g, 0}, .force_duration = 3};
   const Flight flight = fly(p, {}, test::constant_gravity(), test::vacuum(), {1e-11, 1e-11});
   ASSERT_EQ(flight.outcome(), Outcome::landed);
   EXPECT_TRUE(near(flight.at(3).velocity.y, 3 * g, 1e-9));
@@ -128,5 +121,4 @@ TEST(Acceleration, applied_force_ends_in_time) {
   EXPECT_TRUE(near(flight.duration(), 6 + std::sqrt(18.0), 1e-9));
 }
 
-}  // namespace model_earth_test
-}  // namespace physim
+}  // namespace physim::model_earth_test

@@ -1,14 +1,11 @@
 // Spread behind a material: its statistics, and that it depends on nothing but its numbers.
 #include "model/exit_spread.hpp"
 
-#include <gtest/gtest.h>
-
 #include <set>
 
 #include "support.hpp"
 
-namespace physim {
-namespace model_exit_spread_test {
+namespace physim::model_exit_spread_test {
 
 using test::near;
 
@@ -60,5 +57,4 @@ TEST(ExitSpread, turns_about_a_direction_are_spread_evenly) {
   EXPECT_NEAR(dot(first, d), 0, 1e-15);
 }
 
-}  // namespace model_exit_spread_test
-}  // namespace physim
+}  // namespace physim::model_exit_spread_test

@@ -1,17 +1,12 @@
 // The laws of forces against closed forms and conserved quantities, moved by a Runge-Kutta loop of this file's own.
 #include "model/force_laws.hpp"
 
-#include <gtest/gtest.h>
-
-#include <cmath>
 #include <functional>
-#include <limits>
 #include <numbers>
 
 #include "support.hpp"
 
-namespace physim {
-namespace model_force_laws_test {
+namespace physim::model_force_laws_test {
 
 using test::kInfinity;
 using test::kNan;
@@ -287,5 +282,4 @@ TEST(ForceLaws, thrust_points_along_its_direction_or_along_the_velocity) {
   EXPECT_EQ(thrust_direction({}, {}), (Vec3d{})) << "at rest";
 }
 
-}  // namespace model_force_laws_test
-}  // namespace physim
+}  // namespace physim::model_force_laws_test

@@ -1,19 +1,13 @@
 // Distances along the ground: exact arcs of equator and sphere, the quadrant of a meridian, a geodesic that was
 // published to the millimetre.
-#include "physim/environment.hpp"
-
 #include "support.hpp"
 
-namespace physim::test {
-namespace model_frames_test {
+namespace physim::test::model_frames_test {
 
 double degrees(int whole, int minutes, double seconds) { return (whole + minutes / 60.0 + seconds / 3600) * kDegree; }
 
 double along_ground(const Geodetic& from, const Geodetic& to, EarthModel earth) {
-  Environment e;
-  e.earth.latitude = 0.4;
-  e.earth.longitude = 1.1;
-  const EarthFrames frames(e, earth);
+  const EarthFrames frames({.earth = {.latitude = 0.4, .longitude = 1.1}}, earth);
   return frames.ground_distance(frames.position(from), frames.position(to));
 }
 
@@ -53,5 +47,4 @@ TEST(GroundDistance, heights_do_not_count_and_short_ways_keep_their_digits) {
   }
 }
 
-}  // namespace model_frames_test
-}  // namespace physim::test
+}  // namespace physim::test::model_frames_test

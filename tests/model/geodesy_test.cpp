@@ -1,15 +1,10 @@
 // Coordinates of places: round trips everywhere, published points, heights in W.
-#include "physim/environment.hpp"
-
-#include <gtest/gtest.h>
-
 #include "math/elementary.hpp"
 #include "model/earth.hpp"
 #include "random_shots.hpp"
 #include "support.hpp"
 
-namespace physim {
-namespace model_geodesy_test {
+namespace physim::model_geodesy_test {
 
 using namespace test;
 
@@ -118,9 +113,10 @@ Conditions<double> over_ellipsoid(const Environment& e) {
 }
 
 Environment somewhere(Random& r) {
-  Environment e;
-  e.altitude = r.one_in(3) ? 0 : r.one_in(2) ? r.in(-4000, 10000) : r.in(0, 1e6);
-  e.earth = {.latitude = r.in(-1.57, 1.57), .azimuth = r.in(-3, 3)};
+  Environment e{.altitude = r.one_in(3)   ? 0
+                            : r.one_in(2) ? r.in(-4000, 10000)
+                                          : r.in(0, 1e6),
+                .earth = {.latitude = r.in(-1.57, 1.57), .azimuth = r.in(-3, 3)}};
   if (r.one_in(8)) e.earth.latitude = 0;
   if (r.one_in(8)) e.earth.latitude = r.one_in(2) ? kPi / 2 : -kPi / 2;
   return e;
@@ -178,5 +174,4 @@ TEST(Heights, are_finite_at_the_antipode) {
   }
 }
 
-}  // namespace model_geodesy_test
-}  // namespace physim
+}  // namespace physim::model_geodesy_test

@@ -1,12 +1,9 @@
 // Gravity: its size and direction on every rung, flat and round.
 #include "model/gravity.hpp"
 
-#include <gtest/gtest.h>
-
 #include "support.hpp"
 
-namespace physim {
-namespace model_gravity_test {
+namespace physim::model_gravity_test {
 
 using test::near;
 using test::Prepared;
@@ -20,9 +17,7 @@ Fidelity with(GravityModel gravity, EarthModel earth) {
 
 /// The acceleration at a place in an environment whose field is Newton's.
 Vec3d pull(GravityModel model, EarthModel earth, const Vec3d& x, double altitude = 0) {
-  Environment environment;
-  environment.altitude = altitude;
-  const Prepared p({}, {}, environment, with(model, earth));
+  const Prepared p({}, {}, {.altitude = altitude}, with(model, earth));
   return p.acceleration(0, {x, {1, 2, 3}});
 }
 
@@ -72,9 +67,7 @@ TEST(Gravity, inverse_square_over_a_sphere_falls_with_the_distance_in_every_dire
 
 /// Largest change of the total energy per mass along a flight.
 double energy_error(const Fidelity& fidelity, double (*potential)(const Vec3d&)) {
-  Launch launch;
-  launch.speed = 3000;
-  launch.elevation = 50 * test::kDegree;
+  Launch launch{.speed = 3000, .elevation = 50 * test::kDegree};
   const Flight flight = fly({}, launch, {}, fidelity, {.relative = 1e-12, .absolute = 1e-12});
   EXPECT_EQ(flight.outcome(), Outcome::landed);
   const auto energy = [&](double t) {
@@ -110,13 +103,9 @@ TEST(Gravity, flights_over_a_round_earth_are_ellipses) {
               {1600, 45, 266091.83365850122973, 67227.357761363560224, 238.51017685317325611},
               {3000, 30, 888233.16999954879487, 130892.40819178386891, 351.28398500860024296},
               {6000, 35, 5285745.0095544132849, 1101018.1419700107104, 1330.8237711212701524}};
-  Environment environment;
-  environment.gravity.radius = 6371000;
-  environment.gravity.acceleration = 3.986004418e14 / (6371000.0 * 6371000.0);
+  Environment environment{.gravity = {.acceleration = 3.986004418e14 / (6371000.0 * 6371000.0), .radius = 6371000}};
   for (const auto& row : rows) {
-    Launch launch;
-    launch.speed = row.speed;
-    launch.elevation = row.elevation * test::kDegree;
+    Launch launch{.speed = row.speed, .elevation = row.elevation * test::kDegree};
     const Flight flight = fly({}, launch, environment, with(GravityModel::inverse_square, EarthModel::sphere),
                               {.relative = 1e-13, .absolute = 1e-10});
     ASSERT_EQ(flight.outcome(), Outcome::landed);
@@ -138,9 +127,7 @@ TEST(Gravity, radial_fall) {
   } rows[] = {{1000, 14.272843940371456831, 140.13357435222128722},
               {400000, 300.32577285167712966, 2718.8401328083859166},
               {6371000, 2070.6666577639332647, 7909.7924026540853445}};
-  Environment environment;
-  environment.gravity.radius = 6371000;
-  environment.gravity.acceleration = 3.986004418e14 / (6371000.0 * 6371000.0);
+  Environment environment{.gravity = {.acceleration = 3.986004418e14 / (6371000.0 * 6371000.0), .radius = 6371000}};
   for (const EarthModel earth : {EarthModel::flat, EarthModel::sphere})
     for (const auto& row : rows) {
       const Flight flight = fly({}, {.position = {0, row.h, 0}}, environment, with(GravityModel::inverse_square, earth),
@@ -150,5 +137,4 @@ TEST(Gravity, radial_fall) {
     }
 }
 
-}  // namespace model_gravity_test
-}  // namespace physim
+}  // namespace physim::model_gravity_test

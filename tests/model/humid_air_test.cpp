@@ -1,12 +1,9 @@
 // Moist air against published figures and another formula.
 #include "model/humid_air.hpp"
 
-#include <gtest/gtest.h>
-
 #include "support.hpp"
 
-namespace physim {
-namespace model_humid_air_test {
+namespace physim::model_humid_air_test {
 
 using test::near;
 
@@ -87,5 +84,4 @@ TEST(HumidAir, sound_speed_agrees_with_cramers_within_the_real_gas_effects_left_
       }
 }
 
-}  // namespace model_humid_air_test
-}  // namespace physim
+}  // namespace physim::model_humid_air_test

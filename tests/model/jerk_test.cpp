@@ -1,14 +1,9 @@
 // Jerk, against closed forms, and against how the acceleration changes along paths that were flown.
 #include "model/jerk.hpp"
 
-#include <cmath>
-
-#include "physim/body.hpp"
 #include "rigid.hpp"
-#include "support.hpp"
 
-namespace physim {
-namespace model_jerk_test {
+namespace physim::model_jerk_test {
 
 using test::near;
 
@@ -136,5 +131,4 @@ TEST(Jerk, of_what_is_not_there_is_zero) {
   EXPECT_EQ(fly({.mass = -1}, kUp).jerk(0), Vec3d{});
 }
 
-}  // namespace model_jerk_test
-}  // namespace physim
+}  // namespace physim::model_jerk_test

@@ -9,8 +9,7 @@
 #include "physim/names.hpp"
 #include "solve/explicit_runge_kutta.hpp"
 
-namespace physim {
-namespace model_ladder_test {
+namespace physim::model_ladder_test {
 
 template <class Enum>
 concept Ordered = requires(Enum a, Enum b) {
@@ -86,5 +85,4 @@ TEST(Ladder, the_truest_integrator_has_the_highest_order) {
     }
 }
 
-}  // namespace model_ladder_test
-}  // namespace physim
+}  // namespace physim::model_ladder_test

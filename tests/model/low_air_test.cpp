@@ -1,16 +1,10 @@
 // Air through stations, by power series and by layers, against its laws in long double.
 #include "model/low_air.hpp"
 
-#include <gtest/gtest.h>
-
-#include <cmath>
-
 #include "math/polynomial.hpp"
-#include "physim/environment.hpp"
 #include "support.hpp"
 
-namespace physim {
-namespace model_low_air_test {
+namespace physim::model_low_air_test {
 
 constexpr long double kG0 = 9.80665L, kGas = 8314.32L, kMolar = 28.9644L, kR0 = 6356766.0L;
 constexpr long double kBases[] = {0, 11000, 20000, 32000, 47000, 51000, 71000};
@@ -20,10 +14,8 @@ struct Station {
   double altitude = 0, temperature = 288.15, pressure = 101325, humidity = 0;
 
   [[nodiscard]] Environment environment() const {
-    Environment e;
-    e.altitude = altitude;
-    e.atmosphere.temperature = temperature, e.atmosphere.pressure = pressure, e.atmosphere.humidity = humidity;
-    return e;
+    return Environment{.altitude = altitude,
+                       .atmosphere = {.temperature = temperature, .pressure = pressure, .humidity = humidity}};
   }
 };
 
@@ -72,11 +64,10 @@ State by_law(const Station& s, long double z) {
 void expect_laws(const Station& s, double low, double high, double tolerance) {
   for (int i = 0; i <= 400; ++i) {
     const double z = low + (high - low) * i / 400;
-    const auto air = air_at(s.environment(), z);
-    ASSERT_TRUE(air) << air.error().text();
+    const auto air = must(air_at(s.environment(), z));
     const State law = by_law(s, z);
-    EXPECT_NEAR(air->density / static_cast<double>(law.density), 1, tolerance) << s.temperature << ' ' << z;
-    EXPECT_NEAR(air->sound_speed / static_cast<double>(law.sound), 1, tolerance) << s.temperature << ' ' << z;
+    EXPECT_NEAR(air.density / static_cast<double>(law.density), 1, tolerance) << s.temperature << ' ' << z;
+    EXPECT_NEAR(air.sound_speed / static_cast<double>(law.sound), 1, tolerance) << s.temperature << ' ' << z;
     if (testing::Test::HasFailure()) return;
   }
 }
@@ -140,5 +131,4 @@ TEST(LowAir, each_lane_of_a_pack_gets_its_own_polynomial) {
   }
 }
 
-}  // namespace model_low_air_test
-}  // namespace physim
+}  // namespace physim::model_low_air_test

@@ -1,10 +1,7 @@
 // Shells in their yaw of repose: against the balance that defines it, and against six degrees of freedom.
-#include <gtest/gtest.h>
-
 #include "rigid.hpp"
 
-namespace physim {
-namespace model_modified_point_mass_test {
+namespace physim::model_modified_point_mass_test {
 
 using namespace test;
 
@@ -13,18 +10,16 @@ constexpr double kArea = 0.25 * 3.14159265358979323846 * 0.1048 * 0.1048;
 /// The 105 mm shell M1 with coefficients of low speed, all constant (R. L. McCoy, Modern Exterior Ballistics (1999),
 /// ch. 9).
 ProjectileDef shell() {
-  ProjectileDef p;
-  p.mass = 14.97;
-  p.diameter = 0.1048;
-  p.twist = 18 * 0.1048;
-  p.inertia.moments = {0.02326, 0.23118, 0.23118};
-  p.drag.coefficient = 0.124;
-  p.aero.drag_yaw = {{0, 0, 3.2}};
-  p.aero.lift = {{0, 0, 1.63}};
-  p.aero.pitching = {{0, 0, 3.55}};
-  p.aero.pitch_damping = {{0, 0, -3.15}};
-  p.aero.roll_damping = {{0, 0, -0.0149}};
-  return p;
+  return {.mass = 14.97,
+          .diameter = 0.1048,
+          .twist = 18 * 0.1048,
+          .drag = {.coefficient = 0.124},
+          .inertia = {.moments = {0.02326, 0.23118, 0.23118}},
+          .aero = {.drag_yaw = {{0, 0, 3.2}},
+                   .lift = {{0, 0, 1.63}},
+                   .pitching = {{0, 0, 3.55}},
+                   .pitch_damping = {{0, 0, -3.15}},
+                   .roll_damping = {{0, 0, -0.0149}}}};
 }
 Launch launch(double elevation = 0.5) { return {.speed = 250, .elevation = elevation}; }
 
@@ -89,8 +84,7 @@ TEST(ModifiedPointMass, coefficients_that_change_with_the_yaw_are_followed) {
 }
 
 TEST(ModifiedPointMass, a_turning_earth_turns_under_the_axis) {
-  Environment e;
-  e.earth = {.latitude = 0.9, .azimuth = 1};
+  Environment e{.earth = {.latitude = 0.9, .azimuth = 1}};
   Fidelity f = with(RotationModel::modified_point_mass);
   f.earth = EarthModel::flat_coriolis;
   const Flight flight = fly(shell(), launch(), e, f, {1e-11, 1e-11});
@@ -142,10 +136,7 @@ TEST(ModifiedPointMass, without_spin_it_is_a_point_mass) {
 
 // p' = rho V S d^2 / 2 Clp p / Ix: in air of one density the spin falls with the way flown through it.
 TEST(ModifiedPointMass, spin_dies_away_with_the_way_flown) {
-  Environment e;
-  e.gravity.acceleration = 0;
-  e.atmosphere.model = AirModel::constant;
-  e.atmosphere.density = 1.2;
+  Environment e{.gravity = {.acceleration = 0}, .atmosphere = {.model = AirModel::constant, .density = 1.2}};
   const Flight flight = flown(shell(), launch(0.1), RotationModel::modified_point_mass, e);
   const double first = flight.at(0).angular_velocity.x;
   EXPECT_NEAR(first, 2 * 3.14159265358979323846 * 250 / (18 * 0.1048), 1e-9 * first);
@@ -222,8 +213,7 @@ TEST(ModifiedPointMass, what_has_no_yaw_of_repose_is_granted_less_with_a_reason)
   other = f;
   other.integrator = Integrator::classic;
   EXPECT_NE(reason(shell(), other), "no note");
-  Environment empty;
-  empty.atmosphere.model = AirModel::vacuum;
+  Environment empty{.atmosphere = {.model = AirModel::vacuum}};
   EXPECT_NE(reason(shell(), f, empty).find("no air"), std::string::npos);
 }
 
@@ -238,5 +228,4 @@ TEST(ModifiedPointMass, a_yaw_beyond_thirty_degrees_is_held_there) {
   EXPECT_LT(largest, 0.5236);
 }
 
-}  // namespace model_modified_point_mass_test
-}  // namespace physim
+}  // namespace physim::model_modified_point_mass_test

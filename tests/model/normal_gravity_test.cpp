@@ -1,14 +1,11 @@
 // The flattened Earth's gravity: published figures, its potential, and what it is over a flat Earth.
 #include "model/normal_gravity.hpp"
 
-#include <gtest/gtest.h>
-
 #include "model/gravity.hpp"
 #include "random_shots.hpp"
 #include "support.hpp"
 
-namespace physim {
-namespace model_normal_gravity_test {
+namespace physim::model_normal_gravity_test {
 
 using namespace test;
 
@@ -26,9 +23,7 @@ constexpr Row kRows[] = {
 };
 
 Accelerations felt_at(double latitude, double height, GravityModel gravity, EarthModel earth) {
-  Environment e;
-  e.altitude = height;
-  e.earth.latitude = latitude * kDegree;
+  Environment e{.altitude = height, .earth = {.latitude = latitude * kDegree}};
   Fidelity f = vacuum();
   f.gravity = gravity;
   f.earth = earth;
@@ -126,8 +121,7 @@ TEST(NormalGravity, constant_gravity_is_weight_and_follows_the_vertical) {
 }
 
 TEST(NormalGravity, floats_are_as_good_as_floats) {
-  Environment e;
-  e.earth = {.latitude = 0.7, .azimuth = 1};
+  Environment e{.earth = {.latitude = 0.7, .azimuth = 1}};
   for (const GravityModel model : {GravityModel::inverse_square, GravityModel::j2, GravityModel::wgs84}) {
     Fidelity f = vacuum();
     f.gravity = model;
@@ -138,5 +132,4 @@ TEST(NormalGravity, floats_are_as_good_as_floats) {
   }
 }
 
-}  // namespace model_normal_gravity_test
-}  // namespace physim
+}  // namespace physim::model_normal_gravity_test

@@ -7,8 +7,7 @@
 
 #include "model/ball_contact.hpp"
 
-namespace physim {
-namespace model_pair_contact_test {
+namespace physim::model_pair_contact_test {
 
 PairBody ball(double mass, double radius, double k, const Vec3d& v, const Vec3d& w = {}) {
   const double m = 1 / mass;
@@ -136,5 +135,4 @@ TEST(PairContact, frozen_axes_take_no_impulse) {
   EXPECT_NEAR(length_squared(a.velocity) + length_squared(b.velocity), 1, 1e-14);
 }
 
-}  // namespace model_pair_contact_test
-}  // namespace physim
+}  // namespace physim::model_pair_contact_test

@@ -1,13 +1,10 @@
 // Poncelet's law: beside its equation of motion integrated step by step, a shot of Forrestal's, and the woods of Metz.
 #include "model/poncelet.hpp"
 
-#include <gtest/gtest.h>
-
 #include "model/nose.hpp"
 #include "support.hpp"
 
-namespace physim {
-namespace model_poncelet_test {
+namespace physim::model_poncelet_test {
 
 using test::near;
 
@@ -141,5 +138,4 @@ TEST(Poncelet, little_inertia_comes_to_the_limit_of_none) {
   EXPECT_TRUE(near(poncelet_speed(bore, 500, 0.5 * depth), speed, 1e-10));
 }
 
-}  // namespace model_poncelet_test
-}  // namespace physim
+}  // namespace physim::model_poncelet_test

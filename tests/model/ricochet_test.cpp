@@ -2,15 +2,9 @@
 // of Johnson and Reid.
 #include "model/ricochet.hpp"
 
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <vector>
-
 #include "support.hpp"
 
-namespace physim {
-namespace model_ricochet_test {
+namespace physim::model_ricochet_test {
 
 using test::kDegree;
 using test::near;
@@ -112,5 +106,4 @@ TEST(Ricochet, the_flatter_the_more_speed_is_kept) {
   }
 }
 
-}  // namespace model_ricochet_test
-}  // namespace physim
+}  // namespace physim::model_ricochet_test

@@ -1,12 +1,9 @@
 // The line of sight: directions, cant, look angle, and what range, drop and windage mean.
 #include "model/sight.hpp"
 
-#include <gtest/gtest.h>
-
 #include "support.hpp"
 
-namespace physim {
-namespace model_sight_test {
+namespace physim::model_sight_test {
 
 using test::kDegree;
 using test::near;
@@ -67,8 +64,7 @@ TEST(Sight, cant_swings_the_bore_to_its_side) {
 }
 
 TEST(Sight, a_given_velocity_sets_the_plane_of_fire) {
-  Launch launch;
-  launch.velocity = Vec3d{-30, 40, 30};
+  Launch launch{.velocity = Vec3d{-30, 40, 30}};
   EXPECT_EQ(launch_velocity(launch, 0.9), (Vec3d{-30, 40, 30}));
   const SightFrame s = sight_frame(launch);
   EXPECT_TRUE(near(s.forward, {-std::sqrt(0.5), 0, std::sqrt(0.5)}, 1e-15));
@@ -98,5 +94,4 @@ TEST(Sight, range_drop_and_windage_are_coordinates_along_the_sight) {
   EXPECT_NEAR(muzzle.windage, -0.06 * std::sin(0.2), 1e-15);
 }
 
-}  // namespace model_sight_test
-}  // namespace physim
+}  // namespace physim::model_sight_test

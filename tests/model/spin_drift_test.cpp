@@ -2,24 +2,16 @@
 // units, and against six degrees of freedom.
 #include "model/spin_drift.hpp"
 
-#include <gtest/gtest.h>
-
 #include "support.hpp"
 
-namespace physim {
-namespace model_spin_drift_test {
+namespace physim::model_spin_drift_test {
 
 using test::near;
 
 /// The example of D. Miller (2005): .308 bullet of 168 gr, 1.226 in long, twist 12 in, at 2800 ft/s, 59 degF, 29.92
 /// inHg: Sg = 30 * 168 / ((12/.308)^2 .308^3 (3.9805) (1 + 3.9805^2)) = 1.7398.
 ProjectileDef millers_bullet() {
-  ProjectileDef p;
-  p.mass = 168 * 6.479891e-5;
-  p.diameter = 0.308 * 0.0254;
-  p.length = 1.226 * 0.0254;
-  p.twist = 12 * 0.0254;
-  return p;
+  return {.mass = 168 * 6.479891e-5, .diameter = 0.308 * 0.0254, .length = 1.226 * 0.0254, .twist = 12 * 0.0254};
 }
 
 constexpr double kStandardPressure = 29.92 * 3386.389;
@@ -74,11 +66,7 @@ Fidelity jumping() {
   f.aerodynamic_jump = true;
   return f;
 }
-Environment with_wind(const Vec3d& velocity) {
-  Environment e;
-  e.wind.velocity = velocity;
-  return e;
-}
+Environment with_wind(const Vec3d& velocity) { return {.wind = {.velocity = velocity}}; }
 constexpr double kTenMilesPerHour = 4.4704;
 
 /// How far the flown launch points above the bore [rad].
@@ -165,5 +153,4 @@ TEST(SpinDrift, bad_input_has_no_stability_factor) {
   EXPECT_FALSE(stability_factor(p, {.speed = 800}, {}));
 }
 
-}  // namespace model_spin_drift_test
-}  // namespace physim
+}  // namespace physim::model_spin_drift_test

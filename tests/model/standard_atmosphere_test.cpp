@@ -1,15 +1,9 @@
 // The standard atmosphere, and its shift to a station.
 #include "model/standard_atmosphere.hpp"
 
-#include <gtest/gtest.h>
-
-#include <vector>
-
-#include "physim/environment.hpp"
 #include "support.hpp"
 
-namespace physim {
-namespace model_standard_atmosphere_test {
+namespace physim::model_standard_atmosphere_test {
 
 using test::near;
 
@@ -54,14 +48,13 @@ constexpr double kExact[][6] = {
 
 TEST(StandardAtmosphere, has_the_exact_values) {
   for (const auto& [z, t, p, rho, a, mu] : kExact) {
-    const auto air = air_at({}, z);
-    ASSERT_TRUE(air) << z;
-    EXPECT_TRUE(near(air->temperature, t, 1e-10)) << z;
-    EXPECT_TRUE(near(air->pressure, p, 1e-10)) << z;
-    EXPECT_TRUE(near(air->density, rho, 1e-10)) << z;
-    EXPECT_TRUE(near(air->sound_speed, a, 1e-10)) << z;
+    const auto air = must(air_at({}, z), z);
+    EXPECT_TRUE(near(air.temperature, t, 1e-10)) << z;
+    EXPECT_TRUE(near(air.pressure, p, 1e-10)) << z;
+    EXPECT_TRUE(near(air.density, rho, 1e-10)) << z;
+    EXPECT_TRUE(near(air.sound_speed, a, 1e-10)) << z;
     // Above 80 km the standard's viscosity reads the kinetic temperature, which lies 0.04 % below the molecular one.
-    EXPECT_TRUE(near(air->viscosity, mu, z > 80000 ? 5e-4 : 1e-10)) << z;
+    EXPECT_TRUE(near(air.viscosity, mu, z > 80000 ? 5e-4 : 1e-10)) << z;
   }
 }
 
@@ -134,17 +127,14 @@ TEST(StandardAtmosphere, goes_through_the_station) {
 }
 
 TEST(StandardAtmosphere, keeps_the_standard_lapse_rate_when_shifted) {
-  Environment warm;
-  warm.atmosphere.temperature = 308.15;
+  Environment warm{.atmosphere = {.temperature = 308.15}};
   for (const double z : {0.0, 5000.0, 15000.0, 40000.0})
     EXPECT_NEAR(air_at(warm, z)->temperature - air_at({}, z)->temperature, 20, 1e-10) << z;
 }
 
 TEST(StandardAtmosphere, station_readings_of_the_standard_change_little) {
   // CIPM-2007's real air against the standard's ideal gas: compressibility and composition, 5e-4 at most.
-  Environment same;
-  same.atmosphere.temperature = 288.15;
-  same.atmosphere.pressure = 101325;
+  Environment same{.atmosphere = {.temperature = 288.15, .pressure = 101325}};
   for (const double z : {0.0, 3000.0}) EXPECT_TRUE(near(air_at(same, z)->density, air_at({}, z)->density, 6e-4)) << z;
 }
 
@@ -163,11 +153,7 @@ TEST(StandardAtmosphere, constant_air_is_that_of_the_origin) {
 }
 
 TEST(StandardAtmosphere, exponential_air_falls_by_e_per_scale_height) {
-  Environment e;
-  e.altitude = 500;
-  e.atmosphere.model = AirModel::exponential;
-  e.atmosphere.density = 1.2;
-  e.atmosphere.scale_height = 7000;
+  Environment e{.altitude = 500, .atmosphere = {.model = AirModel::exponential, .density = 1.2, .scale_height = 7000}};
   EXPECT_TRUE(near(air_at(e, 500)->density, 1.2, 1e-15));
   EXPECT_TRUE(near(air_at(e, 7500)->density, 1.2 / 2.718281828459045, 1e-15));
   EXPECT_TRUE(near(air_at(e, 21500)->density, 1.2 / 20.085536923187668, 1e-15));
@@ -175,11 +161,8 @@ TEST(StandardAtmosphere, exponential_air_falls_by_e_per_scale_height) {
 
 /// Density as a flight feels it, at any altitude: the drag of a body with Cd A / 2m = 1 at 1 m/s.
 double felt_density(double z) {
-  ProjectileDef p;
-  p.drag.coefficient = 1;
-  p.drag.ballistic_coefficient = 3.14159265358979323846 / 8;
-  Fidelity f;
-  f.gravity = GravityModel::off;
+  ProjectileDef p{.drag = {.coefficient = 1, .ballistic_coefficient = 3.14159265358979323846 / 8}};
+  Fidelity f{.gravity = GravityModel::off};
   const test::Prepared prepared(p, {}, {}, f);
   return -prepared.acceleration(0, {{0, z, 0}, {1, 0, 0}}).x;
 }
@@ -189,9 +172,7 @@ TEST(StandardAtmosphere, is_what_flights_feel) {
 }
 
 TEST(StandardAtmosphere, of_one_number_is_that_of_all_to_the_bit) {
-  Environment warm;
-  warm.altitude = 1500;
-  warm.atmosphere.temperature = 310;
+  Environment warm{.altitude = 1500, .atmosphere = {.temperature = 310}};
   for (const Environment& environment : {Environment{}, warm}) {
     const Air<double> air = prepare_conditions(environment, Fidelity::small_arms()).air;
     const LowAirOfOne of_one(air);
@@ -204,9 +185,7 @@ TEST(StandardAtmosphere, of_one_number_is_that_of_all_to_the_bit) {
 }
 
 TEST(StandardAtmosphere, air_at_refuses_an_environment_as_flights_do) {
-  Environment e;
-  e.atmosphere.pressure = -1;
-  const auto air = air_at(e, 0);
+  const auto air = air_at({.atmosphere = {.pressure = -1}}, 0);
   ASSERT_FALSE(air);
   EXPECT_EQ(air.error().place, "environment.atmosphere.pressure");
 }
@@ -221,5 +200,4 @@ TEST(StandardAtmosphere, goes_on_above_its_top) {
   }
 }
 
-}  // namespace model_standard_atmosphere_test
-}  // namespace physim
+}  // namespace physim::model_standard_atmosphere_test

@@ -1,15 +1,9 @@
 // Wind: constant, and profiles by height and by range.
 #include "model/wind.hpp"
 
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <vector>
-
 #include "support.hpp"
 
-namespace physim {
-namespace model_wind_test {
+namespace physim::model_wind_test {
 
 using test::near;
 
@@ -21,11 +15,8 @@ Wind profile(WindAxis by, WindInterpolation interpolation) {
 
 Vec3d wind_at(const Wind& wind, const Vec3d& x, WindModel model = WindModel::profile,
               EarthModel earth = EarthModel::flat) {
-  Environment e;
-  e.wind = wind;
-  Fidelity f;
-  f.wind = model;
-  f.earth = earth;
+  Environment e{.wind = wind};
+  Fidelity f{.wind = model, .earth = earth};
   ProfileTables tables;
   return physim::wind(prepare_conditions(e, f, tables), Body<double>{}, 0.0, x);
 }
@@ -63,8 +54,7 @@ TEST(Wind, a_profile_in_single_precision_has_all_its_points) {
   const Wind stepped = profile(WindAxis::range, WindInterpolation::step);
   Fidelity f;
   for (const Wind& wind : {plain, single, stepped, Wind{.profile = longest}}) {
-    Environment e;
-    e.wind = wind;
+    Environment e{.wind = wind};
     f.wind = wind.profile.empty() ? WindModel::constant : WindModel::profile;
     ProfileTables tables;
     const Conditions<double> c = prepare_conditions(e, f, tables);
@@ -104,8 +94,7 @@ TEST(Wind, a_low_rung_has_one_wind) {
 
 TEST(Wind, an_updraught_carries_a_falling_ball) {
   // At its terminal speed of 20 m/s in an updraught of 20 m/s a ball hovers.
-  ProjectileDef p;
-  p.drag.k2 = 9.80665 / 400;
+  ProjectileDef p{.drag = {.k2 = 9.80665 / 400}};
   Environment e = test::constant_gravity();
   e.wind.velocity = {0, 20, 0};
   Fidelity f = test::vacuum();
@@ -118,9 +107,7 @@ TEST(Wind, an_updraught_carries_a_falling_ball) {
 // Wind drift of flat fire: the lag rule, z = w (t - x / v0), is exact where drag grows with the square of the speed and
 // the crosswind is small (R. L. McCoy, Modern Exterior Ballistics (1999), sec. 7.2).
 TEST(Wind, crosswind_drift_follows_the_lag_rule) {
-  ProjectileDef p;
-  p.drag.coefficient = 0.3;
-  p.drag.ballistic_coefficient = 150;
+  ProjectileDef p{.drag = {.coefficient = 0.3, .ballistic_coefficient = 150}};
   Environment e = test::constant_gravity();
   e.gravity.acceleration = 0;
   e.atmosphere = {.model = AirModel::constant, .density = 1.2, .sound_speed = 340};
@@ -136,8 +123,7 @@ TEST(Wind, crosswind_drift_follows_the_lag_rule) {
 TEST(Wind, adaptive_steps_end_at_the_points_of_a_profile) {
   Environment e = test::constant_gravity();
   e.wind = profile(WindAxis::range, WindInterpolation::step);
-  Fidelity f;
-  f.gravity = GravityModel::constant;
+  Fidelity f{.gravity = GravityModel::constant};
   const Flight flight =
       fly(test::bullet_308(), {.position = {-20, 1, 0}, .speed = 800}, e, f, {}, {.ground = {}, .time = 1});
   for (const double place : {-10.0, 0.0, 50.0, 200.0}) {
@@ -147,5 +133,4 @@ TEST(Wind, adaptive_steps_end_at_the_points_of_a_profile) {
   }
 }
 
-}  // namespace model_wind_test
-}  // namespace physim
+}  // namespace physim::model_wind_test

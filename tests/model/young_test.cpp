@@ -1,13 +1,10 @@
 // Young's equations: as printed, in both systems of units, and back from depths to speeds.
 #include "model/young.hpp"
 
-#include <gtest/gtest.h>
-
 #include "model/nose.hpp"
 #include "support.hpp"
 
-namespace physim {
-namespace model_young_test {
+namespace physim::model_young_test {
 
 using test::near;
 
@@ -53,5 +50,4 @@ TEST(Young, speeds_are_found_back_from_depths) {
   EXPECT_EQ(young_speed(reach, 0.95 * young_depth(reach, 61)), 61);
 }
 
-}  // namespace model_young_test
-}  // namespace physim
+}  // namespace physim::model_young_test

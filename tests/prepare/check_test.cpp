@@ -1,16 +1,11 @@
 // Bad input is refused with a place and a message; nothing throws, nothing hangs.
-#include <gtest/gtest.h>
-
 #include <functional>
-#include <limits>
 
 #include "model/conditions.hpp"
-#include "physim/names.hpp"
 #include "prepare/check.hpp"
 #include "support.hpp"
 
-namespace physim {
-namespace prepare_check_test {
+namespace physim::prepare_check_test {
 
 using namespace test;
 
@@ -376,8 +371,7 @@ TEST(Check, every_number_of_a_launch_is_looked_at) {
     }
   }
   // A sum that overflows says nothing.
-  Launch far;
-  far.position = {1.5e308, 1.5e308, 0};
+  Launch far{.position = {1.5e308, 1.5e308, 0}};
   EXPECT_TRUE(check(far));
 }
 
@@ -398,5 +392,4 @@ TEST(Check, numbers_that_float32_cannot_hold_are_found_wherever_they_stand) {
   EXPECT_TRUE(check_fits({2 * kMost, 0, 0}, {}, Precision::float64));
 }
 
-}  // namespace prepare_check_test
-}  // namespace physim
+}  // namespace physim::prepare_check_test

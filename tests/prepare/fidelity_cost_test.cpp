@@ -4,8 +4,7 @@
 
 #include <gtest/gtest.h>
 
-namespace physim {
-namespace prepare_fidelity_cost_test {
+namespace physim::prepare_fidelity_cost_test {
 
 double cost_of(const Fidelity& f, const ProjectileDef& p = {}, const Environment& e = {}) { return step_cost(f, p, e); }
 
@@ -60,12 +59,10 @@ TEST(FidelityCost, each_effect_adds_its_own_in_every_evaluation) {
   f.earth = EarthModel::sphere;
   EXPECT_EQ(adds(f), 29 + 6 + 3 + 25 + 24) << "wind that turns with the vertical";
   f = base, f.drag = DragModel::damping, f.wind = WindModel::profile;
-  Environment windy;
-  windy.wind.profile = {{0, {}}, {10, {}}, {20, {}}};
+  Environment windy{.wind = {.profile = {{0, {}}, {10, {}}, {20, {}}}}};
   EXPECT_EQ(adds(f, {}, windy), 6 + 3 + 3 * 9);
 
-  ProjectileDef pushed;
-  pushed.force = {1, 0, 0};
+  ProjectileDef pushed{.force = {1, 0, 0}};
   EXPECT_EQ(adds(base, pushed), 7);
   f = base, f.drag = DragModel::equation, f.air = AirModel::constant;
   const double by_curve = adds(f);
@@ -83,12 +80,9 @@ TEST(FidelityCost, each_effect_adds_its_own_in_every_evaluation) {
 }
 
 TEST(FidelityCost, motors_cost_where_they_fly) {
-  ProjectileDef rocket;
-  rocket.motor.thrust = {{0, 10}, {1, 0}};
-  rocket.motor.propellant_mass = 0.01;
+  ProjectileDef rocket{.motor = {.thrust = {{0, 10}, {1, 0}}, .propellant_mass = 0.01}};
   Fidelity f = plain(Integrator::rk4);
   EXPECT_EQ((cost_of(f, rocket) - cost_of(f)) / 4, 24 + 2 * 4);
 }
 
-}  // namespace prepare_fidelity_cost_test
-}  // namespace physim
+}  // namespace physim::prepare_fidelity_cost_test

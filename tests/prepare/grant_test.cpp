@@ -1,11 +1,8 @@
 // What of an asked fidelity is granted, and that it is told why where it is less.
-#include <gtest/gtest.h>
-
 #include "model/ladder.hpp"
 #include "support.hpp"
 
-namespace physim {
-namespace prepare_grant_test {
+namespace physim::prepare_grant_test {
 
 using namespace test;
 
@@ -387,8 +384,7 @@ TEST(Grant, a_tolerance_of_a_fidelity_stands_in_where_none_is_given) {
 TEST(Grant, what_starts_at_rest_in_the_air_has_drag_by_k2_too) {
   ProjectileDef ball = presets::baseball().projectile;
   const Launch drop{.position = {0, 100, 0}};
-  Environment air;
-  air.atmosphere.model = AirModel::constant;
+  Environment air{.atmosphere = {.model = AirModel::constant}};
   const double in_vacuum = fly(ball, drop, air, Fidelity::arcade()).duration();
   const double in_air = fly(ball, drop, air, Fidelity::constant_air()).duration();
   const double in_game = fly(ball, drop, air, Fidelity::game()).duration();
@@ -406,5 +402,4 @@ TEST(Grant, fidelity_changes_how_and_data_stay) {
   EXPECT_NEAR(game, simulation, 0.4 * simulation);
 }
 
-}  // namespace prepare_grant_test
-}  // namespace physim
+}  // namespace physim::prepare_grant_test

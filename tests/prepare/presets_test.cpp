@@ -1,32 +1,27 @@
 // Presets of projectiles: all can be spawned, and those of the original fly as they did.
+#include "must.hpp"
 #include "physim/body.hpp"
-
-#include <gtest/gtest.h>
 
 #include "physim/world.hpp"
 
-namespace physim {
-namespace prepare_presets_test {
+namespace physim::prepare_presets_test {
 
 TEST(Presets, AreNamedDescribedAndSpawn) {
   World world;
   for (const std::string_view name : projectile_presets()) {
-    const auto preset = projectile_preset(name);
-    ASSERT_TRUE(preset) << name;
-    EXPECT_EQ(preset->projectile.name, name);
-    EXPECT_FALSE(preset->doc.empty()) << name;
-    EXPECT_FALSE(preset->source.empty()) << name;
-    EXPECT_GT(preset->speed, 0) << name;
-    EXPECT_TRUE(world.spawn(preset->projectile, {.position = {0, 1, 0}, .speed = preset->speed}, preset->body)) << name;
+    const auto preset = must(projectile_preset(name), name);
+    EXPECT_EQ(preset.projectile.name, name);
+    EXPECT_FALSE(preset.doc.empty()) << name;
+    EXPECT_FALSE(preset.source.empty()) << name;
+    EXPECT_GT(preset.speed, 0) << name;
+    EXPECT_TRUE(world.spawn(preset.projectile, {.position = {0, 1, 0}, .speed = preset.speed}, preset.body)) << name;
   }
   EXPECT_FALSE(projectile_preset("rifle_bulet"));
 }
 
 // The published frame of test 5 of the original: the shell with (0, 2, 40) m/s; here x is downrange.
 TEST(Presets, ArtilleryFliesAsTheOriginals) {
-  WorldDef def;
-  def.ground.mode = GroundMode::none;
-  World world = World::create(def).value();
+  World world = World::create({.ground = {.mode = GroundMode::none}}).value();
   const ProjectilePreset shell = presets::artillery();
   const ProjectileId id =
       *world.spawn(shell.projectile, {.position = {0, 1.5, 0}, .velocity = Vec3d{40, 4, 0}}, shell.body);
@@ -37,5 +32,4 @@ TEST(Presets, ArtilleryFliesAsTheOriginals) {
   EXPECT_EQ(world[id].status(), LifeStatus::expired);  // 5 m below
 }
 
-}  // namespace prepare_presets_test
-}  // namespace physim
+}  // namespace physim::prepare_presets_test

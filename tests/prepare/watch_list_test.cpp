@@ -8,8 +8,7 @@
 
 #include "prepare/conditions.hpp"
 
-namespace physim {
-namespace prepare_watch_list_test {
+namespace physim::prepare_watch_list_test {
 
 std::vector<EventKind> kinds_of(const WatchList& watch) {
   std::vector<EventKind> kinds;
@@ -18,16 +17,13 @@ std::vector<EventKind> kinds_of(const WatchList& watch) {
 }
 
 Conditions<double> constant_air() {
-  Environment environment;
-  environment.atmosphere.model = AirModel::constant;
-  return prepare_conditions(environment, by_steps(Fidelity::game(), true));
+  return prepare_conditions({.atmosphere = {.model = AirModel::constant}}, by_steps(Fidelity::game(), true));
 }
 
 Until unguarded() { return {.ground = {}, .time = std::numeric_limits<double>::infinity()}; }
 
 TEST(WatchList, a_flight_is_guarded_by_ground_range_and_time) {
-  const Until until{.ground = 3, .time = 9, .range = 100};
-  const WatchList watch = prepare_watch(until, constant_air(), Watcher::batch);
+  const WatchList watch = prepare_watch({.ground = 3, .time = 9, .range = 100}, constant_air(), Watcher::batch);
   EXPECT_EQ(kinds_of(watch), (std::vector{EventKind::ground, EventKind::range, EventKind::time}));
   for (int i = 0; i < watch.count; ++i) EXPECT_TRUE(watch.item[i].spec.terminal);
   EXPECT_EQ(watch.item[0].spec.value, 3);
@@ -55,5 +51,4 @@ TEST(WatchList, what_waits_for_no_value_waits_for_zero) {
   EXPECT_EQ(watch.item[1].spec.value, 7);
 }
 
-}  // namespace prepare_watch_list_test
-}  // namespace physim
+}  // namespace physim::prepare_watch_list_test

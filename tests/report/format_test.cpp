@@ -14,8 +14,7 @@
 #include "report/kml.hpp"
 #include "report/pictures.hpp"
 
-namespace physim::report {
-namespace report_format_test {
+namespace physim::report::report_format_test {
 
 constexpr const char* kRoundShot =
     "physim = 1\n[[shot]]\nname = \"a, b\"\nmass = \"1 kg\"\ndiameter = \"5 cm\"\nspeed = \"100 m/s\"\n"
@@ -260,5 +259,4 @@ TEST(FilesForOthers, RingsAreCutAtTheAntimeridian) {
   EXPECT_NEAR(cap, 360 * 10, 1e-9);
 }
 
-}  // namespace report_format_test
-}  // namespace physim::report
+}  // namespace physim::report::report_format_test

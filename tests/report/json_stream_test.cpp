@@ -13,8 +13,7 @@
 #include "report/format.hpp"
 #include "report/json.hpp"
 
-namespace physim::report {
-namespace report_json_stream_test {
+namespace physim::report::report_json_stream_test {
 
 using Json = nlohmann::ordered_json;
 
@@ -154,5 +153,4 @@ TEST(Texts, of_a_file_that_fails_leave_what_was_there) {
   std::filesystem::remove(path);
 }
 
-}  // namespace report_json_stream_test
-}  // namespace physim::report
+}  // namespace physim::report::report_json_stream_test

@@ -1,16 +1,11 @@
 // The ladder of presets over every shipped scenario: each rung is worth standing on.
 #include "report/ladder.hpp"
 
-#include <gtest/gtest.h>
-
-#include <algorithm>
-
 #include "prepare/fidelity_cost.hpp"
 #include "shipped.hpp"
 #include "support.hpp"
 
-namespace physim::report {
-namespace report_ladder_test {
+namespace physim::report::report_ladder_test {
 
 /// Rungs that another one beats on a shipped shot, and why that is right.
 struct Beaten {
@@ -45,10 +40,9 @@ bool may_be_beaten(const std::string& shot, const RungResult& result) {
 class PresetsOfScenario : public ::testing::TestWithParam<std::string> {};
 
 TEST_P(PresetsOfScenario, presets_cost_more_and_err_less_from_arcade_to_reference_and_none_is_beaten) {
-  const auto scenario = load_scenario(PHYSIM_SOURCE_DIR "/scenarios/" + GetParam() + ".toml");
-  ASSERT_TRUE(scenario) << scenario.error().text();
-  for (const ScenarioShot& shot : scenario->shots) {
-    const auto ladder = climb_presets(*scenario, shot);
+  const auto scenario = must(load_scenario(PHYSIM_SOURCE_DIR "/scenarios/" + GetParam() + ".toml"));
+  for (const ScenarioShot& shot : scenario.shots) {
+    const auto ladder = climb_presets(scenario, shot);
     if (!ladder) continue;  // its reference has no end that can be compared: cli/every_scenario_test.cpp lists those
     const std::string name = GetParam() + "/" + shot.projectile.name;
     const RungResult* before = nullptr;
@@ -68,22 +62,21 @@ TEST_P(PresetsOfScenario, presets_cost_more_and_err_less_from_arcade_to_referenc
 /// The last row is flown as the reference of a comparison. Who flies the preset has the same: it costs more than
 /// simulation, which by its own error it would beat.
 TEST_P(PresetsOfScenario, the_preset_reference_is_the_dearest) {
-  const auto scenario = load_scenario(PHYSIM_SOURCE_DIR "/scenarios/" + GetParam() + ".toml");
-  ASSERT_TRUE(scenario) << scenario.error().text();
-  for (const ScenarioShot& shot : scenario->shots) {
-    const auto ladder = climb_presets(*scenario, shot);
+  const auto scenario = must(load_scenario(PHYSIM_SOURCE_DIR "/scenarios/" + GetParam() + ".toml"));
+  for (const ScenarioShot& shot : scenario.shots) {
+    const auto ladder = climb_presets(scenario, shot);
     if (!ladder) continue;
-    const FlightSetting own = preset_setting(*scenario, shot, "reference");
+    const FlightSetting own = preset_setting(scenario, shot, "reference");
     const Flight& truth = ladder->rungs.back().flight;
     const Flight flown =
-        fly(shot.projectile, shot.launch, scenario->environment, own.fidelity, own.tolerance, scenario->until);
+        fly(shot.projectile, shot.launch, scenario.environment, own.fidelity, own.tolerance, scenario.until);
     const std::string name = GetParam() + "/" + shot.projectile.name;
     if (shot.launch.sight.zero_range == 0 && own.fidelity == ladder->rungs.back().rung.setting.fidelity) {
       EXPECT_EQ(flown.cost().evaluations, truth.cost().evaluations) << name;
       EXPECT_EQ(flown.end().position, truth.end().position) << name;
     }
     const double steps = static_cast<double>(std::max<std::int64_t>(flown.cost().steps + flown.cost().rejected, 1));
-    const double work = steps * step_cost(flown.fidelity_in_use().fidelity, shot.projectile, scenario->environment);
+    const double work = steps * step_cost(flown.fidelity_in_use().fidelity, shot.projectile, scenario.environment);
     for (const RungResult& result : ladder->rungs)
       if (result.rung.name() == "simulation") {
         EXPECT_GE(work, result.work) << name;
@@ -95,19 +88,17 @@ INSTANTIATE_TEST_SUITE_P(Ladder, PresetsOfScenario, ::testing::ValuesIn(test::sh
                          [](const auto& scenario) { return scenario.param; });
 
 TEST(LadderOfSteps, a_rung_is_beaten_by_one_that_costs_no_more_and_errs_less) {
-  const auto scenario = load_scenario(PHYSIM_SOURCE_DIR "/scenarios/golf_ball_no_spin.toml");
-  ASSERT_TRUE(scenario) << scenario.error().text();
-  const auto ladder = climb(*scenario, scenario->shots.front());
-  ASSERT_TRUE(ladder) << ladder.error().text();
-  ASSERT_GE(ladder->steps.size(), 6U);
-  for (const StepsOfRung& rung : ladder->steps) {
+  const auto scenario = must(load_scenario(PHYSIM_SOURCE_DIR "/scenarios/golf_ball_no_spin.toml"));
+  const auto ladder = must(climb(scenario, scenario.shots.front()));
+  ASSERT_GE(ladder.steps.size(), 6U);
+  for (const StepsOfRung& rung : ladder.steps) {
     const auto better = [&](const StepsOfRung& other) {
       return other.cost <= rung.cost && std::max(other.largest, 1e-6) < 0.99 * std::max(rung.largest, 1e-6);
     };
-    EXPECT_EQ(std::ranges::any_of(ladder->steps, better), !rung.beaten_by.empty()) << rung.name;
+    EXPECT_EQ(std::ranges::any_of(ladder.steps, better), !rung.beaten_by.empty()) << rung.name;
     if (rung.beaten_by.empty()) continue;
-    const auto winner = std::ranges::find(ladder->steps, rung.beaten_by, &StepsOfRung::name);
-    ASSERT_NE(winner, ladder->steps.end()) << rung.beaten_by;
+    const auto winner = std::ranges::find(ladder.steps, rung.beaten_by, &StepsOfRung::name);
+    ASSERT_NE(winner, ladder.steps.end()) << rung.beaten_by;
     EXPECT_TRUE(better(*winner)) << rung.name << " by " << winner->name;
   }
 }
@@ -126,12 +117,10 @@ TEST(LadderOfPresets, flies_spin_as_far_as_the_data_go) {
                         {"308_168gr_g7", none, spin_drift, spin_drift},
                         {"model_rocket", none, none, none}};
   for (const Case& each : cases) {
-    const auto scenario = load_scenario(PHYSIM_SOURCE_DIR "/scenarios/" + std::string(each.scenario) + ".toml");
-    ASSERT_TRUE(scenario) << scenario.error().text();
-    const auto ladder = climb_presets(*scenario, scenario->shots.front());
-    ASSERT_TRUE(ladder) << ladder.error().text();
-    const double way = length(ladder->rungs.back().flight.end().position - scenario->shots.front().launch.position);
-    for (const RungResult& result : ladder->rungs) {
+    const auto scenario = must(load_scenario(PHYSIM_SOURCE_DIR "/scenarios/" + std::string(each.scenario) + ".toml"));
+    const auto ladder = must(climb_presets(scenario, scenario.shots.front()));
+    const double way = length(ladder.rungs.back().flight.end().position - scenario.shots.front().launch.position);
+    for (const RungResult& result : ladder.rungs) {
       const std::string rung = result.rung.name();
       const RotationModel granted = result.flight.fidelity_in_use().fidelity.rotation;
       if (rung == "game") {
@@ -148,25 +137,22 @@ TEST(LadderOfPresets, flies_spin_as_far_as_the_data_go) {
 }
 
 TEST(LadderOfPresets, a_step_of_the_scenario_binds_its_own_rung_alone) {
-  auto scenario = load_scenario(PHYSIM_SOURCE_DIR "/scenarios/105mm_m1_six_dof.toml");
-  ASSERT_TRUE(scenario) << scenario.error().text();
-  ASSERT_GT(scenario->tolerance.step, 0);
+  auto scenario = must(load_scenario(PHYSIM_SOURCE_DIR "/scenarios/105mm_m1_six_dof.toml"));
+  ASSERT_GT(scenario.tolerance.step, 0);
   for (const std::string_view preset : fidelity_presets()) {
-    const Tolerance tolerance = preset_setting(*scenario, scenario->shots.front(), preset).tolerance;
+    const Tolerance tolerance = preset_setting(scenario, scenario.shots.front(), preset).tolerance;
     EXPECT_EQ(tolerance.step, 0) << preset;
     EXPECT_EQ(tolerance.max_step, kInfinity) << preset;
     EXPECT_FALSE(tolerance.relative) << preset;
-    EXPECT_EQ(tolerance.max_steps, scenario->tolerance.max_steps) << preset;
+    EXPECT_EQ(tolerance.max_steps, scenario.tolerance.max_steps) << preset;
   }
 }
 
 TEST(LadderOfPresets, drag_that_a_shot_says_by_a_factor_is_kept_on_every_rung) {
-  const auto scenario = load_scenario(PHYSIM_SOURCE_DIR "/scenarios/original_test_1.toml");
-  ASSERT_TRUE(scenario) << scenario.error().text();
-  const auto ladder = climb_presets(*scenario, scenario->shots.front());
-  ASSERT_TRUE(ladder) << ladder.error().text();
+  const auto scenario = must(load_scenario(PHYSIM_SOURCE_DIR "/scenarios/original_test_1.toml"));
+  const auto ladder = must(climb_presets(scenario, scenario.shots.front()));
   std::vector<std::string> names;
-  for (const RungResult& result : ladder->rungs) {
+  for (const RungResult& result : ladder.rungs) {
     names.push_back(result.rung.name());
     const DragModel drag = result.flight.fidelity_in_use().fidelity.drag;
     EXPECT_EQ(drag, names.back() == "arcade" ? DragModel::off : DragModel::damping) << names.back();
@@ -178,5 +164,4 @@ TEST(LadderOfPresets, drag_that_a_shot_says_by_a_factor_is_kept_on_every_rung) {
     EXPECT_NE(std::ranges::find(names, original), names.end()) << original;
 }
 
-}  // namespace report_ladder_test
-}  // namespace physim::report
+}  // namespace physim::report::report_ladder_test

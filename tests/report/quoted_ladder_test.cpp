@@ -1,20 +1,15 @@
 // README's table of three shots: its errors are those of today's library, as flights and as steps of a world.
-#include <gtest/gtest.h>
-
 #include <array>
-#include <cmath>
 #include <fstream>
 #include <map>
 #include <regex>
 #include <sstream>
 
-#include "physim/solve.hpp"
 #include "report/ladder.hpp"
 #include "report/world_steps.hpp"
 #include "support.hpp"
 
-namespace physim::report {
-namespace report_quoted_ladder_test {
+namespace physim::report::report_quoted_ladder_test {
 
 constexpr std::array kShots = {"308_168gr_g7", "golf_drive", "105mm_m1_six_dof"};
 
@@ -61,30 +56,25 @@ TEST(QuotedLadder, errors_of_three_shots_are_todays_as_flights_and_as_steps) {
   const auto quoted = rows();
   EXPECT_EQ(quoted.size(), 7U);
   for (std::size_t i = 0; i < kShots.size(); ++i) {
-    const auto scenario = load_scenario(PHYSIM_SOURCE_DIR "/scenarios/" + std::string(kShots[i]) + ".toml");
-    ASSERT_TRUE(scenario) << scenario.error().text();
-    const auto ladder = climb_presets(*scenario, scenario->shots.front());
-    ASSERT_TRUE(ladder) << ladder.error().text();
-    WorldDef def = scenario->world.def;
-    def.environment = scenario->environment;
-    ScenarioShot shot = scenario->shots.front();
-    const auto compared = compare(shot.projectile, shot.launch, scenario->environment, {},
-                                  reference_setting(*scenario, shot), scenario->until);
-    ASSERT_TRUE(compared) << compared.error().text();
-    shot.launch = compared->launch;  // along the bore of the reference, as all rows
-    const Flight& reference = compared->reference;
-    for (const RungResult& result : ladder->rungs) {
+    const auto scenario = must(load_scenario(PHYSIM_SOURCE_DIR "/scenarios/" + std::string(kShots[i]) + ".toml"));
+    const auto ladder = must(climb_presets(scenario, scenario.shots.front()));
+    WorldDef def = scenario.world.def;
+    def.environment = scenario.environment;
+    ScenarioShot shot = scenario.shots.front();
+    const auto compared = must(compare(shot.projectile, shot.launch, scenario.environment, {},
+                                       reference_setting(scenario, shot), scenario.until));
+    shot.launch = compared.launch;  // along the bore of the reference, as all rows
+    const Flight& reference = compared.reference;
+    for (const RungResult& result : ladder.rungs) {
       const std::string name = result.rung.name(), what = std::string(kShots[i]) + ", " + name;
       ASSERT_TRUE(quoted.contains(name)) << name;
       ASSERT_EQ(quoted.at(name).size(), 6U) << name;
       expect_quoted(quoted.at(name)[i], result.error, what + ", flight");
       shot.projectile.fidelity = result.rung.setting.fidelity;
-      const auto steps = error_of_steps(def, shot, kGameFrame, reference);
-      ASSERT_TRUE(steps) << what;
-      expect_quoted(quoted.at(name)[3 + i], *steps, what + ", steps of a world");
+      const auto steps = must(error_of_steps(def, shot, kGameFrame, reference), what);
+      expect_quoted(quoted.at(name)[3 + i], steps, what + ", steps of a world");
     }
   }
 }
 
-}  // namespace report_quoted_ladder_test
-}  // namespace physim::report
+}  // namespace physim::report::report_quoted_ladder_test

@@ -1,19 +1,17 @@
 // What is refused when a shot flies has the place of the setting that it is about.
-#include <gtest/gtest.h>
 
+#include "must.hpp"
 #include "report/flown.hpp"
 
-namespace physim {
-namespace report_refusal_place_test {
+namespace physim::report_refusal_place_test {
 
 constexpr const char* kFile =
     "physim = 1\n[[shot]]\nname = \"a.b\"\nspeed = \"800 m/s\"\nsight = { height = \"5 cm\", zero_range = \"90 km\" "
     "}\n";
 
 Error told(const Error& error, const std::vector<std::string>& overrides = {}) {
-  const auto scenario = parse_scenario(kFile, "f.toml", overrides);
-  EXPECT_TRUE(scenario.ok());
-  return report::about(*scenario, scenario->shots[0], error);
+  const auto scenario = must(parse_scenario(kFile, "f.toml", overrides));
+  return report::about(scenario, scenario.shots[0], error);
 }
 
 TEST(RefusalPlace, is_that_of_the_setting) {
@@ -28,5 +26,4 @@ TEST(RefusalPlace, of_what_no_file_says_is_the_shot) {
   EXPECT_EQ(told({"is bad", "", ""}).place, "f.toml: shot \"a.b\"");
 }
 
-}  // namespace report_refusal_place_test
-}  // namespace physim
+}  // namespace physim::report_refusal_place_test

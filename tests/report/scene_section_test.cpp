@@ -1,13 +1,10 @@
 // Cuts through scenes, against boxes, planes and sheets of which they are known.
 #include "report/scene_section.hpp"
+#include "support.hpp"
 
-#include <gtest/gtest.h>
-
-#include <cmath>
 #include <sstream>
 
-namespace physim::report {
-namespace report_scene_section_test {
+namespace physim::report::report_scene_section_test {
 
 using Row = std::vector<double>;
 
@@ -33,8 +30,7 @@ TEST(SceneSection, OfABoxIsItsOutline) {
     Scene scene;
     const Quatd rotation{std::cos(azimuth / 2), 0, -std::sin(azimuth / 2), 0};
     const Vec3d position{10 * std::cos(azimuth), 0.5, 10 * std::sin(azimuth)};
-    ASSERT_TRUE(scene.add(
-        {.shape = *scene.add_shape(BoxShape{{1, 2, 3}}), .transform = {.position = position, .rotation = rotation}}));
+    add_thing(scene, BoxShape{{1, 2, 3}}, {.transform = {.position = position, .rotation = rotation}});
     const Section section = section_along(scene, extended(track_to(azimuth), {-1, 22}), {-5, 5});
     const auto solids = rows_of(section.solids);
     ASSERT_GT(solids.size(), 60u);
@@ -56,7 +52,7 @@ TEST(SceneSection, OfABoxIsItsOutline) {
 
 TEST(SceneSection, OfAPlaneGoesOnToTheLowerEdge) {
   Scene scene;
-  ASSERT_TRUE(scene.add({.shape = *scene.add_shape(PlaneShape{})}));
+  add_thing(scene, PlaneShape{});
   const auto solids = rows_of(section_along(scene, extended(track_to(0), {0, 20}), {-5, 5}).solids);
   ASSERT_GT(solids.size(), 700u);
   for (const Row& row : solids) EXPECT_TRUE(row[1] == -5 && row[3] == 5);
@@ -67,9 +63,8 @@ TEST(SceneSection, OfAPlaneGoesOnToTheLowerEdge) {
 
 TEST(SceneSection, OfASheetHasNoInside) {
   Scene scene;
-  HeightFieldShape field{.columns = 2, .rows = 2, .spacing_x = 4, .spacing_z = 4};
-  field.heights = {1, 3, 1, 3};
-  ASSERT_TRUE(scene.add({.shape = *scene.add_shape(field), .transform = {.position = {6, 0, -2}}}));
+  HeightFieldShape field{.columns = 2, .rows = 2, .spacing_x = 4, .spacing_z = 4, .heights = {1, 3, 1, 3}};
+  add_thing(scene, field, {.transform = {.position = {6, 0, -2}}});
   const Section section = section_along(scene, extended(track_to(0), {0, 20}), {-5, 5});
   EXPECT_EQ(section.solids, "");
   const auto surfaces = rows_of(section.surfaces);
@@ -79,16 +74,15 @@ TEST(SceneSection, OfASheetHasNoInside) {
 
 TEST(SceneSection, HasThingsWhereTheyAreWhenTheTrackPasses) {
   Scene scene;
-  ASSERT_TRUE(scene.add({.shape = *scene.add_shape(BoxShape{{1, 1, 1}}),
-                         .transform = {.position = {10, 0, 0}},
-                         .motion = SteadyMotion{.velocity = {0, 1, 0}}}));
+  add_thing(scene, BoxShape{{1, 1, 1}},
+            {.transform = {.position = {10, 0, 0}}, .motion = SteadyMotion{.velocity = {0, 1, 0}}});
   for (const Row& row : rows_of(section_along(scene, extended(track_to(0), {0, 20}), {-5, 5}).solids))
     EXPECT_NEAR(row[1], -1 + row[0] / 10, 1e-5);  // it passes x at x / 10
 }
 
 TEST(SceneSection, OfATrackThatGoesStraightUpIsThatOfItsFoot) {
   Scene scene;
-  ASSERT_TRUE(scene.add({.shape = *scene.add_shape(BoxShape{{1, 1, 1}})}));
+  add_thing(scene, BoxShape{{1, 1, 1}});
   const std::vector<TrackPlace> track = {{0, 0, 0, 0}, {0, 0, 0, 1}};
   const auto solids = rows_of(section_along(scene, extended(track, {-1, 1}), {-5, 5}).solids);
   ASSERT_EQ(solids.size(), 2u);
@@ -106,5 +100,4 @@ TEST(SceneSection, GoesOnStraightAtBothEnds) {
   for (std::size_t i = 1; i < track.size(); ++i) EXPECT_LT(track[i].across - track[i - 1].across, 6.0 / 799);
 }
 
-}  // namespace report_scene_section_test
-}  // namespace physim::report
+}  // namespace physim::report::report_scene_section_test

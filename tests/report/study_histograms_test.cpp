@@ -4,8 +4,7 @@
 #include "report/study_pictures.hpp"
 #include "study/study_support.hpp"
 
-namespace physim {
-namespace report_study_histograms_test {
+namespace physim::report_study_histograms_test {
 
 using namespace test;
 using report::FlownStudy;
@@ -15,9 +14,8 @@ FlownStudy drawn_right(const Distribution& right, std::size_t bars) {
   Study study = scatter();
   study.inputs[0].distribution = right;
   study.shots = 40'960;
-  const auto plan = plan_study(study, scattered);
-  EXPECT_TRUE(plan) << plan.error().text();
-  return report::told_study(*plan, run_study(*plan).value(), bars);
+  const auto plan = must(plan_study(study, scattered));
+  return report::told_study(plan, run_study(plan).value(), bars);
 }
 
 /// Of the bars of `right` in a picture: the part of shots that they have, 1 for all.
@@ -63,5 +61,4 @@ TEST(HistogramsText, has_digits_for_narrow_bars) {
   }
 }
 
-}  // namespace report_study_histograms_test
-}  // namespace physim
+}  // namespace physim::report_study_histograms_test

@@ -3,8 +3,7 @@
 
 #include <gtest/gtest.h>
 
-namespace physim::report {
-namespace report_table_test {
+namespace physim::report::report_table_test {
 
 TEST(Table, shortens_texts_between_characters) {
   EXPECT_EQ(shortened("as long as it may be", 20), "as long as it may be");
@@ -16,5 +15,4 @@ TEST(Table, shortens_texts_between_characters) {
   EXPECT_EQ(shortened("砲弾の軌道", 3), "砲弾…");
 }
 
-}  // namespace report_table_test
-}  // namespace physim::report
+}  // namespace physim::report::report_table_test

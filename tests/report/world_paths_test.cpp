@@ -1,14 +1,12 @@
 // Paths that a run's picture draws: evenly out of all launches, few enough to be seen, and dots where particles are.
-#include <gtest/gtest.h>
-
 #include <algorithm>
 #include <map>
 
+#include "must.hpp"
 #include "report/world_log.hpp"
 #include "scenario/scenario.hpp"
 
-namespace physim::report {
-namespace report_world_paths_test {
+namespace physim::report::report_world_paths_test {
 
 /// 1000 a second from a muzzle that moves along z at 10 m/s: where a path begins tells when.
 const std::string kMoving = R"(physim = 1
@@ -32,9 +30,8 @@ ground = "none"
 )";
 
 WorldLog logged(const std::string& text) {
-  const Result<Scenario> scenario = parse_scenario(text, "f.toml");
-  EXPECT_TRUE(scenario) << (scenario ? "" : scenario.error().text());
-  return run_world(*scenario, {.parts = {.paths = true}}).value();
+  const Scenario scenario = must(parse_scenario(text, "f.toml"));
+  return run_world(scenario, {.parts = {.paths = true}}).value();
 }
 
 TEST(WorldPaths, AreEvenlyOutOfAllLaunches) {
@@ -96,9 +93,8 @@ apex_events = true
 )";
 
 TEST(FilesForOthers, PathsOfWorldsHaveASampleAtEveryCorner) {
-  const Result<Scenario> scenario = parse_scenario(kBalls, "f.toml");
-  ASSERT_TRUE(scenario) << scenario.error().text();
-  const WorldLog log = run_world(*scenario, {.parts = {.samples = true, .events = true}, .interval = 0.5}).value();
+  const Scenario scenario = must(parse_scenario(kBalls, "f.toml"));
+  const WorldLog log = run_world(scenario, {.parts = {.samples = true, .events = true}, .interval = 0.5}).value();
   std::map<std::uint64_t, std::vector<WorldSample>> paths;
   log.each_sample([&](const WorldSample& sample, bool) { paths[sample.launched.number].push_back(sample); });
   ASSERT_EQ(paths.size(), 5u);
@@ -121,12 +117,10 @@ TEST(FilesForOthers, PathsOfWorldsHaveASampleAtEveryCorner) {
 TEST(FilesForOthers, EventsOfWorldsAreInOrderOfTimeWithThoseOfTheWall) {
   std::string text = kBalls;
   text.replace(text.find("ground = \"bounce\""), 17, "ground = \"bounce\"\nwall = \"5 m\"\nstep = \"50 ms\"");
-  const Result<Scenario> scenario = parse_scenario(text, "f.toml");
-  ASSERT_TRUE(scenario) << scenario.error().text();
-  const WorldLog log = run_world(*scenario, {.parts = {.events = true}}).value();
+  const Scenario scenario = must(parse_scenario(text, "f.toml"));
+  const WorldLog log = run_world(scenario, {.parts = {.events = true}}).value();
   EXPECT_EQ(std::ranges::count(log.events, true, &LoggedEvent::at_wall), 5);
   EXPECT_TRUE(std::ranges::is_sorted(log.events, {}, &LoggedEvent::time));
 }
 
-}  // namespace report_world_paths_test
-}  // namespace physim::report
+}  // namespace physim::report::report_world_paths_test

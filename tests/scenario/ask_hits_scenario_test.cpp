@@ -1,11 +1,9 @@
 // Hits that ask: a file has nobody who answers.
-#include <gtest/gtest.h>
-
+#include "must.hpp"
 #include "scenario/scenario.hpp"
 #include "scenario/world_run.hpp"
 
-namespace physim {
-namespace scenario_ask_hits_scenario_test {
+namespace physim::scenario_ask_hits_scenario_test {
 
 constexpr const char* kFile = R"(physim = 1
 [[shot]]
@@ -26,14 +24,12 @@ TEST(AskHitsScenario, a_file_cannot_ask) {
 TEST(AskHitsScenario, nor_can_a_run) {
   std::string bounces = kFile;
   bounces.replace(bounces.find("ask"), 3, "bounce");
-  Result<Scenario> scenario = parse_scenario(bounces, "ask.toml");
-  ASSERT_TRUE(scenario) << scenario.error().text();
-  scenario->shots[0].body.collision.on_hit = OnHit::ask;
-  const Result<WorldRun> run = WorldRun::create(*scenario);
+  Scenario scenario = must(parse_scenario(bounces, "ask.toml"));
+  scenario.shots[0].body.collision.on_hit = OnHit::ask;
+  const Result<WorldRun> run = WorldRun::create(scenario);
   ASSERT_FALSE(run);
   EXPECT_NE(run.error().text().find("nobody answers"), std::string::npos) << run.error().text();
-  EXPECT_EQ(scenario_text(*scenario).find("\"ask\""), std::string::npos);
+  EXPECT_EQ(scenario_text(scenario).find("\"ask\""), std::string::npos);
 }
 
-}  // namespace scenario_ask_hits_scenario_test
-}  // namespace physim
+}  // namespace physim::scenario_ask_hits_scenario_test

@@ -1,14 +1,11 @@
 // Settings by path: elements of lists by number, shots by name or number, at the doors of --set and of ScenarioFile.
 #include "scenario/by_path.hpp"
 
-#include <gtest/gtest.h>
-
 #include "cli/program.hpp"
 #include "scenario/overrides.hpp"
 #include "scenario/scenario.hpp"
 
-namespace physim {
-namespace scenario_by_path_test {
+namespace physim::scenario_by_path_test {
 
 constexpr const char* kScene = R"(physim = 1
 [[shot]]
@@ -39,9 +36,8 @@ position = [100, 0, 0]
 )";
 
 ScenarioFile read(const std::string& text, std::vector<std::string> overrides = {}) {
-  const Result<ScenarioFile> file = ScenarioFile::parse(text, "test.toml", overrides);
-  EXPECT_TRUE(file.ok()) << file.error().text();
-  return *file;
+  const ScenarioFile file = must(ScenarioFile::parse(text, "test.toml", overrides));
+  return file;
 }
 
 std::string error_of(const std::string& override_text) {
@@ -96,8 +92,7 @@ TEST(ByPath, a_path_that_begins_with_no_table_is_one_of_shots) {
 }
 
 TEST(ByPath, the_command_line_takes_the_same_paths) {
-  const testing_cli::Folder folder;
-  const std::string path = folder.write("scene.toml", kScene);
+  const testing_cli::File path("scene.toml", kScene);
   const auto ran = testing_cli::physim({"run", path, "--set", "thing.2.shape=bull"});
   EXPECT_EQ(ran.code, 2);
   EXPECT_TRUE(testing_cli::has(ran.err, "bull")) << ran.err;
@@ -123,5 +118,4 @@ TEST(ByPath, lists_tell_their_length) {
   EXPECT_FALSE(length_at(scenario, "shot.1.mass").ok());
 }
 
-}  // namespace scenario_by_path_test
-}  // namespace physim
+}  // namespace physim::scenario_by_path_test

@@ -1,17 +1,12 @@
 // Flights that users of other programs reported, with right values by closed forms or by integrations of their own.
-#include <gtest/gtest.h>
-
-#include <cmath>
 #include <numbers>
 
 #include "rifles.hpp"
 #include "scenario/run_support.hpp"
-#include "scenario/scenario.hpp"
 #include "settings/units.hpp"
 #include "support.hpp"
 
-namespace physim {
-namespace scenario_cases_flight_test {
+namespace physim::scenario_cases_flight_test {
 
 constexpr double kG = 9.80665, kPi = std::numbers::pi;
 using test::kDegree;
@@ -63,16 +58,13 @@ MotorDef motor_of(const std::string& text, const std::string& name = "") {
   const auto motors = parse_motor_file(text, "f.eng");
   EXPECT_TRUE(motors) << (motors ? "" : motors.error().text());
   if (!motors) return {};
-  const auto motor = pick_motor(*motors, name, "f.eng");
-  EXPECT_TRUE(motor) << (motor ? "" : motor.error().text());
-  return motor ? motor->motor : MotorDef{};
+  return must(pick_motor(*motors, name, "f.eng")).motor;
 }
 
 /// Right: 1585.876 N s by trapezoids from (0, 0); 5 kg have 327.0270 m/s at 328.657 m, 4.2384 kg and an apex of
 /// 5781.42 m by Tsiolkovsky's equation with gravity, from a lift-off at 1.355 ms.
 TEST(CasesOfRockets, a_motor_file_with_indented_rows_and_a_lone_semicolon) {
-  ProjectileDef rocket{.mass = 5, .diameter = 0.054};
-  rocket.motor = motor_of(kK1100T);
+  ProjectileDef rocket{.mass = 5, .diameter = 0.054, .motor = motor_of(kK1100T)};
   EXPECT_NEAR(total_impulse(rocket.motor), 1585.87586, 1e-5);
   rocket.fidelity = test::vacuum();
   const Flight flight = fly(rocket, {.elevation = kPi / 2, .rail_length = 1}, test::constant_gravity());
@@ -210,12 +202,11 @@ TEST(CasesOfGuns, a_mortar_is_aimed_at_the_elevations_of_its_table) {
   const ScenarioShot& shot = scenario.shots[0];
   for (const auto& [range, mil, time] :
        {Row{2000, 1242.05, 35.134}, {1000, 1434.29, 36.896}, {2500, 1118.49, 33.366}, {3000, 928.49, 29.759}}) {
-    const auto answer = aim(shot.projectile, shot.launch, scenario.environment, shot.projectile.fidelity,
-                            {.position = {range, 0, 0}}, {.arc = Arc::high, .tolerance = 1e-3});
-    ASSERT_TRUE(answer) << answer.error().text();
-    ASSERT_TRUE(answer->high) << range;
-    EXPECT_NEAR(answer->high->launch.elevation * 3200 / kPi, mil, 0.05) << range;
-    EXPECT_NEAR(answer->high->time, time, 2e-3) << range;
+    const auto answer = must(aim(shot.projectile, shot.launch, scenario.environment, shot.projectile.fidelity,
+                                 {.position = {range, 0, 0}}, {.arc = Arc::high, .tolerance = 1e-3}));
+    ASSERT_TRUE(answer.high) << range;
+    EXPECT_NEAR(answer.high->launch.elevation * 3200 / kPi, mil, 0.05) << range;
+    EXPECT_NEAR(answer.high->time, time, 2e-3) << range;
   }
 }
 
@@ -232,19 +223,17 @@ TEST(CasesOfGuns, a_bullet_by_g7_and_by_the_friction_that_was_fitted_to_it) {
   const Flight by_g7 = flown(bullet);
   for (const auto& [range, speed, y, time] :
        {Row{300, 676.070, -0.6710, 0.38686}, {700, 438.686, -4.9402, 1.12096}, {950, 324.041, -11.5153, 1.79129}}) {
-    const auto there = by_g7.at_range(range);
-    ASSERT_TRUE(there) << there.error().text();
-    EXPECT_NEAR(there->speed, speed, 0.05) << range;
-    EXPECT_NEAR(there->position.y, y, 2e-3) << range;
-    EXPECT_NEAR(there->time, time, 5e-5) << range;
+    const auto there = must(by_g7.at_range(range));
+    EXPECT_NEAR(there.speed, speed, 0.05) << range;
+    EXPECT_NEAR(there.position.y, y, 2e-3) << range;
+    EXPECT_NEAR(there.time, time, 5e-5) << range;
   }
   const Flight by_friction = flown(bullet, {"shot.mass=1 kg", "shot.drag={ k1 = 0, k2 = 0.00096786 }",
                                             "shot.fidelity.drag=linear_quadratic", "shot.fidelity.air=constant"});
   for (const auto& [range, speed, y, time] : {Row{300, 665.724, -0.6826, 0}, {950, 355.036, -11.4024, 0}}) {
-    const auto there = by_friction.at_range(range);
-    ASSERT_TRUE(there) << there.error().text();
-    EXPECT_NEAR(there->speed, speed, 0.01) << range;
-    EXPECT_NEAR(there->position.y, y, 1e-3) << range;
+    const auto there = must(by_friction.at_range(range));
+    EXPECT_NEAR(there.speed, speed, 0.01) << range;
+    EXPECT_NEAR(there.position.y, y, 1e-3) << range;
   }
 }
 
@@ -263,11 +252,10 @@ TEST(CasesOfGuns, a_bullet_of_much_drag_only_falls_behind_its_apex) {
                                               {200, 0.2501, 205.066, 0.5897},
                                               {300, -2.5637, 136.451, 1.1920},
                                               {500, -32.063, 62.424, 3.4703}}) {
-    const auto there = flight.at_range(range);
-    ASSERT_TRUE(there) << there.error().text();
-    EXPECT_NEAR(there->position.y, y, 1e-3 + 5e-4 * std::abs(y)) << range;
-    EXPECT_NEAR(there->speed, speed, 0.1) << range;
-    EXPECT_NEAR(there->time, time, 1e-3) << range;
+    const auto there = must(flight.at_range(range));
+    EXPECT_NEAR(there.position.y, y, 1e-3 + 5e-4 * std::abs(y)) << range;
+    EXPECT_NEAR(there.speed, speed, 0.1) << range;
+    EXPECT_NEAR(there.time, time, 1e-3) << range;
   }
   const auto apex = test::of_kind(flight, EventKind::apex);
   ASSERT_EQ(apex.size(), 1u);
@@ -328,11 +316,10 @@ TEST(CasesOfGuns, rifling_to_the_left_gives_the_mirror_image) {
 TEST(CasesOfGuns, the_last_yard_of_a_card_is_on_it) {
   const Scenario scenario = parsed(test::rifle308() + "[output]\nranges = \"100 yd .. 1000 yd step 100 yd\"\n");
   ASSERT_EQ(scenario.ranges.size(), 10u);
-  const auto last = flown(scenario).at_range(scenario.ranges.back());
-  ASSERT_TRUE(last) << last.error().text();
-  EXPECT_NEAR(last->time, 1.900113, 2e-6);
-  EXPECT_NEAR(last->drop, -12.1342, 1e-4);
-  EXPECT_NEAR(last->speed, 312.546, 1e-3);
+  const auto last = must(flown(scenario).at_range(scenario.ranges.back()));
+  EXPECT_NEAR(last.time, 1.900113, 2e-6);
+  EXPECT_NEAR(last.drop, -12.1342, 1e-4);
+  EXPECT_NEAR(last.speed, 312.546, 1e-3);
 }
 
 /// A shot in a vacuum lands after v^2 / g sin(2 e); a wall stands at a range, too. Both are rows of a card, though the
@@ -362,9 +349,8 @@ TEST(CasesOfGuns, an_expectation_at_the_end_of_the_time_is_met) {
                "\n[[expect]]\nat = { time = " + time + " }\nquantity = \"x\"\nequals = 0\nwithin = 1\n");
     const Flight flight = flown(scenario);
     off += flight.duration() != end;
-    const auto x = measure(flight, scenario.expect[0]);
-    ASSERT_TRUE(x) << end << ": " << x.error().text();
-    EXPECT_NEAR(*x, 100 * std::cos(30 * kDegree) * end, 1e-9);
+    const auto x = must(measure(flight, scenario.expect[0]), end);
+    EXPECT_NEAR(x, 100 * std::cos(30 * kDegree) * end, 1e-9);
     Expectation later = scenario.expect[0];
     later.at_value = end * (1 + 1e-9);
     EXPECT_FALSE(measure(flight, later));
@@ -465,10 +451,8 @@ quantity = "longitude"
 equals = "-179.729 deg"
 within = "0.02 deg"
 )");
-  const auto longitude = measure(flown(scenario), scenario.expect.at(0));
-  ASSERT_TRUE(longitude) << longitude.error().text();
-  EXPECT_NEAR(*longitude, scenario.expect[0].equals, scenario.expect[0].within);
+  const auto longitude = must(measure(flown(scenario), scenario.expect.at(0)));
+  EXPECT_NEAR(longitude, scenario.expect[0].equals, scenario.expect[0].within);
 }
 
-}  // namespace scenario_cases_flight_test
-}  // namespace physim
+}  // namespace physim::scenario_cases_flight_test

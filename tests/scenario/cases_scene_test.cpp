@@ -1,8 +1,4 @@
 // Things, terrain and notes of scenarios that users reported, with right values by closed forms.
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <cmath>
 #include <fstream>
 #include <numbers>
 #include <sstream>
@@ -12,8 +8,7 @@
 #include "scenario/world_run.hpp"
 #include "support.hpp"
 
-namespace physim {
-namespace scenario_cases_scene_test {
+namespace physim::scenario_cases_scene_test {
 
 constexpr double kDegree = std::numbers::pi / 180;
 
@@ -103,10 +98,9 @@ TEST(CasesOfMeshes, a_board_far_from_the_origin_is_as_thick_as_its_file_says) {
   const std::string files[] = {written("board.obj", obj.str()), written("board.ply", ply),
                                written("board.stl", stl.str())};
   for (const std::string& file : files) {
-    const auto mesh = read_mesh_file(file);
-    ASSERT_TRUE(mesh) << mesh.error().text();
+    const auto mesh = must(read_mesh_file(file));
     Scene scene;
-    ASSERT_TRUE(scene.add({.shape = *scene.add_shape(*mesh)}));
+    add_thing(scene, mesh);
     const auto hits = scene.all_hits({{499990, 0.1, 0.2}, {500010, 0.1, 0.2}, 0, 0, 0});
     ASSERT_EQ(hits.size(), 2u) << file;
     EXPECT_NEAR(hits[0].position.x, kNear, 1e-9) << file;
@@ -135,15 +129,14 @@ TEST(CasesOfTerrain, grads_from_paris_are_brought_to_wgs84) {
           "AUTHORITY[\"EPSG\",\"9105\"]],AUTHORITY[\"EPSG\",\"4807\"]]");
   constexpr double kNorth = 45.899984087, kEast = 6.836719229;
   const auto terrain =
-      read_terrain_file(file, {.latitude = kNorth * kDegree, .longitude = kEast * kDegree, .reach = 500});
-  ASSERT_TRUE(terrain) << terrain.error().text();
-  ASSERT_GT(terrain->heights.size(), 16u);
-  for (std::uint32_t row = 0; row < terrain->rows; ++row)
-    for (std::uint32_t column = 0; column < terrain->columns; ++column) {
-      const double north = (terrain->latitude + row * terrain->latitude_step) / kDegree - kNorth;
-      const double east = (terrain->longitude + column * terrain->longitude_step) / kDegree - kEast;
+      must(read_terrain_file(file, {.latitude = kNorth * kDegree, .longitude = kEast * kDegree, .reach = 500}));
+  ASSERT_GT(terrain.heights.size(), 16u);
+  for (std::uint32_t row = 0; row < terrain.rows; ++row)
+    for (std::uint32_t column = 0; column < terrain.columns; ++column) {
+      const double north = (terrain.latitude + row * terrain.latitude_step) / kDegree - kNorth;
+      const double east = (terrain.longitude + column * terrain.longitude_step) / kDegree - kEast;
       // A step of a thousandth of a grad, 100 m to the north, is 0.0009 degrees and 10 m high.
-      EXPECT_NEAR(terrain->heights[std::size_t{row} * terrain->columns + column],
+      EXPECT_NEAR(terrain.heights[std::size_t{row} * terrain.columns + column],
                   1000 + (10 * north + 20 * east) / (0.9 * kStep), 1)
           << row << ' ' << column;
     }
@@ -152,15 +145,14 @@ TEST(CasesOfTerrain, grads_from_paris_are_brought_to_wgs84) {
 /// An aerodynamic jump is flown with spin drift alone; asked for beside rotation "none" it is told with its place.
 TEST(CasesOfNotes, a_jump_without_spin_drift_is_told) {
   const auto notes = [](const std::string& rotation) {
-    const auto scenario = parse_scenario(
-        "physim = 1\n[environment]\nwind = { velocity = [0, 0, 10] }\n[[shot]]\nmass = \"140 gr\"\n"
-        "diameter = \"0.264 in\"\nlength = \"1.35 in\"\ntwist = \"8 in\"\nspeed = \"2710 ft/s\"\n"
-        "drag = { table = \"g7\", ballistic_coefficient = \"0.315 lb/in^2\" }\n"
-        "fidelity = { preset = \"small_arms\", rotation = \"" +
-            rotation + "\", aerodynamic_jump = true }\n",
-        "f.toml");
-    EXPECT_TRUE(scenario) << (scenario ? "" : scenario.error().text());
-    return scenario ? scenario->notes : std::vector<std::string>{};
+    return must(parse_scenario(
+                    "physim = 1\n[environment]\nwind = { velocity = [0, 0, 10] }\n[[shot]]\nmass = \"140 gr\"\n"
+                    "diameter = \"0.264 in\"\nlength = \"1.35 in\"\ntwist = \"8 in\"\nspeed = \"2710 ft/s\"\n"
+                    "drag = { table = \"g7\", ballistic_coefficient = \"0.315 lb/in^2\" }\n"
+                    "fidelity = { preset = \"small_arms\", rotation = \"" +
+                        rotation + "\", aerodynamic_jump = true }\n",
+                    "f.toml"))
+        .notes;
   };
   const auto tells = [](const std::vector<std::string>& all) {
     return std::ranges::any_of(all, [](const std::string& note) {
@@ -172,5 +164,4 @@ TEST(CasesOfNotes, a_jump_without_spin_drift_is_told) {
   EXPECT_FALSE(tells(notes("spin_drift")));
 }
 
-}  // namespace scenario_cases_scene_test
-}  // namespace physim
+}  // namespace physim::scenario_cases_scene_test

@@ -1,18 +1,11 @@
 // Shapes made of shapes, and meshes made of several materials, in scenario files: held to the scene that the library
 // makes of the same, and to places known in closed form; what is written back, and what is refused and where.
-#include <gtest/gtest.h>
-
-#include <cmath>
-
 #include "scenario/compound_support.hpp"
 #include "scenario/revise.hpp"
 #include "scenario/run_support.hpp"
 #include "scenario/slope_scene.hpp"
-#include "scenario/world_run.hpp"
-#include "support.hpp"
 
-namespace physim {
-namespace scenario_compound_scenario_test {
+namespace physim::scenario_compound_scenario_test {
 
 using test::kDegree;
 
@@ -73,9 +66,8 @@ Scene scene_of_table() {
 }
 
 TEST(CompoundScenario, is_the_scene_that_the_library_makes_of_it) {
-  const Result<Scenario> scenario = parse_scenario(kTable, "f.toml");
-  ASSERT_TRUE(scenario) << scenario.error().text();
-  const Scene said = scene_of(*scenario).value(), made = scene_of_table();
+  const Scenario scenario = must(parse_scenario(kTable, "f.toml"));
+  const Scene said = scene_of(scenario).value(), made = scene_of_table();
   EXPECT_EQ(said.hash(), made.hash());
   EXPECT_GT(expect_same_hits(said, made), 1000u);
 }
@@ -97,27 +89,24 @@ TEST(CompoundScenario, has_its_parts_where_they_are_put) {
 TEST(CompoundScenario, is_written_as_it_was_read) {
   const Scenario before = parse_scenario(kTable, "f.toml").value();
   const std::string text = scenario_text(before);
-  const Result<Scenario> after = parse_scenario(text, "g.toml");
-  ASSERT_TRUE(after) << after.error().text() << "\n" << text;
-  EXPECT_EQ(scenario_text(*after), text);
-  EXPECT_TRUE(say_the_same(*after, before)) << text;
-  EXPECT_EQ(scene_of(*after).value().hash(), scene_of_table().hash());
+  const Scenario after = must(parse_scenario(text, "g.toml"), text);
+  EXPECT_EQ(scenario_text(after), text);
+  EXPECT_TRUE(say_the_same(after, before)) << text;
+  EXPECT_EQ(scene_of(after).value().hash(), scene_of_table().hash());
   EXPECT_EQ(text.find("kind ="), text.npos) << "the parts say it\n" << text;
   EXPECT_NE(text.find("compound = [{ shape = \"leg\" }, {"), text.npos) << text;
 
   std::vector<std::string> overrides;
   for (const auto& [path, value] : effective_settings(before)) overrides.push_back(path + "=" + value);
-  const Result<Scenario> set = parse_scenario("physim = 1\n[[shot]]\n[world]\n", "g.toml", overrides);
-  ASSERT_TRUE(set) << set.error().text();
-  EXPECT_EQ(effective_settings(*set), effective_settings(before));
+  const Scenario set = must(parse_scenario("physim = 1\n[[shot]]\n[world]\n", "g.toml", overrides));
+  EXPECT_EQ(effective_settings(set), effective_settings(before));
 }
 
 /// Overrides go to the parts of every compound, and leave other shapes as they are.
 TEST(CompoundScenario, is_changed_by_overrides) {
   const std::vector<std::string> larger = {"shape.compound.scale=3"};
-  const Result<Scenario> scenario = parse_scenario(kTable, "f.toml", larger);
-  ASSERT_TRUE(scenario) << scenario.error().text();
-  for (const ScenarioShape& shape : scenario->shapes)
+  const Scenario scenario = must(parse_scenario(kTable, "f.toml", larger));
+  for (const ScenarioShape& shape : scenario.shapes)
     for (const ScenarioPart& part : shape.parts) EXPECT_EQ(part.scale, 3) << shape.name;
   const std::string box = "physim = 1\n[[shot]]\n[world]\n[[shape]]\nbox = [1, 1, 1]\n";
   EXPECT_EQ(parse_scenario(box, "f.toml", larger).error().text(),
@@ -167,9 +156,8 @@ Scene scene_of_floor() {
 }
 
 TEST(MeshMaterials, are_those_of_the_scene_that_the_library_makes) {
-  const Result<Scenario> scenario = parse_scenario(kHead + kFloor, "f.toml");
-  ASSERT_TRUE(scenario) << scenario.error().text();
-  const Scene said = scene_of(*scenario).value(), made = scene_of_floor();
+  const Scenario scenario = must(parse_scenario(kHead + kFloor, "f.toml"));
+  const Scene said = scene_of(scenario).value(), made = scene_of_floor();
   EXPECT_EQ(said.hash(), made.hash());
   EXPECT_GT(expect_same_hits(said, made), 100u);
 }
@@ -177,11 +165,10 @@ TEST(MeshMaterials, are_those_of_the_scene_that_the_library_makes) {
 TEST(MeshMaterials, are_written_as_they_were_read) {
   const Scenario before = parse_scenario(kHead + kFloor, "f.toml").value();
   const std::string text = scenario_text(before);
-  const Result<Scenario> after = parse_scenario(text, "g.toml");
-  ASSERT_TRUE(after) << after.error().text() << "\n" << text;
-  EXPECT_EQ(scenario_text(*after), text);
-  EXPECT_TRUE(say_the_same(*after, before)) << text;
-  EXPECT_EQ(scene_of(*after).value().hash(), scene_of_floor().hash());
+  const Scenario after = must(parse_scenario(text, "g.toml"), text);
+  EXPECT_EQ(scenario_text(after), text);
+  EXPECT_TRUE(say_the_same(after, before)) << text;
+  EXPECT_EQ(scene_of(after).value().hash(), scene_of_floor().hash());
   EXPECT_NE(text.find("materials = [\"rubber\", \"clay\"]"), text.npos) << text;
 }
 
@@ -189,10 +176,9 @@ TEST(MeshMaterials, are_written_as_they_were_read) {
 TEST(MeshMaterials, are_added_to_a_file_by_their_names) {
   const std::size_t sail = kFloor.find("[[shape]]\nname = \"sail\"");
   const std::string added = kFloor.substr(sail, kFloor.find("[[thing]]") - sail);
-  const auto text = revised_text(kHead, "f.toml", parse_scenario(kHead + added, "f.toml").value());
-  ASSERT_TRUE(text);
-  EXPECT_EQ(text->find("[[material]]"), text->npos) << *text;
-  EXPECT_NE(text->find("materials = [\"fir\"]"), text->npos) << *text;
+  const auto text = must(revised_text(kHead, "f.toml", parse_scenario(kHead + added, "f.toml").value()));
+  EXPECT_EQ(text.find("[[material]]"), text.npos) << text;
+  EXPECT_NE(text.find("materials = [\"fir\"]"), text.npos) << text;
 }
 
 /// A name of nothing is the material of every scene, whatever the thing is made of.
@@ -222,14 +208,13 @@ body = { restitution = 1, friction = 0, collision = { on_hit = "bounce" } }
 duration = "1.2 s"
 ground = "none"
 )";
-  const Result<Scenario> scenario = parse_scenario(kVacuum + kFloor + balls, "f.toml");
-  ASSERT_TRUE(scenario) << scenario.error().text();
-  WorldRun run = WorldRun::create(*scenario).value();
+  const Scenario scenario = must(parse_scenario(kVacuum + kFloor + balls, "f.toml"));
+  WorldRun run = WorldRun::create(scenario).value();
   const std::vector<ThingHit> hits = hits_of(run);
   ASSERT_EQ(hits.size(), 2u);
   for (const ThingHit& hit : hits) {
     const bool on_rubber = hit.position.x > 0;
-    EXPECT_EQ(scenario->materials.at(hit.material).name, on_rubber ? "rubber" : "clay");
+    EXPECT_EQ(scenario.materials.at(hit.material).name, on_rubber ? "rubber" : "clay");
     const double fall = std::sqrt(2 * 9.80665 * 5);
     EXPECT_NEAR(hit.velocity_after.y, (on_rubber ? 0.75 : 0.25) * fall, 1e-9);
   }
@@ -259,11 +244,10 @@ spread = { horizontal = "5 deg", vertical = "2 deg" }
   for (std::uint64_t i = 0; i < whole.steps(); ++i) whole.step();
   for (std::uint64_t i = 0; i < first.steps() / 2; ++i) first.step();
   const std::vector<std::byte> save = first.save().value();
-  Result<WorldRun> rest = WorldRun::load(parsed(), save);
-  ASSERT_TRUE(rest) << rest.error().text();
-  for (std::uint64_t i = first.steps() / 2; i < whole.steps(); ++i) rest->step();
-  EXPECT_EQ(rest->world().hash(), whole.world().hash());
-  EXPECT_EQ(rest->groups()[0].bounces, whole.groups()[0].bounces);
+  WorldRun rest = must(WorldRun::load(parsed(), save));
+  for (std::uint64_t i = first.steps() / 2; i < whole.steps(); ++i) rest.step();
+  EXPECT_EQ(rest.world().hash(), whole.world().hash());
+  EXPECT_EQ(rest.groups()[0].bounces, whole.groups()[0].bounces);
   EXPECT_GT(whole.groups()[0].hits + whole.groups()[0].bounces, 0u);
   EXPECT_FALSE(WorldRun::load(parsed({"shape.compound.scale=2"}), save));
   Scenario other = parsed();
@@ -366,5 +350,4 @@ TEST(CompoundScenario, lets_no_particles_out) {
   EXPECT_EQ(scenario.error().message, "emitter.from.surface.of: is neither a mesh nor a height field");
 }
 
-}  // namespace scenario_compound_scenario_test
-}  // namespace physim
+}  // namespace physim::scenario_compound_scenario_test

@@ -1,14 +1,8 @@
 // What tests of compounds and materials in scenario files share.
 #pragma once
 
-#include <gtest/gtest.h>
-
-#include <algorithm>
 #include <random>
-#include <string>
-#include <vector>
 
-#include "physim/scene.hpp"
 #include "support.hpp"
 
 namespace physim {

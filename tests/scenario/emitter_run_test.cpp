@@ -1,16 +1,12 @@
 // Runs of scenarios with emitters: what they fired is counted as a group, judged by expectations, saved and gone on
 // with.
-#include <gtest/gtest.h>
-
 #include <algorithm>
 #include <cmath>
 
 #include "scenario/run_support.hpp"
 #include "scenario/slope_scene.hpp"
-#include "scenario/world_run.hpp"
 
-namespace physim {
-namespace scenario_emitter_run_test {
+namespace physim::scenario_emitter_run_test {
 
 constexpr double kGravity = 9.80665;
 
@@ -39,11 +35,8 @@ WorldRun run_to_end(const Scenario& scenario) {
 }
 
 double figure_of(const WorldGroup& group, const std::string& quantity) {
-  Expectation asked;
-  asked.quantity = quantity;
-  const Result<double> value = measure(group, asked);
-  EXPECT_TRUE(value) << (value ? "" : value.error().text());
-  return value ? *value : NAN;
+  Expectation asked{.quantity = quantity};
+  return must(measure(group, asked));
 }
 
 TEST(EmitterRun, TellsPathsByTheirClosedForm) {
@@ -230,8 +223,7 @@ TEST(EmitterRun, CountsWhatWasWarmedUp) {
 }
 
 TEST(EmitterRun, AnExpectationOfEmittersNeedsOne) {
-  WorldGroup group;
-  group.name = "gun";
+  WorldGroup group{.name = "gun"};
   Expectation born;
   born.quantity = "born";
   born.place = "f.toml:9:1";
@@ -240,5 +232,4 @@ TEST(EmitterRun, AnExpectationOfEmittersNeedsOne) {
   EXPECT_EQ(value.error().text(), "f.toml:9:1: error: \"gun\" is no emitter; name one as expect.shot");
 }
 
-}  // namespace scenario_emitter_run_test
-}  // namespace physim
+}  // namespace physim::scenario_emitter_run_test

@@ -1,12 +1,10 @@
 // Emitters in scenario files: what is read, what is written back, and what is refused and where.
-#include <gtest/gtest.h>
-
 #include "base/archive.hpp"
+#include "must.hpp"
 #include "scenario/revise.hpp"
 #include "scenario/world_run.hpp"
 
-namespace physim {
-namespace scenario_emitter_scenario_test {
+namespace physim::scenario_emitter_scenario_test {
 
 constexpr double kDegreeOfEmitters = 3.14159265358979323846 / 180;
 
@@ -126,11 +124,7 @@ follows = "carrier"
 [world]
 )";
 
-Scenario everything() {
-  const Result<Scenario> read = parse_scenario(kEverything, "f.toml");
-  EXPECT_TRUE(read) << (read ? "" : read.error().text());
-  return read ? *read : Scenario();
-}
+Scenario everything() { return must(parse_scenario(kEverything, "f.toml")); }
 
 TEST(EmitterScenario, ReadsWhenAndWhere) {
   const Scenario s = everything();
@@ -244,13 +238,12 @@ TEST(EmitterScenario, ReadsStartsLivesAndSubs) {
 TEST(EmitterScenario, IsWrittenAsItWasRead) {
   const Scenario before = everything();
   const std::string text = scenario_text(before);
-  const Result<Scenario> after = parse_scenario(text, "f.toml");
-  ASSERT_TRUE(after) << after.error().text() << "\n" << text;
-  EXPECT_TRUE(say_the_same(*after, before)) << text;
-  EXPECT_EQ(scenario_text(*after), text);
-  ASSERT_EQ(after->emitters.size(), before.emitters.size());
+  const Scenario after = must(parse_scenario(text, "f.toml"), text);
+  EXPECT_TRUE(say_the_same(after, before)) << text;
+  EXPECT_EQ(scenario_text(after), text);
+  ASSERT_EQ(after.emitters.size(), before.emitters.size());
   for (std::size_t i = 0; i < before.emitters.size(); ++i)
-    EXPECT_EQ(hash_of(after->emitters[i]), hash_of(before.emitters[i]));
+    EXPECT_EQ(hash_of(after.emitters[i]), hash_of(before.emitters[i]));
   EXPECT_NE(text.find(R"(["4 s", "6 s"])"), text.npos) << text;
   EXPECT_NE(text.find("\"#ff8000\""), text.npos) << text;
 }
@@ -306,36 +299,32 @@ step = "10 ms"
 )";
 
 TEST(EmitterScenario, EditedEmittersKeepTheCommentsOfTheirFile) {
-  const Result<Scenario> read = parse_scenario(kCommented, "f.toml");
-  ASSERT_TRUE(read) << read.error().text();
-  Scenario now = *read;
+  const Scenario read = must(parse_scenario(kCommented, "f.toml"));
+  Scenario now = read;
   now.emitters[0].def.start.speed = {0, 4, {}, {{0, 1}, {1, 0.5}}};
   now.emitters[0].def.start.size = {0.1};
   now.emitters[1].def.bursts.pop_back();
   now.emitters[1].def.maximum = EmitterDef{}.maximum;
   now.emitters[1].def.start.speed = {0, 4, {}, {{0, 1}, {1, 0.5}}};
   now.emitters[1].def.start.size = EmitterDef{}.start.size;
-  const auto revised = revised_text(kCommented, "f.toml", now);
-  ASSERT_TRUE(revised);
-  const Result<Scenario> again = parse_scenario(*revised, "f.toml");
-  ASSERT_TRUE(again) << again.error().text();
-  EXPECT_TRUE(say_the_same(*again, now));
+  const auto revised = must(revised_text(kCommented, "f.toml", now));
+  const Scenario again = must(parse_scenario(revised, "f.toml"));
+  EXPECT_TRUE(say_the_same(again, now));
   for (const char* kept :
        {"title = \"sparks\"  # of a wheel\n", "# The first wheel.\n[[emitter]]\nname = \"left\"\n",
         "per_second = 10   # a slow one\n", "}  # as filmed\n", "\n\n# The second wheel.\n[[emitter]]\n",
         "name = \"right\"  # of the bench\n", "per_second = [10, 20]\n", "lifetime = \"3 s\"  # they glow\n"})
-    EXPECT_NE(revised->find(kept), std::string::npos) << kept << "is not in\n" << *revised;
+    EXPECT_NE(revised.find(kept), std::string::npos) << kept << "is not in\n" << revised;
   for (const char* gone : {"enough", "first\n", "of the glow"})
-    EXPECT_EQ(revised->find(gone), std::string::npos) << gone << " is in\n" << *revised;
+    EXPECT_EQ(revised.find(gone), std::string::npos) << gone << " is in\n" << revised;
 }
 
 TEST(EmitterScenario, TakesOverrides) {
   const std::vector<std::string> overrides = {
       "emitter.start.speed=12 m/s", "emitter.start.lifetime={ value = 2, curve = [[0, 1], [1, 0.5]] }",
       "emitter.start.colour=#ff8000", "emitter.seed=none", "emitter.per_second=[1, 2]"};
-  const Result<Scenario> read = parse_scenario(kEverything, "f.toml", overrides);
-  ASSERT_TRUE(read) << read.error().text();
-  for (const ScenarioEmitter& emitter : read->emitters) {
+  const Scenario read = must(parse_scenario(kEverything, "f.toml", overrides));
+  for (const ScenarioEmitter& emitter : read.emitters) {
     EXPECT_EQ(emitter.def.start.speed, DrawnNumber{12});
     EXPECT_EQ(emitter.def.start.lifetime, (DrawnNumber{2, {}, {{0, 1}, {1, 0.5}}}));
     EXPECT_EQ(emitter.def.start.colour, DrawnColour{0xff8000ff});
@@ -467,12 +456,10 @@ TEST(EmitterScenario, AGunAloneHasNoRateAndKeepsTheOneItIsGiven) {
   const std::string gun =
       "physim = 1\n[[shot]]\n[world]\n[[emitter]]\nshot = \"shot-1\"\ngun.rounds_per_minute = 600\n";
   for (const auto& [more, rate] : {std::pair{"", 0.0}, {"per_second = 10\n", 10.0}, {"per_second = 3\n", 3.0}}) {
-    const Result<Scenario> scenario = parse_scenario(gun + more, "f.toml");
-    ASSERT_TRUE(scenario) << scenario.error().text();
-    EXPECT_EQ(scenario->emitters[0].def.per_second.value, rate);
-    const Result<Scenario> again = parse_scenario(scenario_text(*scenario), "g.toml");
-    ASSERT_TRUE(again) << again.error().text();
-    EXPECT_EQ(again->emitters[0].def.per_second.value, rate) << scenario_text(*scenario);
+    const Scenario scenario = must(parse_scenario(gun + more, "f.toml"));
+    EXPECT_EQ(scenario.emitters[0].def.per_second.value, rate);
+    const Scenario again = must(parse_scenario(scenario_text(scenario), "g.toml"));
+    EXPECT_EQ(again.emitters[0].def.per_second.value, rate) << scenario_text(scenario);
   }
 }
 
@@ -497,5 +484,4 @@ TEST(BadEmitter, ItsFiguresNeedOne) {
             "expect.shot");
 }
 
-}  // namespace scenario_emitter_scenario_test
-}  // namespace physim
+}  // namespace physim::scenario_emitter_scenario_test

@@ -1,16 +1,11 @@
 // Emitters of scenario files: meshes, terrain, rain and trails.
-#include <gtest/gtest.h>
-
-#include <fstream>
-
 #include "base/archive.hpp"
 #include "cli/program.hpp"
 #include "physim/files.hpp"
 #include "scenario/revise.hpp"
 #include "scenario/world_run.hpp"
 
-namespace physim {
-namespace scenario_emitter_shapes_scenario_test {
+namespace physim::scenario_emitter_shapes_scenario_test {
 
 const std::string kHillScenario = R"(physim = 1
 [[shot]]
@@ -51,34 +46,31 @@ mode = "none"
 )";
 
 TEST(EmitterShapesScenario, are_read) {
-  const Result<Scenario> read = parse_scenario(kHillScenario, "f.toml");
-  ASSERT_TRUE(read) << read.error().text();
-  const EmitSurface& dust = read->emitters[0].def.from.surface;
-  EXPECT_EQ(read->emitters[0].def.from.shape, EmitShape::terrain);
+  const Scenario read = must(parse_scenario(kHillScenario, "f.toml"));
+  const EmitSurface& dust = read.emitters[0].def.from.surface;
+  EXPECT_EQ(read.emitters[0].def.from.shape, EmitShape::terrain);
   EXPECT_EQ(std::get<HeightFieldShape>(dust.shape.definition()).heights[4], 5);
   EXPECT_EQ(dust.along, EmitAlong::smooth);
   EXPECT_TRUE(dust.high_x == 10 && dust.low_z == 2 && dust.low_x == -kInfinity && dust.high_z == kInfinity);
-  EXPECT_EQ(read->emitters[0].def.trail, (TrailDef{12, 2, 0.05}));
-  EXPECT_EQ(read->emitters[1].def.from.shape, EmitShape::mesh_edges);
-  EXPECT_EQ(read->emitters[2].def.from.surface.scale, 2);
-  EXPECT_EQ(read->emitters[1].def.from.surface.shape.content(), read->emitters[2].def.from.surface.shape.content());
-  EXPECT_EQ(read->emitters[3].def.rain, (RainDef{2, {4, 5, 6}, {1, 0, 0}, 20}));
+  EXPECT_EQ(read.emitters[0].def.trail, (TrailDef{12, 2, 0.05}));
+  EXPECT_EQ(read.emitters[1].def.from.shape, EmitShape::mesh_edges);
+  EXPECT_EQ(read.emitters[2].def.from.surface.scale, 2);
+  EXPECT_EQ(read.emitters[1].def.from.surface.shape.content(), read.emitters[2].def.from.surface.shape.content());
+  EXPECT_EQ(read.emitters[3].def.rain, (RainDef{2, {4, 5, 6}, {1, 0, 0}, 20}));
 }
 
 TEST(EmitterShapesScenario, are_written_as_they_were_read) {
   const Scenario before = parse_scenario(kHillScenario, "f.toml").value();
   const std::string text = scenario_text(before);
-  const Result<Scenario> after = parse_scenario(text, "f.toml");
-  ASSERT_TRUE(after) << after.error().text() << "\n" << text;
-  EXPECT_TRUE(say_the_same(*after, before)) << text;
-  for (std::size_t i = 0; i < 4; ++i) EXPECT_EQ(hash_of(after->emitters[i]), hash_of(before.emitters[i])) << text;
+  const Scenario after = must(parse_scenario(text, "f.toml"), text);
+  EXPECT_TRUE(say_the_same(after, before)) << text;
+  for (std::size_t i = 0; i < 4; ++i) EXPECT_EQ(hash_of(after.emitters[i]), hash_of(before.emitters[i])) << text;
 }
 
 TEST(EmitterShapesScenario, fly_in_a_run) {
-  auto run = WorldRun::create(parse_scenario(kHillScenario, "f.toml").value());
-  ASSERT_TRUE(run) << run.error().text();
-  for (std::uint64_t i = 0; i < run->steps(); ++i) run->step();
-  const World& world = run->world();
+  auto run = must(WorldRun::create(parse_scenario(kHillScenario, "f.toml").value()));
+  for (std::uint64_t i = 0; i < run.steps(); ++i) run.step();
+  const World& world = run.world();
   const auto ids = world.emitters();
   ASSERT_EQ(ids.size(), 4u);
   EXPECT_EQ(world.emitter_counts(ids[0]).born, 200u);
@@ -129,13 +121,11 @@ TEST(EmitterShapesScenario, a_mesh_comes_out_of_a_file) {
                                         "v -1 1 1\nf 1 4 3 2\nf 5 6 7 8\nf 1 2 6 5\nf 2 3 7 6\nf 3 4 8 7\nf 4 1 5 8\n";
   const std::string emitter =
       "[[emitter]]\nshot = \"shot-1\"\nfrom = { shape = \"mesh\", surface = { file = \"cube.obj\" } }\n";
-  const auto read = parse_scenario("physim = 1\n[[shot]]\n[world]\n" + emitter + emitter, folder / "f.toml");
-  ASSERT_TRUE(read) << read.error().text();
-  const SharedShape &one = read->emitters[0].def.from.surface.shape, &two = read->emitters[1].def.from.surface.shape;
+  const auto read = must(parse_scenario("physim = 1\n[[shot]]\n[world]\n" + emitter + emitter, folder / "f.toml"));
+  const SharedShape &one = read.emitters[0].def.from.surface.shape, &two = read.emitters[1].def.from.surface.shape;
   EXPECT_EQ(one.content(), two.content());
   EXPECT_EQ(std::get<MeshShape>(one.definition()).triangles.size(), 12u);
-  EXPECT_NE(scenario_text(*read).find("file = \"cube.obj\""), std::string::npos);
+  EXPECT_NE(scenario_text(read).find("file = \"cube.obj\""), std::string::npos);
 }
 
-}  // namespace scenario_emitter_shapes_scenario_test
-}  // namespace physim
+}  // namespace physim::scenario_emitter_shapes_scenario_test

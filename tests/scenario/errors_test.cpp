@@ -5,8 +5,7 @@
 
 #include "scenario/scenario.hpp"
 
-namespace physim {
-namespace scenario_errors_test {
+namespace physim::scenario_errors_test {
 
 struct Bad {
   std::string text;
@@ -487,5 +486,4 @@ TEST(ListErrors, twenty_are_told_of_very_many) {
   EXPECT_TRUE(lines.front().starts_with("f.toml:3:")) << lines.front();
 }
 
-}  // namespace scenario_errors_test
-}  // namespace physim
+}  // namespace physim::scenario_errors_test

@@ -1,22 +1,16 @@
 // What is read cannot be written, by whichever name; files are written whole or not at all.
 #include "scenario/files_in_use.hpp"
 
-#include <gtest/gtest.h>
-
-#include <filesystem>
-
-#include "cli/program.hpp"
 #include "named_files.hpp"
-#include "physim/files.hpp"
 #include "physim/physim.hpp"
 #include "scenario/new_file.hpp"
 #include "scenario/scenario.hpp"
 #include "scenario/world_run.hpp"
 
-namespace physim {
-namespace scenario_files_in_use_test {
+namespace physim::scenario_files_in_use_test {
 
 namespace fs = std::filesystem;
+using testing_cli::File;
 using testing_cli::Folder;
 using testing_cli::has;
 using testing_cli::read;
@@ -74,8 +68,7 @@ TEST(FilesInUse, outputs_are_different_files_and_no_directories) {
 }
 
 TEST(FilesInUse, an_output_may_replace_one_kind_of_input) {
-  const Folder folder;
-  const std::string file = folder.write("a.save", "1");
+  const File file("a.save", "1");
   FilesInUse files;
   ASSERT_TRUE(files.add_output(file, "--save", "save").ok());
   ASSERT_TRUE(begin_reading(file, "save").ok());
@@ -124,12 +117,11 @@ std::vector<std::string> names_of(const std::vector<std::string>& files) {
 
 TEST(ScenarioFiles, are_all_that_a_scenario_names_and_what_these_name) {
   const Folder folder;
-  const auto scenario = load_scenario(write_scenario(folder));
-  ASSERT_TRUE(scenario.ok()) << scenario.error().text();
+  const auto scenario = must(load_scenario(write_scenario(folder)));
   std::vector<std::string> expected = {"motor.eng", "s.toml", "speeds.csv"};
   if (reads_height_maps()) expected.insert(expected.begin(), "hills.pgm");
   if (reads_mesh_files()) expected.insert(expected.end(), {"tent.mtl", "tent.obj"});
-  EXPECT_EQ(names_of(scenario->files), expected);
+  EXPECT_EQ(names_of(scenario.files), expected);
 }
 
 TEST(ScenarioFiles, are_no_place_for_a_recording) {
@@ -196,5 +188,4 @@ TEST(NewFile, keeps_links_and_refuses_directories) {
   EXPECT_TRUE(has(NewFile(folder / "no/a").open().error().message, "No such file"));
 }
 
-}  // namespace scenario_files_in_use_test
-}  // namespace physim
+}  // namespace physim::scenario_files_in_use_test

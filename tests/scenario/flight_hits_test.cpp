@@ -1,17 +1,9 @@
 // Flights of scenarios through things: what they hit is told, counted and judged, read and written, and refused.
-#include "scenario/world_run.hpp"
-
-#include <gtest/gtest.h>
-
-#include <cmath>
-
 #include "scenario/run_support.hpp"
-#include "scenario/scenario.hpp"
 #include "scenario/slope_scene.hpp"
 #include "support.hpp"
 
-namespace physim {
-namespace scenario_flight_hits_test {
+namespace physim::scenario_flight_hits_test {
 
 constexpr double kG = 9.80665, kPi = 3.14159265358979323846;
 
@@ -199,13 +191,12 @@ TEST(FlightHits, OfASceneThatCannotBeMadeAreRefused) {
 TEST(FlightHits, AreToldOfStudies) {
   Scenario scenario = parsed(kVacuum + kSlope + kNoGround);
   scenario.study.inputs = {"shot.position.y = 4.9 m .. 5.1 m"};
-  const auto study = study_of(scenario, scenario.shots[0]);
-  ASSERT_TRUE(study) << study.error().text();
-  ASSERT_TRUE(study->scene != nullptr);
-  EXPECT_EQ(study->until.contact, contact_of(scenario.shots[0]));
-  ASSERT_EQ(study->targets.size(), 1U);
-  EXPECT_EQ(study->targets[0], (StudyTarget{"slope", ThingTarget{"slope"}}));
-  EXPECT_EQ(*parse_study_target("thing slope"), study->targets[0]);
+  const auto study = must(study_of(scenario, scenario.shots[0]));
+  ASSERT_TRUE(study.scene != nullptr);
+  EXPECT_EQ(study.until.contact, contact_of(scenario.shots[0]));
+  ASSERT_EQ(study.targets.size(), 1U);
+  EXPECT_EQ(study.targets[0], (StudyTarget{"slope", ThingTarget{"slope"}}));
+  EXPECT_EQ(*parse_study_target("thing slope"), study.targets[0]);
   EXPECT_EQ(parse_study_target("hill: thing slope")->name, "hill");
   scenario.things[0].shape = "another";
   const auto unmade = study_of(scenario, scenario.shots[0]);
@@ -220,17 +211,15 @@ TEST(FlightHits, AreToldOfStudies) {
 TEST(SceneOfFlights, IsWrittenAndReadBack) {
   const Scenario before = parsed(kVacuum + kSlope + kNoGround);
   const std::string text = scenario_text(before);
-  const Result<Scenario> after = parse_scenario(text, "g.toml");
-  ASSERT_TRUE(after) << after.error().text() << "\n" << text;
-  EXPECT_FALSE(after->world.given);
-  EXPECT_EQ(after->shots[0].body, before.shots[0].body);
-  EXPECT_EQ(after->things.size(), 1u);
-  EXPECT_EQ(effective_settings(*after), effective_settings(before));
+  const Scenario after = must(parse_scenario(text, "g.toml"), text);
+  EXPECT_FALSE(after.world.given);
+  EXPECT_EQ(after.shots[0].body, before.shots[0].body);
+  EXPECT_EQ(after.things.size(), 1u);
+  EXPECT_EQ(effective_settings(after), effective_settings(before));
   std::vector<std::string> overrides;
   for (const auto& [path, value] : effective_settings(before)) overrides.push_back(path + "=" + value);
-  const Result<Scenario> again = parse_scenario("physim = 1\n[[shot]]\nname = \"ball\"\n", "h.toml", overrides);
-  ASSERT_TRUE(again) << again.error().text();
-  EXPECT_EQ(effective_settings(*again), effective_settings(before));
+  const Scenario again = must(parse_scenario("physim = 1\n[[shot]]\nname = \"ball\"\n", "h.toml", overrides));
+  EXPECT_EQ(effective_settings(again), effective_settings(before));
 }
 
 TEST(SceneOfFlights, IsNotSaidWhereThereIsNone) {
@@ -289,5 +278,4 @@ INSTANTIATE_TEST_SUITE_P(
         BadFlight{"[[shot]]\n[[thing]]\nshape = \"b\"",
                   "f.toml:10:9: error: thing.shape: no shape is named \"b\"; shapes: a"}));
 
-}  // namespace scenario_flight_hits_test
-}  // namespace physim
+}  // namespace physim::scenario_flight_hits_test

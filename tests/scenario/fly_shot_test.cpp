@@ -1,19 +1,16 @@
 // Shots of scenarios that ask for a fidelity by its error.
-#include <gtest/gtest.h>
 
+#include "must.hpp"
 #include "scenario/scenario.hpp"
 
-namespace physim {
-namespace scenario_fly_shot_test {
+namespace physim::scenario_fly_shot_test {
 
 Scenario bullet(const std::string& fidelity, const std::string& until, const std::string& more = "") {
-  const Result<Scenario> scenario = parse_scenario(
+  return must(parse_scenario(
       "physim = 1\n[[shot]]\nmass = \"168 gr\"\ndiameter = \"0.308 in\"\nspeed = 800\nelevation = 0.01\n"
       "position = [0, 1, 0]\ndrag = { table = \"g7\", ballistic_coefficient = \"0.218 lb/in^2\" }\nfidelity = " +
           fidelity + "\n[until]\n" + until + "\n" + more,
-      "f.toml");
-  EXPECT_TRUE(scenario.ok()) << scenario.error().text();
-  return scenario.ok() ? *scenario : Scenario{};
+      "f.toml"));
 }
 
 Flight flown(const Scenario& scenario) { return fly_shot(scenario, scenario.shots.at(0)); }
@@ -49,5 +46,4 @@ TEST(FlyShot, RefusalsSayWhy) {
   EXPECT_EQ(flight.error()->place, "purpose.error");
 }
 
-}  // namespace scenario_fly_shot_test
-}  // namespace physim
+}  // namespace physim::scenario_fly_shot_test

@@ -1,14 +1,12 @@
 // Joints in scenario files: what is read, what is written back, how a run has them, and what is refused and where.
-#include <gtest/gtest.h>
-
 #include <cmath>
 
 #include "base/archive.hpp"
+#include "must.hpp"
 #include "scenario/revise.hpp"
 #include "scenario/world_run.hpp"
 
-namespace physim {
-namespace scenario_joint_scenario_test {
+namespace physim::scenario_joint_scenario_test {
 
 const std::string kJoined = R"(physim = 1
 [environment]
@@ -46,24 +44,22 @@ damping = "0.5 kg/s"
 )";
 
 TEST(JointScenario, all_that_a_joint_may_say_is_read_and_written_back) {
-  const Result<Scenario> read = parse_scenario(kJoined, "f.toml");
-  ASSERT_TRUE(read) << read.error().text();
-  ASSERT_EQ(read->joints.size(), 3u);
-  EXPECT_EQ(read->joints[0].name, "arm");
-  EXPECT_EQ(read->joints[0].def, Joint{});
-  EXPECT_EQ(read->joints[1].name, "joint-2");
-  EXPECT_EQ(read->joints[1].def, (Joint{.kind = JointKind::cable, .length = 1.5, .restitution = 0.25}));
-  EXPECT_EQ(read->joints[2].b, "ball");
-  EXPECT_EQ(read->joints[2].def, (Joint{.kind = JointKind::spring, .length = 2, .stiffness = 50, .damping = 0.5}));
-  const Result<Scenario> again = parse_scenario(scenario_text(*read), "g.toml");
-  ASSERT_TRUE(again) << again.error().text() << scenario_text(*read);
-  EXPECT_EQ(hash_of(again->joints), hash_of(read->joints));
-  Scenario more = *read;
+  const Scenario read = must(parse_scenario(kJoined, "f.toml"));
+  ASSERT_EQ(read.joints.size(), 3u);
+  EXPECT_EQ(read.joints[0].name, "arm");
+  EXPECT_EQ(read.joints[0].def, Joint{});
+  EXPECT_EQ(read.joints[1].name, "joint-2");
+  EXPECT_EQ(read.joints[1].def, (Joint{.kind = JointKind::cable, .length = 1.5, .restitution = 0.25}));
+  EXPECT_EQ(read.joints[2].b, "ball");
+  EXPECT_EQ(read.joints[2].def, (Joint{.kind = JointKind::spring, .length = 2, .stiffness = 50, .damping = 0.5}));
+  const Result<Scenario> again = parse_scenario(scenario_text(read), "g.toml");
+  ASSERT_TRUE(again) << again.error().text() << scenario_text(read);
+  EXPECT_EQ(hash_of(again->joints), hash_of(read.joints));
+  Scenario more = read;
   more.joints.push_back({.name = "last", .a = "ball", .def = {.point = {0, 9, 0}}});
-  const auto revised = revised_text(kJoined, "f.toml", more);
-  ASSERT_TRUE(revised);
-  EXPECT_EQ(revised->substr(0, kJoined.size()), kJoined);
-  EXPECT_EQ(hash_of(parse_scenario(*revised, "f.toml")->joints), hash_of(more.joints));
+  const auto revised = must(revised_text(kJoined, "f.toml", more));
+  EXPECT_EQ(revised.substr(0, kJoined.size()), kJoined);
+  EXPECT_EQ(hash_of(parse_scenario(revised, "f.toml")->joints), hash_of(more.joints));
 }
 
 const std::string kCarried = R"(physim = 1
@@ -117,61 +113,56 @@ high_angle = "40 deg"
 )";
 
 TEST(JointScenario, points_that_move_and_axes_are_read_and_written_back) {
-  const Result<Scenario> read = parse_scenario(kCarried, "f.toml");
-  ASSERT_TRUE(read) << read.error().text();
-  EXPECT_TRUE(read->notes.empty()) << read->notes.front();
-  ASSERT_EQ(read->joints.size(), 3u);
-  EXPECT_EQ(read->joints[0].thing, "crane");
-  EXPECT_EQ(read->joints[0].def, (Joint{.point = {0.5, 0, 0}, .break_force = 1000}));
-  EXPECT_EQ(read->joints[1].def, (Joint{.kind = JointKind::slider,
-                                        .point = {0, 0, 3},
-                                        .velocity = {0, 0, 1},
-                                        .axis = {1, -1, 0},
-                                        .low = -1,
-                                        .high = 0.6}));
-  EXPECT_EQ(read->joints[2].def.axis, (Vec3d{0, 0, 2}));
-  EXPECT_NEAR(*read->joints[2].def.high_angle, 0.6981317, 1e-7);
-  const Result<Scenario> again = parse_scenario(scenario_text(*read), "g.toml");
-  ASSERT_TRUE(again) << again.error().text() << scenario_text(*read);
-  EXPECT_EQ(hash_of(again->joints), hash_of(read->joints));
+  const Scenario read = must(parse_scenario(kCarried, "f.toml"));
+  EXPECT_TRUE(read.notes.empty()) << read.notes.front();
+  ASSERT_EQ(read.joints.size(), 3u);
+  EXPECT_EQ(read.joints[0].thing, "crane");
+  EXPECT_EQ(read.joints[0].def, (Joint{.point = {0.5, 0, 0}, .break_force = 1000}));
+  EXPECT_EQ(read.joints[1].def, (Joint{.kind = JointKind::slider,
+                                       .point = {0, 0, 3},
+                                       .velocity = {0, 0, 1},
+                                       .axis = {1, -1, 0},
+                                       .low = -1,
+                                       .high = 0.6}));
+  EXPECT_EQ(read.joints[2].def.axis, (Vec3d{0, 0, 2}));
+  EXPECT_NEAR(*read.joints[2].def.high_angle, 0.6981317, 1e-7);
+  const Result<Scenario> again = parse_scenario(scenario_text(read), "g.toml");
+  ASSERT_TRUE(again) << again.error().text() << scenario_text(read);
+  EXPECT_EQ(hash_of(again->joints), hash_of(read.joints));
 }
 
 TEST(JointScenario, a_run_carries_its_points_and_keeps_its_axes) {
-  auto run = WorldRun::create(*parse_scenario(kCarried, "f.toml"));
-  ASSERT_TRUE(run) << run.error().text();
-  const auto ids = run->world().ids();
-  const auto joints = run->world().joints();
-  for (std::uint64_t i = 0; i < run->steps(); ++i) {
-    run->step();
-    const double t = run->world().time();
+  auto run = must(WorldRun::create(*parse_scenario(kCarried, "f.toml")));
+  const auto ids = run.world().ids();
+  const auto joints = run.world().joints();
+  for (std::uint64_t i = 0; i < run.steps(); ++i) {
+    run.step();
+    const double t = run.world().time();
     // The crane's hook is 1 m from its middle, as its point is scaled with it.
     const Vec3d hook{t + std::cos(2 * t), 5, -std::sin(2 * t)};
-    ASSERT_NEAR(length(run->world()[ids[0]].position() - hook), 3, 1e-9);
-    const Vec3d bead = run->world()[ids[1]].position();
+    ASSERT_NEAR(length(run.world()[ids[0]].position() - hook), 3, 1e-9);
+    const Vec3d bead = run.world()[ids[1]].position();
     ASSERT_NEAR(bead.z, 3 + t, 1e-9);
     ASSERT_NEAR(bead.x + bead.y, 0, 1e-9);
   }
-  EXPECT_NEAR(run->world().joint_state(joints[1]).way, 0.6, 1e-9) << "it came down to its stop";
-  EXPECT_NEAR(run->world().joint_state(joints[2]).angle, 0.6981317, 1e-6);
+  EXPECT_NEAR(run.world().joint_state(joints[1]).way, 0.6, 1e-9) << "it came down to its stop";
+  EXPECT_NEAR(run.world().joint_state(joints[2]).angle, 0.6981317, 1e-6);
 }
 
 TEST(JointScenario, a_run_has_its_joints_and_goes_on_from_a_save) {
   Scenario scenario = *parse_scenario(kJoined, "f.toml");
-  auto run = WorldRun::create(scenario);
-  ASSERT_TRUE(run) << run.error().text();
-  ASSERT_EQ(run->world().joints().size(), 3u);
-  const auto ids = run->world().ids();
-  for (int i = 0; i < 30; ++i) run->step();
-  EXPECT_NEAR(length(run->world()[ids[0]].position()), 1, 1e-9);
-  EXPECT_LE(length(run->world()[ids[0]].position() - run->world()[ids[1]].position()), 1.5 + 1e-9);
-  const auto saved = run->save();
-  ASSERT_TRUE(saved);
-  auto loaded = WorldRun::load(scenario, *saved);
-  ASSERT_TRUE(loaded) << loaded.error().text();
-  for (int i = 0; i < 30; ++i) run->step(), loaded->step();
-  EXPECT_EQ(run->world().hash(), loaded->world().hash());
+  auto run = must(WorldRun::create(scenario));
+  ASSERT_EQ(run.world().joints().size(), 3u);
+  const auto ids = run.world().ids();
+  for (int i = 0; i < 30; ++i) run.step();
+  EXPECT_NEAR(length(run.world()[ids[0]].position()), 1, 1e-9);
+  EXPECT_LE(length(run.world()[ids[0]].position() - run.world()[ids[1]].position()), 1.5 + 1e-9);
+  const auto saved = must(run.save());
+  auto loaded = must(WorldRun::load(scenario, saved));
+  for (int i = 0; i < 30; ++i) run.step(), loaded.step();
+  EXPECT_EQ(run.world().hash(), loaded.world().hash());
   scenario.joints[2].def.stiffness = 60;
-  EXPECT_FALSE(WorldRun::load(scenario, *saved));
+  EXPECT_FALSE(WorldRun::load(scenario, saved));
 }
 
 TEST(JointScenario, bad_joints_are_refused_where_they_stand) {
@@ -217,12 +208,10 @@ TEST(JointScenario, bad_joints_are_refused_where_they_stand) {
   ASSERT_FALSE(no_world);
   EXPECT_EQ(no_world.error().place, "f.toml:4:1");
   // Ends at one place are found when the run begins.
-  auto scenario = parse_scenario("physim = 1\n[world]\n[[shot]]\nname = \"a\"\n[[joint]]\na = \"a\"\n", "f.toml");
-  ASSERT_TRUE(scenario) << scenario.error().text();
-  const auto run = WorldRun::create(*scenario);
+  auto scenario = must(parse_scenario("physim = 1\n[world]\n[[shot]]\nname = \"a\"\n[[joint]]\na = \"a\"\n", "f.toml"));
+  const auto run = WorldRun::create(scenario);
   ASSERT_FALSE(run);
   EXPECT_EQ(run.error().place, "f.toml: joint \"joint-1\": joint.length");
 }
 
-}  // namespace scenario_joint_scenario_test
-}  // namespace physim
+}  // namespace physim::scenario_joint_scenario_test

@@ -1,12 +1,11 @@
 // Figures of a flight that expectations ask for, against the closed form in vacuum.
-#include <gtest/gtest.h>
 
 #include <cmath>
 
+#include "must.hpp"
 #include "scenario/scenario.hpp"
 
-namespace physim {
-namespace scenario_measure_test {
+namespace physim::scenario_measure_test {
 
 constexpr double kGravity = 9.80665, kSpeed = 100;
 const double kSide = kSpeed * std::sqrt(0.5);  // both components of 45 degrees
@@ -14,14 +13,11 @@ const double kSide = kSpeed * std::sqrt(0.5);  // both components of 45 degrees
 Flight lob() {
   Fidelity fidelity = Fidelity::arcade();
   fidelity.precision = Precision::float64;
-  const Launch launch{.speed = kSpeed, .elevation = std::atan(1.0)};
-  return fly({.mass = 2}, launch, {}, fidelity);
+  return fly({.mass = 2}, {.speed = kSpeed, .elevation = std::atan(1.0)}, {}, fidelity);
 }
 
 double figure(const std::string& quantity, ExpectAt at, double at_value = 0) {
-  const Result<double> value = measure(lob(), {.at = at, .at_value = at_value, .quantity = quantity});
-  EXPECT_TRUE(value.ok()) << value.error().text();
-  return value.ok() ? *value : std::nan("");
+  return must(measure(lob(), {.at = at, .at_value = at_value, .quantity = quantity}));
 }
 
 TEST(Measure, LooksAtTheApex) {
@@ -77,8 +73,7 @@ TEST(Measure, LooksAtTheJerk) {
   fidelity.wind = WindModel::off;
   fidelity.earth = EarthModel::flat;
   fidelity.rotation = RotationModel::none;
-  const ProjectileDef projectile{.mass = 2, .drag = {.k1 = 2 * k}};
-  const Flight flight = fly(projectile, {.velocity = Vec3d{30, 20, 5}}, {}, fidelity);
+  const Flight flight = fly({.mass = 2, .drag = {.k1 = 2 * k}}, {.velocity = Vec3d{30, 20, 5}}, {}, fidelity);
   for (const std::string axis : {"x", "y", "z"}) {
     const auto at_one_second = [&](const std::string& what) {
       return *measure(flight, {.at = ExpectAt::time, .at_value = 1, .quantity = what + axis});
@@ -88,5 +83,4 @@ TEST(Measure, LooksAtTheJerk) {
   EXPECT_NEAR(figure("jy", ExpectAt::time, 2), 0, 1e-9);
 }
 
-}  // namespace scenario_measure_test
-}  // namespace physim
+}  // namespace physim::scenario_measure_test

@@ -1,15 +1,13 @@
 // Motor files and [shot.motor]: what is read, and that every mistake names its line.
+#include "must.hpp"
 #include "physim/files.hpp"
-
-#include <gtest/gtest.h>
 
 #include <cstdio>
 #include <fstream>
 
 #include "scenario/scenario.hpp"
 
-namespace physim {
-namespace scenario_motor_file_test {
+namespace physim::scenario_motor_file_test {
 
 constexpr const char* kTwo = R"(; two motors
 A8 18 70 3-5 0.00312 0.01642 Estes
@@ -28,21 +26,19 @@ TEST(MotorFile, a_byte_order_mark_is_no_part_of_a_name_and_xml_is_told_as_such) 
   const std::string file = testing::TempDir() + "physim_mark.eng";
   std::ofstream(file) << "\xef\xbb\xbf"
                       << "C6 18 70 0-3-5-7 .0108 0.0231 Estes\n0.2 14.1\n1.8 4.4\n1.86 0\n";
-  const auto motors = read_motor_file(file);
+  const auto motors = must(read_motor_file(file));
   std::remove(file.c_str());
-  ASSERT_TRUE(motors) << motors.error().text();
-  EXPECT_EQ(motors->front().motor.name, "C6");
-  EXPECT_TRUE(pick_motor(*motors, "C6", file));
+  EXPECT_EQ(motors.front().motor.name, "C6");
+  EXPECT_TRUE(pick_motor(motors, "C6", file));
   const auto xml = parse_motor_file("<engine-database>\n", "f.rse");
   ASSERT_FALSE(xml);
   EXPECT_EQ(xml.error().text(), "f.rse:1: error: this is XML, as RockSim writes it; only RASP files (.eng) are read");
 }
 
 TEST(MotorFile, reads_motors_with_their_thrust_from_zero) {
-  const auto motors = parse_motor_file(kTwo, "two.eng");
-  ASSERT_TRUE(motors) << motors.error().text();
-  ASSERT_EQ(motors->size(), 2u);
-  const MotorFileEntry& c6 = (*motors)[1];
+  const auto motors = must(parse_motor_file(kTwo, "two.eng"));
+  ASSERT_EQ(motors.size(), 2u);
+  const MotorFileEntry& c6 = motors[1];
   EXPECT_EQ(c6.motor.name, "C6");
   EXPECT_EQ(c6.motor.propellant_mass, 0.0108);
   EXPECT_EQ(c6.mass, 0.0231);
@@ -52,14 +48,13 @@ TEST(MotorFile, reads_motors_with_their_thrust_from_zero) {
   EXPECT_EQ(c6.manufacturer, "Estes");
   const std::vector<ThrustPoint> thrust = {{0, 0}, {0.2, 14.1}, {1.8, 4.4}, {1.86, 0}};
   EXPECT_EQ(c6.motor.thrust, thrust);
-  EXPECT_EQ(pick_motor(*motors, "A8", "two.eng")->motor.thrust.size(), 4u);
+  EXPECT_EQ(pick_motor(motors, "A8", "two.eng")->motor.thrust.size(), 4u);
 }
 
 TEST(MotorFile, the_certified_c6_has_its_impulse) {
-  const auto motors = read_motor_file(PHYSIM_SOURCE_DIR "/scenarios/motors/estes_c6.eng");
-  ASSERT_TRUE(motors) << motors.error().text();
-  ASSERT_EQ(motors->size(), 1u);
-  const MotorDef& m = motors->front().motor;
+  const auto motors = must(read_motor_file(PHYSIM_SOURCE_DIR "/scenarios/motors/estes_c6.eng"));
+  ASSERT_EQ(motors.size(), 1u);
+  const MotorDef& m = motors.front().motor;
   EXPECT_NEAR(total_impulse(m), 8.82, 0.01);  // N s; certified: 8.8
   EXPECT_EQ(burn_time(m), 1.86);
   EXPECT_EQ(thrust_at(m, 0.192), 14.09);
@@ -70,12 +65,10 @@ TEST(MotorFile, a_header_of_six_or_eight_words_leaves_its_neighbours_alone) {
   for (const char* header : {"BAD 18 70 .010 .020 T\n", "BAD 18 70 5 .010 .020 T too\n"}) {
     const std::string bad = std::string(header) + " 0.1 10\n 0.2 0\n";
     for (const std::string& text : {good + bad, bad + good}) {
-      const auto motors = parse_motor_file(text, "f.eng");
-      ASSERT_TRUE(motors) << text << motors.error().text();
-      const auto picked = pick_motor(*motors, "GOOD", "f.eng");
-      ASSERT_TRUE(picked) << text << picked.error().text();
-      EXPECT_NEAR(total_impulse(picked->motor), 30, 1e-12);
-      const auto refused = pick_motor(*motors, "BAD", "f.eng");
+      const auto motors = must(parse_motor_file(text, "f.eng"), text);
+      const auto picked = must(pick_motor(motors, "GOOD", "f.eng"), text);
+      EXPECT_NEAR(total_impulse(picked.motor), 30, 1e-12);
+      const auto refused = pick_motor(motors, "BAD", "f.eng");
       ASSERT_FALSE(refused);
       EXPECT_EQ(refused.error().place, text.starts_with("BAD") ? "f.eng:1" : "f.eng:4");
       EXPECT_NE(refused.error().message.find("words are no header"), std::string::npos);
@@ -87,30 +80,27 @@ TEST(MotorFile, thrust_that_ends_above_zero_falls_at_its_last_point) {
   // 38 N s: 2 to 0.1 s and 36 from there, as OpenRocket and RocketPy read it.
   const std::string text = "B 18 70 P .010 .020 T\n0.1 40\n1 40\n";
   for (const std::string& file : {text, text + ";\nC6 18 70 0-3 .0108 .0231 E\n0.2 5\n1 0\n"}) {
-    const auto motors = parse_motor_file(file, "f.eng");
-    ASSERT_TRUE(motors) << motors.error().text();
-    const auto b = pick_motor(*motors, "B", "f.eng");
-    ASSERT_TRUE(b) << b.error().text();
-    EXPECT_NEAR(total_impulse(b->motor), 38, 1e-12);
-    EXPECT_EQ(burn_time(b->motor), 1);
+    const auto motors = must(parse_motor_file(file, "f.eng"));
+    const auto b = must(pick_motor(motors, "B", "f.eng"));
+    EXPECT_NEAR(total_impulse(b.motor), 38, 1e-12);
+    EXPECT_EQ(burn_time(b.motor), 1);
   }
 }
 
 /// Two pulses of 10 N s and 11 N s, each as a step or with a slope, and rows that say nothing behind the end.
 TEST(MotorFile, zeros_inside_are_a_pause_and_those_behind_the_end_are_left_out) {
-  const auto motors = parse_motor_file(
-      "P 18 70 0 .021 .030 E\n0 0\n0.1 0\n0.1 20\n0.6 20\n0.6 0\n1 0\n1 20\n1.5 20\n1.6 0\n2 0\n3 0\n"
-      "Q 18 70 0 .010 .020 E\n1 20\n2 0\n",
-      "f.eng");
-  ASSERT_TRUE(motors) << motors.error().text();
-  ASSERT_EQ(motors->size(), 2u);
-  const MotorDef motor = pick_motor(*motors, "P", "f.eng")->motor;
+  const auto motors = must(
+      parse_motor_file("P 18 70 0 .021 .030 E\n0 0\n0.1 0\n0.1 20\n0.6 20\n0.6 0\n1 0\n1 20\n1.5 20\n1.6 0\n2 0\n3 0\n"
+                       "Q 18 70 0 .010 .020 E\n1 20\n2 0\n",
+                       "f.eng"));
+  ASSERT_EQ(motors.size(), 2u);
+  const MotorDef motor = pick_motor(motors, "P", "f.eng")->motor;
   EXPECT_NEAR(total_impulse(motor), 21, 1e-12);
   EXPECT_EQ(burn_time(motor), 1.6);
   EXPECT_EQ(thrust_at(motor, 0.8), 0);
   EXPECT_EQ(thrust_at(motor, 0.05), 0);
   EXPECT_NEAR(propellant_left(motor, 0.8), .021 * 11 / 21, 1e-15);
-  EXPECT_NEAR(total_impulse(pick_motor(*motors, "Q", "f.eng")->motor), 20, 1e-12);
+  EXPECT_NEAR(total_impulse(pick_motor(motors, "Q", "f.eng")->motor), 20, 1e-12);
 }
 
 struct Bad {
@@ -159,18 +149,16 @@ TEST(MotorFile, one_of_several_is_asked_for_by_name) {
 TEST(MotorFile, two_of_one_name_are_told_apart_by_their_makers) {
   const std::string estes = "C6 18 70 5 0.0108 0.0231 Estes\n0.2 14\n1.9 0\n",
                     quest = "; other\nC6 18 70 5 0.0120 0.0226 Quest\n0.2 30\n1.9 0\n";
-  const auto motors = parse_motor_file(estes + quest, "makers.eng");
-  ASSERT_TRUE(motors) << motors.error().text();
-  const auto either = pick_motor(*motors, "C6", "makers.eng");
+  const auto motors = must(parse_motor_file(estes + quest, "makers.eng"));
+  const auto either = pick_motor(motors, "C6", "makers.eng");
   ASSERT_FALSE(either);
   EXPECT_EQ(either.error().text(),
             "makers.eng: error: two motors are named \"C6\", in lines 1 and 5; name its maker, too: "
             "\"Estes C6\" or \"Quest C6\"");
-  const auto picked = pick_motor(*motors, "Quest C6", "makers.eng");
-  ASSERT_TRUE(picked) << picked.error().text();
-  EXPECT_EQ(picked->manufacturer, "Quest");
-  EXPECT_EQ(picked->motor.name, "C6");
-  EXPECT_EQ(pick_motor(*motors, "Estes C6", "makers.eng")->manufacturer, "Estes");
+  const auto picked = must(pick_motor(motors, "Quest C6", "makers.eng"));
+  EXPECT_EQ(picked.manufacturer, "Quest");
+  EXPECT_EQ(picked.motor.name, "C6");
+  EXPECT_EQ(pick_motor(motors, "Estes C6", "makers.eng")->manufacturer, "Estes");
   EXPECT_TRUE(pick_motor(*parse_motor_file(estes + estes, "f.eng"), "C6", "f.eng")) << "a copy is no other motor";
   std::string other = estes;
   other.replace(other.find("0.2 14"), 6, "0.2 15");
@@ -215,24 +203,22 @@ drag_curve = [[0, 0.4], [1, 0.7]]
 }
 
 TEST(MotorSettings, a_file_from_the_scenarios_folder_and_changes_to_it) {
-  const auto scenario = parse_scenario(
+  const auto scenario = must(parse_scenario(
       rocket("motor = { file = \"motors/estes_c6.eng\", ignition_delay = \"1 s\" }\n"
              "[[expect]]\nat = \"burnout\"\nquantity = \"mass\"\nequals = \"89.2 g\"\nwithin = \"1e-9 kg\"\n"),
-      PHYSIM_SOURCE_DIR "/scenarios/r.toml");
-  ASSERT_TRUE(scenario) << scenario.error().text();
-  const MotorDef& m = scenario->shots[0].projectile.motor;
+      PHYSIM_SOURCE_DIR "/scenarios/r.toml"));
+  const MotorDef& m = scenario.shots[0].projectile.motor;
   EXPECT_EQ(m.name, "C6");
   EXPECT_EQ(m.thrust.size(), 25u);
   EXPECT_EQ(m.ignition_delay, 1);
-  const Flight flight = fly_shot(*scenario, scenario->shots[0]);
-  EXPECT_NEAR(*measure(flight, scenario->expect[0]), 0.0892, 1e-12);
+  const Flight flight = fly_shot(scenario, scenario.shots[0]);
+  EXPECT_NEAR(*measure(flight, scenario.expect[0]), 0.0892, 1e-12);
   // What is written reads back without the file.
   std::vector<std::string> overrides;
-  for (const auto& [path, value] : effective_settings(*scenario))
+  for (const auto& [path, value] : effective_settings(scenario))
     if (path.starts_with("shot.r.")) overrides.push_back(path + "=" + value);
-  const auto again = parse_scenario(rocket(""), "elsewhere.toml", overrides);
-  ASSERT_TRUE(again) << again.error().text();
-  EXPECT_EQ(again->shots[0].projectile, scenario->shots[0].projectile);
+  const auto again = must(parse_scenario(rocket(""), "elsewhere.toml", overrides));
+  EXPECT_EQ(again.shots[0].projectile, scenario.shots[0].projectile);
 }
 
 TEST(MotorSettings, thrust_may_step) {
@@ -284,5 +270,4 @@ TEST(MotorSettings, mistakes_name_their_place) {
   EXPECT_NE(no_rail.error().message.find("needs a rail"), std::string::npos);
 }
 
-}  // namespace scenario_motor_file_test
-}  // namespace physim
+}  // namespace physim::scenario_motor_file_test

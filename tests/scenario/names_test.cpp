@@ -8,8 +8,7 @@
 
 #include "scenario/scene_maker.hpp"
 
-namespace physim {
-namespace scenario_names_test {
+namespace physim::scenario_names_test {
 
 TEST(NameIndex, finds_the_first_of_a_name) {
   const std::vector<std::string> list = {"a", "b", "a", "", "c"};
@@ -87,5 +86,4 @@ TEST(EmitterOrder, is_that_of_rounds_over_the_list) {
   EXPECT_LT(circles, 270);
 }
 
-}  // namespace scenario_names_test
-}  // namespace physim
+}  // namespace physim::scenario_names_test

@@ -1,18 +1,14 @@
 // Settings that another one overrules, and numbers that are unlikely, are told with their place.
-#include <gtest/gtest.h>
-
 #include <fstream>
 
+#include "must.hpp"
 #include "physim/files.hpp"
 #include "scenario/scenario.hpp"
 
-namespace physim {
-namespace scenario_notes_test {
+namespace physim::scenario_notes_test {
 
 std::vector<std::string> notes_of(const std::string& text, const std::vector<std::string>& overrides = {}) {
-  const auto scenario = parse_scenario("physim = 1\n" + text, "f.toml", overrides);
-  EXPECT_TRUE(scenario) << text << ": " << (scenario ? "" : scenario.error().text());
-  return scenario ? scenario->notes : std::vector<std::string>{};
+  return must(parse_scenario("physim = 1\n" + text, "f.toml", overrides)).notes;
 }
 
 void expect_note(const std::string& text, const std::string& place, const std::string& words) {
@@ -248,11 +244,9 @@ TEST(Notes, a_field_whose_black_is_not_below_its_white) {
 
 TEST(Notes, shipped_scenarios_need_none) {
   for (const char* name : {"308_168gr_g7", "shot_put", "study_308", "aim_moving_target"}) {
-    const auto scenario = load_scenario(std::string(PHYSIM_SOURCE_DIR "/scenarios/") + name + ".toml");
-    ASSERT_TRUE(scenario) << name;
-    EXPECT_TRUE(scenario->notes.empty()) << name << ": " << scenario->notes.front();
+    const auto scenario = must(load_scenario(std::string(PHYSIM_SOURCE_DIR "/scenarios/") + name + ".toml"), name);
+    EXPECT_TRUE(scenario.notes.empty()) << name << ": " << scenario.notes.front();
   }
 }
 
-}  // namespace scenario_notes_test
-}  // namespace physim
+}  // namespace physim::scenario_notes_test

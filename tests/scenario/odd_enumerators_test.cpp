@@ -7,8 +7,7 @@
 #include "scenario/scenario.hpp"
 #include "scenario/world_run.hpp"
 
-namespace physim {
-namespace scenario_odd_enumerators_test {
+namespace physim::scenario_odd_enumerators_test {
 
 template <class Enum>
 constexpr Enum odd = static_cast<Enum>(100);
@@ -105,5 +104,4 @@ TEST(OddEnumerators, in_a_scenario_of_a_program) {
   EXPECT_FALSE(WorldRun::create(scenario)) << "a shot that there is not";
 }
 
-}  // namespace scenario_odd_enumerators_test
-}  // namespace physim
+}  // namespace physim::scenario_odd_enumerators_test

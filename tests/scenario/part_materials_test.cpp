@@ -1,18 +1,11 @@
 // Materials of the parts of a compound in scenario files: held to the scene that the library makes of the same, and to
 // places that are known; what is written back, and what a run tells.
-#include <gtest/gtest.h>
-
-#include <cmath>
-
 #include "scenario/compound_support.hpp"
 #include "scenario/revise.hpp"
 #include "scenario/run_support.hpp"
 #include "scenario/slope_scene.hpp"
-#include "scenario/world_run.hpp"
-#include "support.hpp"
 
-namespace physim {
-namespace scenario_part_materials_test {
+namespace physim::scenario_part_materials_test {
 
 using test::kDegree;
 
@@ -72,9 +65,8 @@ Scene scene_of_house() {
 }
 
 TEST(PartMaterials, are_those_of_the_scene_that_the_library_makes) {
-  const Result<Scenario> scenario = parse_scenario(kHead + kHouse, "f.toml");
-  ASSERT_TRUE(scenario) << scenario.error().text();
-  const Scene said = scene_of(*scenario).value(), made = scene_of_house();
+  const Scenario scenario = must(parse_scenario(kHead + kHouse, "f.toml"));
+  const Scene said = scene_of(scenario).value(), made = scene_of_house();
   EXPECT_EQ(said.hash(), made.hash());
   EXPECT_GT(expect_same_hits(said, made), 1000u);
   const auto material_at = [&](double y, double z) {
@@ -92,18 +84,16 @@ TEST(PartMaterials, are_those_of_the_scene_that_the_library_makes) {
 TEST(PartMaterials, are_written_as_they_were_read) {
   const Scenario before = parse_scenario(kHead + kHouse, "f.toml").value();
   const std::string text = scenario_text(before);
-  const Result<Scenario> after = parse_scenario(text, "g.toml");
-  ASSERT_TRUE(after) << after.error().text() << "\n" << text;
-  EXPECT_EQ(scenario_text(*after), text);
-  EXPECT_TRUE(say_the_same(*after, before)) << text;
-  EXPECT_EQ(scene_of(*after).value().hash(), scene_of_house().hash());
+  const Scenario after = must(parse_scenario(text, "g.toml"), text);
+  EXPECT_EQ(scenario_text(after), text);
+  EXPECT_TRUE(say_the_same(after, before)) << text;
+  EXPECT_EQ(scene_of(after).value().hash(), scene_of_house().hash());
   EXPECT_NE(text.find("{ shape = \"door\", material = \"fir\", position = "), text.npos) << text;
 
   std::vector<std::string> overrides;
   for (const auto& [path, value] : effective_settings(before)) overrides.push_back(path + "=" + value);
-  const Result<Scenario> set = parse_scenario("physim = 1\n[[shot]]\n[world]\n", "g.toml", overrides);
-  ASSERT_TRUE(set) << set.error().text();
-  EXPECT_EQ(effective_settings(*set), effective_settings(before));
+  const Scenario set = must(parse_scenario("physim = 1\n[[shot]]\n[world]\n", "g.toml", overrides));
+  EXPECT_EQ(effective_settings(set), effective_settings(before));
 }
 
 /// Changed in C++, written into the file, read again: by itself, and through the file that was.
@@ -115,14 +105,12 @@ TEST(PartMaterials, are_edited_and_come_back) {
   changed.shapes[0].parts[3].material = "oak";
   const std::uint64_t hash = scene_of(changed).value().hash();
   EXPECT_NE(hash, scene_of_house().hash());
-  const auto revised = revised_text(file, "f.toml", changed);
-  ASSERT_TRUE(revised);
-  for (const std::string& text : {*revised, scenario_text(changed)}) {
-    const Result<Scenario> after = parse_scenario(text, "f.toml");
-    ASSERT_TRUE(after) << after.error().text() << "\n" << text;
-    EXPECT_EQ(after->shapes[0].parts[0].material, "");
-    EXPECT_EQ(after->shapes[0].parts[1].material, "steel");
-    EXPECT_EQ(after->shapes[0].parts[3].material, "oak");
+  const auto revised = must(revised_text(file, "f.toml", changed));
+  for (const std::string& text : {revised, scenario_text(changed)}) {
+    const Scenario after = must(parse_scenario(text, "f.toml"), text);
+    EXPECT_EQ(after.shapes[0].parts[0].material, "");
+    EXPECT_EQ(after.shapes[0].parts[1].material, "steel");
+    EXPECT_EQ(after.shapes[0].parts[3].material, "oak");
   }
   EXPECT_EQ(scene_of(parse_scenario(scenario_text(changed), "f.toml").value()).value().hash(), hash);
 }
@@ -134,10 +122,9 @@ TEST(PartMaterials, that_are_published_need_only_their_names) {
   const Scenario scenario = parse_scenario(kHead + added, "f.toml").value();
   ASSERT_EQ(scenario.materials.size(), 1u);
   EXPECT_EQ(scenario.materials[0].density, materials::rolled_armour().density);
-  const auto text = revised_text(kHead, "f.toml", scenario);
-  ASSERT_TRUE(text);
-  EXPECT_EQ(text->find("[[material]]"), text->npos) << *text;
-  EXPECT_NE(text->find("material = \"rolled_armour\""), text->npos) << *text;
+  const auto text = must(revised_text(kHead, "f.toml", scenario));
+  EXPECT_EQ(text.find("[[material]]"), text.npos) << text;
+  EXPECT_NE(text.find("material = \"rolled_armour\""), text.npos) << text;
 }
 
 /// The table of hits names the part's, and a run saved on the way is of this scenario alone.
@@ -160,17 +147,16 @@ fidelity = { preset = "game", drag = "off", precision = "float64" }
 duration = "0.2 s"
 ground = "none"
 )";
-  const Result<Scenario> scenario = parse_scenario(kVacuum + kHouse + shots, "f.toml");
-  ASSERT_TRUE(scenario) << scenario.error().text();
-  WorldRun run = WorldRun::create(*scenario).value();
+  const Scenario scenario = must(parse_scenario(kVacuum + kHouse + shots, "f.toml"));
+  WorldRun run = WorldRun::create(scenario).value();
   const std::vector<ThingHit> hits = hits_of(run);
   ASSERT_GE(hits.size(), 2u);
   for (const ThingHit& hit : hits) {
     const bool is_door = std::abs(hit.position.z) < 0.7;
-    EXPECT_EQ(scenario->materials.at(hit.material).name, is_door ? "steel" : "oak");
+    EXPECT_EQ(scenario.materials.at(hit.material).name, is_door ? "steel" : "oak");
     EXPECT_EQ(hit.outcome, is_door ? EventKind::stopped : hit.outcome);
   }
-  Scenario other = *scenario;
+  Scenario other = scenario;
   other.shapes[0].parts[3].material = "oak";
   EXPECT_FALSE(WorldRun::load(other, run.save().value()));
 }
@@ -228,5 +214,4 @@ ground = "none"
   }
 }
 
-}  // namespace scenario_part_materials_test
-}  // namespace physim
+}  // namespace physim::scenario_part_materials_test

@@ -5,8 +5,7 @@
 #include "scenario/scenario.hpp"
 #include "scenario/world_run.hpp"
 
-namespace physim {
-namespace scenario_processor_mode_test {
+namespace physim::scenario_processor_mode_test {
 
 using test::Bits;
 
@@ -58,8 +57,7 @@ TEST(ProcessorMode, OfTheCallerChangesNoScenario) {
       {"fly_shot, measure",
        [&](Bits& bits) {
          const Flight flight = fly_shot(scenario, scenario.shots[0]);
-         Expectation expectation;
-         expectation.quantity = "energy";
+         Expectation expectation{.quantity = "energy"};
          bits << flight << *measure(flight, expectation);
        }},
       {"WorldRun",
@@ -73,5 +71,4 @@ TEST(ProcessorMode, OfTheCallerChangesNoScenario) {
   });
 }
 
-}  // namespace scenario_processor_mode_test
-}  // namespace physim
+}  // namespace physim::scenario_processor_mode_test

@@ -1,11 +1,9 @@
 // Scenarios out of texts, and their runs, as tests of scenarios share them.
 #pragma once
 
-#include <gtest/gtest.h>
-
-#include <string>
 #include <vector>
 
+#include "must.hpp"
 #include "scenario/scenario.hpp"
 #include "scenario/world_run.hpp"
 
@@ -14,9 +12,7 @@ namespace physim {
 /// The scenario of a text, which may leave its first line out; an empty one, and a failure, if it cannot be read.
 inline Scenario parsed(const std::string& text, const std::vector<std::string>& overrides = {}) {
   const std::string head = text.starts_with("physim = 1") ? "" : "physim = 1\n";
-  const Result<Scenario> scenario = parse_scenario(head + text, "f.toml", overrides);
-  EXPECT_TRUE(scenario.ok()) << scenario.error().text();
-  return scenario.ok() ? *scenario : Scenario{};
+  return must(parse_scenario(head + text, "f.toml", overrides));
 }
 
 inline WorldRun run_of(const Scenario& scenario) { return WorldRun::create(scenario).value(); }

@@ -1,13 +1,10 @@
 // ScenarioFile: the door of scenarios without their parsed tables. It flies what the tables fly, to the bit.
-#include <gtest/gtest.h>
-
 #include "cli/program.hpp"
 #include "scenario/scenario.hpp"
 #include "scenario/world_run.hpp"
 #include "shipped.hpp"
 
-namespace physim {
-namespace scenario_scenario_file_test {
+namespace physim::scenario_scenario_file_test {
 
 constexpr const char* kTwo = R"(physim = 1
 [[shot]]
@@ -37,9 +34,8 @@ spread = { horizontal = "1 deg" }
 )";
 
 ScenarioFile read(const std::string& text) {
-  Result<ScenarioFile> file = ScenarioFile::parse(text, "test.toml");
-  EXPECT_TRUE(file.ok()) << file.error().text();
-  return *file;
+  ScenarioFile file = must(ScenarioFile::parse(text, "test.toml"));
+  return file;
 }
 
 void expect_same(const Flight& a, const Flight& b) {
@@ -90,11 +86,10 @@ TEST(ScenarioDoor, settings_are_read_and_changed_by_path) {
 TEST(ScenarioDoor, every_setting_of_every_shipped_scenario_can_be_read) {
   for (const std::string& name : test::shipped_scenarios()) {
     const std::string path = PHYSIM_SOURCE_DIR "/scenarios/" + name + ".toml";
-    const Result<ScenarioFile> file = ScenarioFile::load(path);
-    ASSERT_TRUE(file.ok()) << file.error().text();
+    const ScenarioFile file = must(ScenarioFile::load(path));
     const auto settings = effective_settings(*load_scenario(path));
     for (std::size_t i = 0; i < settings.size(); i += 17)
-      EXPECT_EQ(*file->get(settings[i].first), settings[i].second) << name << ": " << settings[i].first;
+      EXPECT_EQ(*file.get(settings[i].first), settings[i].second) << name << ": " << settings[i].first;
   }
 }
 
@@ -109,8 +104,7 @@ TEST(ScenarioDoor, worlds_run_as_their_tables_do) {
 }
 
 TEST(ScenarioDoor, a_recording_never_replaces_the_file_itself) {
-  const testing_cli::Folder folder;
-  const std::string path = folder.write("itself.toml", kWorld);
+  const testing_cli::File path("itself.toml", kWorld);
   ScenarioFile file = *ScenarioFile::load(path);
   EXPECT_FALSE(file.run(path).ok());
   ASSERT_TRUE(file.set("world.duration", "2 s"));
@@ -125,5 +119,4 @@ TEST(ScenarioDoor, errors_name_their_place) {
   EXPECT_TRUE(bad.error().place.starts_with("bad.toml:3")) << bad.error().place;
 }
 
-}  // namespace scenario_scenario_file_test
-}  // namespace physim
+}  // namespace physim::scenario_scenario_file_test

@@ -1,8 +1,6 @@
 // Scenario files: what they say and where it goes.
 #include "scenario/scenario.hpp"
 
-#include <gtest/gtest.h>
-
 #include <cmath>
 #include <cstdlib>
 #include <filesystem>
@@ -11,8 +9,7 @@
 #include "physim/units.hpp"
 #include "scenario/run_support.hpp"
 
-namespace physim {
-namespace scenario_scenario_test {
+namespace physim::scenario_scenario_test {
 
 using namespace physim::units;
 
@@ -316,10 +313,9 @@ class ScenarioFile : public testing::Test {
 
 TEST_F(ScenarioFile, IsLoaded) {
   const std::string file = write(kDesignExample);
-  const Result<Scenario> scenario = load_scenario(file);
-  ASSERT_TRUE(scenario.ok()) << scenario.error().text();
-  EXPECT_EQ(scenario->file, file);
-  EXPECT_EQ(scenario->shots.size(), 1U);
+  const Scenario scenario = must(load_scenario(file));
+  EXPECT_EQ(scenario.file, file);
+  EXPECT_EQ(scenario.shots.size(), 1U);
 }
 
 TEST_F(ScenarioFile, OfWindowsIsLoaded) {
@@ -380,5 +376,4 @@ TEST(Mistakes, of_very_many_the_first_are_told) {
   EXPECT_TRUE(told.ends_with("there are more mistakes")) << told;
 }
 
-}  // namespace scenario_scenario_test
-}  // namespace physim
+}  // namespace physim::scenario_scenario_test

@@ -1,10 +1,5 @@
 // Scenes in scenario files: what is read, what is refused and where, and what is written back.
-#include <gtest/gtest.h>
-
-#include <cmath>
 #include <cstring>
-#include <filesystem>
-#include <fstream>
 
 #include "cli/program.hpp"
 #include "physim/files.hpp"
@@ -13,8 +8,7 @@
 #include "scenario/world_run.hpp"
 #include "support.hpp"
 
-namespace physim {
-namespace scenario_scene_scenario_test {
+namespace physim::scenario_scene_scenario_test {
 
 constexpr double kDegreeOfScene = 3.14159265358979323846 / 180;
 
@@ -188,16 +182,15 @@ TEST(SceneScenario, FindsPublishedMaterialsByTheirName) {
 TEST(SceneScenario, ReadsBackWhatIsWritten) {
   const Scenario before = parse_scenario(kEverything, "f.toml").value();
   const std::string text = scenario_text(before);
-  const Result<Scenario> after = parse_scenario(text, "g.toml");
-  ASSERT_TRUE(after) << after.error().text() << "\n" << text;
-  EXPECT_EQ(effective_settings(*after), effective_settings(before));
-  EXPECT_EQ(scenario_text(*after), text);
-  EXPECT_EQ(after->materials, before.materials);
+  const Scenario after = must(parse_scenario(text, "g.toml"), text);
+  EXPECT_EQ(effective_settings(after), effective_settings(before));
+  EXPECT_EQ(scenario_text(after), text);
+  EXPECT_EQ(after.materials, before.materials);
   EXPECT_NE(text.find("preset = \"oak\"\nfriction = 0.75\n"), text.npos) << text;
   EXPECT_EQ(text.find("preset = \"concrete\""), text.npos) << "neither is the usual concrete\n" << text;
   EXPECT_NE(text.find("kind = \"plane\"\n"), text.npos) << text;
   EXPECT_NE(text.find("sphere = \"1 m\"\n"), text.npos) << "a shape of nothing but defaults\n" << text;
-  const Scene scene = scene_of(*after).value();
+  const Scene scene = scene_of(after).value();
   EXPECT_EQ(scene.size(), 4u);
 }
 
@@ -205,10 +198,9 @@ TEST(SceneScenario, SettingsAsOverridesReproduceIt) {
   const Scenario before = parse_scenario(kEverything, "f.toml").value();
   std::vector<std::string> overrides;
   for (const auto& [path, value] : effective_settings(before)) overrides.push_back(path + "=" + value);
-  const Result<Scenario> after = parse_scenario("physim = 1\n[[shot]]\n[world]\n", "g.toml", overrides);
-  ASSERT_TRUE(after) << after.error().text();
-  EXPECT_EQ(effective_settings(*after), effective_settings(before));
-  EXPECT_EQ(after->materials, before.materials);
+  const Scenario after = must(parse_scenario("physim = 1\n[[shot]]\n[world]\n", "g.toml", overrides));
+  EXPECT_EQ(effective_settings(after), effective_settings(before));
+  EXPECT_EQ(after.materials, before.materials);
 }
 
 // ------------------------------------------------------------------------------------------------------------- refused
@@ -355,11 +347,10 @@ TEST(MeshFile, MirroredNodesGiveTheSameHitsMirrored) {
                               ", " + std::to_string(2 * mirror.z) + "]";
     std::ofstream(folder / "pair.gltf") << two_wedges("\"scale\": [2, 2, 2], \"translation\": [8, 0, 0]",
                                                       scale + ", \"translation\": [-8, 0, 0]");
-    const auto scenario = parse_scenario(
+    const auto scenario = must(parse_scenario(
         "physim = 1\n[[shot]]\n[[shape]]\nname = \"pair\"\nmesh = \"pair.gltf\"\n[[thing]]\nshape = \"pair\"\n",
-        folder / "f.toml");
-    ASSERT_TRUE(scenario) << scenario.error().text();
-    const Scene scene = scene_of(*scenario).value();
+        folder / "f.toml"));
+    const Scene scene = scene_of(scenario).value();
     const auto mirrored = [&](const Vec3d& v) { return Vec3d{v.x * mirror.x, v.y * mirror.y, v.z * mirror.z}; };
     const auto cast = [&](const Vec3d& from, const Vec3d& to) { return scene.all_hits({from, to, 0, 0, 0}); };
     for (const auto& [from, to] :
@@ -410,13 +401,12 @@ TEST(MeshFile, NodesOfGltfLieWhereTheFileSays) {
       << "glTF" << word(2) << word(28 + json.size() + buffer.size()) << word(json.size()) << "JSON" << json
       << word(buffer.size()) << std::string("BIN\0", 4) << buffer;
   for (const char* name : {"far.gltf", "far.glb"}) {
-    const Result<MeshShape> mesh = read_mesh_file(folder / name);
-    ASSERT_TRUE(mesh) << mesh.error().text();
-    ASSERT_EQ(mesh->vertices.size(), 12U) << name;
-    EXPECT_EQ(mesh->triangles.size(), 12U) << name;
+    const MeshShape mesh = must(read_mesh_file(folder / name));
+    ASSERT_EQ(mesh.vertices.size(), 12U) << name;
+    EXPECT_EQ(mesh.triangles.size(), 12U) << name;
     const auto nearest = [&](const Vec3d& place) {
       double least = kInfinity;
-      for (const Vec3d& v : mesh->vertices) least = std::min(least, length(v - place));
+      for (const Vec3d& v : mesh.vertices) least = std::min(least, length(v - place));
       return least;
     };
     for (const Vec3d& place :
@@ -433,11 +423,10 @@ TEST(GltfNodes, AreTreesOfAnyDepth) {
   for (int i = 0; i < kNodes; ++i)
     chain += (i > 0 ? ", " : "") + std::string(R"({"translation": [1, 0, 0])") +
              (i + 1 < kNodes ? R"(, "children": [)" + std::to_string(i + 1) + "]}" : "}");
-  const auto deep = gltf_nodes(file(chain));
-  ASSERT_TRUE(deep);
-  EXPECT_EQ(deep->nodes.back().origin, (Vec3d{kNodes, 0, 0}));
-  EXPECT_EQ(deep->find("7"), &deep->nodes[7]);
-  for (const char* name : {"", "x", "7x", "50000", "-1"}) EXPECT_EQ(deep->find(name), nullptr) << name;
+  const auto deep = must(gltf_nodes(file(chain)));
+  EXPECT_EQ(deep.nodes.back().origin, (Vec3d{kNodes, 0, 0}));
+  EXPECT_EQ(deep.find("7"), &deep.nodes[7]);
+  for (const char* name : {"", "x", "7x", "50000", "-1"}) EXPECT_EQ(deep.find(name), nullptr) << name;
   for (const char* wrong : {R"({"children": [1]}, {"children": [0]})", R"({"children": [0]})",
                             R"({"children": [2]}, {"children": [2]}, {})", R"({"children": [9]})",
                             R"({"children": [-1]})", R"({"scale": [1, 2]})", R"({"rotation": "none"})", "7"})
@@ -494,5 +483,4 @@ TEST(BadSceneScenario, TakesAFileOrTheNumbersThatAreInIt) {
             "f.toml:5:17");
 }
 
-}  // namespace scenario_scene_scenario_test
-}  // namespace physim
+}  // namespace physim::scenario_scene_scenario_test

@@ -1,6 +1,4 @@
 // The list of settings: complete, consistent, and the same through every door.
-#include <gtest/gtest.h>
-
 #include <algorithm>
 #include <cstring>
 #include <map>
@@ -8,12 +6,10 @@
 #include <sstream>
 
 #include "scenario/run_support.hpp"
-#include "scenario/scenario.hpp"
 #include "scenario/schema.hpp"
 #include "scenario/suggest.hpp"
 
-namespace physim {
-namespace scenario_settings_test {
+namespace physim::scenario_settings_test {
 
 /// One of every list, so that settings of list elements can be reached.
 const std::string kOneOfEach = R"(physim = 1
@@ -410,5 +406,4 @@ TEST(Suggestions, ShortenLongQuotes) {
   EXPECT_EQ(shortened, "\"" + std::string(59, 'x') + "...\"") << "no half characters";
 }
 
-}  // namespace scenario_settings_test
-}  // namespace physim
+}  // namespace physim::scenario_settings_test

@@ -3,8 +3,7 @@
 
 #include "scenario/scenario.hpp"
 
-namespace physim {
-namespace scenario_study_errors_test {
+namespace physim::scenario_study_errors_test {
 
 const std::string kShot =
     "physim = 1\n[[shot]]\nmass = \"10 g\"\ndiameter = \"7.82 mm\"\n"
@@ -66,5 +65,4 @@ TEST(StudyErrors, a_study_of_one_of_several_shots_is_good) {
   EXPECT_EQ(error_of("[study]\nshots = 1000\ntargets = [\"circle 10 cm\"]\n"), "no error");  // inputs by --vary
 }
 
-}  // namespace scenario_study_errors_test
-}  // namespace physim
+}  // namespace physim::scenario_study_errors_test

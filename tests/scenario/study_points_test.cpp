@@ -1,5 +1,4 @@
 // Points of lists that are uncertain, as scenarios write them.
-#include <cmath>
 #include <numeric>
 #include <set>
 
@@ -9,8 +8,7 @@
 #include "settings/units.hpp"
 #include "support.hpp"
 
-namespace physim {
-namespace scenario_study_points_test {
+namespace physim::scenario_study_points_test {
 
 constexpr const char* kShot = "physim = 1\n[[shot]]\nname = \"a\"\nspeed = 300\nmass = 1\n";
 
@@ -29,11 +27,7 @@ void expect_inputs(const Scenario& scenario, const std::vector<StudyInput>& expe
 }
 
 TEST(StudyPointsText, inputs_have_the_unit_of_their_points) {
-  const auto input = [](const char* text) {
-    const auto read = parse_study_input(text);
-    EXPECT_TRUE(read) << read.error().text();
-    return read ? *read : StudyInput{};
-  };
+  const auto input = [](const char* text) { return must(parse_study_input(text)); };
   EXPECT_EQ(input("shot.drag.curve.3 = 0.23 +- 0.01"),
             (StudyInput{"shot.drag.curve.3", NormalDistribution{0.23, 0.01}}));
   EXPECT_EQ(input("shot.motor.thrust.4 = 1 kN +- 20 N").distribution, Distribution(NormalDistribution{1000, 20}));
@@ -54,11 +48,7 @@ TEST(StudyPointsText, inputs_have_the_unit_of_their_points) {
 }
 
 TEST(StudyPointsText, places_of_points_have_units_of_their_own) {
-  const auto drawn = [](const char* text) {
-    const auto read = parse_study_input(text);
-    EXPECT_TRUE(read) << read.error().text();
-    return read ? read->distribution : Distribution{};
-  };
+  const auto drawn = [](const char* text) { return must(parse_study_input(text)).distribution; };
   const Distribution half_second = NormalDistribution{0.5, 0.02};
   EXPECT_EQ(drawn("shot.motor.thrust.4.time = 500 ms +- 20 ms"), half_second);
   EXPECT_EQ(drawn("shot.motor.propellant.2.time = 0.5 s +- 0.02 s"), half_second);
@@ -80,17 +70,15 @@ TEST(StudyPointsText, every_number_of_a_study_may_be_a_distribution_where_it_sta
     const SchemaNode* node = find_node(known.path);
     if (node == nullptr || node->entry == nullptr) continue;  // components, points, wind by compass
     if (node->entry->by_factor) continue;                     // the factor of a list stands in study.inputs alone
-    auto document = parse_document(kShot, "test.toml");
-    ASSERT_TRUE(document);
+    auto document = must(parse_document(kShot, "test.toml"));
     const Range& range = node->entry->range;
     const double mean = !std::isfinite(range.low)   ? 0.5
                         : std::isfinite(range.high) ? std::midpoint(range.low, range.high)
                                                     : range.low + 0.5;
     const std::string text = number_text(mean) + " +- 0.01";
-    ASSERT_TRUE(apply_override(*document, known.path + " = " + text)) << known.path;
-    const auto scenario = read_scenario(*document, "test.toml", Checks::of_each);
-    ASSERT_TRUE(scenario) << scenario.error().text();
-    EXPECT_EQ(scenario->study.inputs, std::vector<std::string>{known.path + " = " + text});
+    ASSERT_TRUE(apply_override(document, known.path + " = " + text)) << known.path;
+    const auto scenario = must(read_scenario(document, "test.toml", Checks::of_each));
+    EXPECT_EQ(scenario.study.inputs, std::vector<std::string>{known.path + " = " + text});
     ++found;
   }
   EXPECT_GT(found, 30u);
@@ -104,13 +92,12 @@ TEST(StudyPointsText, points_are_distributions_and_their_means_are_flown) {
       "aero = { lift = \"2 +- 0.1\", magnus_moment = [[1, 0, 0.3], [1, 4, \"0.1 .. 0.3\"]] }\n"
       "[environment.wind]\nprofile = [{ at = 0, velocity = [0, 0, 1] }, { at = \"100 m\", velocity = "
       "[0, 0, \"4 m/s +- 1 m/s\"] }]\n[study]\nrounds = 16\ninputs = [\"shot.speed = +- 1 m/s\"]\n";
-  const auto scenario = parse_scenario(text, "test.toml");
-  ASSERT_TRUE(scenario) << scenario.error().text();
-  const ProjectileDef& p = scenario->shots[0].projectile;
+  const auto scenario = must(parse_scenario(text, "test.toml"));
+  const ProjectileDef& p = scenario.shots[0].projectile;
   EXPECT_EQ(p.drag.curve, (std::vector<DragPoint>{{0.5, 0.23}, {1, 0.4}, {2, 0.5 * (0.2 + 0.4)}}));
   EXPECT_EQ(p.motor.thrust[1], (ThrustPoint{1, 40}));
   EXPECT_EQ(p.aero.lift[0].value, 2);
-  EXPECT_EQ(scenario->environment.wind.profile[1].velocity, (Vec3d{0, 0, 4}));
+  EXPECT_EQ(scenario.environment.wind.profile[1].velocity, (Vec3d{0, 0, 4}));
   const std::vector<StudyInput> expected = {
       {"shot.drag.curve.1", NormalDistribution{0.23, 0.01}},
       {"shot.drag.curve.3", UniformDistribution{0.2, 0.4}},
@@ -119,7 +106,7 @@ TEST(StudyPointsText, points_are_distributions_and_their_means_are_flown) {
       {"shot.aero.magnus_moment.2", UniformDistribution{0.1, 0.3}},
       {"environment.wind.profile.2.velocity.z", NormalDistribution{4, 1}},
       {.path = "shot.speed", .distribution = NormalDistribution{0, 1}, .added = true}};
-  expect_inputs(*scenario, expected);
+  expect_inputs(scenario, expected);
 }
 
 TEST(StudyPointsText, places_of_points_are_distributions_too) {
@@ -133,12 +120,11 @@ TEST(StudyPointsText, places_of_points_are_distributions_too) {
       "drag = 0.3, lift = 0.2 }] }\n"
       "[environment.wind]\nprofile = [{ at = 0, velocity = [0, 0, 1] }, { at = \"100 m +- 10 m\", velocity = "
       "[0, 0, 4] }]\n";
-  const auto scenario = parse_scenario(text, "test.toml");
-  ASSERT_TRUE(scenario) << scenario.error().text();
-  const ProjectileDef& p = scenario->shots[0].projectile;
+  const auto scenario = must(parse_scenario(text, "test.toml"));
+  const ProjectileDef& p = scenario.shots[0].projectile;
   EXPECT_EQ(p.drag.curve[1], (DragPoint{0.9, 0.4})) << "means are flown";
   EXPECT_EQ(p.motor.thrust[1], (ThrustPoint{1, 40}));
-  EXPECT_EQ(scenario->environment.wind.profile[1].at, 100);
+  EXPECT_EQ(scenario.environment.wind.profile[1].at, 100);
   const std::vector<StudyInput> expected = {{"shot.drag.curve.2", NormalDistribution{0.4, 0.02}},
                                             {"shot.drag.curve.2.mach", NormalDistribution{0.9, 0.01}},
                                             {"shot.motor.thrust.2.time", NormalDistribution{1, 0.05}},
@@ -148,7 +134,7 @@ TEST(StudyPointsText, places_of_points_are_distributions_too) {
                                             {"shot.aero.magnus_moment.1.mach", NormalDistribution{1, 0.1}},
                                             {"shot.aero.magnus_moment.2.mach", NormalDistribution{2, 0.1}},
                                             {"environment.wind.profile.2.at", NormalDistribution{100, 10}}};
-  expect_inputs(*scenario, expected);
+  expect_inputs(scenario, expected);
 }
 
 /// A shot with a curve and a motor, points of which are drawn, and what goes with what.
@@ -161,12 +147,11 @@ std::string correlated(const std::string& list) {
 }
 
 TEST(StudyPointsText, points_go_together_by_their_distance) {
-  const auto scenario = parse_scenario(
+  const auto scenario = must(parse_scenario(
       correlated("\"shot.drag.curve.N by distance = 0.2\", \"shot.motor.thrust.N by distance = 250 ms\", "
                  "\"shot.speed with shot.motor.thrust.1 = 0.5\""),
-      "test.toml");
-  ASSERT_TRUE(scenario) << scenario.error().text();
-  for (const auto& study : {study_of(*scenario, scenario->shots[0]), study_in(scenario_text(*scenario))}) {
+      "test.toml"));
+  for (const auto& study : {study_of(scenario, scenario.shots[0]), study_in(scenario_text(scenario))}) {
     ASSERT_TRUE(study) << study.error().text();
     const auto path = [&](std::size_t input) { return study->inputs[input].path; };
     ASSERT_EQ(study->correlated.size(), 2u) << "what a pair connects is one group";
@@ -214,14 +199,12 @@ TEST(StudyPointsText, correlations_name_the_shot_that_they_are_of) {
       "physim = 1\n[[shot]]\nname = \"a\"\nspeed = \"300 m/s +- 3 m/s\"\nmass = \"1 kg +- 10 g\"\n"
       "drag = { table = \"custom\", curve = [[0.5, \"0.20 +- 0.01\"], [0.9, \"0.40 +- 0.02\"]] }\n"
       "[[shot]]\nname = \"b\"\nspeed = \"300 m/s +- 3 m/s\"\nmass = 1\n[study]\n";
-  const auto scenario = parse_scenario(
-      shots +
-          "inputs = [\"environment.wind.velocity.x = +- 1 m/s\"]\n"
-          "correlated = [\"shot.a.speed with shot.a.mass = 0.5\", \"shot.a.drag.curve.N by distance = 0.2\",\n"
-          "\"shot.b.speed with environment.wind.velocity.x = 0.25\"]\n",
-      "test.toml");
-  ASSERT_TRUE(scenario) << scenario.error().text();
-  const auto a = study_of(*scenario, scenario->shots[0]), b = study_of(*scenario, scenario->shots[1]);
+  const auto scenario = must(parse_scenario(
+      shots + "inputs = [\"environment.wind.velocity.x = +- 1 m/s\"]\n"
+              "correlated = [\"shot.a.speed with shot.a.mass = 0.5\", \"shot.a.drag.curve.N by distance = 0.2\",\n"
+              "\"shot.b.speed with environment.wind.velocity.x = 0.25\"]\n",
+      "test.toml"));
+  const auto a = study_of(scenario, scenario.shots[0]), b = study_of(scenario, scenario.shots[1]);
   ASSERT_TRUE(a) << a.error().text();
   ASSERT_TRUE(b) << b.error().text();
   const auto paths = [](const Study& study, const StudyCorrelation& with) {
@@ -257,14 +240,12 @@ TEST(StudyPointsText, points_of_lists_of_tables_and_of_one_of_several_shots) {
   const std::string bands =
       "drag = { table = \"g7\", bands = [{ above = 200, ballistic_coefficient = { mean = 300, deviation = 5 } }, { "
       "ballistic_coefficient = 310 }] }\n";
-  const auto study = study_in(std::string(kShot) + bands + "[[shot]]\nname = \"b\"\nspeed = 300\nmass = 1\n");
-  ASSERT_TRUE(study) << study.error().text();
-  EXPECT_EQ(study->inputs,
+  const auto study = must(study_in(std::string(kShot) + bands + "[[shot]]\nname = \"b\"\nspeed = 300\nmass = 1\n"));
+  EXPECT_EQ(study.inputs,
             (std::vector<StudyInput>{{"shot.drag.bands.1.ballistic_coefficient", NormalDistribution{300, 5}}}));
   const std::string override = "shot.drag={ table = \"custom\", curve = [[0, \"0.2 +- 0.01\"]] }";
-  const auto set = parse_scenario(kShot, "test.toml", {&override, 1});
-  ASSERT_TRUE(set) << set.error().text();
-  EXPECT_EQ(set->study.inputs, (std::vector<std::string>{"shot.drag.curve.1 = 0.2 +- 0.01"}));
+  const auto set = must(parse_scenario(kShot, "test.toml", {&override, 1}));
+  EXPECT_EQ(set.study.inputs, (std::vector<std::string>{"shot.drag.curve.1 = 0.2 +- 0.01"}));
 }
 
 TEST(StudyPointsText, what_is_wrong_is_told_where_it_stands) {
@@ -290,5 +271,4 @@ TEST(StudyPointsText, what_is_wrong_is_told_where_it_stands) {
   EXPECT_NE(squared.error().text().find("test.toml:6:27: "), std::string::npos) << squared.error().text();
 }
 
-}  // namespace scenario_study_points_test
-}  // namespace physim
+}  // namespace physim::scenario_study_points_test

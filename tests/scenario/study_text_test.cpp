@@ -1,19 +1,13 @@
 // Studies as scenarios write them.
-#include <gtest/gtest.h>
-
 #include <filesystem>
 #include <fstream>
 
+#include "must.hpp"
 #include "scenario/scenario.hpp"
 
-namespace physim {
-namespace scenario_study_text_test {
+namespace physim::scenario_study_text_test {
 
-Distribution distribution_of(const char* text) {
-  const auto input = parse_study_input(text);
-  EXPECT_TRUE(input) << input.error().text();
-  return input ? input->distribution : Distribution{};
-}
+Distribution distribution_of(const char* text) { return must(parse_study_input(text)).distribution; }
 
 std::string refusal(const char* text) {
   const auto input = parse_study_input(text);
@@ -36,14 +30,12 @@ TEST(StudyText, distributions) {
 }
 
 TEST(StudyText, what_is_added_and_how_often) {
-  const auto added = parse_study_input("shot.elevation = +- 1 mrad per occasion");
-  ASSERT_TRUE(added);
-  EXPECT_TRUE(added->added);
-  EXPECT_EQ(added->drawn_for, DrawnFor::occasion);
-  EXPECT_EQ(added->distribution, Distribution(NormalDistribution{0, 1e-3}));
-  const auto between = parse_study_input("shot.speed = added -1 m/s .. 1 m/s");
-  ASSERT_TRUE(between);
-  EXPECT_TRUE(between->added);
+  const auto added = must(parse_study_input("shot.elevation = +- 1 mrad per occasion"));
+  EXPECT_TRUE(added.added);
+  EXPECT_EQ(added.drawn_for, DrawnFor::occasion);
+  EXPECT_EQ(added.distribution, Distribution(NormalDistribution{0, 1e-3}));
+  const auto between = must(parse_study_input("shot.speed = added -1 m/s .. 1 m/s"));
+  EXPECT_TRUE(between.added);
   EXPECT_FALSE(parse_study_input("shot.speed = -1 m/s .. 1 m/s")->added);
 }
 
@@ -86,15 +78,12 @@ TEST(StudyText, all_numbers_have_a_unit_or_none) {
 }
 
 TEST(StudyText, targets) {
-  const auto circle = parse_study_target("plate: circle 10 cm at 1 m, -2 m");
-  ASSERT_TRUE(circle);
-  EXPECT_EQ(*circle, (StudyTarget{"plate", CircleTarget{{1, -2}, 0.1}}));
-  const auto rectangle = parse_study_target("rectangle 30 cm x 50 cm");
-  ASSERT_TRUE(rectangle);
-  EXPECT_EQ(*rectangle, (StudyTarget{"", RectangleTarget{{}, 0.3, 0.5}}));
-  const auto polygon = parse_study_target("polygon 0 m, 0 m; 1 m, 0 m; 0 m, 1 m at 5 m, 0 m");
-  ASSERT_TRUE(polygon);
-  EXPECT_EQ(*polygon, (StudyTarget{"", PolygonTarget{{{5, 0}, {6, 0}, {5, 1}}}}));
+  const auto circle = must(parse_study_target("plate: circle 10 cm at 1 m, -2 m"));
+  EXPECT_EQ(circle, (StudyTarget{"plate", CircleTarget{{1, -2}, 0.1}}));
+  const auto rectangle = must(parse_study_target("rectangle 30 cm x 50 cm"));
+  EXPECT_EQ(rectangle, (StudyTarget{"", RectangleTarget{{}, 0.3, 0.5}}));
+  const auto polygon = must(parse_study_target("polygon 0 m, 0 m; 1 m, 0 m; 0 m, 1 m at 5 m, 0 m"));
+  EXPECT_EQ(polygon, (StudyTarget{"", PolygonTarget{{{5, 0}, {6, 0}, {5, 1}}}}));
 }
 
 constexpr const char* kScenario = R"(
@@ -112,30 +101,27 @@ shots = 5000
 )";
 
 TEST(StudyText, of_a_scenario) {
-  const auto scenario = parse_scenario(kScenario, "test.toml");
-  ASSERT_TRUE(scenario) << scenario.error().text();
-  const auto study = study_of(*scenario, scenario->shots[0]);
-  ASSERT_TRUE(study) << study.error().text();
-  ASSERT_EQ(study->correlated.size(), 1U) << "pairs that share an input";
-  EXPECT_EQ(study->correlated[0].inputs, (std::vector<std::size_t>{0, 3, 2}));
-  EXPECT_EQ(study->correlated[0].matrix, (std::vector<double>{1, 0.5, 0, 0.5, 1, -0.25, 0, -0.25, 1}));
-  EXPECT_EQ(study->targets[0].name, "target-1");
-  EXPECT_EQ(study->aim, (PlanePoint{1, 80}));
-  EXPECT_EQ(study->shots, 5000U);
-  const auto again = parse_scenario(scenario_text(*scenario), "again.toml");
-  ASSERT_TRUE(again) << again.error().text();
-  EXPECT_EQ(again->study.inputs, scenario->study.inputs);
-  EXPECT_EQ(again->study.aim, scenario->study.aim);
+  const auto scenario = must(parse_scenario(kScenario, "test.toml"));
+  const auto study = must(study_of(scenario, scenario.shots[0]));
+  ASSERT_EQ(study.correlated.size(), 1U) << "pairs that share an input";
+  EXPECT_EQ(study.correlated[0].inputs, (std::vector<std::size_t>{0, 3, 2}));
+  EXPECT_EQ(study.correlated[0].matrix, (std::vector<double>{1, 0.5, 0, 0.5, 1, -0.25, 0, -0.25, 1}));
+  EXPECT_EQ(study.targets[0].name, "target-1");
+  EXPECT_EQ(study.aim, (PlanePoint{1, 80}));
+  EXPECT_EQ(study.shots, 5000U);
+  const auto again = must(parse_scenario(scenario_text(scenario), "again.toml"));
+  EXPECT_EQ(again.study.inputs, scenario.study.inputs);
+  EXPECT_EQ(again.study.aim, scenario.study.aim);
 
-  Scenario bad = *scenario;
+  Scenario bad = scenario;
   bad.study.correlated = {"shot.speed with shot.diameter = 0.5"};
   EXPECT_NE(study_of(bad, bad.shots[0]).error().text().find("shot.diameter is none"), std::string::npos);
   bad.study.correlated = {"shot.speed with shot.mass = 0.5", "shot.mass with shot.speed = -0.5"};
   EXPECT_NE(study_of(bad, bad.shots[0]).error().text().find("a correlation already"), std::string::npos);
-  bad = *scenario;
+  bad = scenario;
   bad.study.inputs = {"shot.speed = fast"};
   EXPECT_NE(study_of(bad, bad.shots[0]).error().text().find("study.inputs[0]"), std::string::npos);
-  bad = *scenario;
+  bad = scenario;
   bad.study.aim = "1 m";
   EXPECT_NE(study_of(bad, bad.shots[0]).error().text().find("study.aim"), std::string::npos);
 }
@@ -183,23 +169,20 @@ TEST(StudyInPlace, a_number_is_a_distribution_and_its_mean_is_flown) {
                            "speed = \"800 m/s +- 3 m/s\"\nposition = [0, \"1 m .. 3 m\", 0]\n"
                            "[environment]\nwind = { velocity = [0, 0, \"lognormal 2 m/s +- 1 m/s per occasion\"] }\n"
                            "[study]\nrounds = 16\ninputs = [\"shot.azimuth = +- 1 deg\"]\n";
-  const auto scenario = parse_scenario(text, "test.toml");
-  ASSERT_TRUE(scenario) << scenario.error().text();
-  EXPECT_EQ(scenario->shots[0].launch.speed, 800);
-  EXPECT_EQ(scenario->shots[0].launch.position.y, 2);
-  EXPECT_EQ(scenario->environment.wind.velocity.z, 2);
-  const auto study = study_of(*scenario, scenario->shots[0]);
-  ASSERT_TRUE(study) << study.error().text();
-  ASSERT_EQ(study->inputs.size(), 4U);
-  EXPECT_EQ(study->inputs[0], (StudyInput{"shot.speed", NormalDistribution{800, 3}}));
-  EXPECT_EQ(study->inputs[1], (StudyInput{"shot.position.y", UniformDistribution{1, 3}}));
-  EXPECT_EQ(study->inputs[2],
+  const auto scenario = must(parse_scenario(text, "test.toml"));
+  EXPECT_EQ(scenario.shots[0].launch.speed, 800);
+  EXPECT_EQ(scenario.shots[0].launch.position.y, 2);
+  EXPECT_EQ(scenario.environment.wind.velocity.z, 2);
+  const auto study = must(study_of(scenario, scenario.shots[0]));
+  ASSERT_EQ(study.inputs.size(), 4U);
+  EXPECT_EQ(study.inputs[0], (StudyInput{"shot.speed", NormalDistribution{800, 3}}));
+  EXPECT_EQ(study.inputs[1], (StudyInput{"shot.position.y", UniformDistribution{1, 3}}));
+  EXPECT_EQ(study.inputs[2],
             (StudyInput{"environment.wind.velocity.z", LognormalDistribution{2, 1}, DrawnFor::occasion}));
-  EXPECT_EQ(study->inputs[3].path, "shot.azimuth") << "those of [study] stand behind";
-  const auto again = parse_scenario(scenario_text(*scenario), "again.toml");
-  ASSERT_TRUE(again) << again.error().text();
-  EXPECT_EQ(again->study.inputs, scenario->study.inputs);
-  EXPECT_EQ(again->shots[0].launch.speed, 800);
+  EXPECT_EQ(study.inputs[3].path, "shot.azimuth") << "those of [study] stand behind";
+  const auto again = must(parse_scenario(scenario_text(scenario), "again.toml"));
+  EXPECT_EQ(again.study.inputs, scenario.study.inputs);
+  EXPECT_EQ(again.shots[0].launch.speed, 800);
 }
 
 TEST(StudyInPlace, tables_and_overrides_say_it_too) {
@@ -267,21 +250,18 @@ TEST(StudyColumn, is_read_from_the_folder_of_the_scenario) {
     const auto scenario = parse_scenario(std::string(kHead) + "[study]\ninputs = [\"" + input + "\"]\n", file);
     return scenario ? study_of(*scenario, scenario->shots[0]) : scenario.error();
   };
-  const auto study = study_with("shot.speed = column speed of speeds.csv");
-  ASSERT_TRUE(study) << study.error().text();
-  EXPECT_EQ(study->inputs[0].distribution,
+  const auto study = must(study_with("shot.speed = column speed of speeds.csv"));
+  EXPECT_EQ(study.inputs[0].distribution,
             Distribution(DiscreteDistribution{{2640 * 0.3048, 2650 * 0.3048, 2655 * 0.3048}, {}}));
   // As spreadsheets write it: a byte order mark, quotes around what has commas; and differences of temperatures.
   std::ofstream(folder / "days.csv") << "\xef\xbb\xbfremark,dT [degC]\r\n\"cold, wet\",-2\r\n\"\",0\r\nwarm,3\r\n";
-  const auto days = study_with("environment.atmosphere.temperature = added column dT of days.csv");
-  ASSERT_TRUE(days) << days.error().text();
-  const auto& changes = std::get<DiscreteDistribution>(days->inputs[0].distribution).values;
+  const auto days = must(study_with("environment.atmosphere.temperature = added column dT of days.csv"));
+  const auto& changes = std::get<DiscreteDistribution>(days.inputs[0].distribution).values;
   ASSERT_EQ(changes.size(), 3u);
   for (std::size_t i = 0; i < 3; ++i) EXPECT_NEAR(changes[i], std::vector<double>({-2, 0, 3})[i], 1e-12);
   const auto in_place =
-      parse_scenario(std::string(kHead) + "speed = { column = \"speed\", file = \"speeds.csv\" }\n", file);
-  ASSERT_TRUE(in_place) << in_place.error().text();
-  EXPECT_NEAR(in_place->shots[0].launch.speed, 0.3048 * 7945 / 3, 1e-9);
+      must(parse_scenario(std::string(kHead) + "speed = { column = \"speed\", file = \"speeds.csv\" }\n", file));
+  EXPECT_NEAR(in_place.shots[0].launch.speed, 0.3048 * 7945 / 3, 1e-9);
   const auto refused = [&](const std::string& input) {
     const auto with = study_with(input);
     return with ? std::string("none") : with.error().text();
@@ -295,11 +275,7 @@ TEST(StudyColumn, is_read_from_the_folder_of_the_scenario) {
 
 TEST(StudyText, places) {
   using Q = StudyQuantity;
-  const auto event = [](const char* text) {
-    const auto place = parse_study_place(text);
-    EXPECT_TRUE(place) << place.error().text();
-    return place ? place->event : EventSpec{};
-  };
+  const auto event = [](const char* text) { return must(parse_study_place(text)).event; };
   EXPECT_EQ(event("800 m").kind, EventKind::range);
   EXPECT_EQ(event("0.5 km").value, 500);
   EXPECT_EQ(event("range 800 m").value, 800);
@@ -310,9 +286,8 @@ TEST(StudyText, places) {
   EXPECT_EQ(event("time 2 s").direction, Crossing::any);
   EXPECT_EQ(event("mach 1").value, 1);
   EXPECT_EQ(event("ground").value, 0);
-  const auto with = parse_study_place("apex : y, time");
-  ASSERT_TRUE(with) << with.error().text();
-  EXPECT_EQ(with->quantities, (std::vector<Q>{Q::y, Q::time}));
+  const auto with = must(parse_study_place("apex : y, time"));
+  EXPECT_EQ(with.quantities, (std::vector<Q>{Q::y, Q::time}));
   for (const char* text : {"800 m", "apex", "apex rising", "height 100 m falling", "time 2 s rising", "speed 340 m/s",
                            "mach 1.2", "ground", "ground 5 m", "burnout", "rail_exit"})
     EXPECT_EQ(place_text(event(text)), text);
@@ -333,5 +308,4 @@ TEST(StudyText, places) {
   EXPECT_NE(refused(": y").find("is no place"), std::string::npos);
 }
 
-}  // namespace scenario_study_text_test
-}  // namespace physim
+}  // namespace physim::scenario_study_text_test

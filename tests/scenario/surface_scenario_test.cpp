@@ -1,16 +1,9 @@
 // Rules of combination and conveyors in scenario files: read, flown, refused, and what has no effect.
-#include <gtest/gtest.h>
-
-#include <cmath>
-
 #include "scenario/run_support.hpp"
-#include "scenario/scenario.hpp"
 #include "scenario/slope_scene.hpp"
-#include "scenario/world_run.hpp"
 #include "support.hpp"
 
-namespace physim {
-namespace scenario_surface_test {
+namespace physim::scenario_surface_test {
 
 constexpr double kG = 9.80665;
 
@@ -62,10 +55,9 @@ TEST(SurfaceScenario, is_read_as_it_is_written) {
 /// The smaller friction takes the parcel along: u t - u^2 / (2 mu g).
 TEST(SurfaceScenario, carries_what_lies_on_it) {
   for (const std::string& text : {kBelt + kWorld, kParcel + kRunningGround}) {
-    Result<WorldRun> run = WorldRun::create(parsed(kVacuum + text));
-    ASSERT_TRUE(run) << run.error().text();
-    const World& world = run->world();
-    while (world.time() < 1.99) run->step();
+    WorldRun run = must(WorldRun::create(parsed(kVacuum + text)));
+    const World& world = run.world();
+    while (world.time() < 1.99) run.step();
     ASSERT_EQ(world.size(), 1u);
     const ProjectileId id = world.ids().front();
     EXPECT_NEAR(world[id].velocity().x, 2, 1e-9);
@@ -102,5 +94,4 @@ TEST(SurfaceScenario, names_what_has_no_effect) {
   EXPECT_NE(lands.find("world.ground.conveyor: has no effect"), lands.npos) << lands;
 }
 
-}  // namespace scenario_surface_test
-}  // namespace physim
+}  // namespace physim::scenario_surface_test

@@ -1,20 +1,15 @@
 // Terrain out of files: SRTM and GeoTIFF that the test writes, in latitude and longitude and in another projection.
 #include "physim/files.hpp"
 
-#include <gtest/gtest.h>
-
-#include <algorithm>
 #include <bit>
 #include <cmath>
-#include <fstream>
 #include <functional>
 
 #include "cli/program.hpp"
 #include "physim/environment.hpp"
 #include "scenario/scenario.hpp"
 
-namespace physim {
-namespace scenario_terrain_file_test {
+namespace physim::scenario_terrain_file_test {
 
 constexpr double kDegree = 3.141592653589793 / 180;
 
@@ -146,58 +141,54 @@ TEST(TerrainFiles, AreReadOrTheBuildSaysThatItCannot) {
 
 TEST_F(TerrainFile, OfSrtmIsReadPointByPoint) {
   const std::string file = tile([](int row, int column) { return row - 2 * column; });
-  const auto all = read_terrain_file(file);
-  ASSERT_TRUE(all) << all.error().text();
-  ASSERT_EQ(all->columns, 1201u);
-  ASSERT_EQ(all->rows, 1201u);
-  EXPECT_NEAR(all->latitude, 46 * kDegree, 1e-12);
-  EXPECT_NEAR(all->longitude, 7 * kDegree, 1e-12);
-  EXPECT_NEAR(all->latitude_step, kTileStep * kDegree, 1e-15);
-  EXPECT_NEAR(all->longitude_step, kTileStep * kDegree, 1e-15);
+  const auto all = must(read_terrain_file(file));
+  ASSERT_EQ(all.columns, 1201u);
+  ASSERT_EQ(all.rows, 1201u);
+  EXPECT_NEAR(all.latitude, 46 * kDegree, 1e-12);
+  EXPECT_NEAR(all.longitude, 7 * kDegree, 1e-12);
+  EXPECT_NEAR(all.latitude_step, kTileStep * kDegree, 1e-15);
+  EXPECT_NEAR(all.longitude_step, kTileStep * kDegree, 1e-15);
   for (const int row : {0, 1, 700, 1200})
     for (const int column : {0, 5, 1200})
-      EXPECT_EQ(all->heights[std::size_t(row) * 1201 + std::size_t(column)], 1200 - row - 2 * column);
+      EXPECT_EQ(all.heights[std::size_t(row) * 1201 + std::size_t(column)], 1200 - row - 2 * column);
 }
 
 TEST_F(TerrainFile, IsCutAboutAPlace) {
   const std::string file = tile([](int row, int column) { return row - 2 * column; });
-  const auto part = read_terrain_file(
-      file, {.latitude = 46.25 * kDegree, .longitude = 7.5 * kDegree, .reach = 2000, .every = 4, .geoid = 50});
-  ASSERT_TRUE(part) << part.error().text();
-  EXPECT_NEAR(part->latitude_step, 4 * kTileStep * kDegree, 1e-15);
+  const auto part = must(read_terrain_file(
+      file, {.latitude = 46.25 * kDegree, .longitude = 7.5 * kDegree, .reach = 2000, .every = 4, .geoid = 50}));
+  EXPECT_NEAR(part.latitude_step, 4 * kTileStep * kDegree, 1e-15);
   // 2 km are 0.018 degrees of latitude, 21.6 steps, and 0.026 of longitude, 31.2 steps.
-  EXPECT_EQ(part->rows, (22 + 22) / 4 + 1u);
-  EXPECT_EQ(part->columns, (32 + 32) / 4 + 1u);
-  for (std::uint32_t row = 0; row < part->rows; ++row)
-    for (std::uint32_t column = 0; column < part->columns; ++column) {
-      const double north = (part->latitude + row * part->latitude_step) / kDegree - 46;
-      const double east = (part->longitude + column * part->longitude_step) / kDegree - 7;
+  EXPECT_EQ(part.rows, (22 + 22) / 4 + 1u);
+  EXPECT_EQ(part.columns, (32 + 32) / 4 + 1u);
+  for (std::uint32_t row = 0; row < part.rows; ++row)
+    for (std::uint32_t column = 0; column < part.columns; ++column) {
+      const double north = (part.latitude + row * part.latitude_step) / kDegree - 46;
+      const double east = (part.longitude + column * part.longitude_step) / kDegree - 7;
       const double expected = 1200 * (1 - north) - 2 * 1200 * east + 50;
-      ASSERT_NEAR(part->heights[std::size_t{row} * part->columns + column], expected, 1e-6) << row << " " << column;
+      ASSERT_NEAR(part.heights[std::size_t{row} * part.columns + column], expected, 1e-6) << row << " " << column;
     }
-  EXPECT_NEAR(part->latitude / kDegree + part->rows / 2 * 4 * kTileStep, 46.25, 4 * kTileStep);
+  EXPECT_NEAR(part.latitude / kDegree + part.rows / 2 * 4 * kTileStep, 46.25, 4 * kTileStep);
 }
 
 TEST_F(TerrainFile, WithHolesWantsAHeightForThem) {
   const std::string file = tile([](int row, int column) { return row == 1000 && column == 3 ? -32768 : 7; });
   EXPECT_EQ(read_terrain_file(file).error().message,
             "has points without a height: row 1001, column 4: latitude 46.166667, longitude 7.002500");
-  const auto filled = read_terrain_file(file, {.geoid = 40, .missing = -2});
-  ASSERT_TRUE(filled) << filled.error().text();
-  EXPECT_EQ(filled->heights[200u * 1201 + 3], 38);
-  EXPECT_EQ(filled->heights[200u * 1201 + 4], 47);
+  const auto filled = must(read_terrain_file(file, {.geoid = 40, .missing = -2}));
+  EXPECT_EQ(filled.heights[200u * 1201 + 3], 38);
+  EXPECT_EQ(filled.heights[200u * 1201 + 4], 47);
 }
 
 TEST_F(TerrainFile, KnowsFeet) {
   Tiff tiff(3, 2, {1000, 2000, -9, 4000, 5000, 6000});
   tiff.lies_at(10, 50, 0.5, 2, 2048, 4326).means("ft", "-9");
-  const auto grid = read_terrain_file(written("feet.tif", tiff.bytes()), {.missing = 0});
-  ASSERT_TRUE(grid) << grid.error().text();
-  EXPECT_NEAR(grid->latitude, 49.5 * kDegree, 1e-12);
-  EXPECT_NEAR(grid->longitude, 10 * kDegree, 1e-12);
+  const auto grid = must(read_terrain_file(written("feet.tif", tiff.bytes()), {.missing = 0}));
+  EXPECT_NEAR(grid.latitude, 49.5 * kDegree, 1e-12);
+  EXPECT_NEAR(grid.longitude, 10 * kDegree, 1e-12);
   const std::vector<double> expected = {1219.2, 1524, 1828.8, 304.8, 609.6, 0};
-  ASSERT_EQ(grid->heights.size(), expected.size());
-  for (std::size_t i = 0; i < expected.size(); ++i) EXPECT_NEAR(grid->heights[i], expected[i], 1e-9) << i;
+  ASSERT_EQ(grid.heights.size(), expected.size());
+  for (std::size_t i = 0; i < expected.size(); ++i) EXPECT_NEAR(grid.heights[i], expected[i], 1e-9) << i;
 }
 
 TEST_F(TerrainFile, KnowsUnits) {
@@ -232,9 +223,8 @@ TEST_F(TerrainFile, HasNoHeightWhereThereIsNone) {
     tiff.lies_at(10, 50, 0.5, 2, 2048, 4326).means("m", nothing);
     const std::string file = written("nothing.tif", tiff.bytes());
     EXPECT_FALSE(read_terrain_file(file)) << nothing;
-    const auto grid = read_terrain_file(file, {.missing = 3});
-    ASSERT_TRUE(grid) << grid.error().text();
-    EXPECT_EQ(grid->heights, (std::vector<double>{3, 400, 100, 200})) << nothing;
+    const auto grid = must(read_terrain_file(file, {.missing = 3}));
+    EXPECT_EQ(grid.heights, (std::vector<double>{3, 400, 100, 200})) << nothing;
   }
 }
 
@@ -255,14 +245,13 @@ TEST_F(TerrainFile, OfTextWithWholeNumbersHasItsHoles) {
     ASSERT_FALSE(grid) << file;
     EXPECT_NE(grid.error().message.find("has points without a height: row 1, column 2"), std::string::npos)
         << grid.error().text();
-    const auto filled = read_terrain_file(file, {.missing = 7});
-    ASSERT_TRUE(filled) << filled.error().text();
-    EXPECT_EQ(filled->heights[3], 7) << file;
-    EXPECT_EQ(filled->impossible, 0U) << file;
+    const auto filled = must(read_terrain_file(file, {.missing = 7}));
+    EXPECT_EQ(filled.heights[3], 7) << file;
+    EXPECT_EQ(filled.impossible, 0U) << file;
   }
-  const auto other = read_terrain_file(text_grid("other", "NODATA_value 0\n", "100 -9999\n300 400\n"));
-  ASSERT_TRUE(other) << "it says what its number for nothing is";
-  EXPECT_EQ(other->heights[3], -9999);
+  const auto other = must(read_terrain_file(text_grid("other", "NODATA_value 0\n", "100 -9999\n300 400\n")),
+                          "it says what its number for nothing is");
+  EXPECT_EQ(other.heights[3], -9999);
 }
 
 /// A height that no ground has is replaced, and a note says so; a void that the file declares needs no word.
@@ -270,11 +259,10 @@ TEST_F(TerrainFile, WithImpossibleHeightsIsAskedAbout) {
   Tiff tiff(3, 2, {100, 200, -9, 32767, 500, -32768});
   tiff.lies_at(10, 50, 0.5, 2, 2048, 4326).means("m", "-9");
   const std::string file = written("impossible.tif", tiff.bytes());
-  const auto grid = read_terrain_file(file, {.missing = 3});
-  ASSERT_TRUE(grid) << grid.error().text();
-  EXPECT_EQ(grid->heights, (std::vector<double>{3, 500, 3, 100, 200, 3}));
-  EXPECT_EQ(grid->impossible, 2u);
-  EXPECT_EQ(grid->impossible_height, 32767);
+  const auto grid = must(read_terrain_file(file, {.missing = 3}));
+  EXPECT_EQ(grid.heights, (std::vector<double>{3, 500, 3, 100, 200, 3}));
+  EXPECT_EQ(grid.impossible, 2u);
+  EXPECT_EQ(grid.impossible_height, 32767);
   Tiff peak(2, 2, {100, 200, 300, 32767});
   peak.lies_at(10, 50, 0.5, 2, 2048, 4326).means("m", "-9");
   EXPECT_EQ(read_terrain_file(written("peak.tif", peak.bytes())).error().message,
@@ -286,35 +274,31 @@ TEST_F(TerrainFile, WithImpossibleHeightsIsAskedAbout) {
       "[[thing]]\nshape = \"hill\"\n[[shape]]\nname = \"hill\"\nmesh = { terrain = \"impossible.tif\", missing = 3 }\n";
   const std::string scenario = in_folder("impossible.toml");
   std::ofstream(scenario) << text;
-  const auto read = load_scenario(scenario);
-  ASSERT_TRUE(read) << read.error().text();
+  const auto read = must(load_scenario(scenario));
   const std::string end =
       "shape.mesh.missing: it replaces a height of 32767 m, which no ground has, and 1 more such "
       "heights";
-  EXPECT_TRUE(std::ranges::any_of(read->notes, [&](const std::string& note) { return note.ends_with(end); }));
+  EXPECT_TRUE(std::ranges::any_of(read.notes, [&](const std::string& note) { return note.ends_with(end); }));
 }
 
 TEST_F(TerrainFile, HasNoHeightWhereItsAlphaBandOrMaskHasNothing) {
   Tiff alpha(2, 2, {100, 255, 200, 255, 300, 0, 400, 255}, true);
   alpha.lies_at(10, 50, 0.5, 2, 2048, 4326);
-  const auto with_alpha = read_terrain_file(written("alpha.tif", alpha.bytes()), {.missing = 3});
-  ASSERT_TRUE(with_alpha) << with_alpha.error().text();
-  EXPECT_EQ(with_alpha->heights, (std::vector<double>{3, 400, 100, 200}));
+  const auto with_alpha = must(read_terrain_file(written("alpha.tif", alpha.bytes()), {.missing = 3}));
+  EXPECT_EQ(with_alpha.heights, (std::vector<double>{3, 400, 100, 200}));
   Tiff heights(2, 2, {100, 200, 300, 400}), mask(2, 2, {255, 0, 255, 255});
   heights.lies_at(10, 50, 0.5, 2, 2048, 4326);
   const std::string file = written("masked.tif", heights.bytes());
   written("masked.tif.msk", mask.is_mask().bytes());  // beside it, as GDAL has it
-  const auto masked = read_terrain_file(file, {.missing = 3});
-  ASSERT_TRUE(masked) << masked.error().text();
-  EXPECT_EQ(masked->heights, (std::vector<double>{300, 400, 100, 3}));
+  const auto masked = must(read_terrain_file(file, {.missing = 3}));
+  EXPECT_EQ(masked.heights, (std::vector<double>{300, 400, 100, 3}));
   // Brought from another projection, the hole is still one.
   std::vector<float> flat;
   for (int i = 0; i < 41 * 41; ++i) flat.push_back(12), flat.push_back(i == 20 * 41 + 20 ? 0 : 255);
   Tiff utm(41, 41, flat, true);
   utm.lies_at(499500, 4984944.378 * 0.9996 + 500, 25, 1, 3072, 32632);
-  const auto warped = read_terrain_file(written("alpha_utm.tif", utm.bytes()), {.missing = 3});
-  ASSERT_TRUE(warped) << warped.error().text();
-  EXPECT_LT(warped->heights[warped->rows / 2 * std::size_t{warped->columns} + warped->columns / 2], 12);
+  const auto warped = must(read_terrain_file(written("alpha_utm.tif", utm.bytes()), {.missing = 3}));
+  EXPECT_LT(warped.heights[warped.rows / 2 * std::size_t{warped.columns} + warped.columns / 2], 12);
 }
 
 /// A plane in latitude and longitude of the Tokyo datum (EPSG 4301). By the parameters of its definition (EPSG 1230:
@@ -329,15 +313,14 @@ TEST_F(TerrainFile, InAnotherGeographicSystemIsBroughtToWgs84) {
       heights.push_back(static_cast<float>(1000 + 10 * (kSide / 2 - row) + 20 * (column - kSide / 2)));
   Tiff tiff(kSide, kSide, heights);
   tiff.lies_at(138 - kSide / 2 * kStep, 36 + kSide / 2 * kStep, kStep, 2, 2048, 4301);
-  const auto grid = read_terrain_file(written("tokyo.tif", tiff.bytes()),
-                                      {.latitude = 36 * kDegree, .longitude = 138 * kDegree, .reach = 3000});
-  ASSERT_TRUE(grid) << grid.error().text();
-  for (std::uint32_t row = 0; row < grid->rows; ++row)
-    for (std::uint32_t column = 0; column < grid->columns; ++column) {
-      const double north = (grid->latitude + row * grid->latitude_step) / kDegree - 36.00307;
-      const double east = (grid->longitude + column * grid->longitude_step) / kDegree - 137.99696;
+  const auto grid = must(read_terrain_file(written("tokyo.tif", tiff.bytes()),
+                                           {.latitude = 36 * kDegree, .longitude = 138 * kDegree, .reach = 3000}));
+  for (std::uint32_t row = 0; row < grid.rows; ++row)
+    for (std::uint32_t column = 0; column < grid.columns; ++column) {
+      const double north = (grid.latitude + row * grid.latitude_step) / kDegree - 36.00307;
+      const double east = (grid.longitude + column * grid.longitude_step) / kDegree - 137.99696;
       // 30 m are 0.0003 degrees.
-      ASSERT_NEAR(grid->heights[std::size_t{row} * grid->columns + column], 1000 + (10 * north + 20 * east) / kStep, 2);
+      ASSERT_NEAR(grid.heights[std::size_t{row} * grid.columns + column], 1000 + (10 * north + 20 * east) / kStep, 2);
     }
 }
 
@@ -349,17 +332,15 @@ TEST_F(TerrainFile, OfTheWholeEarthGoesOnAcrossItsEdge) {
   tiff.lies_at(-179.5, 1, 1, 2, 2048, 4326);
   const std::string file = written("earth.tif", tiff.bytes());
   for (const double longitude : {180.0, -180.0, 179.9, -179.9}) {
-    const auto grid = read_terrain_file(file, {.longitude = longitude * kDegree, .reach = 2 * 111e3});
-    ASSERT_TRUE(grid) << grid.error().text();
-    ASSERT_GE(grid->columns, 4U);
-    for (std::uint32_t i = 0; i < grid->columns; ++i) {
-      const double there = (grid->longitude + i * grid->longitude_step) / kDegree + 179.5;
-      EXPECT_EQ(grid->heights[i], std::lround(there + 720) % 360) << longitude << ' ' << i;
+    const auto grid = must(read_terrain_file(file, {.longitude = longitude * kDegree, .reach = 2 * 111e3}));
+    ASSERT_GE(grid.columns, 4U);
+    for (std::uint32_t i = 0; i < grid.columns; ++i) {
+      const double there = (grid.longitude + i * grid.longitude_step) / kDegree + 179.5;
+      EXPECT_EQ(grid.heights[i], std::lround(there + 720) % 360) << longitude << ' ' << i;
     }
   }
-  const auto all = read_terrain_file(file);
-  ASSERT_TRUE(all) << all.error().text();
-  EXPECT_EQ(all->columns, 360U);
+  const auto all = must(read_terrain_file(file));
+  EXPECT_EQ(all.columns, 360U);
 }
 
 // On the meridian of 9 degrees, the middle one of UTM's zone 32, northings are 0.9996 times the length of the meridian
@@ -374,18 +355,17 @@ TEST_F(TerrainFile, InAnotherProjectionIsBroughtToLatitudeAndLongitude) {
   Tiff tiff(kSide, kSide, heights);
   tiff.lies_at(500000 - kSide / 2 * kStep, kNorthing + kSide / 2 * kStep, kStep, 1, 3072, 32632);
   const std::string file = written("utm.tif", tiff.bytes());
-  const auto grid = read_terrain_file(file, {.latitude = 45 * kDegree, .longitude = 9 * kDegree, .reach = 700});
-  ASSERT_TRUE(grid) << grid.error().text();
-  ASSERT_GT(grid->heights.size(), 400u);
+  const auto grid = must(read_terrain_file(file, {.latitude = 45 * kDegree, .longitude = 9 * kDegree, .reach = 700}));
+  ASSERT_GT(grid.heights.size(), 400u);
   // Metres of a degree there: by the radii of curvature of the ellipsoid.
   constexpr double kSquare = 0.00669437999014, kAxis = 6378137, kBent = 1 - kSquare / 2;
   const double meridian = kAxis * (1 - kSquare) / (kBent * std::sqrt(kBent)), normal = kAxis / std::sqrt(kBent);
-  for (std::uint32_t row = 0; row < grid->rows; ++row)
-    for (std::uint32_t column = 0; column < grid->columns; ++column) {
-      const double north = (grid->latitude + row * grid->latitude_step - 45 * kDegree) * meridian * 0.9996;
-      const double east = (grid->longitude + column * grid->longitude_step - 9 * kDegree) * normal *
-                          std::cos(grid->latitude + row * grid->latitude_step) * 0.9996;
-      ASSERT_NEAR(grid->heights[std::size_t{row} * grid->columns + column], north / kStep * 2 + east / kStep, 0.02);
+  for (std::uint32_t row = 0; row < grid.rows; ++row)
+    for (std::uint32_t column = 0; column < grid.columns; ++column) {
+      const double north = (grid.latitude + row * grid.latitude_step - 45 * kDegree) * meridian * 0.9996;
+      const double east = (grid.longitude + column * grid.longitude_step - 9 * kDegree) * normal *
+                          std::cos(grid.latitude + row * grid.latitude_step) * 0.9996;
+      ASSERT_NEAR(grid.heights[std::size_t{row} * grid.columns + column], north / kStep * 2 + east / kStep, 0.02);
     }
 }
 
@@ -398,11 +378,10 @@ TEST_F(TerrainFile, InATurnedProjectionHasNothingAtTheCorners) {
   ASSERT_FALSE(refused);
   EXPECT_TRUE(refused.error().message.starts_with("has points without a height: latitude 45."))
       << refused.error().message;
-  const auto grid = read_terrain_file(file, {.missing = -7});
-  ASSERT_TRUE(grid) << grid.error().text();
-  EXPECT_EQ(grid->heights.front(), -7);
-  EXPECT_EQ(grid->heights.back(), -7);
-  EXPECT_NEAR(grid->heights[grid->rows / 2 * std::size_t{grid->columns} + grid->columns / 2], 12, 1e-9);
+  const auto grid = must(read_terrain_file(file, {.missing = -7}));
+  EXPECT_EQ(grid.heights.front(), -7);
+  EXPECT_EQ(grid.heights.back(), -7);
+  EXPECT_NEAR(grid.heights[grid.rows / 2 * std::size_t{grid.columns} + grid.columns / 2], 12, 1e-9);
 }
 
 TEST_F(TerrainFile, ThatMakesNoSenseIsRefused) {
@@ -445,9 +424,8 @@ std::string scenario_with(const std::string& mesh, const std::string& more = "")
 TEST_F(TerrainFile, StandsInScenariosAboutTheirPlace) {
   const std::string terrain = tile([](int row, int) { return 700 + row - 600; });  // falls northwards
   const std::string text = scenario_with("mesh = { terrain = \"N46E007.hgt\", reach = \"3 km\", every = 2 }");
-  const auto scenario = parse_scenario(text, in_folder("f.toml"));
-  ASSERT_TRUE(scenario) << scenario.error().text();
-  const Scene scene = scene_of(*scenario).value();
+  const auto scenario = must(parse_scenario(text, in_folder("f.toml")));
+  const Scene scene = scene_of(scenario).value();
   const SceneHit below = scene.first_hit({{0, 1000, 0}, {0, -1000, 0}, 0, 0, 0});
   ASSERT_TRUE(below);
   EXPECT_NEAR(below.position.y, 700 - 500, 1e-3);
@@ -456,23 +434,21 @@ TEST_F(TerrainFile, StandsInScenariosAboutTheirPlace) {
   ASSERT_TRUE(north);
   EXPECT_NEAR(north.position.y, 200 - 1000 / 111.17e3 * 1200 - 1e6 / 2 / 6.37e6, 0.03);
   EXPECT_FALSE(scene.first_hit({{4000, 1000, 0}, {4000, -1000, 0}, 0, 0, 0}));
-  const std::string again = scenario_text(*scenario);
+  const std::string again = scenario_text(scenario);
   EXPECT_NE(again.find("terrain = \"N46E007.hgt\""), again.npos) << again;
   EXPECT_EQ(again.find("vertices"), again.npos);
-  const auto reread = parse_scenario(again, in_folder("f.toml"));
-  ASSERT_TRUE(reread) << reread.error().text();
-  EXPECT_EQ(std::get<MeshShape>(reread->shapes[0].shape).vertices,
-            std::get<MeshShape>(scenario->shapes[0].shape).vertices);
+  const auto reread = must(parse_scenario(again, in_folder("f.toml")));
+  EXPECT_EQ(std::get<MeshShape>(reread.shapes[0].shape).vertices,
+            std::get<MeshShape>(scenario.shapes[0].shape).vertices);
 }
 
 TEST_F(TerrainFile, ThatEndsBeforeItsReachHasANote) {
   tile([](int, int) { return 700; });  // 55.6 km north and south of the place, 38.3 km east and west
   const auto notes = [&](const std::string& reach) {
-    const auto scenario =
-        parse_scenario(scenario_with("mesh = { terrain = \"N46E007.hgt\", every = 50, reach = \"" + reach + "\" }"),
-                       in_folder("f.toml"));
-    EXPECT_TRUE(scenario) << scenario.error().text();
-    return scenario ? scenario->notes : std::vector<std::string>();
+    return must(parse_scenario(
+                    scenario_with("mesh = { terrain = \"N46E007.hgt\", every = 50, reach = \"" + reach + "\" }"),
+                    in_folder("f.toml")))
+        .notes;
   };
   EXPECT_TRUE(notes("30 km").empty());
   EXPECT_TRUE(notes("38 km").empty());
@@ -505,5 +481,4 @@ TEST_F(TerrainFile, OfScenariosIsRefusedAtItsLine) {
       << refusal("mesh = { terrain = \"N46E007.hgt\" }", round);
 }
 
-}  // namespace scenario_terrain_file_test
-}  // namespace physim
+}  // namespace physim::scenario_terrain_file_test

@@ -1,15 +1,11 @@
 // Files are read whole within a limit; what has no end is refused by every door that reads one.
 #include "scenario/text_file.hpp"
 
-#include <fcntl.h>
-#include <gtest/gtest.h>
 #include <signal.h>
 #include <sys/socket.h>
 #include <sys/stat.h>
 #include <sys/un.h>
-#include <unistd.h>
 
-#include <filesystem>
 #include <thread>
 
 #include "cli/program.hpp"
@@ -17,8 +13,7 @@
 #include "scenario/measured_column.hpp"
 #include "scenario/scenario.hpp"
 
-namespace physim {
-namespace scenario_text_file_test {
+namespace physim::scenario_text_file_test {
 
 using testing_cli::Folder;
 using testing_cli::has;
@@ -48,9 +43,8 @@ TEST(TextFile, IsReadToItsEnd) {
   const Folder folder;
   for (const std::size_t size : {0, 1, 4095, 4096}) {
     const std::string text(size, 'x');
-    const auto read = read_text_file(folder.write("a", text), kSmall, "list");
-    ASSERT_TRUE(read) << size;
-    EXPECT_EQ(*read, text) << size;
+    const auto read = must(read_text_file(folder.write("a", text), kSmall, "list"), size);
+    EXPECT_EQ(read, text) << size;
   }
   const std::string large = folder.write("large", std::string(4097, 'x'));
   EXPECT_EQ(read_text_file(large, kSmall, "list").error().text(),
@@ -86,10 +80,9 @@ TEST(TextFile, OfAPipeEndsToo) {
   EXPECT_EQ(read_text_file(pipe, kSmall, "list").error().text(),
             pipe + ": error: nobody writes into this pipe; name a list");
   std::thread writer = writer_of(pipe, std::string(4096, 'y'));
-  const auto read = read_text_file(pipe, kSmall, "list");
+  const auto read = must(read_text_file(pipe, kSmall, "list"));
   writer.join();
-  ASSERT_TRUE(read) << read.error().text();
-  EXPECT_EQ(*read, std::string(4096, 'y'));
+  EXPECT_EQ(read, std::string(4096, 'y'));
   std::thread endless = writer_of(pipe, std::string(1 << 20, 'y'));
   EXPECT_TRUE(has(read_text_file(pipe, kSmall, "list").error().text(), "larger than 4 KiB"));
   endless.join();
@@ -117,10 +110,8 @@ TEST(TextFile, WithoutAnEndIsRefusedByEveryDoor) {
   if (!reads_mesh_files()) return;
   const std::string triangle = "\nv 0 0 0\nv 1 0 0\nv 0 1 0\nusemtl a\nf 1 2 3\n";
   pipe_in(folder, "m.mtl");
-  const auto mesh = read_mesh_file(folder.write("m.obj", "mtllib m.mtl" + triangle));
-  ASSERT_TRUE(mesh) << mesh.error().text();
-  EXPECT_EQ(mesh->triangles.size(), 1U);
+  const auto mesh = must(read_mesh_file(folder.write("m.obj", "mtllib m.mtl" + triangle)));
+  EXPECT_EQ(mesh.triangles.size(), 1U);
 }
 
-}  // namespace scenario_text_file_test
-}  // namespace physim
+}  // namespace physim::scenario_text_file_test

@@ -1,15 +1,9 @@
 // Hits of a run: told once each, with what became of them, counted by thing, and judged by expectations.
-#include <gtest/gtest.h>
-
-#include <cmath>
-
 #include "scenario/run_support.hpp"
 #include "scenario/slope_scene.hpp"
-#include "scenario/world_run.hpp"
 #include "support.hpp"
 
-namespace physim {
-namespace scenario_thing_hits_test {
+namespace physim::scenario_thing_hits_test {
 
 constexpr double kG = 9.80665;
 
@@ -237,9 +231,8 @@ TEST(ThingHits, CountPassagesByThing) {
 
 TEST(ThingHits, AreJudgedByExpectations) {
   const std::string expect = "[[expect]]\nthing = \"second\"\nquantity = \"hits\"\nequals = 3\nwithin = 0\n";
-  const auto scenario = parse_scenario(kVacuum + kThrough + expect, "f.toml");
-  ASSERT_TRUE(scenario) << scenario.error().text();
-  EXPECT_EQ(scenario->expect[0].thing, "second");
+  const auto scenario = must(parse_scenario(kVacuum + kThrough + expect, "f.toml"));
+  EXPECT_EQ(scenario.expect[0].thing, "second");
   const auto error_of = [&](const std::string& keys) {
     return parse_scenario(kVacuum + kThrough + "[[expect]]\n" + keys + "\nequals = 3\nwithin = 0\n", "f")
         .error()
@@ -261,8 +254,7 @@ TEST(ThingHits, GoOnInASaveAndARestoredRun) {
   WorldRun run = run_of(kVacuum + kThrough);
   for (int i = 0; i < 8; ++i) run.step();
   const RunSnapshot snapshot = run.snapshot();
-  const auto bytes = run.save();
-  ASSERT_TRUE(bytes);
+  const auto bytes = must(run.save());
   const auto finish = [](WorldRun& r) {
     while (r.world().time() < 1 - 1e-9) r.step();
     return r.groups()[0];
@@ -272,9 +264,8 @@ TEST(ThingHits, GoOnInASaveAndARestoredRun) {
   const WorldGroup again = finish(run);
   EXPECT_EQ(again.hits, once.hits);
   EXPECT_EQ(again.by_thing[1].speed_after.mean, once.by_thing[1].speed_after.mean);
-  Result<WorldRun> loaded = WorldRun::load(run.scenario(), *bytes);
-  ASSERT_TRUE(loaded) << loaded.error().text();
-  const WorldGroup later = finish(*loaded);
+  WorldRun loaded = must(WorldRun::load(run.scenario(), bytes));
+  const WorldGroup later = finish(loaded);
   EXPECT_EQ(later.hits, once.hits);
   EXPECT_EQ(later.by_thing[1].speed_after.mean, once.by_thing[1].speed_after.mean);
 }
@@ -283,12 +274,10 @@ TEST(ThingHits, GoOnInASaveAndARestoredRun) {
 TEST(ThingHits, AreOfTheSceneThatASaveIsOf) {
   WorldRun run = run_of(kVacuum + kThrough);
   run.step();
-  const auto bytes = run.save();
-  ASSERT_TRUE(bytes);
+  const auto bytes = must(run.save());
   Scenario other = run.scenario();
   other.things[2].position.x = 21;
-  EXPECT_FALSE(WorldRun::load(other, *bytes));
+  EXPECT_FALSE(WorldRun::load(other, bytes));
 }
 
-}  // namespace scenario_thing_hits_test
-}  // namespace physim
+}  // namespace physim::scenario_thing_hits_test

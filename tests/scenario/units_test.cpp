@@ -1,7 +1,6 @@
 // Quantities as people write them.
 #include "scenario/units.hpp"
-
-#include <gtest/gtest.h>
+#include "must.hpp"
 
 #include <cmath>
 #include <cstring>
@@ -9,8 +8,7 @@
 
 #include "physim/units.hpp"
 
-namespace physim {
-namespace scenario_units_test {
+namespace physim::scenario_units_test {
 
 using namespace physim::units;
 
@@ -24,9 +22,8 @@ struct Written {
 class QuantityTest : public testing::TestWithParam<Written> {};
 
 TEST_P(QuantityTest, IsReadInSi) {
-  const Result<double> value = parse_quantity(GetParam().text, GetParam().quantity);
-  ASSERT_TRUE(value.ok()) << value.error().text();
-  EXPECT_DOUBLE_EQ(*value, GetParam().si) << GetParam().text;
+  const double value = must(parse_quantity(GetParam().text, GetParam().quantity));
+  EXPECT_DOUBLE_EQ(value, GetParam().si) << GetParam().text;
 }
 
 constexpr double kPi = 3.14159265358979323846;
@@ -178,9 +175,8 @@ TEST(Quantities, AreWrittenAsTheyAreTyped) {
 TEST(Quantities, HaveNoTextInAUnitThatReadsAsOtherBits) {
   EXPECT_EQ(number_with(0.9144, Quantity::length, " ft"), std::nullopt);
   EXPECT_EQ(number_with(0.9144, Quantity::length, " yd"), "1 yd");
-  const auto nearest = number_with(0.9144, Quantity::length, " ft", ReadsAs::nearest);
-  ASSERT_TRUE(nearest);
-  EXPECT_NEAR(parse_quantity(*nearest, Quantity::length).value(), 0.9144, 1e-15);
+  const auto nearest = must(number_with(0.9144, Quantity::length, " ft", ReadsAs::nearest));
+  EXPECT_NEAR(parse_quantity(nearest, Quantity::length).value(), 0.9144, 1e-15);
 }
 
 TEST(Quantities, TextIsReadable) {
@@ -201,5 +197,4 @@ TEST(Quantities, AdvertisedUnitsAreAccepted) {
   }
 }
 
-}  // namespace scenario_units_test
-}  // namespace physim
+}  // namespace physim::scenario_units_test

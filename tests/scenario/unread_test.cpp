@@ -1,23 +1,19 @@
 // Each setting that is given and that nothing reads is told, by its path and the reason; one that is read is not.
-#include <gtest/gtest.h>
-
 #include <algorithm>
 
+#include "must.hpp"
 #include "scenario/reader.hpp"
 #include "scenario/scenario.hpp"
 #include "scenario/unread.hpp"
 
-namespace physim {
-namespace scenario_unread_test {
+namespace physim::scenario_unread_test {
 
 /// Notes made when they are asked for, as in Python, are those made with the scenario.
 void expect_same_notes_later(const std::string& text, const std::vector<std::string>& notes) {
-  const Result<Value> document = parse_document(text, "f.toml");
-  ASSERT_TRUE(document);
-  const Result<Scenario> without = read_scenario(*document, "f.toml", Checks::together);
-  ASSERT_TRUE(without);
-  EXPECT_TRUE(without->notes.empty());
-  EXPECT_EQ(*physim::notes_of(*without, *document), notes) << text;
+  const Value document = must(parse_document(text, "f.toml"));
+  const Scenario without = must(read_scenario(document, "f.toml", Checks::together));
+  EXPECT_TRUE(without.notes.empty());
+  EXPECT_EQ(*physim::notes_of(without, document), notes) << text;
 }
 
 std::vector<std::string> notes_of(const std::string& text) {
@@ -436,5 +432,4 @@ TEST(Unread, a_list_is_told_once) {
   EXPECT_EQ(std::ranges::count_if(notes, [](const std::string& note) { return note.find("bands") != note.npos; }), 1);
 }
 
-}  // namespace scenario_unread_test
-}  // namespace physim
+}  // namespace physim::scenario_unread_test

@@ -1,12 +1,9 @@
 // Launches of a volley fly from their own moments, wherever those lie in the steps of a world.
-#include <gtest/gtest.h>
-
 #include <cmath>
 
 #include "scenario/run_support.hpp"
 
-namespace physim {
-namespace scenario_volley_inside_test {
+namespace physim::scenario_volley_inside_test {
 
 constexpr double kG = 9.80665;
 
@@ -65,5 +62,4 @@ TEST(VolleyInside, a_run_that_is_saved_between_steps_goes_on_to_the_bit) {
   EXPECT_EQ(going.groups()[0].spawned, 20u);
 }
 
-}  // namespace scenario_volley_inside_test
-}  // namespace physim
+}  // namespace physim::scenario_volley_inside_test

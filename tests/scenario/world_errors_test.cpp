@@ -1,10 +1,9 @@
 // Bad scenarios of worlds: every one gets a place, a reason and, where there is one, a way out.
-#include <gtest/gtest.h>
 
+#include "must.hpp"
 #include "scenario/world_run.hpp"
 
-namespace physim {
-namespace scenario_world_errors_test {
+namespace physim::scenario_world_errors_test {
 
 struct Bad {
   std::string text, error;
@@ -128,13 +127,11 @@ TEST(BadWorld, WithoutAWorldThereIsNoRun) {
 }
 
 TEST(BadWorld, AnImpossibleLaunchNamesItsShot) {
-  const Result<Scenario> scenario = parse_scenario(
-      "physim = 1\n[[shot]]\nname = \"slow\"\nspeed = 5\nsight = { zero_range = 1000 }\n[world]\n", "f.toml");
-  ASSERT_TRUE(scenario.ok()) << scenario.error().text();
-  const Result<WorldRun> run = WorldRun::create(*scenario);
+  const Scenario scenario = must(parse_scenario(
+      "physim = 1\n[[shot]]\nname = \"slow\"\nspeed = 5\nsight = { zero_range = 1000 }\n[world]\n", "f.toml"));
+  const Result<WorldRun> run = WorldRun::create(scenario);
   ASSERT_FALSE(run.ok());
   EXPECT_TRUE(run.error().place.starts_with("f.toml: shot \"slow\"")) << run.error().text();
 }
 
-}  // namespace scenario_world_errors_test
-}  // namespace physim
+}  // namespace physim::scenario_world_errors_test

@@ -1,16 +1,15 @@
 // Rockets keep their direction at every door: a launch from rest has none in its velocity.
-#include <gtest/gtest.h>
 
 #include <cmath>
 #include <fstream>
 #include <iterator>
 
+#include "must.hpp"
 #include "physim/solve.hpp"
 #include "scenario/volley.hpp"
 #include "scenario/world_run.hpp"
 
-namespace physim {
-namespace scenario_world_rocket_test {
+namespace physim::scenario_world_rocket_test {
 
 const std::string kRocket = PHYSIM_SOURCE_DIR "/scenarios/model_rocket.toml";
 
@@ -18,9 +17,7 @@ const std::string kRocket = PHYSIM_SOURCE_DIR "/scenarios/model_rocket.toml";
 Scenario rocket(const std::vector<std::string>& overrides) {
   std::ifstream file(kRocket);
   const std::string text{std::istreambuf_iterator<char>(file), {}};
-  const Result<Scenario> scenario = parse_scenario(text.substr(0, text.find("[[expect]]")), kRocket, overrides);
-  EXPECT_TRUE(scenario.ok()) << scenario.error().text();
-  return scenario.ok() ? *scenario : Scenario{};
+  return must(parse_scenario(text.substr(0, text.find("[[expect]]")), kRocket, overrides));
 }
 
 Flight alone() {
@@ -50,10 +47,7 @@ TEST(WorldRocket, FliesInAWorldAsItDoesAlone) {
 
 TEST(WorldRocket, AVolleyOfThemScattersAboutTheRail) {
   Scenario scenario = rocket({"world.duration=40 s", "world.step=0.02 s", "world.apex_events=true"});
-  Volley volley;
-  volley.name = "salvo";
-  volley.shot = "rocket";
-  volley.count = 20;
+  Volley volley{.name = "salvo", .shot = "rocket", .count = 20};
   volley.spread.horizontal = volley.spread.vertical = 0.02;
   scenario.volleys.push_back(volley);
   WorldRun run = WorldRun::create(scenario).value();
@@ -73,11 +67,9 @@ TEST(WorldRocket, IsComparedWithItsOwnPath) {
   const Scenario s = rocket({});
   const ScenarioShot& shot = s.shots[0];
   const FlightSetting setting{shot.projectile.fidelity, s.tolerance};
-  const auto compared = compare(shot.projectile, shot.launch, s.environment, {&setting, 1});
-  ASSERT_TRUE(compared.ok());
-  EXPECT_NEAR(compared->reference.end().position.x, alone().end().position.x, 5);
-  EXPECT_LT(compared->flights[0].largest_distance, 5);
+  const auto compared = must(compare(shot.projectile, shot.launch, s.environment, {&setting, 1}));
+  EXPECT_NEAR(compared.reference.end().position.x, alone().end().position.x, 5);
+  EXPECT_LT(compared.flights[0].largest_distance, 5);
 }
 
-}  // namespace scenario_world_rocket_test
-}  // namespace physim
+}  // namespace physim::scenario_world_rocket_test

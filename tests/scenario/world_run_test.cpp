@@ -1,16 +1,13 @@
 // Scenarios with a [world]: what they make, how volleys fire and scatter, what is counted.
 #include "scenario/world_run.hpp"
 
-#include <gtest/gtest.h>
-
 #include <cmath>
 #include <set>
 
 #include "scenario/run_support.hpp"
 #include "scenario/volley.hpp"
 
-namespace physim {
-namespace scenario_world_run_test {
+namespace physim::scenario_world_run_test {
 
 const std::string kGun = R"(
 [[shot]]
@@ -262,11 +259,7 @@ TEST(WorldRun, AVelocityTakesThePlaceOfAPresetsSpeed) {
 }
 
 // --------------------------------------------------------------------------------------------------------- scatter
-Volley volley_of(Spread spread) {
-  Volley volley;
-  volley.spread = spread;
-  return volley;
-}
+Volley volley_of(Spread spread) { return {.spread = spread}; }
 
 TEST(Scatter, HasTheDeviationsAskedFor) {
   const Volley volley = volley_of({.horizontal = 0.01, .vertical = 0.02, .speed = 3});
@@ -311,9 +304,8 @@ TEST(Scatter, WithoutSpreadChangesNothing) {
 }
 
 TEST(WorldRun, GoesBackToASnapshotWithItsLaunchesAndCounts) {
-  const Result<Scenario> scenario = load_scenario(PHYSIM_SOURCE_DIR "/scenarios/world_machine_gun.toml");
-  ASSERT_TRUE(scenario);
-  WorldRun run = std::move(WorldRun::create(*scenario).value());
+  const Scenario scenario = must(load_scenario(PHYSIM_SOURCE_DIR "/scenarios/world_machine_gun.toml"));
+  WorldRun run = std::move(WorldRun::create(scenario).value());
   for (int i = 0; i < 25; ++i) run.step();
   const RunSnapshot then = run.snapshot();
   EXPECT_EQ(then.time(), run.world().time());
@@ -327,10 +319,9 @@ TEST(WorldRun, GoesBackToASnapshotWithItsLaunchesAndCounts) {
   EXPECT_EQ(run.world().hash(), hash);
   EXPECT_EQ(run.groups()[0].spawned, spawned);
   EXPECT_EQ(run.groups()[0].hits, hits);
-  WorldRun other = std::move(WorldRun::create(*scenario).value());
+  WorldRun other = std::move(WorldRun::create(scenario).value());
   EXPECT_FALSE(other.restore(then));
   EXPECT_FALSE(run.restore(RunSnapshot{}));
 }
 
-}  // namespace scenario_world_run_test
-}  // namespace physim
+}  // namespace physim::scenario_world_run_test

@@ -1,18 +1,13 @@
 // Runs of scenarios that are saved and go on: as if they had not stopped.
-#include <gtest/gtest.h>
-
-#include <algorithm>
 #include <cstring>
 
 #include "base/hash.hpp"
 #include "physim/result.hpp"
 #include "physim/world.hpp"
 #include "scenario/run_support.hpp"
-#include "scenario/world_run.hpp"
 #include "shipped.hpp"
 
-namespace physim {
-namespace scenario_world_save_test {
+namespace physim::scenario_world_save_test {
 
 const std::string kGun = R"(
 [[shot]]
@@ -49,21 +44,18 @@ void expect_same(const WorldRun& a, const WorldRun& b) {
 TEST(WorldSave, every_shipped_world_goes_on_from_a_save) {
   int worlds = 0;
   for (const std::string& name : test::shipped_scenarios()) {
-    const auto scenario = load_scenario(PHYSIM_SOURCE_DIR "/scenarios/" + name + ".toml");
-    ASSERT_TRUE(scenario) << scenario.error().text();
-    if (!scenario->world.given) continue;
+    const auto scenario = must(load_scenario(PHYSIM_SOURCE_DIR "/scenarios/" + name + ".toml"));
+    if (!scenario.world.given) continue;
     SCOPED_TRACE(name);
     ++worlds;
-    WorldRun whole = WorldRun::create(*scenario).value();
-    WorldRun parts = WorldRun::create(*scenario).value();
+    WorldRun whole = WorldRun::create(scenario).value();
+    WorldRun parts = WorldRun::create(scenario).value();
     const std::uint64_t steps = std::min<std::uint64_t>(whole.steps(), 300);
     for (std::uint64_t step = 0; step < steps; ++step) {
       if (step % 97 == 0) {
-        const auto save = parts.save();
-        ASSERT_TRUE(save) << save.error().text();
-        auto loaded = WorldRun::load(*scenario, *save);
-        ASSERT_TRUE(loaded) << loaded.error().text();
-        parts = std::move(*loaded);
+        const auto save = must(parts.save());
+        auto loaded = must(WorldRun::load(scenario, save));
+        parts = std::move(loaded);
       }
       whole.step(), parts.step();
     }
@@ -134,13 +126,11 @@ TEST(WorldRun, one_that_would_never_end_is_refused) {
 
 /// More launches at once than a world keeps events of.
 TEST(WorldRun, every_launch_of_a_large_volley_is_counted) {
-  const auto run = WorldRun::create(
+  const auto run = must(WorldRun::create(
       parsed(kGun, {"volley.count=200000", "volley.interval=0 s", "volley.rate=none", "world.duration=0.1 s",
-                    "world.pools=[{ name = \"p\", maximum = 30, when_full = \"replace_oldest\" }]"}));
-  ASSERT_TRUE(run) << run.error().text();
-  EXPECT_EQ(run->groups()[0].spawned, 200'000u);
-  EXPECT_EQ(run->groups()[0].retired, 200'000u - 30);
+                    "world.pools=[{ name = \"p\", maximum = 30, when_full = \"replace_oldest\" }]"})));
+  EXPECT_EQ(run.groups()[0].spawned, 200'000u);
+  EXPECT_EQ(run.groups()[0].retired, 200'000u - 30);
 }
 
-}  // namespace scenario_world_save_test
-}  // namespace physim
+}  // namespace physim::scenario_world_save_test

@@ -1,28 +1,22 @@
 // Scenarios written as text: what is read back is what was written, setting by setting.
-#include <gtest/gtest.h>
-
-#include <filesystem>
-
+#include "must.hpp"
 #include "scenario/revise.hpp"
 #include "scenario/scenario.hpp"
 #include "shipped.hpp"
 
-namespace physim {
-namespace scenario_writer_test {
+namespace physim::scenario_writer_test {
 
 class WrittenScenario : public testing::TestWithParam<std::string> {};
 
 TEST_P(WrittenScenario, ReadsBackAsItWas) {
   const std::string file = PHYSIM_SOURCE_DIR "/scenarios/" + GetParam() + ".toml";
-  const Result<Scenario> before = load_scenario(file);
-  ASSERT_TRUE(before) << before.error().text();
-  const std::string text = scenario_text(*before);
-  const Result<Scenario> after = parse_scenario(text, "written.toml");
-  ASSERT_TRUE(after) << after.error().text() << "\n" << text;
-  EXPECT_EQ(effective_settings(*after), effective_settings(*before));
-  EXPECT_EQ(scenario_text(*after), text);
-  EXPECT_EQ(after->expect.size(), before->expect.size());
-  for (std::size_t i = 0; i < before->shots.size(); ++i) EXPECT_EQ(after->shots[i].body, before->shots[i].body);
+  const Scenario before = must(load_scenario(file));
+  const std::string text = scenario_text(before);
+  const Scenario after = must(parse_scenario(text, "written.toml"), text);
+  EXPECT_EQ(effective_settings(after), effective_settings(before));
+  EXPECT_EQ(scenario_text(after), text);
+  EXPECT_EQ(after.expect.size(), before.expect.size());
+  for (std::size_t i = 0; i < before.shots.size(); ++i) EXPECT_EQ(after.shots[i].body, before.shots[i].body);
 }
 
 TEST_P(WrittenScenario, IsNoLongerThanPeopleWroteIt) {
@@ -42,21 +36,18 @@ INSTANTIATE_TEST_SUITE_P(Shipped, WrittenScenario, testing::ValuesIn(test::shipp
                          });
 
 TEST(ScenarioText, KeepsTextThatNeedsQuotes) {
-  Scenario scenario;
-  scenario.title = "a \"quoted\" title\nof two lines";
+  Scenario scenario{.title = "a \"quoted\" title\nof two lines"};
   scenario.shots.resize(1);
   scenario.shots[0].projectile.name = "one.two";
-  const Result<Scenario> after = parse_scenario(scenario_text(scenario), "written.toml");
-  ASSERT_TRUE(after) << after.error().text();
-  EXPECT_EQ(after->title, scenario.title);
-  EXPECT_EQ(after->shots[0].projectile.name, "one.two");
+  const Scenario after = must(parse_scenario(scenario_text(scenario), "written.toml"));
+  EXPECT_EQ(after.title, scenario.title);
+  EXPECT_EQ(after.shots[0].projectile.name, "one.two");
 }
 
 /// Within a block a quote is a quote; only one that would end the block is escaped.
 TEST(ScenarioText, EscapesNoMoreQuotesThanItMust) {
-  const Result<Scenario> scenario = parse_scenario("physim = 1\n[[shot]]\nspeed = \"30 m/s\"\n", "plain.toml");
-  ASSERT_TRUE(scenario) << scenario.error().text();
-  Scenario titled = *scenario;
+  const Scenario scenario = must(parse_scenario("physim = 1\n[[shot]]\nspeed = \"30 m/s\"\n", "plain.toml"));
+  Scenario titled = scenario;
   titled.title = "a \"quoted\" title\nof \"\" two lines, \"the end\"";
   const std::string said = scenario_text(titled);
   EXPECT_NE(said.find("a \"quoted\" title\nof \"\\\" two lines, \"the end\\\"\"\"\""), std::string::npos) << said;
@@ -67,11 +58,9 @@ TEST(ScenarioText, EscapesNoMoreQuotesThanItMust) {
 TEST(ScenarioText, HasRealNumbersBeyondIntegers) {
   const std::string said =
       "physim = 1\n[[shot]]\ndrag = { table = \"constant\", coefficient = 9223372036854775808.0 }\n";
-  const Result<Scenario> scenario = parse_scenario(said, "said.toml");
-  ASSERT_TRUE(scenario) << scenario.error().text();
-  const Result<Scenario> after = parse_scenario(scenario_text(*scenario), "written.toml");
-  ASSERT_TRUE(after) << after.error().text();
-  EXPECT_EQ(effective_settings(*after), effective_settings(*scenario));
+  const Scenario scenario = must(parse_scenario(said, "said.toml"));
+  const Scenario after = must(parse_scenario(scenario_text(scenario), "written.toml"));
+  EXPECT_EQ(effective_settings(after), effective_settings(scenario));
 }
 
 TEST(ScenarioText, SaysWhatDiffersFromDefaultsAndPresets) {
@@ -113,12 +102,11 @@ TEST(ScenarioText, KeepsWhatDefaultsOfOtherSettingsWouldChange) {
       "\"height\"\n",
   };
   for (const std::string& text : texts) {
-    const Result<Scenario> before = parse_scenario(text, "a.toml");
-    ASSERT_TRUE(before) << before.error().text();
-    const Result<Scenario> after = parse_scenario(scenario_text(*before), "b.toml");
-    ASSERT_TRUE(after) << after.error().text() << scenario_text(*before);
-    EXPECT_TRUE(say_the_same(*after, *before)) << scenario_text(*before);
-    EXPECT_EQ(after->world.given, before->world.given);
+    const Scenario before = must(parse_scenario(text, "a.toml"));
+    const Result<Scenario> after = parse_scenario(scenario_text(before), "b.toml");
+    ASSERT_TRUE(after) << after.error().text() << scenario_text(before);
+    EXPECT_TRUE(say_the_same(*after, before)) << scenario_text(before);
+    EXPECT_EQ(after->world.given, before.world.given);
   }
 }
 
@@ -202,11 +190,10 @@ TEST(RevisedText, TakesManyChangesAndShotsAtTheEnd) {
   now.shots.push_back(now.shots[0]);
   now.shots[2].projectile.name = "c";
   now.shots[2].launch.elevation = 0.5;
-  const auto text = revised_text(kCommented, "a.toml", now);
-  ASSERT_TRUE(text);
-  EXPECT_TRUE(say_the_same(parse_scenario(*text, "a.toml").value(), now));
+  const auto text = must(revised_text(kCommented, "a.toml", now));
+  EXPECT_TRUE(say_the_same(parse_scenario(text, "a.toml").value(), now));
   for (const char* comment : {"# the format", "# Litz", "# as loaded", "# high"})
-    EXPECT_NE(text->find(comment), text->npos) << comment;
+    EXPECT_NE(text.find(comment), text.npos) << comment;
 }
 
 /// What is made of a published material has it by its name; one that nothing is made of is written down.
@@ -220,14 +207,12 @@ TEST(RevisedText, LeavesOutPublishedMaterialsThatThingsAreMadeOf) {
   };
   const Scenario oak = now_with("material = \"oak\"\n");
   ASSERT_EQ(oak.materials.size(), 1U);
-  const auto text = revised_text(world, "a.toml", oak);
-  ASSERT_TRUE(text);
-  EXPECT_EQ(text->find("[[material]]"), text->npos) << *text;
+  const auto text = must(revised_text(world, "a.toml", oak));
+  EXPECT_EQ(text.find("[[material]]"), text.npos) << text;
   Scenario spare = now_with("");
   spare.materials = oak.materials;
-  const auto more = revised_text(world, "a.toml", spare);
-  ASSERT_TRUE(more);
-  EXPECT_NE(more->find("[[material]]\nname = \"oak\""), more->npos) << *more;
+  const auto more = must(revised_text(world, "a.toml", spare));
+  EXPECT_NE(more.find("[[material]]\nname = \"oak\""), more.npos) << more;
 }
 
 TEST(RevisedText, IsNothingWhereTheTextCannotSayIt) {
@@ -241,5 +226,4 @@ TEST(RevisedText, IsNothingWhereTheTextCannotSayIt) {
   EXPECT_EQ(revised_text(kCommented, "a.toml", now), std::nullopt) << "a shot is gone";
 }
 
-}  // namespace scenario_writer_test
-}  // namespace physim
+}  // namespace physim::scenario_writer_test

@@ -15,8 +15,7 @@
 #include "settings/shot_rows.hpp"
 #include "settings/units.hpp"
 
-namespace physim {
-namespace settings_row_test {
+namespace physim::settings_row_test {
 
 using namespace setting_rows;
 
@@ -65,9 +64,7 @@ TEST(SettingRows, every_number_of_a_projectile_is_checked) {
   expect_refusals<kMagnusRows>(sound, "projectile.");
   expect_refusals<kInertiaRows>(sound, "projectile.");
   expect_refusals<kAeroRows>(sound, "projectile.");
-  ProjectileDef rocket;
-  rocket.motor.thrust = {{0, 10}, {1, 10}};
-  expect_refusals<kMotorRows>(rocket, "projectile.");
+  expect_refusals<kMotorRows>(ProjectileDef{.motor = {.thrust = {{0, 10}, {1, 10}}}}, "projectile.");
 }
 
 TEST(SettingRows, every_number_of_a_launch_is_checked) {
@@ -105,5 +102,4 @@ TEST(SettingRows, studies_and_files_agree_on_units) {
   }
 }
 
-}  // namespace settings_row_test
-}  // namespace physim
+}  // namespace physim::settings_row_test

@@ -2,16 +2,9 @@
 // left out changes no other.
 #pragma once
 
-#include <array>
-#include <cmath>
 #include <span>
-#include <string>
-#include <utility>
-#include <vector>
 
-#include "base/ieee_mode.hpp"
 #include "fuzz/odd_change.hpp"
-#include "fuzz/odd_input.hpp"
 #include "fuzz/odd_scene.hpp"
 #include "random_emitters.hpp"
 

@@ -10,9 +10,6 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
-#include <cstdio>
-#include <string>
-
 #include "fuzz/arguments.hpp"
 #include "soak/played.hpp"
 

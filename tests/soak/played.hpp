@@ -2,14 +2,9 @@
 // loaded in the middle, taken back from a detour, recorded and replayed.
 #pragma once
 
-#include <cstdint>
 #include <memory>
-#include <optional>
-#include <string>
-#include <vector>
 
 #include "base/archive.hpp"
-#include "physim/physim.hpp"
 #include "soak/calls.hpp"
 
 namespace physim::test {

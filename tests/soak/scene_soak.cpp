@@ -10,7 +10,6 @@
 #include <array>
 #include <cmath>
 #include <cstdarg>
-#include <cstdio>
 #include <cstdlib>
 #include <map>
 #include <random>
@@ -80,18 +79,13 @@ std::vector<Company> add_kinds(World& world, Chance& chance, bool drags, double 
     for (const Integrator integrator : {Integrator::semi_implicit_euler, Integrator::rk4, Integrator::tsit5})
       for (const double radius : {0.0, 0.02, 0.2})
         for (const double friction : {0.0, 0.6}) {
-          ProjectileDef p;
-          p.mass = 1;
-          p.diameter = 0.1;
-          p.drag.k2 = 1e-3;
-          p.fidelity = in_vacuum(integrator, precision);
+          ProjectileDef p{
+              .mass = 1, .diameter = 0.1, .drag = {.k2 = 1e-3}, .fidelity = in_vacuum(integrator, precision)};
           if (drags) p.fidelity.drag = DragModel::linear_quadratic;
-          BodyDef body;
-          body.collision.on_hit = OnHit::bounce;
-          body.collision.radius = radius;
-          body.friction = friction;
-          body.restitution = chance.pick(3) == 0 ? 1 : chance.in(0, 1);
-          body.despawn.older = lasts;
+          BodyDef body{.restitution = chance.pick(3) == 0 ? 1 : chance.in(0, 1),
+                       .friction = friction,
+                       .collision = {.on_hit = OnHit::bounce, .radius = radius},
+                       .despawn = {.older = lasts}};
           list.push_back({must(world.add_kind(p, body)), radius, friction, body.restitution,
                           precision == Precision::float32, integrator != Integrator::semi_implicit_euler});
         }
@@ -119,25 +113,18 @@ std::vector<ShapeId> add_shapes(Scene& scene, Chance& chance) {
        {ShapeDef(SphereShape{0.8}), ShapeDef(BoxShape{{0.6, 1, 0.8}}), ShapeDef(CapsuleShape{0.4, 0.7}),
         ShapeDef(CylinderShape{0.7, 0.5}), cut_stone(chance), cut_stone(chance), crate()})
     ids.push_back(must(scene.add_shape(def)));
-  CompoundShape both;
-  both.parts = {{ids[0], {.position = {0.9, 0, 0}}}, {ids[6], {.position = {-0.9, 0, 0}}}};
+  CompoundShape both{.parts = {{ids[0], {.position = {0.9, 0, 0}}}, {ids[6], {.position = {-0.9, 0, 0}}}}};
   ids.push_back(must(scene.add_shape(both)));
   return ids;
 }
 
 MaterialId some_material(Scene& scene, Chance& chance) {
-  Material material;
-  material.restitution = chance.pick(2) == 0 ? 1 : chance.in(0, 1);
-  material.friction = chance.in(0, 1);
+  Material material{.restitution = chance.pick(2) == 0 ? 1 : chance.in(0, 1), .friction = chance.in(0, 1)};
   return must(scene.add_material(material));
 }
 
 WorldDef quiet(unsigned threads) {
-  WorldDef def;
-  def.ground.mode = GroundMode::none;
-  def.threading.threads = threads;
-  def.threading.rows_per_thread = 64;
-  return def;
+  return {.ground = {.mode = GroundMode::none}, .threading = {.threads = threads, .rows_per_thread = 64}};
 }
 
 /// Over hills, among things that move and jump, are taken away and come back.
@@ -197,9 +184,8 @@ class Fair {
   }
   void spawn() {
     const Company& of = kinds_[chance_.pick(static_cast<unsigned>(kinds_.size()))];
-    Launch launch;
-    launch.position = chance_.vector(15) + Vec3d{0, 16, 0};
-    launch.velocity = chance_.vector(chance_.pick(5) == 0 ? 300 : 30);
+    Launch launch{.position = chance_.vector(15) + Vec3d{0, 16, 0},
+                  .velocity = chance_.vector(chance_.pick(5) == 0 ? 300 : 30)};
     ids_[must(world_.spawn(of.kind, launch)).index] = &of;
   }
   void change() {
@@ -217,10 +203,9 @@ class Fair {
   void pull() {
     const std::vector<ProjectileId> all = world_.ids();
     const std::size_t first = chance_.pick(static_cast<unsigned>(all.size()) - 1);
-    ForceDef force;
-    force.target.ids = {all[first]};
-    force.duration = chance_.in(0.1, 1);
-    force.law = Bungee{.other = all[first + 1], .stiffness = 5, .rest_length = 1};
+    ForceDef force{.law = Bungee{.other = all[first + 1], .stiffness = 5, .rest_length = 1},
+                   .target = {.ids = {all[first]}},
+                   .duration = chance_.in(0.1, 1)};
     forces_.push_back(must(world_.add_force(force)));
   }
   /// Some steps into the future, and back.
@@ -340,16 +325,13 @@ class Room {
 
   void spawn() {
     const Company& of = kinds_[chance_.pick(static_cast<unsigned>(kinds_.size()))];
-    Launch launch;
-    launch.position = chance_.vector(9);
-    launch.velocity = chance_.vector(chance_.pick(5) == 0 ? 100 : 10);
+    Launch launch{.position = chance_.vector(9), .velocity = chance_.vector(chance_.pick(5) == 0 ? 100 : 10)};
     const SceneFilter all;
     if (world_.scene()->nearest(launch.position, of.radius + 0.01, all)) return;  // nobody begins inside of something
     Guest guest{must(world_.spawn(of.kind, launch)), &of, 0, !of.single && of.keeps && chance_.pick(8) == 0, 0};
     if (guest.tied) {
-      ForceDef force;
-      force.target.ids = {guest.id};
-      force.law = AnchoredSpring{.anchor = {}, .stiffness = kStiffness, .rest_length = 0};
+      ForceDef force{.law = AnchoredSpring{.anchor = {}, .stiffness = kStiffness, .rest_length = 0},
+                     .target = {.ids = {guest.id}}};
       must(world_.add_force(force));
     }
     guest.energy = energy_of(guest);

@@ -6,7 +6,6 @@
 // Fails where the memory held grows after the first third of 10^8 or more, or where a projectile that stays in the
 // world has bad numbers. It is meant to run under the sanitizers: ./dev soak --asan, ./dev soak --tsan.
 #include <cmath>
-#include <cstdio>
 #include <cstdlib>
 #include <random>
 
@@ -21,18 +20,13 @@ using soak::resident_bytes;
 class Soak {
  public:
   Soak(std::size_t projectiles, unsigned seed) : projectiles_(projectiles), random_(seed), world_(make_world()) {
-    ProjectileDef bullet;
-    bullet.mass = 0.01;
-    bullet.diameter = 0.008;
-    bullet.drag.table = DragTable::g7;
-    bullet.drag.ballistic_coefficient = 170;
-    ProjectileDef stone;
-    stone.drag.damping = 0.95;
+    ProjectileDef bullet{
+        .mass = 0.01, .diameter = 0.008, .drag = {.table = DragTable::g7, .ballistic_coefficient = 170}};
+    ProjectileDef stone{.drag = {.damping = 0.95}};
     for (const Fidelity& f : rungs_) {
       bullet.fidelity = stone.fidelity = f;
       kinds_.push_back(*world_.add_kind(bullet));
-      BodyDef body;
-      body.despawn.older = 3;
+      BodyDef body{.despawn = {.older = 3}};
       kinds_.push_back(*world_.add_kind(stone, body));
     }
   }
@@ -64,14 +58,12 @@ class Soak {
 
  private:
   static World make_world() {
-    WorldDef def;
-    def.ground.mode = GroundMode::bounce;
-    def.apex_events = true;
-    def.threading.threads = 3;
-    def.threading.rows_per_thread = 256;
-    def.pools = {{"all", 4'000'000, WhenFull::refuse}};
-    def.detail.rungs = {{Fidelity::constant_air(), 80}, {Fidelity::game(), 300}, {Fidelity::arcade()}};
-    def.detail.layers = 2;
+    WorldDef def{.ground = {.mode = GroundMode::bounce},
+                 .apex_events = true,
+                 .pools = {{"all", 4'000'000, WhenFull::refuse}},
+                 .detail = {.rungs = {{Fidelity::constant_air(), 80}, {Fidelity::game(), 300}, {Fidelity::arcade()}},
+                            .layers = 2},
+                 .threading = {.threads = 3, .rows_per_thread = 256}};
     auto made = World::create(def);
     if (!made) std::fprintf(stderr, "%s\n", made.error().text().c_str()), std::exit(1);
     return std::move(made.value());
@@ -88,8 +80,7 @@ class Soak {
   }
 
   void spawn() {
-    Launch launch;
-    launch.position = direction() * 20.0;
+    Launch launch{.position = direction() * 20.0};
     // One in a thousand overflows.
     launch.velocity = direction() * (pick(1000) == 0 ? 1e306 : 200 * uniform());
     const double delay = pick(20) == 0 ? uniform() : 0;

@@ -1,12 +1,7 @@
 // One battery that every integrator must pass: order, dense output, reversal, events.
-#include <gtest/gtest.h>
-
-#include <algorithm>
-
 #include "solve/problems.hpp"
 
-namespace physim {
-namespace solve_battery_test {
+namespace physim::solve_battery_test {
 
 using namespace test;
 
@@ -81,19 +76,13 @@ TYPED_TEST(Battery, order_on_an_orbit) {
 /// A smooth ball with Cd by Reynolds number in the standard atmosphere, a wind that changes with height and a turning
 /// Earth: whatever were held fixed over a step instead of being evaluated in every stage would spoil the order.
 Prepared prepare_air_flight(Integrator integrator, double diameter, double mass) {
-  ProjectileDef ball;
-  ball.mass = mass;
-  ball.diameter = diameter;
-  ball.drag.table = DragTable::sphere;
-  Environment e;
-  e.wind.profile = {{-1000, {-30, 3, -10}}, {3000, {10, -3, 20}}};
-  e.earth = {.latitude = 0.8, .azimuth = 1, .rotation_rate = 0.05};
+  ProjectileDef ball{.mass = mass, .diameter = diameter, .drag = {.table = DragTable::sphere}};
+  Environment e{.wind = {.profile = {{-1000, {-30, 3, -10}}, {3000, {10, -3, 20}}}},
+                .earth = {.latitude = 0.8, .azimuth = 1, .rotation_rate = 0.05}};
   Fidelity f = Fidelity::simulation();
   f.integrator = integrator;
   f.rotation = RotationModel::none;
-  Launch launch;
-  launch.velocity = Vec3d{30, 60, -5};
-  return Prepared(ball, launch, e, f);
+  return Prepared(ball, {.velocity = Vec3d{30, 60, -5}}, e, f);
 }
 
 TYPED_TEST(Battery, order_with_every_effect_at_work) {
@@ -193,8 +182,7 @@ struct Landing {
   double residual;
 };
 Landing land(Integrator integrator, const Tolerance& tolerance) {
-  ProjectileDef p;
-  p.drag.k2 = 1;
+  ProjectileDef p{.drag = {.k2 = 1}};
   Environment e = constant_gravity();
   e.gravity.acceleration = 1;
   Fidelity f = vacuum(integrator);
@@ -245,9 +233,7 @@ TYPED_TEST(Battery, conservative_flights_run_backwards) {
   const Tolerance tolerance{1e-12, 1e-9, 0.5};
   const Launch launch{.position = {0, 5000, 0}, .speed = 2500, .elevation = 0.9};
   const Flight there = fly({}, launch, {}, f, tolerance);
-  Launch turned;
-  turned.position = there.end().position;
-  turned.velocity = -there.end().velocity;
+  Launch turned{.position = there.end().position, .velocity = -there.end().velocity};
   const Flight back = fly({}, turned, {}, f, tolerance, {.ground = {}, .time = there.duration()});
   EXPECT_EQ(back.outcome(), Outcome::time_limit);
   EXPECT_LT(length(back.end().position - launch.position), 1e-4);
@@ -279,8 +265,7 @@ TEST(SemiImplicitEuler, keeps_the_energy_of_an_orbit_bounded) {
 
 TEST(Classic, frame_is_position_then_velocity_then_damping_then_next_acceleration) {
   // The original's loop, written out: p += v dt; v += a dt; v *= d^dt; a = g from the next frame on.
-  ProjectileDef p;
-  p.drag.damping = 0.9;
+  ProjectileDef p{.drag = {.damping = 0.9}};
   const double dt = 1.0 / 60;
   Fidelity f = Fidelity::classic();
   f.precision = Precision::float64;
@@ -297,5 +282,4 @@ TEST(Classic, frame_is_position_then_velocity_then_damping_then_next_acceleratio
   }
 }
 
-}  // namespace solve_battery_test
-}  // namespace physim
+}  // namespace physim::solve_battery_test

@@ -6,8 +6,7 @@
 
 #include <cmath>
 
-namespace physim {
-namespace solve_engine_rules_test {
+namespace physim::solve_engine_rules_test {
 
 using bench::EngineRule;
 
@@ -55,5 +54,4 @@ TEST(EngineRules, all_mean_linear_drag_to_first_order) {
   }
 }
 
-}  // namespace solve_engine_rules_test
-}  // namespace physim
+}  // namespace physim::solve_engine_rules_test

@@ -1,12 +1,8 @@
 // A push that lasts for a time has its exact impulse: its end is a stop of the steps of every integrator, in flights,
 // batches and worlds, and what it does to a step that is not cut there, under generators, has that impulse too.
-#include <gtest/gtest.h>
-
-#include "physim/world.hpp"
 #include "world/force_support.hpp"
 
-namespace physim {
-namespace solve_force_stop_test {
+namespace physim::solve_force_stop_test {
 
 using test::text;
 
@@ -166,5 +162,4 @@ TEST(ForceStop, a_thrust_that_begins_inside_a_step_has_the_impulse_of_its_curve)
   EXPECT_NEAR(world[id].velocity().x, 15 * 0.2531 * 0.2531, 1e-12);
 }
 
-}  // namespace solve_force_stop_test
-}  // namespace physim
+}  // namespace physim::solve_force_stop_test

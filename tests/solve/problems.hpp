@@ -1,9 +1,7 @@
 // Smooth problems with known solutions, and a driver that takes fixed steps with any integrator.
 #pragma once
 
-#include <cmath>
 #include <functional>
-#include <vector>
 
 #include "solve/dense.hpp"
 #include "support.hpp"
@@ -14,8 +12,7 @@ namespace physim::test {
 inline State<double> tanh_fall(double t) { return {{0, -std::log(std::cosh(t)), 0}, {0, -std::tanh(t), 0}}; }
 
 inline Prepared prepare_tanh_fall(Integrator integrator) {
-  ProjectileDef p;
-  p.drag.k2 = 1;
+  ProjectileDef p{.drag = {.k2 = 1}};
   Environment e = constant_gravity();
   e.gravity.acceleration = 1;
   Fidelity f = vacuum(integrator);
@@ -37,16 +34,12 @@ inline State<double> kepler(double t) {
 
 /// Newton's law round an Earth of radius 1, from the state at time `start`.
 inline Prepared prepare_kepler(Integrator integrator, double start) {
-  Environment e;
-  e.gravity = {.acceleration = 1, .radius = 1};
+  Environment e{.gravity = {.acceleration = 1, .radius = 1}};
   Fidelity f = vacuum(integrator);
   f.gravity = GravityModel::inverse_square;
   f.earth = EarthModel::sphere;
   const State<double> s = kepler(start);
-  Launch launch;
-  launch.position = s.x;
-  launch.velocity = s.v;
-  return Prepared({}, launch, e, f);
+  return Prepared({}, {.position = s.x, .velocity = s.v}, e, f);
 }
 
 /// A finished step and its dense output.

@@ -7,8 +7,7 @@
 #include <optional>
 #include <random>
 
-namespace physim {
-namespace solve_quiet_watch_test {
+namespace physim::solve_quiet_watch_test {
 
 void watch_for(WatchList& watch, EventKind kind, double value, Crossing direction = Crossing::any) {
   watch.item[watch.count++] = {{kind, value, direction, false}, Outcome::event};
@@ -113,5 +112,4 @@ TEST(QuietWatch, what_is_no_number_does_not_pass) {
   EXPECT_NE(quiet.may_cross(lane.c, lane.flyer.body, nan, {{0.2, 0.1, 0}, {1, 0.4, 0}}, {0, -1, 0}), 0u);
 }
 
-}  // namespace solve_quiet_watch_test
-}  // namespace physim
+}  // namespace physim::solve_quiet_watch_test

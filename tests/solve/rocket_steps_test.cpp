@@ -1,13 +1,7 @@
 // Measured tables of drag and thrust have many corners, and winds do: they cost few steps that are taken twice.
-#include <gtest/gtest.h>
-
-#include <cmath>
-
-#include "physim/solve.hpp"
 #include "support.hpp"
 
-namespace physim {
-namespace solve_rocket_steps_test {
+namespace physim::solve_rocket_steps_test {
 
 /// A rocket of 20 kg as those that flew are described: a drag table of 80 points and a thrust curve of 30, each a
 /// hundredth off a smooth curve to and fro, as measurements are.
@@ -50,5 +44,4 @@ TEST(RocketSteps, a_body_by_measured_tables_rejects_a_tenth_of_its_steps_at_most
   EXPECT_LT(10 * cost.rejected, cost.steps + cost.rejected) << cost.rejected << " of " << cost.steps;
 }
 
-}  // namespace solve_rocket_steps_test
-}  // namespace physim
+}  // namespace physim::solve_rocket_steps_test

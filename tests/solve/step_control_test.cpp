@@ -1,17 +1,9 @@
 // Step control: the controller itself, and what it makes of whole flights; corners of piecewise data.
 #include "solve/step_control.hpp"
 
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <cmath>
-
-#include "physim/environment.hpp"
-#include "physim/projectile.hpp"
 #include "support.hpp"
 
-namespace physim {
-namespace solve_step_control_test {
+namespace physim::solve_step_control_test {
 
 using namespace test;
 
@@ -155,8 +147,7 @@ TEST(AdaptiveFlight, turning_the_axes_changes_nothing) {
   // Errors are measured by lengths: the same shot in another direction takes the same steps, but for rounding.
   ProjectileDef p = bullet_308();
   p.drag.table = DragTable::constant;
-  Environment e;
-  e.atmosphere.model = AirModel::constant;
+  Environment e{.atmosphere = {.model = AirModel::constant}};
   for (const Integrator integrator : kAdaptive) {
     Fidelity f{.integrator = integrator};
     const auto shoot = [&](double azimuth) {
@@ -205,8 +196,7 @@ TEST(Corners, custom_curves_on_odd_points_count_too) {
   ProjectileDef p = bullet_308();
   p.drag.table = DragTable::custom;
   p.drag.curve = {{0.1, 0.12}, {0.8718281, 0.14}, {1.0314159, 0.4}, {1.6180339, 0.33}, {3.3, 0.24}};
-  Fidelity f;
-  f.interpolation = Interpolation::linear;
+  Fidelity f{.interpolation = Interpolation::linear};
   f.rotation = RotationModel::none;  // drift by formula changes the speed, and the march does not know it
   const auto shoot = [&](Integrator integrator, double tolerance) {
     f.integrator = integrator;
@@ -239,12 +229,10 @@ TEST(Corners, jumps_never_stall_a_flight) {
       for (int i = 0; i < 40; ++i) {
         ProjectileDef p = bullet_308();
         p.drag.bands = {{0, 160}, {200 + 13.7 * i, 110}, {760, 160}};
-        Environment e;
-        e.wind.profile = {{0, {1, 0, 0}}, {3.3 + 17.1 * i, {-7, 1, 5}}};
-        e.wind.by = WindAxis::range;
-        e.wind.interpolation = WindInterpolation::step;
-        Fidelity f{.integrator = integrator};
-        f.precision = precision;
+        Environment e{.wind = {.profile = {{0, {1, 0, 0}}, {3.3 + 17.1 * i, {-7, 1, 5}}},
+                               .by = WindAxis::range,
+                               .interpolation = WindInterpolation::step}};
+        Fidelity f{.integrator = integrator, .precision = precision};
         const double tolerance = precision == Precision::float32 ? 1e-5 : 1e-9;
         const Flight flight =
             fly(p, {.position = {0, 1, 0}, .speed = 800, .elevation = 0.03}, e, f, {tolerance, tolerance});
@@ -268,9 +256,7 @@ TEST(Corners, errors_at_jumps_are_within_the_tolerance) {
 }
 
 TEST(Corners, the_end_of_a_burn_is_met_exactly) {
-  ProjectileDef p;
-  p.force = {0, 30, 0};
-  p.force_duration = 1.2345;
+  ProjectileDef p{.force = {0, 30, 0}, .force_duration = 1.2345};
   for (const Integrator integrator : kAdaptive) {
     const Flight flight = fly(p, {}, constant_gravity(), vacuum(integrator), {1e-12, 1e-12});
     double closest = 1e9;
@@ -279,5 +265,4 @@ TEST(Corners, the_end_of_a_burn_is_met_exactly) {
   }
 }
 
-}  // namespace solve_step_control_test
-}  // namespace physim
+}  // namespace physim::solve_step_control_test

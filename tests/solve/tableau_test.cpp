@@ -7,8 +7,7 @@
 
 #include "solve/explicit_runge_kutta.hpp"
 
-namespace physim {
-namespace solve_tableau_test {
+namespace physim::solve_tableau_test {
 
 template <class Tableau>
 class TableauTest : public testing::Test {
@@ -118,5 +117,4 @@ TEST(Tableau, rows_of_dop853_for_the_end_and_the_dense_output) {
     EXPECT_NEAR(std::accumulate(Dop853::kDense[row], Dop853::kDense[row] + 16, 0.0), 0, 1e-12) << row;
 }
 
-}  // namespace solve_tableau_test
-}  // namespace physim
+}  // namespace physim::solve_tableau_test

@@ -5,8 +5,7 @@
 
 #include <limits>
 
-namespace physim {
-namespace solve_watch_test {
+namespace physim::solve_watch_test {
 
 constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
 constexpr double kNumbers[] = {-1, 0, 1, kNan};
@@ -69,5 +68,4 @@ TEST(Watch, lanes_are_taken_over_alone) {
   EXPECT_TRUE(same(some.value(), {0xffffff4f, 0x7fffff0b}) && same(some.rate(), {0xffffff4f, 0x7fffff0b}));
 }
 
-}  // namespace solve_watch_test
-}  // namespace physim
+}  // namespace physim::solve_watch_test

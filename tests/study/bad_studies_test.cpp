@@ -1,10 +1,8 @@
 // What studies refuse, and with which words.
 #include "base/archive.hpp"
-#include "physim/result.hpp"
 #include "study_support.hpp"
 
-namespace physim {
-namespace study_bad_studies_test {
+namespace physim::study_bad_studies_test {
 
 using namespace test;
 
@@ -69,12 +67,11 @@ TEST(BadStudies, densities) {
   study.inputs = {{.path = path, .distribution = NormalDistribution{0, 0.01}, .added = true}};
   expect_refusal(study, "constant and exponential air");
   study.environment.atmosphere.model = AirModel::constant;
-  const auto plan = plan_study(study);
-  ASSERT_TRUE(plan) << plan.error().text();
-  EXPECT_TRUE(plan->notes().empty()) << plan->notes()[0];
-  study.environment.atmosphere.density = 1.225 + draws_of(*plan, 5)[0];
+  const auto plan = must(plan_study(study));
+  EXPECT_TRUE(plan.notes().empty()) << plan.notes()[0];
+  study.environment.atmosphere.density = 1.225 + draws_of(plan, 5)[0];
   const Flight flight = fly(study.projectile, study.launch, study.environment, study.fidelity);
-  EXPECT_NEAR(fly_shot_of(*plan, 5)[2], flight.end().time, 1e-5);
+  EXPECT_NEAR(fly_shot_of(plan, 5)[2], flight.end().time, 1e-5);
 }
 
 /// How many shots the pilot refuses is told, in whatever way a number comes to be impossible.
@@ -83,10 +80,9 @@ TEST(BadStudies, what_is_refused_is_told_before) {
   study.projectile.mass = 0.008;
   study.fidelity.drag = DragModel::equation;
   study.inputs = {{.path = "shot.mass", .distribution = NormalDistribution{0, 0.008}, .added = true}};
-  const auto plan = plan_study(study);
-  ASSERT_TRUE(plan) << plan.error().text();
-  ASSERT_EQ(plan->notes().size(), 1U);
-  EXPECT_NE(plan->notes()[0].find("about 16 %"), std::string::npos) << plan->notes()[0];
+  const auto plan = must(plan_study(study));
+  ASSERT_EQ(plan.notes().size(), 1U);
+  EXPECT_NE(plan.notes()[0].find("about 16 %"), std::string::npos) << plan.notes()[0];
 }
 
 TEST(BadStudies, correlations) {
@@ -138,16 +134,14 @@ TEST(BadStudies, the_impossible_is_told_and_counted) {
   Study study = throw_of();
   study.inputs = {input("shot.mass", NormalDistribution{2, 1})};
   study.shots = 6400;
-  const auto plan = plan_study(study);
-  ASSERT_TRUE(plan) << plan.error().text();
-  ASSERT_EQ(plan->notes().size(), 1U);
-  EXPECT_NE(plan->notes()[0].find("2.3 %"), std::string::npos) << plan->notes()[0];
-  const auto run = run_study(*plan);
-  ASSERT_TRUE(run);
-  EXPECT_NEAR(static_cast<double>(run->refused), 0.02275 * 6400, 4 * std::sqrt(0.02275 * 6400));
-  ASSERT_TRUE(run->first_refusal);
-  EXPECT_NE(run->first_refusal->text().find("mass"), std::string::npos);
-  EXPECT_EQ(run->quantities[0].cells.count() + run->refused, run->shots);
+  const auto plan = must(plan_study(study));
+  ASSERT_EQ(plan.notes().size(), 1U);
+  EXPECT_NE(plan.notes()[0].find("2.3 %"), std::string::npos) << plan.notes()[0];
+  const auto run = must(run_study(plan));
+  EXPECT_NEAR(static_cast<double>(run.refused), 0.02275 * 6400, 4 * std::sqrt(0.02275 * 6400));
+  ASSERT_TRUE(run.first_refusal);
+  EXPECT_NE(run.first_refusal->text().find("mass"), std::string::npos);
+  EXPECT_EQ(run.quantities[0].cells.count() + run.refused, run.shots);
 }
 
 /// Shots that fall short are misses, and no part of means.
@@ -156,11 +150,10 @@ TEST(BadStudies, shots_that_do_not_arrive_are_counted) {
   study.until.range = 79;
   study.targets = {{"wall", RectangleTarget{{}, 1000, 1000}}};
   study.shots = 6400;
-  const auto run = run_study(study);
-  ASSERT_TRUE(run) << run.error().text();
-  EXPECT_GT(run->not_arrived, 500U);
-  EXPECT_EQ(run->hits[0].hits + run->not_arrived, run->shots);
-  EXPECT_GT(run->quantities[1].least, -1.1) << "none below the ground";
+  const auto run = must(run_study(study));
+  EXPECT_GT(run.not_arrived, 500U);
+  EXPECT_EQ(run.hits[0].hits + run.not_arrived, run.shots);
+  EXPECT_GT(run.quantities[1].least, -1.1) << "none below the ground";
 }
 
 TEST(BadStudies, parts_that_do_not_fit) {
@@ -169,14 +162,13 @@ TEST(BadStudies, parts_that_do_not_fit) {
   const auto words = [](const auto& result) { return result ? std::string() : result.error().text(); };
   EXPECT_NE(words(merge(a, a)).find("both parts have shard 0"), std::string::npos);
   EXPECT_NE(words(merge(a, run_shard(*other, 1))).find("different studies"), std::string::npos);
-  const auto both = merge(a, b);
-  ASSERT_TRUE(both);
-  EXPECT_TRUE(both->has(2) && !both->has(1));
-  EXPECT_NE(words(result_of(*plan, *both, 3)).find("shard 1 of 3 are missing"), std::string::npos);
-  EXPECT_NE(words(result_of(*plan, *both, 5)).find("shard 1, shards 3 to 4 of 5 are missing"), std::string::npos);
-  EXPECT_NE(words(result_of(*other, *both, 1)).find("another study"), std::string::npos);
-  EXPECT_NE(words(run_study(*other, nullptr, {.so_far = *both})).find("another study"), std::string::npos);
-  EXPECT_TRUE(result_of(*plan, *both, 1));
+  const auto both = must(merge(a, b));
+  EXPECT_TRUE(both.has(2) && !both.has(1));
+  EXPECT_NE(words(result_of(*plan, both, 3)).find("shard 1 of 3 are missing"), std::string::npos);
+  EXPECT_NE(words(result_of(*plan, both, 5)).find("shard 1, shards 3 to 4 of 5 are missing"), std::string::npos);
+  EXPECT_NE(words(result_of(*other, both, 1)).find("another study"), std::string::npos);
+  EXPECT_NE(words(run_study(*other, nullptr, {.so_far = both})).find("another study"), std::string::npos);
+  EXPECT_TRUE(result_of(*plan, both, 1));
   EXPECT_FALSE(result_of(*plan, StudyPart(), 1));
 }
 
@@ -243,9 +235,8 @@ TEST(BadStudies, targets_on_a_plane_of_no_lengths) {
   study.quantities = {StudyQuantity::speed, StudyQuantity::time};
   expect_refusal(study, "ask for two lengths first");
   study.targets.clear();
-  const auto result = run_study(study);
-  ASSERT_TRUE(result);
-  EXPECT_FALSE(result->from_aim || result->ellipse || result->zone) << "a speed and a time have no distance";
+  const auto result = must(run_study(study));
+  EXPECT_FALSE(result.from_aim || result.ellipse || result.zone) << "a speed and a time have no distance";
 }
 
 TEST(BadStudies, two_targets_of_one_name) {
@@ -272,10 +263,9 @@ TEST(BadStudies, outlines_that_cross_themselves) {
 TEST(BadStudies, targets_at_the_muzzle_are_told) {
   Study study = throw_of();
   study.targets = {{"plate", CircleTarget{{}, 1}}};
-  const auto plan = plan_study(study);
-  ASSERT_TRUE(plan);
-  ASSERT_EQ(plan->notes().size(), 1U);
-  EXPECT_NE(plan->notes()[0].find("\"plate\" stands at the muzzle"), std::string::npos) << plan->notes()[0];
+  const auto plan = must(plan_study(study));
+  ASSERT_EQ(plan.notes().size(), 1U);
+  EXPECT_NE(plan.notes()[0].find("\"plate\" stands at the muzzle"), std::string::npos) << plan.notes()[0];
   study.aim = {0, 75};
   EXPECT_TRUE(plan_study(study)->notes().empty());
   study.aim = {};
@@ -288,9 +278,8 @@ TEST(BadStudies, targets_at_the_muzzle_are_told) {
 TEST(BadStudies, targets_at_the_muzzle_are_told_where_shots_scatter_widely) {
   Study study = throw_of(NormalDistribution{30, 3});
   study.targets = {{"plate", CircleTarget{{}, 1}}};
-  const auto result = run_study(study);
-  ASSERT_TRUE(result);
-  EXPECT_EQ(result->hits[0].probability.value, 0);
+  const auto result = must(run_study(study));
+  EXPECT_EQ(result.hits[0].probability.value, 0);
   EXPECT_EQ(plan_study(study)->notes().size(), 1U) << "no shot hits, and something says why";
 }
 
@@ -298,12 +287,10 @@ TEST(BadStudies, shots_that_cannot_be_are_no_misses) {
   Study study = throw_of(NormalDistribution{0, 10});
   study.shots = study.shard_shots = 4096;
   study.targets = {{"all there is", CircleTarget{{}, 1e6}}};
-  const auto result = run_study(study);
-  ASSERT_TRUE(result);
-  EXPECT_GT(result->refused, 1800U) << "half of the speeds are negative";
-  EXPECT_EQ(result->hits[0].probability.value, 1);
-  EXPECT_EQ(result->hits[0].high, 1);
+  const auto result = must(run_study(study));
+  EXPECT_GT(result.refused, 1800U) << "half of the speeds are negative";
+  EXPECT_EQ(result.hits[0].probability.value, 1);
+  EXPECT_EQ(result.hits[0].high, 1);
 }
 
-}  // namespace study_bad_studies_test
-}  // namespace physim
+}  // namespace physim::study_bad_studies_test

@@ -1,10 +1,7 @@
 // Points whose correlations follow from their distance: against the law, and against the impulse of a motor.
-#include <cmath>
-
 #include "study_support.hpp"
 
-namespace physim {
-namespace study_by_distance_test {
+namespace physim::study_by_distance_test {
 
 using namespace test;
 
@@ -12,14 +9,12 @@ constexpr double kDeviation = 2;  // of each point [N]
 
 /// Straight up on a motor that has burned out after 3 s; its points are off by as much each.
 Study burning(double length) {
-  Study study;
-  study.projectile.mass = 2;
-  study.projectile.motor.thrust = {{0, 40}, {0.5, 60}, {1, 50}, {2, 45}, {2.5, 0}};
-  study.launch = {.speed = 100, .elevation = 90 * kDegree};
-  study.environment.gravity.model = GravityModel::constant;
-  study.fidelity = vacuum();
-  study.until = {.time = 3};
-  study.quantities = {StudyQuantity::vy};
+  Study study{.projectile = {.mass = 2, .motor = {.thrust = {{0, 40}, {0.5, 60}, {1, 50}, {2, 45}, {2.5, 0}}}},
+              .launch = {.speed = 100, .elevation = 90 * kDegree},
+              .environment = {.gravity = {.model = GravityModel::constant}},
+              .fidelity = vacuum(),
+              .until = {.time = 3},
+              .quantities = {StudyQuantity::vy}};
   study.shard_shots = study.shots = 1 << 14;
   for (const char* path : {"shot.motor.thrust.2", "shot.motor.thrust.4", "shot.motor.thrust.1", "shot.motor.thrust.3"})
     study.inputs.push_back({.path = path, .distribution = NormalDistribution{0, kDeviation}, .added = true});
@@ -59,12 +54,10 @@ TEST(StudyByDistance, an_impulse_varies_as_its_points_do_together) {
   for (const double length : {0.01, 0.5, 3.0, 1e6}) {
     const StudyPlan plan = plan_of(burning(length));
     const double expected = expected_deviation(length);
-    const auto linear = propagate_linearly(plan);
-    ASSERT_TRUE(linear) << linear.error().text();
-    EXPECT_NEAR(std::sqrt(linear->covariance[0]), expected, 1e-5) << length;
-    const auto result = run_study(plan);
-    ASSERT_TRUE(result) << result.error().text();
-    EXPECT_NEAR(result->quantities[0].deviation, expected, 4 * expected / std::sqrt(2.0 * (1 << 14))) << length;
+    const auto linear = must(propagate_linearly(plan));
+    EXPECT_NEAR(std::sqrt(linear.covariance[0]), expected, 1e-5) << length;
+    const auto result = must(run_study(plan));
+    EXPECT_NEAR(result.quantities[0].deviation, expected, 4 * expected / std::sqrt(2.0 * (1 << 14))) << length;
     EXPECT_GT(expected, before) << "what is off alike does not cancel";
     before = expected;
   }
@@ -72,27 +65,23 @@ TEST(StudyByDistance, an_impulse_varies_as_its_points_do_together) {
 
 /// A point that is drawn twice, for occasions and rounds, goes by the first.
 TEST(StudyByDistance, names_the_points_that_are_drawn) {
-  Study study;
-  study.environment.wind.profile = {{0, {}}, {10, {}}, {40, {}}, {100, {}}};
+  Study study{.environment = {.wind = {.profile = {{0, {}}, {10, {}}, {40, {}}, {100, {}}}}}};
   const auto wind = [](const char* path) { return input(path, NormalDistribution{0, 1}); };
   study.inputs = {wind("shot.speed"), wind("environment.wind.profile.4.velocity.z"),
                   wind("environment.wind.profile.2.velocity.z"), wind("environment.wind.profile.1.velocity.x"),
                   wind("environment.wind.profile.2.velocity.z")};
-  const auto with = correlated_by_distance(study, "environment.wind.profile.N.velocity.z", 45);
-  ASSERT_TRUE(with) << with.error().text();
-  EXPECT_EQ(with->inputs, (std::vector<std::size_t>{1, 2}));
-  ASSERT_EQ(with->matrix.size(), 4u);
-  EXPECT_EQ(with->matrix[0], 1);
-  EXPECT_NEAR(with->matrix[1], std::exp(-2), 1e-15);
-  EXPECT_EQ(with->matrix[1], with->matrix[2]);
+  const auto with = must(correlated_by_distance(study, "environment.wind.profile.N.velocity.z", 45));
+  EXPECT_EQ(with.inputs, (std::vector<std::size_t>{1, 2}));
+  ASSERT_EQ(with.matrix.size(), 4u);
+  EXPECT_EQ(with.matrix[0], 1);
+  EXPECT_NEAR(with.matrix[1], std::exp(-2), 1e-15);
+  EXPECT_EQ(with.matrix[1], with.matrix[2]);
 }
 
 TEST(StudyByDistance, refuses_what_has_no_distance) {
-  Study study;
-  study.projectile.drag.table = DragTable::custom;
-  study.projectile.drag.curve = {{0.5, 0.2}, {1, 0.4}, {2, 0.3}};
-  study.projectile.magnus.table = {{10, 1, 0.4, 0.1}, {20, 1, 0.4, 0.1}};
-  study.projectile.aero.magnus_force = {{1, 0, 0.5}, {1, 0.01, 0.6}};
+  Study study{.projectile = {.drag = {.table = DragTable::custom, .curve = {{0.5, 0.2}, {1, 0.4}, {2, 0.3}}},
+                             .magnus = {.table = {{10, 1, 0.4, 0.1}, {20, 1, 0.4, 0.1}}},
+                             .aero = {.magnus_force = {{1, 0, 0.5}, {1, 0.01, 0.6}}}}};
   const auto draw = [](const char* path) { return input(path, NormalDistribution{0.3, 0.01}); };
   study.inputs = {draw("shot.drag.curve.2"), draw("shot.magnus.table.1.lift"), draw("shot.magnus.table.2.lift"),
                   draw("shot.aero.magnus_force.1"), draw("shot.aero.magnus_force.2")};
@@ -115,5 +104,4 @@ TEST(StudyByDistance, refuses_what_has_no_distance) {
   EXPECT_EQ(refused("shot.drag.curve.N"), "list: shot.drag.curve.7 names no point of its list");
 }
 
-}  // namespace study_by_distance_test
-}  // namespace physim
+}  // namespace physim::study_by_distance_test

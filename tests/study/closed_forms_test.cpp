@@ -1,8 +1,7 @@
 // Figures of studies against closed forms and published tables, at a million shots.
 #include "study_support.hpp"
 
-namespace physim {
-namespace study_closed_forms_test {
+namespace physim::study_closed_forms_test {
 
 using namespace test;
 
@@ -16,19 +15,18 @@ TEST(StudyClosedForms, vacuum_range_of_normal_speed_and_angle) {
   study.inputs = {input("shot.speed", NormalDistribution{v, dv}), input("shot.elevation", NormalDistribution{e, de})};
   study.launch = {.position = {0, 1e-9, 0}, .speed = v, .elevation = e};
   study.shots = 1'000'000;
-  const auto run = run_study(study);
-  ASSERT_TRUE(run) << run.error().text();
-  ASSERT_EQ(run->not_arrived + run->refused, 0U);
+  const auto run = must(run_study(study));
+  ASSERT_EQ(run.not_arrived + run.refused, 0U);
   const double square = v * v + dv * dv, fourth = std::pow(v, 4) + 6 * v * v * dv * dv + 3 * std::pow(dv, 4);
   const double sine = std::sin(2 * e) * std::exp(-2 * de * de);
   const double sine_square = 0.5 * (1 - std::cos(4 * e) * std::exp(-8 * de * de));
   const double mean = square * sine / g, variance = fourth * sine_square / (g * g) - mean * mean;
-  const QuantityResult& along = run->quantities[1];
-  const double n = static_cast<double>(run->shots);
+  const QuantityResult& along = run.quantities[1];
+  const double n = static_cast<double>(run.shots);
   EXPECT_TRUE(within_4_errors(along.mean.value, mean, along.mean.error));
   EXPECT_TRUE(near(along.mean.error, std::sqrt(variance / n), 1e-2));
   EXPECT_TRUE(within_4_errors(along.deviation * along.deviation, variance, variance * std::sqrt(2 / n)));
-  EXPECT_NEAR(run->quantities[0].deviation, 0, 1e-12) << "nothing goes aside";
+  EXPECT_NEAR(run.quantities[0].deviation, 0, 1e-12) << "nothing goes aside";
 }
 
 /// x = v cos e (1 - exp(-k t / m)) m / k: a normal number of normal v.
@@ -45,11 +43,10 @@ TEST(StudyClosedForms, linear_drag_of_normal_speed) {
   study.until = {.time = 3};
   study.quantities = {StudyQuantity::z, StudyQuantity::x};
   study.shots = 200'000;
-  const auto run = run_study(study);
-  ASSERT_TRUE(run) << run.error().text();
+  const auto run = must(run_study(study));
   const double per_speed = std::cos(0.4) * (1 - std::exp(-0.2 * 3 / 0.5)) * 0.5 / 0.2;
-  const QuantityResult& x = run->quantities[1];
-  const double n = static_cast<double>(run->shots);
+  const QuantityResult& x = run.quantities[1];
+  const double n = static_cast<double>(run.shots);
   EXPECT_TRUE(within_4_errors(x.mean.value, 60 * per_speed, x.mean.error));
   EXPECT_TRUE(within_4_errors(x.deviation, 1.5 * per_speed, 1.5 * per_speed / std::sqrt(2 * n)));
 }
@@ -185,5 +182,4 @@ TEST(StudyClosedForms, occasions_and_rounds) {
   EXPECT_NEAR(run.spreads[0].mean.value, 2.4088, 0.01) << "as of one round's scatter";
 }
 
-}  // namespace study_closed_forms_test
-}  // namespace physim
+}  // namespace physim::study_closed_forms_test

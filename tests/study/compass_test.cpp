@@ -1,11 +1,9 @@
 // Wind by compass, and numbers of the place, held to fly() in such a wind and at such a place.
-#include <cmath>
 #include <numbers>
 
 #include "study_support.hpp"
 
-namespace physim::test {
-namespace study_compass_test {
+namespace physim::test::study_compass_test {
 
 Study in_wind() {
   Study study;
@@ -21,12 +19,11 @@ Study in_wind() {
 
 /// To 1e-6 m: a study has a step of its own.
 void expect_flights(const Study& study, const std::function<Environment(const std::vector<double>&)>& environment_of) {
-  const auto plan = plan_study(study);
-  ASSERT_TRUE(plan) << plan.error().text();
+  const auto plan = must(plan_study(study));
   for (std::uint64_t shot = 0; shot < 16; ++shot) {
-    const Flight flight = fly(study.projectile, study.launch, environment_of(draws_of(*plan, shot)), study.fidelity,
+    const Flight flight = fly(study.projectile, study.launch, environment_of(draws_of(plan, shot)), study.fidelity,
                               study.tolerance, study.until);
-    const std::vector<double> ends = fly_shot_of(*plan, shot);
+    const std::vector<double> ends = fly_shot_of(plan, shot);
     EXPECT_NEAR(ends[0], flight.end().position.z, 1e-5) << shot;
     EXPECT_NEAR(ends[2], flight.duration(), 1e-7) << shot;
   }
@@ -43,9 +40,8 @@ TEST(StudyCompass, a_west_wind_blows_a_shot_to_the_north_aside) {
   study.inputs = {
       input("environment.wind.speed", UniformDistribution{4, 4.001}),
       input("environment.wind.from", UniformDistribution{1.5 * std::numbers::pi, 1.5 * std::numbers::pi + 1e-6})};
-  const auto plan = plan_study(study);
-  ASSERT_TRUE(plan) << plan.error().text();
-  EXPECT_GT(fly_shot_of(*plan, 0)[0], 0.1) << "to the east, which is to the right";
+  const auto plan = must(plan_study(study));
+  EXPECT_GT(fly_shot_of(plan, 0)[0], 0.1) << "to the east, which is to the right";
 }
 
 TEST(StudyCompass, is_that_of_its_components) {
@@ -144,12 +140,10 @@ TEST(StudyPlaces, that_cannot_be_are_refused_shot_by_shot) {
   Study study = in_wind();
   study.fidelity = Fidelity::simulation();
   study.inputs = {input("environment.earth.latitude", UniformDistribution{1, 2})};
-  const auto run = run_study(study);
-  ASSERT_TRUE(run) << run.error().text();
-  EXPECT_GT(run->refused, 2U);
-  EXPECT_LT(run->refused, 14U);
-  EXPECT_EQ(run->quantities[0].cells.count() + run->refused, 16U);
+  const auto run = must(run_study(study));
+  EXPECT_GT(run.refused, 2U);
+  EXPECT_LT(run.refused, 14U);
+  EXPECT_EQ(run.quantities[0].cells.count() + run.refused, 16U);
 }
 
-}  // namespace study_compass_test
-}  // namespace physim::test
+}  // namespace physim::test::study_compass_test

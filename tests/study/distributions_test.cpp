@@ -1,13 +1,10 @@
 // Distributions against their closed forms: moments by integrals over quantiles, chi-squared and Kolmogorov-Smirnov.
 #include "study/distributions.hpp"
 
-#include <algorithm>
-
 #include "math/philox.hpp"
 #include "support.hpp"
 
-namespace physim {
-namespace study_distributions_test {
+namespace physim::study_distributions_test {
 
 using test::near;
 
@@ -85,5 +82,4 @@ TEST(Distributions, bad_ones_are_refused) {
   EXPECT_TRUE(std::isnan(quantile_of(NormalDistribution{}, 1)));
 }
 
-}  // namespace study_distributions_test
-}  // namespace physim
+}  // namespace physim::study_distributions_test

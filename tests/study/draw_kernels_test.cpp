@@ -1,15 +1,11 @@
 // Numbers drawn in lanes are those drawn one by one, whatever draws them.
-#include <gtest/gtest.h>
-
 #include "math/normal.hpp"
-#include "physim/flight.hpp"
 #include "random_shots.hpp"
 #include "study/draw_job.hpp"
 #include "study/sampling.hpp"
 #include "support.hpp"
 
-namespace physim {
-namespace study_draw_kernels_test {
+namespace physim::study_draw_kernels_test {
 
 using test::same_bits;
 
@@ -62,5 +58,4 @@ TEST(DrawKernels, normal_numbers) {
   });
 }
 
-}  // namespace study_draw_kernels_test
-}  // namespace physim
+}  // namespace physim::study_draw_kernels_test

@@ -3,8 +3,7 @@
 #include "random_shots.hpp"
 #include "study_support.hpp"
 
-namespace physim {
-namespace study_errors_test {
+namespace physim::study_errors_test {
 
 using namespace test;
 
@@ -316,12 +315,11 @@ TEST(StudyIndices, a_correlated_group_is_one_input) {
   expect_indices(run, {group / all, 2.25 / all}, {group / all, 2.25 / all});
 
   const auto plan = plan_study(study, sum);
-  const auto linear = propagate_linearly(*plan);
-  ASSERT_TRUE(linear);
-  EXPECT_NEAR(linear->covariance[0], all, 1e-9);
-  EXPECT_NEAR(linear->rows[0].share[0], group / all, 1e-9);
-  EXPECT_EQ(linear->rows[1].share[0], 0) << "stands in the group's first row";
-  EXPECT_NEAR(linear->rows[2].slope[0], 1, 1e-9);
+  const auto linear = must(propagate_linearly(*plan));
+  EXPECT_NEAR(linear.covariance[0], all, 1e-9);
+  EXPECT_NEAR(linear.rows[0].share[0], group / all, 1e-9);
+  EXPECT_EQ(linear.rows[1].share[0], 0) << "stands in the group's first row";
+  EXPECT_NEAR(linear.rows[2].slope[0], 1, 1e-9);
 }
 
 /// Half a cell at most, against numbers that are sorted.
@@ -347,5 +345,4 @@ TEST(StudyCells, quantiles_are_exact_to_their_stated_error) {
   EXPECT_TRUE(std::isnan(CountedCells{}.quantile(0.5)));
 }
 
-}  // namespace study_errors_test
-}  // namespace physim
+}  // namespace physim::study_errors_test

@@ -1,10 +1,7 @@
 // Histograms of what studies counted, against the bell curve, lists of values and shots counted one by one.
-#include <cmath>
-
 #include "study_support.hpp"
 
-namespace physim {
-namespace study_histogram_test {
+namespace physim::study_histogram_test {
 
 using namespace test;
 
@@ -84,5 +81,4 @@ TEST(StudyHistograms, of_few_values_have_their_bars) {
   EXPECT_EQ(run.quantities[1].cells.histogram(0), run.quantities[1].cells.histogram(3)) << "fewer are none";
 }
 
-}  // namespace study_histogram_test
-}  // namespace physim
+}  // namespace physim::study_histogram_test

@@ -1,12 +1,8 @@
 // Speed, obliquity and energy of impacts, held to closed forms: parabolas on the ground, Kepler's ellipses on a sphere,
 // straight shots on planes and balls, things in motion.
-#include <cmath>
-
-#include "physim/scene.hpp"
 #include "study_support.hpp"
 
-namespace physim {
-namespace study_impacts_test {
+namespace physim::study_impacts_test {
 
 using namespace test;
 
@@ -46,11 +42,10 @@ TEST(StudyImpacts, on_the_ground_end_parabolas) {
     const std::vector<double> drawn = draws_of(plan, shot);
     expect_parabola(fly_shot_of(plan, shot), drawn[0], drawn[1], 3, 0.5);
   }
-  const auto result = run_study(plan);
-  ASSERT_TRUE(result) << result.error().text();
-  EXPECT_EQ(result->not_arrived, 0U);
-  EXPECT_EQ(result->quantities[1].quantity, StudyQuantity::obliquity);
-  EXPECT_GT(result->quantities[1].deviation, 0.05);
+  const auto result = must(run_study(plan));
+  EXPECT_EQ(result.not_arrived, 0U);
+  EXPECT_EQ(result.quantities[1].quantity, StudyQuantity::obliquity);
+  EXPECT_GT(result.quantities[1].deviation, 0.05);
 }
 
 TEST(StudyImpacts, have_the_mass_that_was_drawn) {
@@ -207,11 +202,10 @@ TEST(StudyImpacts, are_the_first) {
   }
   EXPECT_GT(walls, 10);
   study.until.time = 1;  // the ground is 1.43 s away
-  const auto result = run_study(plan_of(study));
-  ASSERT_TRUE(result) << result.error().text();
-  EXPECT_GT(result->not_arrived, 10U);
-  EXPECT_LT(result->not_arrived, 54U);
-  EXPECT_TRUE(near(result->quantities[2].most, result->quantities[2].least, 0.1)) << "of those that hit the wall";
+  const auto result = must(run_study(plan_of(study)));
+  EXPECT_GT(result.not_arrived, 10U);
+  EXPECT_LT(result.not_arrived, 54U);
+  EXPECT_TRUE(near(result.quantities[2].most, result.quantities[2].least, 0.1)) << "of those that hit the wall";
 }
 
 TEST(StudyImpacts, same_bits_with_threads_and_saved) {
@@ -234,5 +228,4 @@ TEST(StudyImpacts, are_refused_where_there_can_be_none) {
   EXPECT_TRUE(has(short_of_time, "0 arrived") && has(short_of_time, "no impact")) << short_of_time;
 }
 
-}  // namespace study_impacts_test
-}  // namespace physim
+}  // namespace physim::study_impacts_test

@@ -1,23 +1,18 @@
 // Shares of the misses, by closed forms of normal impacts and beside sampling.
 #include "study/misses.hpp"
 
-#include <gtest/gtest.h>
-
 #include "study/study_support.hpp"
 
-namespace physim::test {
-namespace study_misses_test {
+namespace physim::test::study_misses_test {
 
 /// The part of normal numbers farther than `from` from 0.
 double beyond(double from, double deviation) { return std::erfc(from / (deviation * std::sqrt(2.0))); }
 
 /// Wind and aim move the impact aside, the rifle in height.
 Study three_inputs(double aside = 0) {
-  Study study;
-  study.inputs = {input("wind", NormalDistribution{aside, 0.4}), input("aim", NormalDistribution{0, 0.3}),
-                  input("rifle", NormalDistribution{0, 0.2})};
-  study.quantities = {StudyQuantity::right, StudyQuantity::up};
-  return study;
+  return {.inputs = {input("wind", NormalDistribution{aside, 0.4}), input("aim", NormalDistribution{0, 0.3}),
+                     input("rifle", NormalDistribution{0, 0.2})},
+          .quantities = {StudyQuantity::right, StudyQuantity::up}};
 }
 void moved(std::span<const std::span<const double>> in, std::span<const std::span<double>> out) {
   for (std::size_t i = 0; i < out[0].size(); ++i) {
@@ -27,11 +22,9 @@ void moved(std::span<const std::span<const double>> in, std::span<const std::spa
 }
 
 LinearResult linear_of(const Study& study) {
-  const auto plan = plan_study(study, moved);
-  EXPECT_TRUE(plan);
-  const auto linear = propagate_linearly(*plan);
-  EXPECT_TRUE(linear);
-  return *linear;
+  const auto plan = must(plan_study(study, moved));
+  const auto linear = must(propagate_linearly(plan));
+  return linear;
 }
 
 TEST(StudyMisses, of_a_strip_are_those_of_the_error_function) {
@@ -95,5 +88,4 @@ TEST(StudyMisses, are_not_told_where_hardly_any_miss) {
   for (const LinearRow& row : linear_of(study).rows) EXPECT_TRUE(row.misses.empty());
 }
 
-}  // namespace study_misses_test
-}  // namespace physim::test
+}  // namespace physim::test::study_misses_test

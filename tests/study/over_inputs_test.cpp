@@ -1,10 +1,7 @@
 // How likely targets are hit over each input, held to integrals; the bits and bytes of it.
-#include <cmath>
-
 #include "study_support.hpp"
 
-namespace physim {
-namespace study_over_inputs_test {
+namespace physim::study_over_inputs_test {
 
 using namespace test;
 
@@ -143,5 +140,4 @@ TEST(StudyOverInputs, bad_input) {
   EXPECT_NE(refusal([](Study& s) { s.targets.clear(); }).find("no target"), std::string::npos);
 }
 
-}  // namespace study_over_inputs_test
-}  // namespace physim
+}  // namespace physim::study_over_inputs_test

@@ -1,15 +1,12 @@
 // Parts of studies joined, whatever they have of each other.
 #include "study/part.hpp"
 
-#include <gtest/gtest.h>
-
 #include <random>
 #include <set>
 
 #include "study/study_support.hpp"
 
-namespace physim {
-namespace study_part_test {
+namespace physim::study_part_test {
 
 StudyPlan small_study(std::uint64_t seed = 1) {
   Study study = test::scatter();
@@ -61,5 +58,4 @@ TEST(StudyParts, of_different_studies_are_not_united) {
   EXPECT_FALSE(united(part_of(small_study(1), {0}), part_of(small_study(2), {1})));
 }
 
-}  // namespace study_part_test
-}  // namespace physim
+}  // namespace physim::study_part_test

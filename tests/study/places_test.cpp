@@ -1,13 +1,8 @@
 // Places on the way of a study's flights, held to parabolas, to studies that end there, and to closed forms of normal
 // numbers; the bits of it.
-#include <cmath>
-
-#include "physim/body.hpp"
-#include "physim/scene.hpp"
 #include "study_support.hpp"
 
-namespace physim {
-namespace study_places_test {
+namespace physim::study_places_test {
 
 using namespace test;
 using Q = StudyQuantity;
@@ -97,16 +92,15 @@ TEST(StudyPlaces, have_figures_that_are_known) {
   study.fidelity.motion = Motion::closed_form;
   study.shots = 200'000;
   study.shard_shots = 4096;
-  const auto run = run_study(plan_of(study));
-  ASSERT_TRUE(run) << run.error().text();
-  ASSERT_EQ(run->at.size(), 2U);
-  const double factor = std::sin(e) * std::sin(e) / (2 * kG), n = static_cast<double>(run->shots);
+  const auto run = must(run_study(plan_of(study)));
+  ASSERT_EQ(run.at.size(), 2U);
+  const double factor = std::sin(e) * std::sin(e) / (2 * kG), n = static_cast<double>(run.shots);
   const double variance = factor * factor * (4 * m * m * s * s + 2 * s * s * s * s);
-  const QuantityResult& y = run->at[0].quantities[0];
-  EXPECT_EQ(run->at[0].quantities.size(), 1U);
+  const QuantityResult& y = run.at[0].quantities[0];
+  EXPECT_EQ(run.at[0].quantities.size(), 1U);
   EXPECT_TRUE(within_4_errors(y.mean.value, 3 + (m * m + s * s) * factor, y.mean.error));
   EXPECT_TRUE(near(y.mean.error, std::sqrt(variance / n), 1e-2));
-  const StudyResult& line = run->at[1];
+  const StudyResult& line = run.at[1];
   ASSERT_EQ(line.hits.size(), 1U) << "its axes are those of the end";
   const double needed = 20 / std::cos(e) * std::sqrt(0.5 * kG / (20 * std::tan(e) - 8));
   const double expected = 0.5 * std::erfc((needed - m) / s / std::sqrt(2.0));
@@ -169,12 +163,11 @@ TEST(StudyPlaces, are_not_come_to_by_shots_that_ended) {
   study.at = {place(EventKind::range, 40), place(EventKind::range, 80)};
   study.shard_shots = 256;
   study.shots = 512;
-  const auto run = run_study(plan_of(study));
-  ASSERT_TRUE(run) << run.error().text();
-  EXPECT_EQ(run->at[0].not_arrived, 0U);
-  EXPECT_EQ(run->at[1].not_arrived, run->hits[0].hits) << "those that the wall stopped";
-  EXPECT_GT(run->hits[0].hits, 100U);
-  EXPECT_TRUE(run->at[1].hits.empty()) << "things are hit wherever they stand";
+  const auto run = must(run_study(plan_of(study)));
+  EXPECT_EQ(run.at[0].not_arrived, 0U);
+  EXPECT_EQ(run.at[1].not_arrived, run.hits[0].hits) << "those that the wall stopped";
+  EXPECT_GT(run.hits[0].hits, 100U);
+  EXPECT_TRUE(run.at[1].hits.empty()) << "things are hit wherever they stand";
 }
 
 /// A function whose end scatters normally, and with half of that at one place, by one number at another.
@@ -278,12 +271,11 @@ TEST(StudyPlaces, damaged_parts_are_refused) {
 
 TEST(StudyPlaces, are_propagated_by_slopes) {
   const StudyPlan plan = plan_of(thrown());
-  const auto linear = propagate_linearly(plan.places()[0]);
-  ASSERT_TRUE(linear) << linear.error().text();
+  const auto linear = must(propagate_linearly(plan.places()[0]));
   const double up = 30 * std::sin(0.5), across = 30 * std::cos(0.5);
-  EXPECT_TRUE(near(linear->mean[2], 3 + up * up / (2 * kG), 1e-9));
-  EXPECT_TRUE(near(linear->rows[0].slope[2], up * std::sin(0.5) / kG, 1e-6)) << "of the apex by the speed";
-  EXPECT_TRUE(near(linear->rows[1].slope[2], up * across / kG, 1e-4)) << "... by the elevation";
+  EXPECT_TRUE(near(linear.mean[2], 3 + up * up / (2 * kG), 1e-9));
+  EXPECT_TRUE(near(linear.rows[0].slope[2], up * std::sin(0.5) / kG, 1e-6)) << "of the apex by the speed";
+  EXPECT_TRUE(near(linear.rows[1].slope[2], up * across / kG, 1e-4)) << "... by the elevation";
   EXPECT_EQ(propagate_linearly(plan)->mean.size(), 4U);
   EXPECT_EQ(fly_shot_of(plan, 3).size(), 4U);
   EXPECT_EQ(fly_shot_of(plan.places()[3], 3).size(), 1U);
@@ -313,5 +305,4 @@ TEST(StudyPlaces, bad_input) {
   EXPECT_TRUE(says(plan_study(study, on_the_way).error().text(), "at[1].quantities", "function"));
 }
 
-}  // namespace study_places_test
-}  // namespace physim
+}  // namespace physim::study_places_test

@@ -4,19 +4,16 @@
 #include "study/paths.hpp"
 #include "study_support.hpp"
 
-namespace physim {
-namespace study_points_test {
+namespace physim::study_points_test {
 
 using namespace test;
 
 Study shot_at(double range) {
-  Study study;
-  study.projectile.mass = 0.01;
-  study.projectile.diameter = 0.008;
-  study.launch = {.position = {0, 2, 0}, .speed = 600, .elevation = 0.01};
-  study.environment.gravity.model = GravityModel::constant;
-  study.until = {.range = range};
-  study.tolerance.position_error = 1e-5;
+  Study study{.projectile = {.mass = 0.01, .diameter = 0.008},
+              .launch = {.position = {0, 2, 0}, .speed = 600, .elevation = 0.01},
+              .environment = {.gravity = {.model = GravityModel::constant}},
+              .tolerance = {.position_error = 1e-5},
+              .until = {.range = range}};
   study.shard_shots = study.shots = 64;
   return study;
 }
@@ -72,14 +69,12 @@ TEST(StudyPoints, a_profile_of_one_point_is_a_wind) {
 
 /// Straight up on a motor that has burned out after 3 s.
 Study burning(const std::vector<ThrustPoint>& thrust) {
-  Study study;
-  study.projectile.mass = 2;
-  study.projectile.motor.thrust = thrust;
-  study.launch = {.speed = 100, .elevation = 90 * kDegree};
-  study.environment.gravity.model = GravityModel::constant;
-  study.fidelity = vacuum();
-  study.until = {.time = 3};
-  study.quantities = {StudyQuantity::vy};
+  Study study{.projectile = {.mass = 2, .motor = {.thrust = thrust}},
+              .launch = {.speed = 100, .elevation = 90 * kDegree},
+              .environment = {.gravity = {.model = GravityModel::constant}},
+              .fidelity = vacuum(),
+              .until = {.time = 3},
+              .quantities = {StudyQuantity::vy}};
   study.shard_shots = study.shots = 64;
   return study;
 }
@@ -100,10 +95,9 @@ TEST(StudyPoints, a_point_of_thrust_is_its_part_of_the_impulse) {
   expect_impulses(plan, [](const std::vector<double>& drawn) { return drawn[0] * drawn[1]; });
   const StudyShots block = fly_shots_of(plan, 0);
   for (std::uint64_t shot = 0; shot < 64; ++shot) EXPECT_EQ(fly_shot_of(plan, shot)[0], block.quantities[0][shot]);
-  const auto slopes = propagate_linearly(plan);
-  ASSERT_TRUE(slopes) << slopes.error().text();
-  EXPECT_NEAR(slopes->rows[0].slope[0], 0.5, 1e-6);
-  EXPECT_NEAR(slopes->rows[1].slope[0], 20, 1e-5);
+  const auto slopes = must(propagate_linearly(plan));
+  EXPECT_NEAR(slopes.rows[0].slope[0], 0.5, 1e-6);
+  EXPECT_NEAR(slopes.rows[1].slope[0], 20, 1e-5);
 }
 
 /// The impulse of a plateau that falls off, (0, F), (t, F), (T, 0), is F (t + T) / 2.
@@ -113,9 +107,8 @@ TEST(StudyPoints, a_time_of_thrust_is_its_part_of_the_impulse) {
                   input("shot.motor.thrust.3.time", UniformDistribution{1.9, 2.1})};
   const StudyPlan plan = plan_of(study);
   expect_impulses(plan, [](const std::vector<double>& drawn) { return 40 * (drawn[0] + drawn[1]) / 2; });
-  const auto slopes = propagate_linearly(plan);
-  ASSERT_TRUE(slopes) << slopes.error().text();
-  EXPECT_NEAR(slopes->rows[0].slope[0], 10, 1e-5);
+  const auto slopes = must(propagate_linearly(plan));
+  EXPECT_NEAR(slopes.rows[0].slope[0], 10, 1e-5);
   study.inputs = {input("shot.motor.thrust.1.time", NormalDistribution{0, 0.1})};
   EXPECT_FALSE(plan_study(study)) << "a table starts at ignition: none of the shots is right";
 }
@@ -188,12 +181,11 @@ TEST(StudyPoints, places_out_of_order_are_refused_shot_by_shot) {
   study.inputs = {input("environment.wind.profile.2.at", UniformDistribution{-5, 20})};
   const auto expect_refused = [&](auto is_wrong) {
     const StudyPlan plan = plan_of(study);
-    const auto run = run_study(plan);
-    ASSERT_TRUE(run) << run.error().text();
+    const auto run = must(run_study(plan));
     std::uint64_t wrong = 0;
     for (std::uint64_t shot = 0; shot < 64; ++shot) wrong += is_wrong(draws_of(plan, shot)[0]) ? 1 : 0;
     EXPECT_GT(wrong, 0U);
-    EXPECT_EQ(run->refused, wrong);
+    EXPECT_EQ(run.refused, wrong);
     EXPECT_EQ(plan.notes().size(), 1U) << "told before it is flown";
     for (const auto& note : plan.notes()) EXPECT_NE(note.find("must rise"), note.npos) << note;
   };
@@ -210,12 +202,11 @@ TEST(StudyPoints, what_breaks_a_curve_is_refused_shot_by_shot) {
   study.projectile.drag.curve = {{0, 0.2}, {3, 0.2}};
   study.inputs = {input("shot.drag.curve.2", UniformDistribution{-0.2, 0.2})};
   const StudyPlan plan = plan_of(study);
-  const auto run = run_study(plan);
-  ASSERT_TRUE(run) << run.error().text();
+  const auto run = must(run_study(plan));
   std::uint64_t negative = 0;
   for (std::uint64_t shot = 0; shot < 64; ++shot) negative += draws_of(plan, shot)[0] < 0 ? 1 : 0;
   EXPECT_GT(negative, 0U);
-  EXPECT_EQ(run->refused, negative);
+  EXPECT_EQ(run.refused, negative);
 }
 
 TEST(StudyPoints, points_that_are_not_there) {
@@ -286,11 +277,9 @@ TEST(StudyPoints, rows_have_numbers_of_their_own) {
   EXPECT_EQ(find_path("environment.wind.profile.1.at").point_of(shot, place), &place.wind.profile[0].at);
   EXPECT_EQ(find_path("shot.aero.magnus_force.2.angle_squared").point_of(shot, place),
             &aero.magnus_force[1].angle_squared);
-  const auto told = study_path("shot.motor.thrust.7");
-  ASSERT_TRUE(told);
-  EXPECT_EQ(told->unit, "N");
-  EXPECT_EQ(told->path, "shot.motor.thrust.7");
+  const auto told = must(study_path("shot.motor.thrust.7"));
+  EXPECT_EQ(told.unit, "N");
+  EXPECT_EQ(told.path, "shot.motor.thrust.7");
 }
 
-}  // namespace study_points_test
-}  // namespace physim
+}  // namespace physim::study_points_test

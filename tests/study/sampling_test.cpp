@@ -2,7 +2,6 @@
 // Latin hypercubes, nets of Sobol's sequence, and what each number depends on.
 #include "study/sampling.hpp"
 
-#include <algorithm>
 #include <set>
 
 #include "study/correlation.hpp"
@@ -10,8 +9,7 @@
 #include "study/sobol.hpp"
 #include "support.hpp"
 
-namespace physim {
-namespace study_sampling_test {
+namespace physim::study_sampling_test {
 
 constexpr Sampling kSamplings[] = {Sampling::random, Sampling::latin_hypercube, Sampling::sobol};
 
@@ -149,15 +147,14 @@ TEST(Sobol, scrambling_keeps_the_net_of_two_dimensions) {
 TEST(Correlation, drawn_numbers_have_the_correlations_asked_for) {
   const std::vector<double> matrix{1, 0.8, -0.3, 0.8, 1, 0.1, -0.3, 0.1, 1};
   const std::vector<std::string> names{"a", "b", "c"};
-  const auto root = correlation_root(matrix, names, "here");
-  ASSERT_TRUE(root) << root.error().text();
+  const auto root = must(correlation_root(matrix, names, "here"));
   std::vector<std::vector<double>> x;
   for (unsigned i = 0; i < 3; ++i) {
     x.push_back(numbers_of(Sampling::random, i, 65536));
     Quantiles(NormalDistribution{}).from_units(x.back());
   }
   const std::vector<std::span<double>> columns(x.begin(), x.end());
-  correlate(*root, columns);
+  correlate(root, columns);
   for (std::size_t i = 0; i < 3; ++i)
     for (std::size_t j = 0; j < 3; ++j) {
       double sum = 0;
@@ -182,5 +179,4 @@ TEST(Correlation, what_is_none_is_refused_by_its_entries) {
   EXPECT_NE(refusal({1, test::kNan, 0, test::kNan, 1, 0, 0, 0, 1}).find("not between"), std::string::npos);
 }
 
-}  // namespace study_sampling_test
-}  // namespace physim
+}  // namespace physim::study_sampling_test

@@ -1,18 +1,14 @@
 // Work on columns of shots gives the bits that shot by shot gives, whatever kernel does it.
 #include "study/shard_job.hpp"
 
-#include <algorithm>
-
 #include "math/vec3.hpp"
-#include "physim/flight.hpp"
 #include "random_shots.hpp"
 #include "study/cell_number.hpp"
 #include "study/sums.hpp"
 #include "study/targets.hpp"
 #include "support.hpp"
 
-namespace physim {
-namespace study_shard_kernels_test {
+namespace physim::study_shard_kernels_test {
 
 using namespace test;
 
@@ -270,5 +266,4 @@ TEST(WorstShots, are_kept_one_by_one_as_all_at_once) {
     EXPECT_TRUE(kept[i].shot == all[i].shot && kept[i].distance == all[i].distance) << i;
 }
 
-}  // namespace study_shard_kernels_test
-}  // namespace physim
+}  // namespace physim::study_shard_kernels_test

@@ -1,8 +1,7 @@
 // What studies keep for pictures: stages on the way to their figures, and shots one by one.
 #include "study_support.hpp"
 
-namespace physim {
-namespace study_stages_test {
+namespace physim::study_stages_test {
 
 using namespace test;
 
@@ -54,13 +53,12 @@ TEST(StudyShots, are_those_that_numbers_give_again) {
   Study study = scatter();
   study.shard_shots = 32;
   study.shots = 128;
-  const auto plan = plan_study(study, scattered);
-  ASSERT_TRUE(plan);
-  const StudyShots shots = fly_shots_of(*plan, 2);
+  const auto plan = must(plan_study(study, scattered));
+  const StudyShots shots = fly_shots_of(plan, 2);
   ASSERT_EQ(shots.inputs.size(), 2U);
   ASSERT_EQ(shots.quantities[1].size(), 32U);
   for (const std::size_t i : {0U, 7U, 31U}) {
-    const std::vector<double> drawn = draws_of(*plan, 64 + i), flown = fly_shot_of(*plan, 64 + i);
+    const std::vector<double> drawn = draws_of(plan, 64 + i), flown = fly_shot_of(plan, 64 + i);
     for (std::size_t k = 0; k < 2; ++k) {
       EXPECT_EQ(shots.inputs[k][i], drawn[k]);
       EXPECT_EQ(shots.quantities[k][i], flown[k]);
@@ -70,29 +68,27 @@ TEST(StudyShots, are_those_that_numbers_give_again) {
 
 /// An uncertain wind that is added to a profile moves all of it: each shot is a flight in such an environment.
 TEST(StudyShots, fly_in_profiles_of_wind_of_their_own) {
-  Study study;
-  study.projectile = {.mass = 0.145, .diameter = 0.0737, .drag = {.coefficient = 0.4}};
-  study.launch = {.position = {0, 1, 0}, .speed = 40, .elevation = 0.6};
-  study.environment.wind.profile = {{0, {-1, 0, 2}}, {30, {-3, 0, 5}}};
-  study.fidelity = Fidelity::simulation();
-  study.until.events = {{.kind = EventKind::apex, .terminal = true}};
-  study.inputs = {{.path = "environment.wind.velocity.x", .distribution = NormalDistribution{0, 2}, .added = true},
-                  {.path = "environment.wind.velocity.z", .distribution = NormalDistribution{0, 2}, .added = true},
-                  {.path = "environment.atmosphere.temperature", .distribution = NormalDistribution{290, 5}}};
-  study.quantities = {StudyQuantity::z, StudyQuantity::y};
-  study.tolerance.step = 1e-3;
-  study.shard_shots = 16;
-  study.shots = 32;
-  const auto plan = plan_study(study);
-  ASSERT_TRUE(plan) << plan.error().text();
-  const StudyShots shots = fly_shots_of(*plan, 1);
+  Study study{
+      .projectile = {.mass = 0.145, .diameter = 0.0737, .drag = {.coefficient = 0.4}},
+      .launch = {.position = {0, 1, 0}, .speed = 40, .elevation = 0.6},
+      .environment = {.wind = {.profile = {{0, {-1, 0, 2}}, {30, {-3, 0, 5}}}}},
+      .fidelity = Fidelity::simulation(),
+      .tolerance = {.step = 1e-3},
+      .until = {.events = {{.kind = EventKind::apex, .terminal = true}}},
+      .inputs = {{.path = "environment.wind.velocity.x", .distribution = NormalDistribution{0, 2}, .added = true},
+                 {.path = "environment.wind.velocity.z", .distribution = NormalDistribution{0, 2}, .added = true},
+                 {.path = "environment.atmosphere.temperature", .distribution = NormalDistribution{290, 5}}},
+      .shots = 32,
+      .shard_shots = 16,
+      .quantities = {StudyQuantity::z, StudyQuantity::y}};
+  const auto plan = must(plan_study(study));
+  const StudyShots shots = fly_shots_of(plan, 1);
   for (const std::size_t i : {0U, 5U, 15U}) {
     Environment own = study.environment;
     for (WindPoint& point : own.wind.profile)
       point.velocity.x += shots.inputs[0][i], point.velocity.z += shots.inputs[1][i];
     own.atmosphere.temperature = shots.inputs[2][i];
-    const Flight flight =
-        fly(study.projectile, study.launch, own, study.fidelity, plan->study().tolerance, study.until);
+    const Flight flight = fly(study.projectile, study.launch, own, study.fidelity, plan.study().tolerance, study.until);
     ASSERT_EQ(flight.outcome(), Outcome::event);
     EXPECT_EQ(shots.quantities[0][i], flight.end().position.z) << i;
     EXPECT_EQ(shots.quantities[1][i], flight.end().position.y) << i;
@@ -103,5 +99,4 @@ TEST(StudyShots, fly_in_profiles_of_wind_of_their_own) {
   EXPECT_NE(refused.error().text().find("added"), std::string::npos) << refused.error().text();
 }
 
-}  // namespace study_stages_test
-}  // namespace physim
+}  // namespace physim::study_stages_test

@@ -2,11 +2,7 @@
 #pragma once
 
 #include <cstddef>
-#include <utility>
-#include <vector>
 
-#include "physim/result.hpp"
-#include "physim/study.hpp"
 #include "support.hpp"
 
 namespace physim::test {
@@ -34,11 +30,9 @@ inline StudyInput input(const char* path, const Distribution& distribution) {
 
 /// Impacts that scatter normally about a point.
 inline Study scatter(double right = 0, double up = 0) {
-  Study study;
-  study.inputs = {input("right", NormalDistribution{right, 1}), input("up", NormalDistribution{up, 1})};
-  study.quantities = {StudyQuantity::right, StudyQuantity::up};
-  study.shots = 1'000'000;
-  return study;
+  return {.inputs = {input("right", NormalDistribution{right, 1}), input("up", NormalDistribution{up, 1})},
+          .shots = 1'000'000,
+          .quantities = {StudyQuantity::right, StudyQuantity::up}};
 }
 
 inline StudyResult result_of(const Study& study, const StudyFunction& function, TaskRunner* runner = nullptr) {
@@ -47,9 +41,7 @@ inline StudyResult result_of(const Study& study, const StudyFunction& function, 
     ADD_FAILURE() << plan.error().text();
     return {};
   }
-  const auto result = run_study(*plan, runner);
-  if (!result) ADD_FAILURE() << result.error().text();
-  return result ? *result : StudyResult{};
+  return must(run_study(*plan, runner));
 }
 
 inline StudyPlan plan_of(const Study& study) {

@@ -1,12 +1,10 @@
 // Studies of flights: their shots are those of fly(), and their bits depend on no thread, order, save or stop.
-#include <algorithm>
 #include <numeric>
 
 #include "random_shots.hpp"
 #include "study_support.hpp"
 
-namespace physim {
-namespace study_study_test {
+namespace physim::study_study_test {
 
 using namespace test;
 
@@ -55,9 +53,8 @@ TEST(Study, has_the_same_bits_with_any_number_of_threads_and_order_of_shards) {
     StudyPart part;
     for (std::size_t left = order.size(); left > 0; --left) {
       std::swap(order[static_cast<std::size_t>(r.below(static_cast<int>(left)))], order[left - 1]);
-      const auto merged = merge(run_shard(plan, order[left - 1]), part);
-      ASSERT_TRUE(merged) << merged.error().text();
-      part = *merged;
+      const auto merged = must(merge(run_shard(plan, order[left - 1]), part));
+      part = merged;
     }
     EXPECT_EQ(save_part(part), bytes) << name(sampling);
   }
@@ -80,19 +77,16 @@ TEST(Study, goes_on_where_it_was_stopped) {
   StudyPart last;
   int left = 3;
   const StudyOptions stops{.after_shard = [&](const StudyPart& part) { return last = part, --left > 0; }};
-  const auto stopped = run_study(plan, nullptr, stops);
-  ASSERT_TRUE(stopped);
-  EXPECT_EQ(stopped->shards, 3U);
+  const auto stopped = must(run_study(plan, nullptr, stops));
+  EXPECT_EQ(stopped.shards, 3U);
   EXPECT_EQ(last.first_missing(), 3U);
-  const auto loaded = load_part(save_part(last));
-  ASSERT_TRUE(loaded) << loaded.error().text();
-  EXPECT_EQ(loaded->shards(), 3U);
-  const auto resumed = run_study(plan, nullptr, {.so_far = *loaded});
-  ASSERT_TRUE(resumed);
-  EXPECT_EQ(resumed->quantities, whole->quantities);
-  EXPECT_EQ(resumed->hits, whole->hits);
-  EXPECT_EQ(resumed->worst, whole->worst);
-  EXPECT_EQ(resumed->covariance, whole->covariance);
+  const auto loaded = must(load_part(save_part(last)));
+  EXPECT_EQ(loaded.shards(), 3U);
+  const auto resumed = must(run_study(plan, nullptr, {.so_far = loaded}));
+  EXPECT_EQ(resumed.quantities, whole->quantities);
+  EXPECT_EQ(resumed.hits, whole->hits);
+  EXPECT_EQ(resumed.worst, whole->worst);
+  EXPECT_EQ(resumed.covariance, whole->covariance);
 }
 
 /// Widths are judged at fixed counts of shards; where it was stopped between them, and where it had ended, too.
@@ -104,22 +98,19 @@ TEST(Study, goes_on_with_a_width) {
   const StudyPlan plan = plan_study(study, scattered).value();
   StudyPart last;
   const StudyOptions keeps{.after_shard = [&](const StudyPart& part) { return last = part, true; }};
-  const auto whole = run_study(plan, nullptr, keeps);
-  ASSERT_TRUE(whole) << whole.error().text();
-  EXPECT_TRUE(whole->width_reached);
-  EXPECT_EQ(whole->shards, 64U);
-  const auto again = run_study(plan, nullptr, {.so_far = last});
-  ASSERT_TRUE(again) << again.error().text();
-  EXPECT_EQ(again->quantities, whole->quantities);
-  EXPECT_TRUE(again->width_reached);
+  const auto whole = must(run_study(plan, nullptr, keeps));
+  EXPECT_TRUE(whole.width_reached);
+  EXPECT_EQ(whole.shards, 64U);
+  const auto again = must(run_study(plan, nullptr, {.so_far = last}));
+  EXPECT_EQ(again.quantities, whole.quantities);
+  EXPECT_TRUE(again.width_reached);
   for (const int shards : {5, 17, 32, 40, 63}) {
     int left = shards;
     const StudyOptions stops{.after_shard = [&](const StudyPart& part) { return last = part, --left > 0; }};
     ASSERT_TRUE(run_study(plan, nullptr, stops));
-    const auto resumed = run_study(plan, nullptr, {.so_far = last});
-    ASSERT_TRUE(resumed) << shards << ": " << resumed.error().text();
-    EXPECT_EQ(resumed->quantities, whole->quantities) << shards;
-    EXPECT_EQ(resumed->shards, 64U);
+    const auto resumed = must(run_study(plan, nullptr, {.so_far = last}), shards);
+    EXPECT_EQ(resumed.quantities, whole.quantities) << shards;
+    EXPECT_EQ(resumed.shards, 64U);
   }
 }
 
@@ -152,11 +143,10 @@ TEST(Study, shots_that_go_another_way_do_not_arrive) {
   const double pi = std::acos(-1.0);
   study.inputs = {input("shot.azimuth", UniformDistribution{-pi, pi})};
   study.targets = {{"plate", RectangleTarget{{0, -0.4}, 200, 3}}};
-  const auto result = run_study(plan_of(study));
-  ASSERT_TRUE(result) << result.error().text();
+  const auto result = must(run_study(plan_of(study)));
   const double within = std::asin(100.0 / 300) / pi;  // the plate seen from the muzzle, before it and not behind it
-  EXPECT_NEAR(result->hits[0].probability.value, within, 4 * result->hits[0].probability.error + 0.005);
-  EXPECT_GT(result->not_arrived, result->shots / 2);
+  EXPECT_NEAR(result.hits[0].probability.value, within, 4 * result.hits[0].probability.error + 0.005);
+  EXPECT_GT(result.not_arrived, result.shots / 2);
 }
 
 /// Parts as an array of jobs flies them, joined in any order.
@@ -166,12 +156,10 @@ TEST(Study, is_flown_in_parts) {
   StudyPart all;
   const auto pool = make_thread_pool(3);
   for (const auto& [first, count] : std::vector<std::pair<std::uint64_t, std::uint64_t>>{{5, 3}, {0, 2}, {2, 3}}) {
-    const auto part = run_shards(plan, first, count, pool.get());
-    ASSERT_TRUE(part);
-    EXPECT_EQ(part->shards(), count);
-    const auto merged = merge(all, *load_part(save_part(*part)));
-    ASSERT_TRUE(merged) << merged.error().text();
-    all = *merged;
+    const auto part = must(run_shards(plan, first, count, pool.get()));
+    EXPECT_EQ(part.shards(), count);
+    const auto merged = must(merge(all, *load_part(save_part(part))));
+    all = merged;
   }
   EXPECT_EQ(save_part(all), bytes_of(plan, nullptr));
   EXPECT_FALSE(run_shards(plan, 5, 4));
@@ -300,20 +288,18 @@ TEST(Study, ends_when_a_figure_is_known) {
   study.shots = 1'000'000;
   study.until_width = StudyWidth{.target = 0, .width = 0.03};
   const StudyPlan plan = plan_of(study);
-  const auto run = run_study(plan);
-  ASSERT_TRUE(run);
-  EXPECT_TRUE(run->width_reached);
-  EXPECT_LT(run->hits[0].high - run->hits[0].low, 0.03);
+  const auto run = must(run_study(plan));
+  EXPECT_TRUE(run.width_reached);
+  EXPECT_LT(run.hits[0].high - run.hits[0].low, 0.03);
   const auto pool = make_thread_pool(3);
   const auto again = run_study(plan, pool.get());
-  EXPECT_EQ(again->shots, run->shots);
-  EXPECT_EQ(again->quantities, run->quantities);
+  EXPECT_EQ(again->shots, run.shots);
+  EXPECT_EQ(again->quantities, run.quantities);
   study.until_width.reset();
-  study.shots = run->shots;
-  EXPECT_EQ(run_study(study)->quantities, run->quantities) << "as many shots from the first on";
+  study.shots = run.shots;
+  EXPECT_EQ(run_study(study)->quantities, run.quantities) << "as many shots from the first on";
   study.until_width = StudyWidth{.quantity = 1, .width = 1e-9};
   EXPECT_FALSE(run_study(study)->width_reached) << "there are not so many";
 }
 
-}  // namespace study_study_test
-}  // namespace physim
+}  // namespace physim::study_study_test

@@ -1,11 +1,7 @@
 // Studies among the things of a scene: what is hit, and how likely, held to closed forms and to fly().
-#include <cmath>
-
-#include "physim/scene.hpp"
 #include "study_support.hpp"
 
-namespace physim {
-namespace study_things_test {
+namespace physim::study_things_test {
 
 using namespace test;
 
@@ -40,16 +36,15 @@ Study straight() {
 
 /// The plate is seen under known angles; who misses it hits the wall.
 TEST(StudyThings, are_hit_as_angles_say) {
-  const auto result = run_study(plan_of(straight()));
-  ASSERT_TRUE(result) << result.error().text();
+  const auto result = must(run_study(plan_of(straight())));
   const auto within = [](double half) { return std::erf(std::atan(half / 50) / 0.006 / std::sqrt(2.0)); };
   const double expected = within(0.3) * within(0.5);
-  EXPECT_TRUE(within_4_errors(result->hits[0].probability.value, expected, result->hits[0].probability.error));
-  EXPECT_EQ(result->hits[0].hits + result->hits[1].hits, result->shots);
-  EXPECT_EQ(result->not_arrived, 0U);
-  ASSERT_EQ(result->quantities.size(), 5U) << "right, up, along, time, speed";
-  EXPECT_NEAR(result->quantities[2].least, 50, 1e-6);
-  EXPECT_NEAR(result->quantities[2].most, 60, 1e-6);
+  EXPECT_TRUE(within_4_errors(result.hits[0].probability.value, expected, result.hits[0].probability.error));
+  EXPECT_EQ(result.hits[0].hits + result.hits[1].hits, result.shots);
+  EXPECT_EQ(result.not_arrived, 0U);
+  ASSERT_EQ(result.quantities.size(), 5U) << "right, up, along, time, speed";
+  EXPECT_NEAR(result.quantities[2].least, 50, 1e-6);
+  EXPECT_NEAR(result.quantities[2].most, 60, 1e-6);
 }
 
 /// Shot by shot what fly() says.
@@ -91,11 +86,10 @@ TEST(StudyThings, that_are_passed_or_in_the_way_of_the_plane) {
   Study study = straight();
   study.scene = range_with_plate(true);
   study.until.range = 55;
-  const auto passed = run_study(plan_of(study));
-  ASSERT_TRUE(passed) << passed.error().text();
-  EXPECT_EQ(passed->not_arrived, 0U);
-  EXPECT_GT(passed->hits[0].hits, passed->shots / 2);
-  EXPECT_EQ(passed->hits[1].hits, 0U);
+  const auto passed = must(run_study(plan_of(study)));
+  EXPECT_EQ(passed.not_arrived, 0U);
+  EXPECT_GT(passed.hits[0].hits, passed.shots / 2);
+  EXPECT_EQ(passed.hits[1].hits, 0U);
   study.until.range = 65;
   const auto stopped = plan_study(study);
   ASSERT_FALSE(stopped);
@@ -137,5 +131,4 @@ TEST(StudyThings, bad_input) {
   EXPECT_TRUE(has(plan.error().text(), "function")) << plan.error().text();
 }
 
-}  // namespace study_things_test
-}  // namespace physim
+}  // namespace physim::study_things_test

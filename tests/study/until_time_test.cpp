@@ -3,8 +3,7 @@
 
 #include "study_support.hpp"
 
-namespace physim {
-namespace study_until_time_test {
+namespace physim::study_until_time_test {
 
 using namespace test;
 
@@ -39,15 +38,14 @@ TEST(StudyTime, chooses_the_count_alone) {
     for (const unsigned threads : {1u, 2u, 7u}) {
       const auto pool = make_thread_pool(threads);
       const StudyPlan plan = plan_study(study, scattered).value();
-      const auto ended = run_study(plan, pool.get(), {.time_is_up = after(37)});
-      ASSERT_TRUE(ended) << ended.error().text();
-      EXPECT_TRUE(ended->time_was_up);
-      EXPECT_EQ(ended->shards, sampling == Sampling::random ? 37U : 48U) << "whole rounds of 16 replicates";
+      const auto ended = must(run_study(plan, pool.get(), {.time_is_up = after(37)}));
+      EXPECT_TRUE(ended.time_was_up);
+      EXPECT_EQ(ended.shards, sampling == Sampling::random ? 37U : 48U) << "whole rounds of 16 replicates";
       Study fixed = study;
-      fixed.shots = ended->shots;
+      fixed.shots = ended.shots;
       const StudyResult whole = result_of(fixed, scattered);
       EXPECT_FALSE(whole.time_was_up);
-      expect_same(*ended, whole);
+      expect_same(ended, whole);
     }
   }
 }
@@ -66,14 +64,12 @@ TEST(StudyTime, is_up_in_studies_that_were_begun) {
     const Study study = cloud(sampling);
     const StudyPlan plan = plan_study(study, scattered).value();
     const auto begun = run_shards(plan, 0, 21), apart = run_shards(plan, 24, 76);
-    const auto both = merge(*begun, *apart);
-    ASSERT_TRUE(both);
-    const auto ended = run_study(plan, nullptr, {.so_far = *both, .time_is_up = after(2)});
-    ASSERT_TRUE(ended) << ended.error().text();
-    EXPECT_EQ(ended->shards, sampling == Sampling::random ? 23U : 96U) << "0 to 23 and those up to 99 that were there";
+    const auto both = must(merge(*begun, *apart));
+    const auto ended = must(run_study(plan, nullptr, {.so_far = both, .time_is_up = after(2)}));
+    EXPECT_EQ(ended.shards, sampling == Sampling::random ? 23U : 96U) << "0 to 23 and those up to 99 that were there";
     Study fixed = study;
-    fixed.shots = ended->shots;
-    expect_same(*ended, result_of(fixed, scattered));
+    fixed.shots = ended.shots;
+    expect_same(ended, result_of(fixed, scattered));
     Study few = study;
     few.shots = 64 * 16;
     const auto whole = run_study(plan_study(few, scattered).value(), nullptr, {.time_is_up = after(16)});
@@ -98,9 +94,8 @@ TEST(StudyTime, by_a_clock) {
   const StudyPlan plan = plan_study(cloud(Sampling::random), scattered).value();
   const auto end = std::chrono::steady_clock::now() + std::chrono::milliseconds(50);
   const StudyOptions options{.time_is_up = [end] { return std::chrono::steady_clock::now() > end; }};
-  const auto result = run_study(plan, nullptr, options);
-  ASSERT_TRUE(result);
-  EXPECT_TRUE(result->time_was_up || result->shards == plan.shards());
+  const auto result = must(run_study(plan, nullptr, options));
+  EXPECT_TRUE(result.time_was_up || result.shards == plan.shards());
 }
 
 /// What rounding errors alone move has no variance to have a share of.
@@ -118,5 +113,4 @@ TEST(StudyIndices, of_what_does_not_vary_are_none) {
   EXPECT_TRUE(std::isnan(run.indices[0].first[1].value) && std::isnan(run.indices[1].total[1].error));
 }
 
-}  // namespace study_until_time_test
-}  // namespace physim
+}  // namespace physim::study_until_time_test

@@ -1,25 +1,22 @@
 // Suites of figures as a library.
 #include "validation/validate.hpp"
-
-#include <gtest/gtest.h>
+#include "must.hpp"
 
 #include <algorithm>
 #include <map>
 
-namespace physim::validation {
-namespace validation_validate_test {
+namespace physim::validation::validation_validate_test {
 
 const std::filesystem::path kData = PHYSIM_DATA_DIR "/validation";
 
 TEST(Validate, RunsTheSuitesThatAreNamed) {
   std::size_t done = 0, total = 0;
   const auto results =
-      validate({{"us76", "gravity"}, kData, true}, [&](std::size_t d, std::size_t t) { done = d, total = t; });
-  ASSERT_TRUE(results);
-  ASSERT_EQ(results->size(), 2U);
+      must(validate({{"us76", "gravity"}, kData, true}, [&](std::size_t d, std::size_t t) { done = d, total = t; }));
+  ASSERT_EQ(results.size(), 2U);
   EXPECT_EQ(done, 2U);
   EXPECT_EQ(total, 2U);
-  for (const SuiteResult& result : *results) {
+  for (const SuiteResult& result : results) {
     EXPECT_GT(result.figures.size(), 50U) << result.name;
     EXPECT_EQ(result.missed(), 0U) << result.name;
     const std::string text = table_text(result, false, report::Style());
@@ -46,9 +43,8 @@ TEST(Validate, TheOriginalIsComparedWithEveryPrintedFigure) {
                                                            {"test 4", {0, 13, 35, 109, 123, 141}},
                                                            {"test 5", {0, 4, 10, 18, 28, 35, 49}},
                                                            {"test 6 as published", {0, 37, 106, 127, 162, 203}}};
-  const auto results = validate({{"classic"}, kData, true});
-  ASSERT_TRUE(results) << results.error().text();
-  const SuiteResult& classic = results->front();
+  const auto results = must(validate({{"classic"}, kData, true}));
+  const SuiteResult& classic = results.front();
   EXPECT_EQ(classic.missed(), 0U);
   EXPECT_TRUE(classic.skipped.empty());
   const char* const columns[] = {"x", "y", "z", "vx", "vy", "vz", "ax", "ay", "az", "speed", "mass"};
@@ -65,16 +61,15 @@ TEST(Validate, TheOriginalIsComparedWithEveryPrintedFigure) {
 }
 
 TEST(Validate, MisprintsOfTheOriginalAreNamedOneByOne) {
-  const auto results = validate({{"classic"}, kData, true});
-  ASSERT_TRUE(results) << results.error().text();
-  const std::vector<Misprint>& misprints = results->front().misprints;
+  const auto results = must(validate({{"classic"}, kData, true}));
+  const std::vector<Misprint>& misprints = results.front().misprints;
   EXPECT_EQ(misprints.size(), 39U);
   for (const Misprint& each : misprints) {
     EXPECT_FALSE(each.reason.empty()) << each.figure;
     EXPECT_NE(std::stod(each.printed), std::stod(each.instead)) << each.figure;
   }
   // What a misprinted v_z is follows from the row's speed, also where it was rounded to a whole number.
-  const std::vector<Figure>& figures = results->front().figures;
+  const std::vector<Figure>& figures = results.front().figures;
   for (const int frame : {10, 28, 35, 49}) {
     const auto by_speed = std::ranges::find_if(figures, [&](const Figure& f) {
       return f.case_name == "test 5" && f.figure == "vz by speed frame " + std::to_string(frame);
@@ -105,5 +100,4 @@ TEST(Figure, PassesWithinItsGate) {
   EXPECT_TRUE(std::isinf(figure.badness()));
 }
 
-}  // namespace validation_validate_test
-}  // namespace physim::validation
+}  // namespace physim::validation::validation_validate_test

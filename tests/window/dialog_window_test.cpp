@@ -1,6 +1,4 @@
 // The dialogue of files, and letters of three sizes, by real mouse and keyboard events.
-#include <gtest/gtest.h>
-
 #include "window/x_client.hpp"
 
 namespace physim::testing_window::window_dialog_window {

@@ -1,8 +1,4 @@
 // Curves and gradients of emitters, drawn by the mouse, by real events in a window.
-#include <gtest/gtest.h>
-
-#include <filesystem>
-
 #include "window/x_client.hpp"
 
 namespace physim::testing_window {

@@ -1,7 +1,5 @@
 // The front-end tests of the original's evaluation, row by row, by real keyboard and mouse events: in both letter
 // cases, because capitals were one of its two bugs. The other was a clock that ran on during a pause.
-#include <gtest/gtest.h>
-
 #include <cmath>
 #include <set>
 

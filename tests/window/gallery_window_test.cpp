@@ -1,6 +1,4 @@
 // The gallery and the sliders, by real mouse and keyboard events.
-#include <gtest/gtest.h>
-
 #include "window/x_client.hpp"
 
 namespace physim::testing_window::window_gallery_window {

@@ -1,11 +1,8 @@
 // What the client shows, against pictures that were looked at. PHYSIM_NEW_PICTURES=1 writes them anew: look at them,
 // and pack them with tools/shrink_png.py --shades 16.
-#include <gtest/gtest.h>
 #include <stb/stb_image.h>
 
-#include <algorithm>
 #include <cmath>
-#include <filesystem>
 
 #include "window/x_client.hpp"
 

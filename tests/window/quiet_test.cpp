@@ -1,6 +1,4 @@
 // The window is drawn only where something changed.
-#include <gtest/gtest.h>
-
 #include "window/x_client.hpp"
 
 namespace physim::testing_window {
@@ -20,10 +18,9 @@ class Quiet : public testing::Test {
 TEST_F(Quiet, NothingIsDrawnWhileNothingChanges) {
   EXPECT_TRUE(client.frame_at_rest(kRest)) << "the clock runs, nothing flies";
   client.key("space");
-  const auto paused = client.frame_at_rest(kRest);
-  ASSERT_TRUE(paused);
+  const auto paused = must(client.frame_at_rest(kRest));
   nap(2500);
-  EXPECT_EQ(client.state()["frame"], *paused) << "not even the clock";
+  EXPECT_EQ(client.state()["frame"], paused) << "not even the clock";
   client.key("e");
   EXPECT_EQ(client.next_frames()["shot"]["elevation_setting"], 3) << "a key wakes it";
 }
@@ -41,11 +38,10 @@ TEST_F(Quiet, AnIconIsNotDrawnButItsClockRunsOn) {
   client.key("3");
   client.key("Return");  // the laser flies on and on
   client.iconify(true);
-  const auto icon = client.frame_at_rest(kRest);
-  ASSERT_TRUE(icon);
+  const auto icon = must(client.frame_at_rest(kRest));
   const double then = client.state()["time"];
   nap(1000);
-  EXPECT_EQ(client.state()["frame"], *icon);
+  EXPECT_EQ(client.state()["frame"], icon);
   client.iconify(false);
   EXPECT_GT(client.next_frames()["time"], then + 0.9);
 }

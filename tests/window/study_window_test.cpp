@@ -1,6 +1,4 @@
 // Studies in a window: begun, paused and gone on with by keys, while frames go on; places that are typed.
-#include <gtest/gtest.h>
-
 #include "window/x_client.hpp"
 
 namespace physim::testing_window {

@@ -1,8 +1,5 @@
 // Walls and targets put up by the mouse, by real events in a window.
-#include <gtest/gtest.h>
-
 #include <cmath>
-#include <filesystem>
 
 #include "window/x_client.hpp"
 

@@ -1,8 +1,4 @@
 // Undo and redo by keys, and keys that stay out of the panels.
-#include <gtest/gtest.h>
-
-#include <functional>
-
 #include "window/x_client.hpp"
 
 namespace physim::testing_window {

@@ -1,8 +1,5 @@
 // Walks of people who have read nothing, by real mouse and keyboard events, from the first start to what they came for.
-#include <gtest/gtest.h>
-
 #include <cmath>
-#include <filesystem>
 
 #include "window/x_client.hpp"
 

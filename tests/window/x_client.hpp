@@ -1,27 +1,20 @@
 // Runs SimClient on a screen of its own (Xvfb), with real keyboard and mouse events (XTest).
 #pragma once
 
+#include <gtest/gtest.h>  // before X11, which has macros of the names in it
+
 #include <X11/XKBlib.h>
 #include <X11/Xlib.h>
 #include <X11/Xutil.h>
 #include <X11/extensions/XTest.h>
 #include <X11/keysym.h>
-#include <fcntl.h>
 #include <signal.h>
-#include <spawn.h>
-#include <sys/wait.h>
-#include <unistd.h>
 
 #include <chrono>
-#include <cstdlib>
-#include <fstream>
 #include <functional>
 #include <memory>
-#include <nlohmann/json.hpp>
 #include <optional>
-#include <string>
 #include <thread>
-#include <vector>
 
 #include "cli/program.hpp"
 

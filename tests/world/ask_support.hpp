@@ -3,8 +3,6 @@
 
 #include "random_shots.hpp"
 #include "scene_support.hpp"
-#include "support.hpp"
-#include "world/world_support.hpp"
 
 namespace physim::test_ask {
 

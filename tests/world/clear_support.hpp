@@ -3,12 +3,9 @@
 
 #include <array>
 
-#include "physim/body.hpp"
 #include "random_shots.hpp"
 #include "rigid.hpp"
 #include "scene_support.hpp"
-#include "support.hpp"
-#include "world/world_support.hpp"
 
 namespace physim::test_clear {
 
@@ -79,9 +76,7 @@ struct Pair {
 };
 
 inline Pair worlds_over(const Scene& scene) {
-  WorldDef def;
-  def.ground.mode = GroundMode::none;
-  def.environment.wind.velocity = {3, 0, 1};
+  WorldDef def{.environment = {.wind = {.velocity = {3, 0, 1}}}, .ground = {.mode = GroundMode::none}};
   Pair pair{make_world(def), make_world(def), {}, {}};
   Scene asked = scene;
   const InstanceId far = put(asked, PlaneShape{}, {0, -1e7, 0});
@@ -105,10 +100,10 @@ inline ProjectileDef some_projectile(Random& r) {
 inline void launch_some(Pair& pair, Random& r, int count) {
   for (int i = 0; i < count; ++i) {
     const ProjectileDef p = some_projectile(r);
-    BodyDef body;
-    body.restitution = 0.7;
-    body.collision.on_hit = std::array{OnHit::bounce, OnHit::stop, OnHit::pass, OnHit::stick}[std::size_t(r.below(4))];
-    body.collision.radius = r.one_in(2) ? 0 : r.in(0.01, 0.3);
+    BodyDef body{.restitution = 0.7,
+                 .collision = {.on_hit = std::array{OnHit::bounce, OnHit::stop, OnHit::pass,
+                                                    OnHit::stick}[std::size_t(r.below(4))],
+                               .radius = r.one_in(2) ? 0 : r.in(0.01, 0.3)}};
     if (r.one_in(5)) body.layers = 2;
     if (r.one_in(12)) body.collision.others = 2;
     Launch launch;

@@ -1,12 +1,8 @@
 // Emitters that tests of worlds share.
 #pragma once
 
-#include <gtest/gtest.h>
-
 #include <map>
-#include <string>
 #include <tuple>
-#include <vector>
 
 #include "world/world_support.hpp"
 
@@ -23,22 +19,14 @@ inline ProjectileDef spark(Motion motion = Motion::closed_form,
 }
 
 inline KindId kind_of(World& world, const ProjectileDef& projectile, const BodyDef& body = {}) {
-  const auto kind = world.add_kind(projectile, body);
-  if (!kind) ADD_FAILURE() << kind.error().text();
-  return kind ? *kind : KindId{};
+  return must(world.add_kind(projectile, body));
 }
 
-inline EmitterId added(World& world, const EmitterDef& def) {
-  const auto id = world.add_emitter(def);
-  if (!id) ADD_FAILURE() << id.error().text();
-  return id ? *id : EmitterId{};
-}
+inline EmitterId added(World& world, const EmitterDef& def) { return must(world.add_emitter(def)); }
 
 /// A spray upwards of so many a second that live for so long.
 inline EmitterDef spray(KindId kind, double per_second, double lifetime) {
-  EmitterDef def;
-  def.kind = kind;
-  def.seed = 7;
+  EmitterDef def{.kind = kind, .seed = 7};
   def.rotation = {0.7071067811865476, 0, 0, 0.7071067811865476};  // forwards is up
   def.per_second = {per_second};
   def.maximum = 1u << 30;

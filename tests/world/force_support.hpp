@@ -2,50 +2,31 @@
 #pragma once
 
 #include "scene_support.hpp"
-#include "support.hpp"
 
 namespace physim {
 
 using test_scene::rung;
 
 inline ProjectileDef ball(const Fidelity& fidelity, double mass = 1) {
-  ProjectileDef p;
-  p.mass = mass;
-  p.diameter = 0.1;
-  p.fidelity = fidelity;
-  return p;
+  return {.mass = mass, .diameter = 0.1, .fidelity = fidelity};
 }
 
 /// Nothing but what the test brings along.
 inline WorldDef empty_space(bool gravity = false) {
-  WorldDef def;
-  def.environment.gravity.model = gravity ? GravityModel::constant : GravityModel::off;
-  def.environment.atmosphere.model = AirModel::vacuum;
-  def.ground.mode = GroundMode::none;
-  return def;
+  return {.environment = {.gravity = {.model = gravity ? GravityModel::constant : GravityModel::off},
+                          .atmosphere = {.model = AirModel::vacuum}},
+          .ground = {.mode = GroundMode::none}};
 }
 
 inline World make(const WorldDef& def) { return std::move(World::create(def).value()); }
 
 inline Launch at(const Vec3d& position, const Vec3d& velocity = {}) {
-  Launch l;
-  l.position = position;
-  l.velocity = velocity;
-  return l;
+  return {.position = position, .velocity = velocity};
 }
 
-inline ForceDef force(ForceLaw law, ForceTarget target) {
-  ForceDef f;
-  f.law = std::move(law);
-  f.target = std::move(target);
-  return f;
-}
+inline ForceDef force(ForceLaw law, ForceTarget target) { return {.law = std::move(law), .target = std::move(target)}; }
 
-inline AnchoredSpring spring_to_origin(double stiffness) {
-  AnchoredSpring s;
-  s.stiffness = stiffness;
-  return s;
-}
+inline AnchoredSpring spring_to_origin(double stiffness) { return {.stiffness = stiffness}; }
 
 inline void steps(World& world, int count, double dt) {
   for (int i = 0; i < count; ++i) ASSERT_TRUE(world.step(dt));

@@ -27,22 +27,14 @@ inline ProjectileDef mass_of(double mass, Precision precision = Precision::float
   return p;
 }
 
-inline BodyDef bob() {
-  BodyDef body;
-  body.can_sleep = false;
-  return body;
-}
+inline BodyDef bob() { return {.can_sleep = false}; }
 inline BodyDef weightless() {
   BodyDef body = bob();
   body.gravity_scale = 0;
   return body;
 }
 
-inline JointId join(World& world, const Joint& joint) {
-  const auto id = world.add_joint(joint);
-  EXPECT_TRUE(id) << (id ? "" : id.error().text());
-  return id ? *id : JointId{};
-}
+inline JointId join(World& world, const Joint& joint) { return must(world.add_joint(joint)); }
 
 /// Kinetic energy, and potential energy in constant gravity [J].
 inline double energy(const World& world, std::span<const ProjectileId> ids, double gravity = kGravity) {

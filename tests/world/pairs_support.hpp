@@ -8,10 +8,7 @@ namespace physim::test_pairs {
 using test::of_kind;
 
 inline WorldDef space(GroundMode ground = GroundMode::none) {
-  WorldDef def;
-  def.ground.mode = ground;
-  def.environment.atmosphere.model = AirModel::vacuum;
-  return def;
+  return {.environment = {.atmosphere = {.model = AirModel::vacuum}}, .ground = {.mode = ground}};
 }
 
 inline ProjectileDef mass_of(double mass, Precision precision = Precision::float64) {
@@ -22,20 +19,16 @@ inline ProjectileDef mass_of(double mass, Precision precision = Precision::float
 }
 
 inline BodyDef ball(double radius, double restitution = 1, double friction = 0) {
-  BodyDef body;
-  body.gravity_scale = 0;
-  body.restitution = restitution;
-  body.friction = friction;
-  body.can_sleep = false;
-  body.collision = {.on_hit = OnHit::bounce, .radius = radius, .others = 1};
-  return body;
+  return {.gravity_scale = 0,
+          .can_sleep = false,
+          .restitution = restitution,
+          .friction = friction,
+          .collision = {.on_hit = OnHit::bounce, .radius = radius, .others = 1}};
 }
 
 inline ProjectileId put(World& world, const ProjectileDef& p, const BodyDef& body, const Vec3d& x,
                         const Vec3d& v = {}) {
-  const auto id = world.spawn(p, {.position = x, .velocity = v}, body);
-  EXPECT_TRUE(id) << (id ? "" : id.error().text());
-  return id ? *id : ProjectileId{};
+  return must(world.spawn(p, {.position = x, .velocity = v}, body));
 }
 
 }  // namespace physim::test_pairs

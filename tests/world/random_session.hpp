@@ -3,24 +3,20 @@
 
 #include <random>
 
-#include "physim/physim.hpp"
+#include "must.hpp"
 #include "random_emitters.hpp"
 
 namespace physim::test {
 
 inline WorldDef session_world() {
-  WorldDef def;
-  def.environment.wind.velocity = {1, 0, -3};
-  def.environment.wind.profile = {{0, {0, 0, 0}}, {100, {2, 0, -3}}};
-  def.environment.atmosphere.temperature = 290;
-  def.ground = {GroundMode::bounce, 0, 0.8, 0.7};
-  def.apex_events = true;
-  def.step = 1.0 / 60;
-  def.pools = {{"few", 40, WhenFull::replace_oldest}, {"many", 400, WhenFull::refuse}};
-  def.detail.rungs = {{Fidelity::constant_air(), 300, 4}, {Fidelity::game()}};
-  def.detail.layers = 2;
-  def.max_projectiles = 300;
-  return def;
+  return {.environment = {.atmosphere = {.temperature = 290},
+                          .wind = {.velocity = {1, 0, -3}, .profile = {{0, {0, 0, 0}}, {100, {2, 0, -3}}}}},
+          .ground = {GroundMode::bounce, 0, 0.8, 0.7},
+          .step = 1.0 / 60,
+          .apex_events = true,
+          .pools = {{"few", 40, WhenFull::replace_oldest}, {"many", 400, WhenFull::refuse}},
+          .detail = {.rungs = {{Fidelity::constant_air(), 300, 4}, {Fidelity::game()}}, .layers = 2},
+          .max_projectiles = 300};
 }
 
 /// What there is; nobody where there is an error.
@@ -105,9 +101,10 @@ class RandomSession {
     return l;
   }
   ProjectileDef projectile() {
-    ProjectileDef p{.name = "p" + std::to_string(below(5)), .mass = 0.1 * (1 + below(3)), .diameter = 0.05};
-    p.drag.k1 = below(2) * 0.001;
-    p.drag.damping = 0.9;
+    ProjectileDef p{.name = "p" + std::to_string(below(5)),
+                    .mass = 0.1 * (1 + below(3)),
+                    .diameter = 0.05,
+                    .drag = {.damping = 0.9, .k1 = below(2) * 0.001}};
     if (coin()) p.drag.table = DragTable::g7;
     if (below(3) == 0) p.drag = {.table = DragTable::custom, .curve = {{0, 0.3}, {1, 0.5}, {3, 0.4}}};
     if (below(3) == 0) p.force = {0, 2, 0}, p.force_duration = 1;
@@ -157,8 +154,7 @@ class RandomSession {
       world_.restore(snapshots_[static_cast<std::size_t>(below(static_cast<int>(snapshots_.size())))]);
   }
   void surroundings() {
-    Environment e;
-    e.wind.velocity = vector(5);
+    Environment e{.wind = {.velocity = vector(5)}};
     switch (below(5)) {
       case 0:
         if (environments_ < 4 && world_.add_environment(e)) ++environments_;

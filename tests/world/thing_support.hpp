@@ -6,18 +6,12 @@
 namespace physim::test_things {
 
 inline Launch launched(const Vec3d& position, const Vec3d& velocity) {
-  Launch launch;
-  launch.position = position;
-  launch.velocity = velocity;
-  return launch;
+  return {.position = position, .velocity = velocity};
 }
 
 /// Without a ground, in a vacuum.
 inline WorldDef nothing_but_things() {
-  WorldDef def;
-  def.ground.mode = GroundMode::none;
-  def.environment.atmosphere.model = AirModel::vacuum;
-  return def;
+  return {.environment = {.atmosphere = {.model = AirModel::vacuum}}, .ground = {.mode = GroundMode::none}};
 }
 
 /// A rifle bullet.

@@ -1,20 +1,30 @@
 // Worlds and projectiles that tests share.
 #pragma once
 
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <vector>
-
-#include "physim/world.hpp"
 #include "support.hpp"
 
 namespace physim {
 
-inline World make_world(const WorldDef& def) {
-  auto made = World::create(def);
-  if (!made) ADD_FAILURE() << made.error().text();
-  return made ? std::move(made.value()) : World();
+inline World make_world(const WorldDef& def) { return must(World::create(def)); }
+inline World make_world(const WorldDef& def, const Scene& scene) {
+  World world = make_world(def);
+  EXPECT_TRUE(world.set_scene(scene));
+  return world;
+}
+
+/// The world that a save of this one makes.
+inline World reloaded(const World& world, const LoadOptions& options = {}) {
+  return must(World::load(must(world.save()), options));
+}
+
+/// Ends the world's recording and replays it: all of it is there, and nothing differs.
+inline ReplayReport replayed(World& world, const std::vector<std::byte>& recording, const ReplayOptions& options = {},
+                             const std::string& about = "") {
+  EXPECT_TRUE(world.stop_recording()) << about;
+  ReplayReport report = must(replay(recording, options), about);
+  EXPECT_TRUE(report.complete) << about;
+  EXPECT_FALSE(report.difference) << about << report.difference->call << ": " << report.difference->what;
+  return report;
 }
 
 inline std::vector<Event> events_of(const World& world, EventKind kind) { return test::of_kind(world.events(), kind); }
@@ -29,15 +39,9 @@ inline ProjectileDef stone() {
 }
 
 inline ProjectileDef bullet() {
-  ProjectileDef p;
-  p.mass = 0.01134;
-  p.diameter = 0.00782;
-  p.drag.table = DragTable::g7;
-  p.drag.ballistic_coefficient = 170;
-  p.drag.damping = 0.9;
-  p.drag.k1 = 0.001;
-  p.drag.k2 = 0.00002;
-  return p;
+  return {.mass = 0.01134,
+          .diameter = 0.00782,
+          .drag = {.table = DragTable::g7, .ballistic_coefficient = 170, .damping = 0.9, .k1 = 0.001, .k2 = 0.00002}};
 }
 
 /// Steps until `seconds` have passed and gathers the events.

@@ -1,11 +1,7 @@
 // Closed forms fly on from where they are when what they are evaluated with changes: gravity, wind, drag, rest.
-#include <cmath>
-
-#include "physim/world.hpp"
 #include "world/world_support.hpp"
 
-namespace physim {
-namespace world_closed_form_law_test {
+namespace physim::world_closed_form_law_test {
 
 constexpr double kG = 9.80665;
 constexpr double kStep = 1.0 / 64;
@@ -54,11 +50,8 @@ void expect_at(const World& world, ProjectileId id, const BodyState& want) {
 
 /// A world that is saved and loaded is the same.
 void expect_saved(const World& world) {
-  const auto saved = world.save();
-  ASSERT_TRUE(saved);
-  const auto loaded = World::load(*saved);
-  ASSERT_TRUE(loaded);
-  EXPECT_EQ(loaded->hash(), world.hash());
+  const auto loaded = reloaded(world);
+  EXPECT_EQ(loaded.hash(), world.hash());
 }
 
 /// Changes something in flight, twice; what it is after the change follows from where it was.
@@ -86,9 +79,7 @@ TEST(ClosedFormLaw, goes_on_in_another_environment) {
   for (const DragModel drag : kDrags) {
     const double rate = rate_of(drag);
     for (const Vec3d& wind : {Vec3d{}, Vec3d{8, 0, -3}}) {
-      Environment moon;
-      moon.gravity.acceleration = 1.62;
-      moon.wind.velocity = wind;
+      Environment moon{.gravity = {.acceleration = 1.62}, .wind = {.velocity = wind}};
       expect_pieces(drag, {kG, rate, {}}, {1.62, rate, wind},
                     [&](World& world, ProjectileId) { EXPECT_TRUE(world.set_environment(0, moon)); });
     }
@@ -98,8 +89,7 @@ TEST(ClosedFormLaw, goes_on_in_another_environment) {
 TEST(ClosedFormLaw, goes_on_where_gravity_ends) {
   for (const DragModel drag : kDrags) {
     const double rate = rate_of(drag);
-    Environment none;
-    none.gravity.model = GravityModel::off;
+    Environment none{.gravity = {.model = GravityModel::off}};
     expect_pieces(drag, {kG, rate, {}}, {0, rate, {}},
                   [&](World& world, ProjectileId) { EXPECT_TRUE(world.set_environment(0, none)); });
   }
@@ -108,8 +98,7 @@ TEST(ClosedFormLaw, goes_on_where_gravity_ends) {
 TEST(ClosedFormLaw, goes_on_in_the_wind_of_another_rung) {
   for (const DragModel drag : kDrags) {
     const double rate = rate_of(drag);
-    Environment windy;
-    windy.wind.velocity = {8, 0, -3};
+    Environment windy{.wind = {.velocity = {8, 0, -3}}};
     const auto change = [&](World& world, ProjectileId id) {
       EXPECT_TRUE(world.set_environment(0, windy));  // it does not feel this one
       EXPECT_TRUE(world[id].set_fidelity(seed(drag).fidelity));
@@ -135,8 +124,7 @@ TEST(ClosedFormLaw, an_environment_that_changes_nothing_of_it_leaves_its_bits) {
   World world, other;
   const ProjectileId id = *world.spawn(seed(DragModel::damping), kThrow);
   other.spawn(seed(DragModel::damping), kThrow);
-  Environment thin;
-  thin.altitude = 3000;
+  Environment thin{.altitude = 3000};
   for (World* w : {&world, &other}) run_for(*w, 0.5, kStep);
   EXPECT_TRUE(world.set_environment(0, thin));
   for (World* w : {&world, &other}) run_for(*w, 0.5, kStep);
@@ -161,5 +149,4 @@ TEST(ClosedFormLaw, starts_anew_where_it_stood_still) {
   }
 }
 
-}  // namespace world_closed_form_law_test
-}  // namespace physim
+}  // namespace physim::world_closed_form_law_test

@@ -1,13 +1,7 @@
 // World::lead_emitter(): what is born on legs does not depend on the steps that cut them.
-#include <gtest/gtest.h>
-
-#include <cmath>
-
-#include "physim/world.hpp"
 #include "world/emitter_support.hpp"
 
-namespace physim {
-namespace world_emitter_lead_test {
+namespace physim::world_emitter_lead_test {
 
 constexpr double kEnd = 1.6;
 const MotionKey kCorners[] = {{.time = 0, .position = {1, 2, 3}},      {.time = 0.13, .position = {3, 2, 3}},
@@ -36,16 +30,14 @@ OnLine line(double time) {
 }
 
 EmitterDef led(World& world) {
-  EmitterDef def;
-  def.kind = kind_of(world, spark(), {.use_gravity = false});
-  def.seed = 5;
-  def.position = kCorners[0].position;
-  def.per_second = {311};
-  def.per_metre = 3.7;
-  def.start.speed = {0};
-  def.inherit_velocity = 1;
-  def.maximum = 1u << 30;
-  return def;
+  return {.kind = kind_of(world, spark(), {.use_gravity = false}),
+          .seed = 5,
+          .position = kCorners[0].position,
+          .inherit_velocity = 1,
+          .per_second = {311},
+          .per_metre = 3.7,
+          .start = {.speed = {0}},
+          .maximum = 1u << 30};
 }
 
 /// Tells the legs that begin up to `ahead` from now.
@@ -146,10 +138,9 @@ TEST(EmitterLead, saves_snapshots_and_recordings_go_on_bit_for_bit) {
     for (int i = 0; i < 3; ++i) w.step(0.01);
     ASSERT_NE(w.hash(), hash);
     ASSERT_TRUE(w.restore(snapshot));
-    auto loaded = World::load(w.save().value());
-    ASSERT_TRUE(loaded) << loaded.error().text();
-    ASSERT_EQ(loaded->hash(), hash);
-    w = std::move(*loaded);
+    auto loaded = reloaded(w);
+    ASSERT_EQ(loaded.hash(), hash);
+    w = std::move(loaded);
     guide(w);
   });
   expect_same(born, whole, 60);
@@ -160,10 +151,7 @@ TEST(EmitterLead, saves_snapshots_and_recordings_go_on_bit_for_bit) {
     return {};
   }));
   expect_same(births(recorded, 60, Guide(added(recorded, led(recorded)), 0.2)), whole, 60);
-  ASSERT_TRUE(recorded.stop_recording());
-  const auto report = replay(bytes);
-  ASSERT_TRUE(report) << report.error().text();
-  EXPECT_FALSE(report->difference) << report->difference->what;
+  replayed(recorded, bytes);
 }
 
 TEST(EmitterLead, a_move_or_a_jump_ends_the_way_where_it_is) {
@@ -238,5 +226,4 @@ TEST(EmitterLead, bad_input_is_refused_with_its_place) {
   EXPECT_TRUE(world.lead_emitter(id, {}, 1.5));
 }
 
-}  // namespace world_emitter_lead_test
-}  // namespace physim
+}  // namespace physim::world_emitter_lead_test

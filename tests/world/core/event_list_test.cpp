@@ -8,14 +8,12 @@
 
 #include "random_shots.hpp"
 
-namespace physim {
-namespace world_event_list_test {
+namespace physim::world_event_list_test {
 
 /// A plain one, in numbers that float32 holds or not, or one that says more.
 Event random_event(test::Random& r, std::uint32_t told) {
-  Event e;
-  e.kind = r.one_in(2) ? EventKind::spawned : EventKind::expired;
-  e.reason = r.one_in(2) ? Reason::none : Reason::older;
+  Event e{.kind = r.one_in(2) ? EventKind::spawned : EventKind::expired,
+          .reason = r.one_in(2) ? Reason::none : Reason::older};
   e.id = {static_cast<std::uint32_t>(1 + r.below(4)), told};
   e.value = static_cast<double>(r.below(5));
   e.time = r.one_in(2) ? 1 : r.in(0, 2);
@@ -129,5 +127,4 @@ TEST(EventList, keeps_plain_ones_in_few_bytes) {
   EXPECT_LT(list.bytes(), 1000 * 2 * 64 + 4096);
 }
 
-}  // namespace world_event_list_test
-}  // namespace physim
+}  // namespace physim::world_event_list_test

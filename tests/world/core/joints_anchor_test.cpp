@@ -2,8 +2,7 @@
 #include "world/joints_support.hpp"
 #include "world/random_session.hpp"
 
-namespace physim {
-namespace world_joints_anchor_test {
+namespace physim::world_joints_anchor_test {
 
 using namespace test_joints;
 using test::near;
@@ -74,8 +73,7 @@ TEST(JointAnchor, a_train_that_gets_faster_holds_its_pendulum_back) {
   const KeyedMotion motion{{{.time = 0}, {.time = 8, .position = {a * 32, 0, 0}, .velocity = {a * 8, 0, 0}}},
                            MotionCurve::smooth};
   const Scene scene = scene_of({.motion = motion}, train);
-  World world = World::create(falling()).value();
-  ASSERT_TRUE(world.set_scene(scene));
+  World world = make_world(falling(), scene);
   const ProjectileId ball = put(world, mass_of(2), bob(), {-std::sin(angle), 2 - std::cos(angle), 0});
   const JointId rod = join(world, {.a = ball, .point = {0, 2, 0}, .thing = train});
   for (int i = 0; i < 420; ++i) {
@@ -162,11 +160,8 @@ TEST(JointAnchor, a_crane_that_starts_wakes_what_hangs_from_it) {
   const Scene scene = scene_of(
       {.motion = KeyedMotion{{{.time = 0}, {.time = 2}, {.time = 4, .position = {1, 0, 0}}}, MotionCurve::straight}},
       crane);
-  World world = World::create(falling()).value();
-  ASSERT_TRUE(world.set_scene(scene));
-  BodyDef sleeper;
-  sleeper.sleep_time = 0.3;
-  const ProjectileId load = put(world, mass_of(50), sleeper, {0, -3, 0});
+  World world = make_world(falling(), scene);
+  const ProjectileId load = put(world, mass_of(50), {.sleep_time = 0.3}, {0, -3, 0});
   join(world, {.kind = JointKind::cable, .a = load, .thing = crane});
   for (int i = 0; i < 110; ++i) world.step(1.0 / 60);
   EXPECT_TRUE(world[load].is_asleep());
@@ -183,8 +178,7 @@ TEST(JointAnchor, a_joint_ends_with_its_thing) {
   for (const bool whole_scene : {false, true}) {
     InstanceId thing;
     const Scene scene = scene_of({}, thing);
-    World world = World::create(falling()).value();
-    ASSERT_TRUE(world.set_scene(scene));
+    World world = make_world(falling(), scene);
     const ProjectileId ball = put(world, mass_of(1), bob(), {0, -1, 0}),
                        other = put(world, mass_of(1), bob(), {1, 0, 0});
     const JointId on_it = join(world, {.a = ball, .thing = thing});
@@ -232,8 +226,7 @@ TEST(JointAnchor, it_is_kept_and_played_again_to_the_bit) {
     }
   };
   run(world, 0, 40);
-  const auto saved = world.save();
-  ASSERT_TRUE(saved);
+  const auto saved = must(world.save());
   const Snapshot then = world.snapshot();
   run(world, 40, 120);
   const std::uint64_t hash = world.hash();
@@ -241,17 +234,11 @@ TEST(JointAnchor, it_is_kept_and_played_again_to_the_bit) {
   run(world, 40, 120);
   EXPECT_EQ(world.hash(), hash);
   for (const unsigned threads : {1u, 3u}) {
-    LoadOptions options;
-    options.threading = {threads, 1};
-    auto loaded = World::load(*saved, options);
-    ASSERT_TRUE(loaded) << loaded.error().text();
-    run(*loaded, 40, 120);
-    EXPECT_EQ(loaded->hash(), hash);
+    auto loaded = must(World::load(saved, {.threading = {threads, 1}}));
+    run(loaded, 40, 120);
+    EXPECT_EQ(loaded.hash(), hash);
   }
-  ASSERT_TRUE(world.stop_recording());
-  const auto report = replay(recorded);
-  ASSERT_TRUE(report) << report.error().text();
-  EXPECT_FALSE(report->difference) << report->difference->what;
+  replayed(world, recorded);
 }
 
 TEST(JointAnchor, bad_points_are_refused_with_a_place) {
@@ -279,5 +266,4 @@ TEST(JointAnchor, bad_points_are_refused_with_a_place) {
   EXPECT_TRUE(world.move_joint(joints[0], {{0, 0.5, 0}, {1, 0, 0}}));
 }
 
-}  // namespace world_joints_anchor_test
-}  // namespace physim
+}  // namespace physim::world_joints_anchor_test

@@ -1,8 +1,7 @@
 // The force at which a joint breaks, against closed forms.
 #include "world/joints_support.hpp"
 
-namespace physim {
-namespace world_joints_break_test {
+namespace physim::world_joints_break_test {
 
 using namespace test_joints;
 using test::near;
@@ -98,9 +97,7 @@ TEST(JointBreak, the_weakest_link_of_a_chain_breaks_and_what_it_held_falls) {
 TEST(JointBreak, what_slept_falls_if_its_cable_breaks) {
   // A ball that sleeps on its cable gets heavier than that can hold.
   World world = World::create(falling()).value();
-  BodyDef sleeper;
-  sleeper.sleep_time = 0.3;
-  const ProjectileId ball = put(world, mass_of(1), sleeper, {0, -1, 0});
+  const ProjectileId ball = put(world, mass_of(1), {.sleep_time = 0.3}, {0, -1, 0});
   join(world, {.kind = JointKind::cable, .a = ball, .break_force = 1.5 * kGravity});
   for (int i = 0; i < 60; ++i) world.step(1.0 / 60);
   ASSERT_TRUE(world[ball].is_asleep());
@@ -127,9 +124,7 @@ TEST(JointBreak, it_is_kept_and_played_again_to_the_bit) {
   const ProjectileId ball = put(world, mass_of(2), bob(), {1, 0, 0});
   const JointId rod = join(world, {.a = ball, .break_force = 2.9 * 2 * kGravity});
   for (int i = 0; i < 20; ++i) world.step(1.0 / 60);
-  const auto saved = world.save();
-  ASSERT_TRUE(saved);
-  World loaded = World::load(*saved).value();
+  World loaded = reloaded(world);
   EXPECT_EQ(loaded.joint(rod)->break_force, 2.9 * 2 * kGravity);
   const Snapshot before = world.snapshot();
   EXPECT_EQ(breaks_until(world, 1.0 / 60, 1).size(), 1u);
@@ -139,10 +134,7 @@ TEST(JointBreak, it_is_kept_and_played_again_to_the_bit) {
   ASSERT_TRUE(world.restore(before));
   EXPECT_EQ(breaks_until(world, 1.0 / 60, 1).size(), 1u);
   EXPECT_EQ(world.hash(), after);
-  ASSERT_TRUE(world.stop_recording());
-  const auto report = replay(recorded);
-  ASSERT_TRUE(report) << report.error().text();
-  EXPECT_FALSE(report->difference) << report->difference->what;
+  replayed(world, recorded);
 }
 
 TEST(JointBreak, bad_forces_are_refused_with_a_place) {
@@ -155,5 +147,4 @@ TEST(JointBreak, bad_forces_are_refused_with_a_place) {
   }
 }
 
-}  // namespace world_joints_break_test
-}  // namespace physim
+}  // namespace physim::world_joints_break_test

@@ -1,11 +1,9 @@
 // Hinges and sliders, with their stops, against closed forms.
-#include <cmath>
 #include <random>
 
 #include "world/joints_support.hpp"
 
-namespace physim {
-namespace world_joints_hinge_test {
+namespace physim::world_joints_hinge_test {
 
 using namespace test_joints;
 using test::near;
@@ -268,8 +266,7 @@ TEST(JointHinge, a_governor_stands_at_the_angle_of_its_speed) {
                                .add({.shape = scene.add_shape(BoxShape{{0.01, 0.01, 0.01}}).value(),
                                      .motion = SteadyMotion{.angular_velocity = {0, omega, 0}}})
                                .value();
-  World world = World::create(falling()).value();
-  ASSERT_TRUE(world.set_scene(scene));
+  World world = make_world(falling(), scene);
   const double out = l * std::sin(angle);
   const ProjectileId ball = put(world, mass_of(2), bob(), {out, -l * std::cos(angle), 0}, {0, 0, -omega * out});
   const JointId hinge =
@@ -336,17 +333,12 @@ TEST(JointHinge, it_is_kept_and_played_again_to_the_bit) {
   const JointId hinge = join(
       world, {.kind = JointKind::hinge, .a = b, .b = a, .axis = {0.1, 0, 1}, .low_angle = -0.5, .high_angle = 1.5});
   for (int i = 0; i < 50; ++i) world.step(1.0 / 60);
-  const auto saved = world.save();
-  ASSERT_TRUE(saved);
-  World loaded = World::load(*saved).value();
+  World loaded = reloaded(world);
   EXPECT_EQ(*loaded.joint(hinge), *world.joint(hinge));
   EXPECT_EQ(loaded.joint_state(hinge).force, world.joint_state(hinge).force);
   for (int i = 0; i < 100; ++i) world.step(1.0 / 60), loaded.step(1.0 / 60);
   EXPECT_EQ(loaded.hash(), world.hash());
-  ASSERT_TRUE(world.stop_recording());
-  const auto report = replay(recorded);
-  ASSERT_TRUE(report) << report.error().text();
-  EXPECT_FALSE(report->difference) << report->difference->what;
+  replayed(world, recorded);
 }
 
 TEST(JointHinge, bad_axes_and_limits_are_refused_with_a_place) {
@@ -383,5 +375,4 @@ TEST(JointHinge, bad_axes_and_limits_are_refused_with_a_place) {
   EXPECT_TRUE(world.add_joint({.kind = JointKind::slider, .a = a, .b = b, .axis = z, .low = 0.0}));
 }
 
-}  // namespace world_joints_hinge_test
-}  // namespace physim
+}  // namespace physim::world_joints_hinge_test

@@ -1,11 +1,7 @@
 // Joints against closed forms: pendulums, a dumb-bell, springs, chains and cables.
-#include <algorithm>
-#include <cmath>
-
 #include "world/joints_support.hpp"
 
-namespace physim {
-namespace world_joints_test {
+namespace physim::world_joints_test {
 
 using namespace test_joints;
 using test::near;
@@ -499,5 +495,4 @@ TEST(Joints, what_flies_to_the_first_order_swings_on) {
       }
 }
 
-}  // namespace world_joints_test
-}  // namespace physim
+}  // namespace physim::world_joints_test

@@ -1,11 +1,9 @@
 // Kinds: those that nobody uses are let go, whatever snapshots, forces and recordings need of them stays.
 #include "world/core/kinds.hpp"
 
-#include "physim/world.hpp"
 #include "world/world_support.hpp"
 
-namespace physim {
-namespace world_kinds_test {
+namespace physim::world_kinds_test {
 
 ProjectileDef stone_of(double mass) {
   ProjectileDef p = stone();
@@ -17,10 +15,9 @@ TEST(Kinds, definitions_that_nobody_uses_are_let_go) {
   World world;
   std::size_t early = 0;
   for (int i = 0; i < 20'000; ++i) {
-    const auto id = world.spawn(stone_of(1 + i * 1e-5), {.position = {0, 9, 0}});
-    ASSERT_TRUE(id);
-    EXPECT_EQ(world[*id].mass(), 1 + i * 1e-5);
-    ASSERT_TRUE(world[*id].despawn());
+    const auto id = must(world.spawn(stone_of(1 + i * 1e-5), {.position = {0, 9, 0}}));
+    EXPECT_EQ(world[id].mass(), 1 + i * 1e-5);
+    ASSERT_TRUE(world[id].despawn());
     if (i % 100 == 0) world.forget_events();
     if (i == 2000) early = world.memory();
   }
@@ -45,9 +42,8 @@ TEST(Kinds, one_that_add_kind_gave_stays) {
     const auto id = world.spawn(stone_of(1 + i * 1e-3), {.position = {0, 9, 0}});
     world[*id].despawn();
   }
-  const auto id = world.spawn(kept, {.position = {0, 9, 0}});
-  ASSERT_TRUE(id) << id.error().text();
-  EXPECT_EQ(world[*id].mass(), 5);
+  const auto id = must(world.spawn(kept, {.position = {0, 9, 0}}));
+  EXPECT_EQ(world[id].mass(), 5);
   EXPECT_EQ(*world.add_kind(stone_of(5)), kept);
 }
 
@@ -77,24 +73,20 @@ void flood(World& world) {
 }
 
 TEST(Kinds, one_that_is_idle_for_the_longest_is_not_let_go_as_it_is_spawned) {
-  WorldDef def;
-  def.pools = {{"one", 1, WhenFull::replace_oldest}};
+  WorldDef def{.pools = {{"one", 1, WhenFull::replace_oldest}}};
   World world = make_world(def);
   for (int round = 0; round < 5; ++round)
     for (std::size_t i = 0; i <= kMostIdleKinds + 1; ++i) {  // the next one is always the one idle for the longest
-      const auto id = world.spawn(stone_of(1 + static_cast<double>(i)), {.position = {0, 9, 0}});
-      ASSERT_TRUE(id);
-      ASSERT_EQ(world[*id].mass(), 1 + static_cast<double>(i));
-      ASSERT_TRUE(world.spawn(world[*id].kind(), {.position = {0, 9, 0}}));
+      const auto id = must(world.spawn(stone_of(1 + static_cast<double>(i)), {.position = {0, 9, 0}}));
+      ASSERT_EQ(world[id].mass(), 1 + static_cast<double>(i));
+      ASSERT_TRUE(world.spawn(world[id].kind(), {.position = {0, 9, 0}}));
       ASSERT_FALSE(world.spawn(stone_of(1e9), {.position = {0, 9, 0}, .speed = -1}));
       ASSERT_TRUE(world.step(0.001));
     }
 }
 
 TEST(Kinds, a_snapshot_keeps_what_it_needs) {
-  WorldDef def;
-  def.ground.mode = GroundMode::none;
-  World world = make_world(def);
+  World world = make_world({.ground = {.mode = GroundMode::none}});
   for (int i = 0; i < 20; ++i) ASSERT_TRUE(world.spawn(stone_of(1 + i), {.position = {0, 50, 0}}));
   const Snapshot then = world.snapshot();
   const std::uint64_t hash = world.hash();
@@ -173,11 +165,7 @@ TEST(Kinds, recordings_replay_whatever_is_let_go) {
     world[id].despawn();
     if (i % 50 == 0) world.step(0.01);
   }
-  ASSERT_TRUE(world.stop_recording());
-  const auto report = replay(bytes);
-  ASSERT_TRUE(report) << report.error().text();
-  EXPECT_FALSE(report->difference) << report->difference->what;
+  replayed(world, bytes);
 }
 
-}  // namespace world_kinds_test
-}  // namespace physim
+}  // namespace physim::world_kinds_test

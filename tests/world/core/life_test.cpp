@@ -1,13 +1,9 @@
 // Coming and going: ids, pools, rules, pending launches, switches, things carried along, time.
-#include <cmath>
-#include <limits>
 #include <random>
 
-#include "physim/flight.hpp"
 #include "world/world_support.hpp"
 
-namespace physim {
-namespace world_life_test {
+namespace physim::world_life_test {
 
 constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
 constexpr double kInf = std::numeric_limits<double>::infinity();
@@ -78,8 +74,7 @@ TEST(Life, bad_input_is_refused_with_a_place) {
 }
 
 TEST(Life, pools_refuse_or_replace) {
-  WorldDef def;
-  def.pools = {{"few", 3, WhenFull::refuse}, {"newest", 3, WhenFull::replace_oldest}};
+  WorldDef def{.pools = {{"few", 3, WhenFull::refuse}, {"newest", 3, WhenFull::replace_oldest}}};
   World world = make_world(def);
   BodyDef body;
   for (int i = 0; i < 3; ++i) EXPECT_TRUE(world.spawn(stone(), {.position = {0, 9, 0}}, body));
@@ -169,9 +164,7 @@ TEST(Life, switches_of_a_body) {
   const ProjectileId half = *world.spawn(stone(), high);
   const ProjectileId kinematic = *world.spawn(stone(), high);
   const ProjectileId frozen = *world.spawn(stone(), high);
-  BodyDef fixed;
-  fixed.infinite_mass = true;
-  const ProjectileId heavy = *world.spawn(stone(), high, fixed);
+  const ProjectileId heavy = *world.spawn(stone(), high, {.infinite_mass = true});
   EXPECT_TRUE(world[floating].set_use_gravity(false));
   EXPECT_TRUE(world[half].set_gravity_scale(0.5));
   EXPECT_TRUE(world[kinematic].set_kinematic(true));
@@ -198,10 +191,8 @@ TEST(Life, switches_of_a_body) {
 }
 
 TEST(Life, a_drag_scale_is_that_of_every_rung) {
-  WorldDef def;
-  def.ground.mode = GroundMode::none;
-  Tolerance tolerance;
-  tolerance.step = 1.0 / 64;
+  WorldDef def{.ground = {.mode = GroundMode::none}};
+  Tolerance tolerance{.step = 1.0 / 64};
   const Until until{.ground = {}, .time = 2};
   for (const DragModel drag : {DragModel::damping, DragModel::linear_quadratic, DragModel::equation}) {
     ProjectileDef p = bullet();
@@ -210,8 +201,7 @@ TEST(Life, a_drag_scale_is_that_of_every_rung) {
     p.fidelity.drag = drag;
     const Launch launch{.position = {0, 100, 0}, .velocity = Vec3d{300, 20, 5}};
     for (const double scale : {0.0, 0.5, 3.0}) {
-      BodyDef body;
-      body.drag_scale = scale;
+      BodyDef body{.drag_scale = scale};
       World world = make_world(def);
       const ProjectileId id = *world.spawn(p, launch, body);
       run_for(world, 1);
@@ -231,9 +221,7 @@ TEST(Life, a_drag_scale_is_that_of_every_rung) {
 TEST(Life, a_drag_scale_leaves_the_drag_finite) {
   World world = make_world(WorldDef{});
   const auto refusal_of = [&](const ProjectileDef& p, double scale) {
-    BodyDef body;
-    body.drag_scale = scale;
-    const auto id = world.spawn(p, {.speed = 1}, body);
+    const auto id = world.spawn(p, {.speed = 1}, {.drag_scale = scale});
     return id ? std::string("none") : id.error().place;
   };
   ProjectileDef tiny = stone();
@@ -257,26 +245,21 @@ TEST(Life, a_drag_scale_leaves_the_drag_finite) {
 }
 
 TEST(Life, a_drag_scale_is_in_the_zero) {
-  WorldDef def;
-  def.ground.mode = GroundMode::none;
+  WorldDef def{.ground = {.mode = GroundMode::none}};
   World world = make_world(def);
   ProjectileDef p = bullet();
   p.fidelity = Fidelity::constant_air();
   Launch launch{.speed = 500, .sight = {.zero_range = 200}};
-  BodyDef body;
-  body.drag_scale = 2;
-  const ProjectileId id = *world.spawn(p, launch, body);
+  const ProjectileId id = *world.spawn(p, launch, {.drag_scale = 2});
   ASSERT_TRUE(id);
   ProjectileDef dragged = p;
   dragged.drag.ballistic_coefficient /= 2;
-  const auto elevation = zero_elevation(dragged, launch, def.environment, p.fidelity, 200);
-  ASSERT_TRUE(elevation);
-  EXPECT_NEAR(std::atan2(world[id].velocity().y, world[id].velocity().x), *elevation, 1e-12);
+  const auto elevation = must(zero_elevation(dragged, launch, def.environment, p.fidelity, 200));
+  EXPECT_NEAR(std::atan2(world[id].velocity().y, world[id].velocity().x), elevation, 1e-12);
 }
 
 TEST(Life, an_updraught_that_throws_a_leaf_up_again_lands_it_before) {
-  WorldDef def;
-  def.environment.wind.velocity = {0, 30, 0};
+  WorldDef def{.environment = {.wind = {.velocity = {0, 30, 0}}}};
   ProjectileDef leaf;
   leaf.mass = 0.01;
   leaf.drag.damping = 1e-5;
@@ -294,9 +277,7 @@ TEST(Life, frozen_closed_forms_stay_on_their_axis) {
   World world;
   ProjectileDef p = stone();
   p.fidelity.motion = Motion::closed_form;
-  BodyDef body;
-  body.frozen = Axes::y;
-  const ProjectileId id = *world.spawn(p, {.position = {0, 5, 0}, .velocity = Vec3d{10, 0, 5}}, body);
+  const ProjectileId id = *world.spawn(p, {.position = {0, 5, 0}, .velocity = Vec3d{10, 0, 5}}, {.frozen = Axes::y});
   run_for(world, 1);
   EXPECT_NEAR(world[id].position().x, 10, 1e-12);
   EXPECT_EQ(world[id].position().y, 5);
@@ -304,10 +285,7 @@ TEST(Life, frozen_closed_forms_stay_on_their_axis) {
 
 TEST(Life, things_carried_along) {
   World world;
-  BodyDef body;
-  body.label = "arrow";
-  body.colour = 0xff0000ff;
-  body.layers = 6;
+  BodyDef body{.layers = 6, .colour = 0xff0000ff, .label = "arrow"};
   const ProjectileId id = *world.spawn(stone(), {.position = {0, 5, 0}}, body);
   EXPECT_EQ(world[id].label(), "arrow");
   EXPECT_EQ(world[id].colour(), 0xff0000ffu);
@@ -323,9 +301,7 @@ TEST(Life, things_carried_along) {
 
 TEST(Life, turning_follows_its_closed_form) {
   World world;
-  BodyDef body;
-  body.angular_velocity = {0, 2, 0};
-  body.angular_drag = 0.5;
+  BodyDef body{.angular_drag = 0.5, .angular_velocity = {0, 2, 0}};
   const ProjectileId id = *world.spawn(stone(), {.position = {0, 500, 0}}, body);
   run_for(world, 2);
   const double angle = 2 * (1 - std::exp(-1.0)) / 0.5;
@@ -338,9 +314,7 @@ TEST(Life, turning_follows_its_closed_form) {
 }
 
 TEST(Time, advance_takes_fixed_steps_and_keeps_the_rest) {
-  WorldDef def;
-  def.step = 1.0 / 64;
-  World world = make_world(def);
+  World world = make_world({.step = 1.0 / 64});
   const ProjectileId id = *world.spawn(stone(), {.position = {0, 100, 0}, .velocity = Vec3d{64, 0, 0}});
   EXPECT_EQ(world.advance(2.5 / 64), 2);
   EXPECT_NEAR(world.fraction(), 0.5, 1e-12);
@@ -375,5 +349,4 @@ TEST(Time, a_change_of_step_keeps_clocks) {
   EXPECT_NEAR(world[id].position().y, 1000 + 20 * t - 0.5 * 9.80665 * t * t, 1e-9);
 }
 
-}  // namespace world_life_test
-}  // namespace physim
+}  // namespace physim::world_life_test

@@ -6,23 +6,20 @@
 #include "scenario/scenario.hpp"
 #include "world/world_support.hpp"
 
-namespace physim {
-namespace world_live_test {
+namespace physim::world_live_test {
 
 const Launch kHigh{.position = {0, 100, 0}, .velocity = Vec3d{10, 0, 5}};
 
 /// Other values than those of BodyDef{} for all that is live.
 BodyDef all_live() {
-  BodyDef body;
-  body.gravity_scale = 0.25;
-  body.frozen = Axes::z;
-  body.frozen_rotation = Axes::y;
-  body.can_sleep = false;
-  body.smoothing = Smoothing::extrapolate;
-  body.layers = 6;
-  body.colour = 0x12345678;
-  body.label = "changed";
-  return body;
+  return {.gravity_scale = 0.25,
+          .frozen = Axes::z,
+          .frozen_rotation = Axes::y,
+          .can_sleep = false,
+          .smoothing = Smoothing::extrapolate,
+          .layers = 6,
+          .colour = 0x12345678,
+          .label = "changed"};
 }
 
 TEST(Live, a_body_is_that_of_its_kind_until_it_is_changed) {
@@ -62,12 +59,10 @@ TEST(Live, set_body_does_what_the_single_calls_do) {
   EXPECT_EQ(by_one_call[a].position().z, 0) << "frozen";
   EXPECT_TRUE(by_one_call[a].set_body(BodyDef{})) << "and back again";
   EXPECT_EQ(by_one_call[a].body(), BodyDef{});
-  BodyDef floating;
-  floating.gravity_scale = 0;
+  BodyDef floating{.gravity_scale = 0};
   EXPECT_TRUE(by_one_call[a].set_body(floating));
   EXPECT_FALSE(by_one_call[a].body().use_gravity);
-  BodyDef held;
-  held.kinematic = true;
+  BodyDef held{.kinematic = true};
   EXPECT_TRUE(by_one_call[a].set_body(held));
   EXPECT_TRUE(by_one_call[a].is_kinematic());
 }
@@ -194,5 +189,4 @@ TEST(Live, each_part_has_a_flag_of_its_own_and_is_off_for_a_plain_body) {
   EXPECT_EQ(seen, kOwn);
 }
 
-}  // namespace world_live_test
-}  // namespace physim
+}  // namespace physim::world_live_test

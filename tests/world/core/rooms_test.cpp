@@ -2,7 +2,6 @@
 #include <gtest/gtest.h>
 
 #include <deque>
-#include <vector>
 
 #include "random_shots.hpp"
 #include "world/core/clock.hpp"
@@ -11,8 +10,7 @@
 #include "world/core/schedule.hpp"
 #include "world/core/slots.hpp"
 
-namespace physim {
-namespace world_rooms_test {
+namespace physim::world_rooms_test {
 
 std::uint32_t spawn(SlotTable& slots) {
   const std::uint32_t index = slots.take();
@@ -148,5 +146,4 @@ TEST(Clock, time_is_counted_in_steps_of_one_length) {
   EXPECT_EQ(clock.steps, 11u);
 }
 
-}  // namespace world_rooms_test
-}  // namespace physim
+}  // namespace physim::world_rooms_test

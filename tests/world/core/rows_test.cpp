@@ -4,8 +4,7 @@
 
 #include "world/core/fields.hpp"
 
-namespace physim {
-namespace world_rows_test {
+namespace physim::world_rows_test {
 
 constexpr std::uint32_t kOwn = ~0u;
 
@@ -119,5 +118,4 @@ TEST_F(SharedNumbers, rows_that_change_hands_are_noted_once) {
   EXPECT_EQ(changes_of(rows), (std::vector<std::uint32_t>{96}));
 }
 
-}  // namespace world_rows_test
-}  // namespace physim
+}  // namespace physim::world_rows_test

@@ -6,8 +6,7 @@
 #include <random>
 #include <tuple>
 
-namespace physim {
-namespace world_schedule_test {
+namespace physim::world_schedule_test {
 
 std::tuple<double, std::uint32_t> key(const Due& due) { return {due.time, due.id.index}; }
 
@@ -120,5 +119,4 @@ TEST(Schedule, PassesOverThoseThatAreGone) {
   EXPECT_FALSE(schedule.take(1e9, slots));
 }
 
-}  // namespace world_schedule_test
-}  // namespace physim
+}  // namespace physim::world_schedule_test

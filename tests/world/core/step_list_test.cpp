@@ -2,8 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace physim {
-namespace world_step_list_test {
+namespace physim::world_step_list_test {
 
 /// Fills it with so many, and empties it, step after step.
 template <class List>
@@ -44,5 +43,4 @@ TEST(StepList, KeepsWhatIsNotWorthGivingBack) {
   EXPECT_GE(list.capacity(), 1000u);
 }
 
-}  // namespace world_step_list_test
-}  // namespace physim
+}  // namespace physim::world_step_list_test

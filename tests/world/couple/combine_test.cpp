@@ -1,16 +1,9 @@
 // How restitution and friction of two that touch are combined: on things, on the ground, between projectiles and in
 // flights.
-#include <cmath>
-#include <string>
-
-#include "physim/names.hpp"
 #include "scene_support.hpp"
-#include "support.hpp"
 #include "world/pairs_support.hpp"
-#include "world/world_support.hpp"
 
-namespace physim {
-namespace world_combine_test {
+namespace physim::world_combine_test {
 
 using namespace test_scene;
 
@@ -29,31 +22,19 @@ double by_rule(Combine a, Combine b) {
 }
 std::string name_of(Combine a, Combine b) { return std::string(name(a)) + " and " + std::string(name(b)); }
 
-ProjectileDef marble() {
-  ProjectileDef p{.mass = 1, .diameter = 0.2};
-  p.fidelity = rung(Integrator::rk4);
-  return p;
-}
 BodyDef bouncy(Combine rule, double radius = 0) {
-  BodyDef body;
-  body.restitution = kOwn;
-  body.friction = 0;
-  body.combine.restitution = rule;
-  body.can_sleep = false;
-  body.collision = {.on_hit = OnHit::bounce, .radius = radius};
-  return body;
+  return {.can_sleep = false,
+          .restitution = kOwn,
+          .friction = 0,
+          .combine = {.restitution = rule},
+          .collision = {.on_hit = OnHit::bounce, .radius = radius}};
 }
 Scene slab(const Material& material) {
   Scene scene;
   put(scene, BoxShape{{100, 0.5, 100}}, {0, -0.5, 0}, *scene.add_material(material));
   return scene;
 }
-WorldDef space(GroundMode mode = GroundMode::none) {
-  WorldDef def;
-  def.environment = vacuum_of(kG);
-  def.ground.mode = mode;
-  return def;
-}
+WorldDef space(GroundMode mode = GroundMode::none) { return {.environment = vacuum_of(kG), .ground = {.mode = mode}}; }
 /// The speed behind the first bounce over that before it, of what comes down with 10 m/s from its start.
 double kept(const std::vector<Event>& events) {
   const auto bounces = of_kind(events, EventKind::bounced);
@@ -65,9 +46,8 @@ TEST(Combine, a_bounce_off_a_thing_or_the_ground_keeps_what_the_later_rule_says)
   for (const Combine own : kRules)
     for (const Combine other : kRules) {
       for (const double radius : {0.0, 0.1}) {
-        World world = make_world(space());
-        ASSERT_TRUE(world.set_scene(slab({.restitution = kOther, .combine = {.restitution = other}})));
-        ASSERT_TRUE(world.spawn(marble(), {.position = {0, radius + 0.05, 0}, .velocity = Vec3d{0, -10, 0}},
+        World world = make_world(space(), slab({.restitution = kOther, .combine = {.restitution = other}}));
+        ASSERT_TRUE(world.spawn(puck(), {.position = {0, radius + 0.05, 0}, .velocity = Vec3d{0, -10, 0}},
                                 bouncy(own, radius)));
         EXPECT_NEAR(kept(run_for(world, 0.1)), by_rule(own, other), 1e-9) << name_of(own, other);
       }
@@ -75,7 +55,7 @@ TEST(Combine, a_bounce_off_a_thing_or_the_ground_keeps_what_the_later_rule_says)
       def.ground.restitution = kOther;
       def.ground.combine.restitution = other;
       World world = make_world(def);
-      ASSERT_TRUE(world.spawn(marble(), {.position = {0, 0.05, 0}, .velocity = Vec3d{0, -10, 0}}, bouncy(own)));
+      ASSERT_TRUE(world.spawn(puck(), {.position = {0, 0.05, 0}, .velocity = Vec3d{0, -10, 0}}, bouncy(own)));
       EXPECT_NEAR(kept(run_for(world, 0.1)), by_rule(own, other), 1e-9) << name_of(own, other);
     }
 }
@@ -115,14 +95,13 @@ TEST(Combine, two_projectiles_part_by_the_later_of_their_rules) {
 TEST(Combine, friction_is_combined_by_its_own_rule) {
   for (const Combine own : kRules)
     for (const Combine other : kRules) {
-      World world = make_world(space());
-      ASSERT_TRUE(world.set_scene(slab({.restitution = 0, .friction = kOther, .combine = {.friction = other}})));
+      World world = make_world(space(), slab({.restitution = 0, .friction = kOther, .combine = {.friction = other}}));
       BodyDef body = bouncy(Combine::maximum);
       body.restitution = 0;
       body.friction = kOwn;
       body.rolling_resistance = 0;
       body.combine.friction = own;
-      const ProjectileId id = *world.spawn(marble(), {.velocity = Vec3d{5, 0, 0}}, body);
+      const ProjectileId id = *world.spawn(puck(), {.velocity = Vec3d{5, 0, 0}}, body);
       run_for(world, 3);
       EXPECT_NEAR(world[id].position().x, 25 / (2 * by_rule(own, other) * kG), 1e-6) << name_of(own, other);
     }
@@ -137,12 +116,11 @@ TEST(Combine, flights_and_predictions_have_the_same_rules) {
     until.contact.friction = 0;
     until.contact.combine.restitution = own;
     const Launch down{.position = {0, 0.05, 0}, .velocity = Vec3d{0, -10, 0}};
-    const Flight flight = fly(marble(), down, vacuum_of(kG), marble().fidelity, {}, until);
+    const Flight flight = fly(puck(), down, vacuum_of(kG), puck().fidelity, {}, until);
     const auto events = flight.events();
     EXPECT_NEAR(kept({events.begin(), events.end()}), by_rule(own, Combine::mean), 1e-9) << name(own);
-    World world = make_world(space());
-    ASSERT_TRUE(world.set_scene(scene));
-    const ProjectileId id = *world.spawn(marble(), down, bouncy(own));
+    World world = make_world(space(), scene);
+    const ProjectileId id = *world.spawn(puck(), down, bouncy(own));
     Until ahead = meeting(scene, OnHit::bounce);
     ahead.scene = nullptr;
     ahead.time = 0.125;
@@ -157,14 +135,13 @@ TEST(Combine, what_is_no_rule_is_refused_with_its_place) {
   Scene scene;
   EXPECT_EQ(scene.add_material({.combine = {.restitution = none}}).error().place, "material.combine.restitution");
   EXPECT_EQ(scene.add_material({.combine = {.friction = none}}).error().place, "material.combine.friction");
-  WorldDef def;
-  def.ground.combine.friction = none;
+  WorldDef def{.ground = {.combine = {.friction = none}}};
   EXPECT_EQ(World::create(def).error().place, "ground.combine.friction");
   World world;
   EXPECT_EQ(world.spawn(stone(), {}, bouncy(none)).error().place, "body.combine.restitution");
   Until until = meeting(scene, OnHit::bounce);
   until.contact.combine.friction = none;
-  const Flight flight = fly(marble(), {.speed = 1}, {}, {}, {}, until);
+  const Flight flight = fly(puck(), {.speed = 1}, {}, {}, {}, until);
   EXPECT_EQ(flight.outcome(), Outcome::refused);
 }
 
@@ -174,8 +151,8 @@ TEST(Combine, rules_are_kept_by_saves_and_recordings) {
     World world = make_world(space(GroundMode::bounce));
     EXPECT_TRUE(world.record(record_into(recording)));
     EXPECT_TRUE(world.set_scene(slab({.restitution = kOther, .combine = {.restitution = rule}})));
-    EXPECT_TRUE(world.spawn(marble(), {.position = {0, 1, 0}}, bouncy(Combine::product)));
-    EXPECT_TRUE(world.spawn(marble(), {.position = {2, 1, 0}}, bouncy(rule)));
+    EXPECT_TRUE(world.spawn(puck(), {.position = {0, 1, 0}}, bouncy(Combine::product)));
+    EXPECT_TRUE(world.spawn(puck(), {.position = {2, 1, 0}}, bouncy(rule)));
     run_for(world, 1);
     EXPECT_TRUE(world.stop_recording());
     return world;
@@ -184,14 +161,11 @@ TEST(Combine, rules_are_kept_by_saves_and_recordings) {
   const World product = played(Combine::product, one);
   World maximum = played(Combine::maximum, other);
   EXPECT_NE(product.hash(), maximum.hash());
-  const auto report = replay(other);
-  ASSERT_TRUE(report) << report.error().text();
-  EXPECT_FALSE(report->difference) << report->difference->what;
-  Result<World> loaded = World::load(*maximum.save());
-  ASSERT_TRUE(loaded) << loaded.error().text();
-  run_for(*loaded, 1), run_for(maximum, 1);
-  EXPECT_EQ(loaded->hash(), maximum.hash());
+  const auto report = must(replay(other));
+  EXPECT_FALSE(report.difference) << report.difference->what;
+  World loaded = reloaded(maximum);
+  run_for(loaded, 1), run_for(maximum, 1);
+  EXPECT_EQ(loaded.hash(), maximum.hash());
 }
 
-}  // namespace world_combine_test
-}  // namespace physim
+}  // namespace physim::world_combine_test

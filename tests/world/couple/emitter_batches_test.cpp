@@ -1,14 +1,11 @@
 // Births that go through side by side are those that go one by one: a sub-emitter that waits for an age, which a birth
 // might reach in its own step, makes them go one by one.
-#include <gtest/gtest.h>
-
 #include <bit>
 
 #include "random_emitters.hpp"
 #include "world/emitter_support.hpp"
 
-namespace physim {
-namespace world_emitter_batches_test {
+namespace physim::world_emitter_batches_test {
 
 constexpr double kFrame = 1.0 / 64;
 
@@ -224,5 +221,4 @@ TEST(EmitterBatches, emitters_that_fire_in_turn_are_born_as_one_by_one) {
   EXPECT_GT(size, 1'000'000u);
 }
 
-}  // namespace world_emitter_batches_test
-}  // namespace physim
+}  // namespace physim::world_emitter_batches_test

@@ -1,13 +1,7 @@
 // Emitters at their edges: where rounding, equal times, what comes between steps, and what is gone meet.
-#include <gtest/gtest.h>
-
-#include <cmath>
-#include <limits>
-
 #include "world/emitter_support.hpp"
 
-namespace physim {
-namespace world_emitter_edges_test {
+namespace physim::world_emitter_edges_test {
 
 World empty_world() { return make_world({.ground = {.mode = GroundMode::none}}); }
 
@@ -16,19 +10,17 @@ TEST(EmitterEdges, births_by_distance_go_on_where_they_fall_on_frames) {
     World world = empty_world();
     const KindId kind = kind_of(world, spark());
     while (world.time() < 1.1333) ASSERT_TRUE(world.step(1 / rate));
-    EmitterDef def;
-    def.kind = kind;
-    def.per_second = {0};
-    def.per_metre = 6;
-    def.maximum = 100000;
-    def.motion = SteadyMotion{.velocity = {60, 0, 0}};
+    EmitterDef def{.kind = kind,
+                   .motion = SteadyMotion{.velocity = {60, 0, 0}},
+                   .per_second = {0},
+                   .per_metre = 6,
+                   .maximum = 100000};
     const EmitterId id = added(world, def);
     const double from = world.time();
     while (world.time() < 12) ASSERT_TRUE(world.step(1 / rate));
     EXPECT_NEAR(double(world.emitter_counts(id).born), 360 * (world.time() - from), 1.001) << rate;
-    const auto saved = world.save();
-    ASSERT_TRUE(saved);
-    EXPECT_TRUE(World::load(*saved));
+    const auto saved = must(world.save());
+    EXPECT_TRUE(World::load(saved));
   }
 }
 
@@ -106,13 +98,10 @@ TEST(EmitterEdges, what_is_put_up_after_a_prewarm_is_met) {
   const ShapeId box = *scene.add_shape(BoxShape{{0.1, 50, 50}});
   ASSERT_TRUE(scene.add({.shape = box, .transform = {.position = {900, 0, 0}}}));
   ASSERT_TRUE(world.set_scene(scene));
-  EmitterDef def;
-  def.kind = kind_of(world, spark(), {.collision = {.on_hit = OnHit::stop}});
-  def.cycle.duration = 0.5;
-  def.cycle.prewarm = true;
-  def.per_second = {20};
-  def.start.speed = {10};
-  def.start.lifetime = {20};
+  EmitterDef def{.kind = kind_of(world, spark(), {.collision = {.on_hit = OnHit::stop}}),
+                 .cycle = {.duration = 0.5, .prewarm = true},
+                 .per_second = {20},
+                 .start = {.lifetime = {20}, .speed = {10}}};
   const EmitterId id = added(world, def);
   ASSERT_TRUE(world.add_instance({.shape = box, .transform = {.position = {25, 0, 0}}}));
   ASSERT_TRUE(world.stop_emitter(id));
@@ -123,8 +112,7 @@ TEST(EmitterEdges, what_is_put_up_after_a_prewarm_is_met) {
 TEST(EmitterEdges, functions_asked_about_the_past_change_nothing) {
   World world = empty_world();
   int refused = 0;
-  EmitterDef def;
-  def.kind = kind_of(world, spark(), {.collision = {.on_hit = OnHit::stop}});
+  EmitterDef def{.kind = kind_of(world, spark(), {.collision = {.on_hit = OnHit::stop}})};
   Scene scene;
   ASSERT_TRUE(
       scene.set_engine({.query = [&](const EngineBatch&) { refused += world.spawn(def.kind, Launch{}) ? 0 : 1; }}));
@@ -229,5 +217,4 @@ TEST(EmitterEdges, laws_are_made_of_sound_numbers_only) {
   }
 }
 
-}  // namespace world_emitter_edges_test
-}  // namespace physim
+}  // namespace physim::world_emitter_edges_test

@@ -5,8 +5,7 @@
 
 #include "random_shots.hpp"
 
-namespace physim {
-namespace world_emitter_firing_test {
+namespace physim::world_emitter_firing_test {
 
 Firing random_firing(test::Random& r, std::uint64_t order) {
   return {.time = r.one_in(2) ? 1 : r.in(0, 2),
@@ -53,5 +52,4 @@ TEST(FiringQueue, takes_turns_of_many_that_fire_at_equal_times) {
   }
 }
 
-}  // namespace world_emitter_firing_test
-}  // namespace physim
+}  // namespace physim::world_emitter_firing_test

@@ -1,36 +1,24 @@
 // What emitters do to the flight of their particles: closed forms, frames, contacts, and everything that worlds keep.
-#include <gtest/gtest.h>
-
-#include <cmath>
-
 #include "emit/flight_law.hpp"
 #include "math/quat.hpp"
 #include "math/vec3.hpp"
-#include "physim/world.hpp"
 #include "world/emitter_support.hpp"
 
-namespace physim {
-namespace world_emitter_flight_test {
+namespace physim::world_emitter_flight_test {
 
 constexpr double kBorn = 0.0123;  // within a frame at any rate below
 
-BodyDef weightless() {
-  BodyDef body;
-  body.use_gravity = false;
-  return body;
-}
+BodyDef weightless() { return {.use_gravity = false}; }
 ProjectileDef driven(Integrator integrator = Integrator::rk4) { return spark(Motion::force, integrator); }
 
 /// One particle, born at kBorn with 10 m/s along x and 3 upwards, of 2 s.
 EmitterDef single(KindId kind, const ParticleFlight& flight) {
-  EmitterDef def;
-  def.kind = kind;
-  def.seed = 3;
-  def.cycle = {.duration = 5, .looping = false};
-  def.per_second = {0};
-  def.bursts = {{.time = kBorn}};
-  def.start.lifetime = {2};
-  def.start.speed = {std::sqrt(109.0)};
+  EmitterDef def{.kind = kind,
+                 .cycle = {.duration = 5, .looping = false},
+                 .seed = 3,
+                 .per_second = {0},
+                 .bursts = {{.time = kBorn}},
+                 .start = {.lifetime = {2}, .speed = {std::sqrt(109.0)}}};
   const double angle = std::atan2(3, 10);
   def.rotation = {std::cos(angle / 2), 0, 0, std::sin(angle / 2)};
   def.flight = flight;
@@ -266,9 +254,7 @@ TEST(EmitterFlight, a_past_is_as_if_one_had_waited) {
 TEST(EmitterFlight, goes_on_behind_a_bounce_with_the_order_of_the_rung) {
   // Down on the ground with linear drag and back up: v = -(v0 e^-kt1) after the bounce, in closed form.
   const auto height = [](double dt) {
-    WorldDef def;
-    def.ground = {.mode = GroundMode::bounce, .restitution = 1, .friction = 0};
-    World world = make_world(def);
+    World world = make_world({.ground = {.mode = GroundMode::bounce, .restitution = 1, .friction = 0}});
     BodyDef body = weightless();
     body.restitution = 1;
     EmitterDef one = single(kind_of(world, driven(), body), {.drag = {1.5}});
@@ -350,9 +336,8 @@ TEST(EmitterFlight, is_not_felt_on_a_rung_that_knows_no_forces) {
 
 // ------------------------------------------------------------------------------------------- what worlds keep
 World bouncing_world(unsigned threads) {
-  WorldDef def;
-  def.ground = {.mode = GroundMode::bounce, .restitution = 0.5};
-  def.threading = {.threads = threads, .rows_per_thread = 16};
+  WorldDef def{.ground = {.mode = GroundMode::bounce, .restitution = 0.5},
+               .threading = {.threads = threads, .rows_per_thread = 16}};
   return make_world(def);
 }
 /// Particles of several rungs that bounce and are driven by everything.
@@ -406,18 +391,12 @@ TEST(EmitterFlight, snapshots_saves_and_recordings_go_on_bit_for_bit) {
   fill(world);
   hashes_of(world, 40);
   const Snapshot snapshot = world.snapshot();
-  const auto saved = world.save();
-  ASSERT_TRUE(saved);
-  auto loaded = World::load(*saved);
-  ASSERT_TRUE(loaded) << loaded.error().text();
+  auto loaded = reloaded(world);
   const auto hashes = hashes_of(world, 40);
-  EXPECT_EQ(hashes, hashes_of(*loaded, 40));
+  EXPECT_EQ(hashes, hashes_of(loaded, 40));
   ASSERT_TRUE(world.restore(snapshot));
   EXPECT_EQ(hashes, hashes_of(world, 40));
-  ASSERT_TRUE(world.stop_recording());
-  const auto report = replay(bytes);
-  ASSERT_TRUE(report) << report.error().text();
-  EXPECT_FALSE(report->difference) << report->difference->what;
+  replayed(world, bytes);
 }
 
 TEST(EmitterFlight, predictions_go_where_the_world_does) {
@@ -434,5 +413,4 @@ TEST(EmitterFlight, predictions_go_where_the_world_does) {
   for (std::size_t i = 0; i < ids.size(); ++i) EXPECT_EQ(flights[i].at(1).position, world[ids[i]].position()) << i;
 }
 
-}  // namespace world_emitter_flight_test
-}  // namespace physim
+}  // namespace physim::world_emitter_flight_test

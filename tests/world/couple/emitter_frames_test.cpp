@@ -1,18 +1,12 @@
 // Emitters and frames: who is born, when and how, and where they are, do not depend on how long steps are.
-#include <gtest/gtest.h>
-
-#include <cmath>
-
 #include "world/emitter_support.hpp"
 
-namespace physim {
-namespace world_emitter_frames_test {
+namespace physim::world_emitter_frames_test {
 
 constexpr double kEnd = 2;
 
 KeyedMotion loop_of_keys() {
-  KeyedMotion motion;
-  motion.curve = MotionCurve::smooth;
+  KeyedMotion motion{.curve = MotionCurve::smooth};
   for (int i = 0; i <= 40; ++i) {
     const double a = i * 0.9;
     motion.keys.push_back({i * 0.3,
@@ -158,13 +152,12 @@ TEST(EmitterFrames, lives_end_at_their_moment_and_place) {
 TEST(EmitterFrames, along_a_path_there_is_no_gap_and_no_clump) {
   for (const int rate : kFrameRates) {
     World world = make_world({.ground = {.mode = GroundMode::none}});
-    EmitterDef def;
-    def.kind = kind_of(world, spark());
-    def.per_second = {0};
-    def.per_metre = 4;
-    def.motion = SteadyMotion{.velocity = {300, 40, -5}};
-    def.start.speed = {0};
-    def.maximum = 10000;
+    EmitterDef def{.kind = kind_of(world, spark()),
+                   .motion = SteadyMotion{.velocity = {300, 40, -5}},
+                   .per_second = {0},
+                   .per_metre = 4,
+                   .start = {.speed = {0}},
+                   .maximum = 10000};
     added(world, def);
     std::vector<Event> events;
     step_to(world, 1, rate, &events);
@@ -212,12 +205,11 @@ TEST(EmitterFrames, metres_count_from_the_first_cycle_on_whoever_moves_it) {
   for (const int rate : {7, 50, 1000})
     for (const int way : {0, 1, 2}) {  // by calls, on a path, behind a projectile
       World world = make_world({.ground = {.mode = GroundMode::none}});
-      EmitterDef def;
-      def.kind = kind_of(world, spark(), {.use_gravity = false});
-      def.per_second = {0};
-      def.per_metre = 10;
-      def.start.speed = {0};
-      def.cycle.delay = {0.6};
+      EmitterDef def{.kind = kind_of(world, spark(), {.use_gravity = false}),
+                     .cycle = {.delay = {0.6}},
+                     .per_second = {0},
+                     .per_metre = 10,
+                     .start = {.speed = {0}}};
       if (way == 1) def.motion = SteadyMotion{.velocity = {3, 0, 0}};
       if (way == 2) def.follows = *world.spawn(def.kind, {.velocity = Vec3d{3, 0, 0}});
       const EmitterId id = added(world, def);
@@ -259,5 +251,4 @@ TEST(EmitterFrames, who_follows_a_closed_form_is_where_it_is) {
   }
 }
 
-}  // namespace world_emitter_frames_test
-}  // namespace physim
+}  // namespace physim::world_emitter_frames_test

@@ -1,22 +1,13 @@
 // Emitters that a projectile leads: along its curve, through its bounces, and up to where it turns back.
-#include <gtest/gtest.h>
-
-#include <cmath>
-
 #include "world/emitter_support.hpp"
 
-namespace physim {
-namespace world_emitter_led_test {
+namespace physim::world_emitter_led_test {
 
 constexpr double kG = 9.80665;
 
 /// Marks that stay where they are born.
 EmitterDef marks(World& world) {
-  EmitterDef def;
-  def.kind = kind_of(world, spark(), {.use_gravity = false});
-  def.per_second = {0};
-  def.start.speed = {0};
-  return def;
+  return {.kind = kind_of(world, spark(), {.use_gravity = false}), .per_second = {0}, .start = {.speed = {0}}};
 }
 
 /// A stone in a vacuum that is thrown up from the ground and bounces off it, by its closed form.
@@ -170,5 +161,4 @@ TEST(EmitterLed, who_is_thrown_straight_up_counts_the_way_up_and_down) {
   }
 }
 
-}  // namespace world_emitter_led_test
-}  // namespace physim
+}  // namespace physim::world_emitter_led_test

@@ -1,14 +1,9 @@
 // Looks of particles in columns: those of each particle by what can be known of it from outside, for emitters whose
 // looks depend on draws, on the cycle, on age and on what was inherited, and through saves and snapshots.
-#include <algorithm>
-#include <cmath>
-#include <span>
-
 #include "emit/emission.hpp"
 #include "world/emitter_support.hpp"
 
-namespace physim {
-namespace world_emitter_looks_test {
+namespace physim::world_emitter_looks_test {
 
 constexpr double kDuration = 0.5, kRate = 200, kLife = 0.8;
 
@@ -112,16 +107,13 @@ TEST(EmitterLooks, go_through_saves_and_snapshots) {
   step_to(f.world, 0.7, 60);
   const std::vector<Looks> before = f.all();
   const Snapshot snapshot = f.world.snapshot();
-  const auto saved = f.world.save();
-  ASSERT_TRUE(saved);
+  const auto saved = must(f.world.save());
   step_to(f.world, 1, 60);
   EXPECT_NE(f.all(), before);
   const std::vector<Looks> after = f.all();
   ASSERT_TRUE(f.world.restore(snapshot));
   EXPECT_EQ(f.all(), before);
-  auto loaded = World::load(*saved);
-  ASSERT_TRUE(loaded) << loaded.error().text();
-  f.world = std::move(*loaded);
+  f.world = must(World::load(saved));
   EXPECT_EQ(f.all(), before);
   step_to(f.world, 1, 60);
   EXPECT_EQ(f.all(), after);
@@ -211,5 +203,4 @@ TEST(EmitterLooks, slots_of_an_emitter_that_is_gone_are_used_again) {
   expect_looks(looks_of(f.world, f.second_id), f.second);
 }
 
-}  // namespace world_emitter_looks_test
-}  // namespace physim
+}  // namespace physim::world_emitter_looks_test

@@ -1,11 +1,8 @@
 // What is done for many particles at a time, or on a way of its own, gives what each alone and settling give.
-#include <gtest/gtest.h>
-
 #include "random_emitters.hpp"
 #include "world/emitter_support.hpp"
 
-namespace physim {
-namespace world_emitter_packs_test {
+namespace physim::world_emitter_packs_test {
 
 constexpr double kFrame = 1.0 / 64;
 constexpr Precision kPrecisions[] = {Precision::float32, Precision::float64};
@@ -97,8 +94,7 @@ TEST(EmitterPacks, births_and_deaths_on_other_rungs_of_one_stage_are_as_settled)
 TEST(EmitterPacks, births_and_deaths_of_what_emitters_push_are_as_settled) {
   test::Random r(5);
   for (int round = 0; round < 12; ++round) {
-    ParticleFlight flight;
-    flight.drag = {1, 4, {{0, 1}, {1, 0}}};
+    ParticleFlight flight{.drag = {1, 4, {{0, 1}, {1, 0}}}};
     if (round % 2 == 1) flight = test::random_flight(r);
     const Fidelity fidelity = rung(static_cast<DragModel>(round % 4), kPrecisions[round / 4 % 2]);
     const Told known = second_of(fidelity, false, round % 3, flight);
@@ -175,9 +171,7 @@ TEST_F(Churn, all_go_where_each_alone_would) {
   steps(3);
   add(0);  // in the place of the one that went
   steps(6);
-  const auto saved = world_.save();
-  ASSERT_TRUE(saved);
-  world_ = std::move(World::load(*saved).value());
+  world_ = reloaded(world_);
   steps(3);
   EXPECT_GT(compared_, 5000u);
 }
@@ -212,5 +206,4 @@ TEST_F(Churn, those_that_share_a_slot_one_after_the_other_have_laws_of_their_own
   EXPECT_EQ(compared_, 40u);
 }
 
-}  // namespace world_emitter_packs_test
-}  // namespace physim
+}  // namespace physim::world_emitter_packs_test

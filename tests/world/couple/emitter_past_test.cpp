@@ -1,10 +1,7 @@
 // Emitters of worlds that are prewarmed: what they let out before the world's time.
-#include <gtest/gtest.h>
-
 #include "world/emitter_support.hpp"
 
-namespace physim {
-namespace world_emitter_past_test {
+namespace physim::world_emitter_past_test {
 
 TEST(EmitterPast, one_that_is_prewarmed_is_as_if_it_had_waited) {
   for (const ProjectileDef& projectile :
@@ -44,15 +41,13 @@ TEST(EmitterPast, one_that_is_prewarmed_is_as_if_it_had_waited) {
 TEST(EmitterPast, one_that_follows_stands_still_in_its_past) {
   World world = make_world({.ground = {.mode = GroundMode::none}});
   const KindId kind = kind_of(world, spark(), {.use_gravity = false});
-  const auto led = world.spawn(kind, {.position = {3, 2, 1}, .velocity = Vec3d{10, 0, 0}});
-  ASSERT_TRUE(led);
-  EmitterDef def;
-  def.kind = kind;
-  def.follows = *led;
-  def.inherit_velocity = 1;
-  def.per_second = {5};
-  def.start.speed = {0};
-  def.cycle = {.duration = 1, .prewarm = true};
+  const auto led = must(world.spawn(kind, {.position = {3, 2, 1}, .velocity = Vec3d{10, 0, 0}}));
+  EmitterDef def{.kind = kind,
+                 .cycle = {.duration = 1, .prewarm = true},
+                 .follows = led,
+                 .inherit_velocity = 1,
+                 .per_second = {5},
+                 .start = {.speed = {0}}};
   const auto all = alive(world, added(world, def));
   ASSERT_EQ(all.size(), 5u);
   for (const auto& [number, state] : all) {
@@ -119,5 +114,4 @@ TEST(EmitterPast, one_that_takes_too_many_steps_is_cut) {
   }
 }
 
-}  // namespace world_emitter_past_test
-}  // namespace physim
+}  // namespace physim::world_emitter_past_test

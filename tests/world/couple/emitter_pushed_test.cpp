@@ -1,10 +1,7 @@
 // Rows that an emitter pushes on rungs that kernels know at compile time fly as on the way of all rungs, bit for bit.
-#include <gtest/gtest.h>
-
 #include "world/emitter_support.hpp"
 
-namespace physim {
-namespace world_emitter_pushed_test {
+namespace physim::world_emitter_pushed_test {
 
 struct Place {
   Vec3d position, previous, velocity;
@@ -144,5 +141,4 @@ TEST(EmitterPushed, threads_change_no_bit) {
   }
 }
 
-}  // namespace world_emitter_pushed_test
-}  // namespace physim
+}  // namespace physim::world_emitter_pushed_test

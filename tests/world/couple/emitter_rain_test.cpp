@@ -1,29 +1,23 @@
 // Rain about a viewer: as dense everywhere in its box as it should be, while the viewer stands, moves and jumps.
-#include <gtest/gtest.h>
-
 #include "emit/statistics.hpp"
-#include "physim/world.hpp"
 #include "random_shots.hpp"
 #include "scene_support.hpp"
 #include "world/emitter_support.hpp"
 
-namespace physim {
-namespace world_emitter_rain_test {
+namespace physim::world_emitter_rain_test {
 
 constexpr Vec3d kBox{20, 12, 16};  // [m]
 constexpr double kDensity = 1;     // [1/m^3]
 
 /// Drops that keep their velocity: down, with some wind.
 EmitterDef rain(KindId kind) {
-  EmitterDef def;
-  def.kind = kind;
-  def.seed = 3;
-  def.rotation = quat_from_axis_angle(Vec3d{0, 0, 1}, -1.5707963267948966);
-  def.per_second = {0};
-  def.rain = {.density = kDensity, .size = kBox, .drift = {2, 0, -1}};
-  def.start = {.lifetime = {kInfinity}, .speed = {7, 11}, .gravity = {0}};
-  def.maximum = 1u << 20;
-  return def;
+  return {.kind = kind,
+          .seed = 3,
+          .rotation = quat_from_axis_angle(Vec3d{0, 0, 1}, -1.5707963267948966),
+          .per_second = {0},
+          .rain = {.density = kDensity, .size = kBox, .drift = {2, 0, -1}},
+          .start = {.lifetime = {kInfinity}, .speed = {7, 11}, .gravity = {0}},
+          .maximum = 1u << 20};
 }
 World empty_world() { return make_world({.ground = {.mode = GroundMode::none}}); }
 
@@ -218,21 +212,17 @@ TEST(EmitterRain, saves_snapshots_and_recordings_go_on_bit_for_bit) {
     }
   };
   go(world, 0);
-  auto loaded = World::load(world.save().value());
-  ASSERT_TRUE(loaded) << loaded.error().text();
+  auto loaded = reloaded(world);
   const Snapshot snapshot = world.snapshot();
-  EXPECT_EQ(loaded->hash(), world.hash());
+  EXPECT_EQ(loaded.hash(), world.hash());
   go(world, 20);
-  go(*loaded, 20);
+  go(loaded, 20);
   const std::uint64_t then = world.hash();
-  EXPECT_EQ(loaded->hash(), then);
+  EXPECT_EQ(loaded.hash(), then);
   ASSERT_TRUE(world.restore(snapshot));
   go(world, 20);
   EXPECT_EQ(world.hash(), then);
-  ASSERT_TRUE(world.stop_recording());
-  const auto report = replay(bytes);
-  ASSERT_TRUE(report) << report.error().text();
-  EXPECT_FALSE(report->difference) << report->difference->what;
+  replayed(world, bytes);
 }
 
 TEST(EmitterRain, what_makes_no_sense_is_refused) {
@@ -259,5 +249,4 @@ TEST(EmitterRain, what_makes_no_sense_is_refused) {
   EXPECT_EQ(world.jump_emitter(stands, {.position = {std::nan(""), 0, 0}}).error().place, "to");
 }
 
-}  // namespace world_emitter_rain_test
-}  // namespace physim
+}  // namespace physim::world_emitter_rain_test

@@ -1,15 +1,12 @@
 // Every row of an emitter's definition that a world alone sees: when it plays, where it is, rain, triangles, limits,
 // trails and sub-emitters. The others are in emit/emission_test.cpp.
-#include <gtest/gtest.h>
-
 #include <functional>
 
 #include "base/hash.hpp"
 #include "math/quat.hpp"
 #include "world/emitter_support.hpp"
 
-namespace physim {
-namespace world_emitter_rows_test {
+namespace physim::world_emitter_rows_test {
 
 /// What a show is made of, before it begins: an emitter in front of a wall, and one that fires where something happens
 /// to its particles.
@@ -23,11 +20,10 @@ struct Stage {
 
   Stage() {
     Scene scene;
-    EXPECT_TRUE(scene.add({.shape = *scene.add_shape(BoxShape{{0.5, 9, 9}}), .transform = {.position = {5, 9, 0}}}));
+    add_thing(scene, BoxShape{{0.5, 9, 9}}, {.transform = {.position = {5, 9, 0}}});
     EXPECT_TRUE(world.set_scene(scene));
-    const auto thrown = world.spawn(kind, {.position = {0, 2, 0}, .velocity = Vec3d{0.5, 6, 1}});
-    EXPECT_TRUE(thrown);
-    carrier = *thrown;
+    const auto thrown = must(world.spawn(kind, {.position = {0, 2, 0}, .velocity = Vec3d{0.5, 6, 1}}));
+    carrier = thrown;
     heir = spray(kind, 0, 0.2);
     heir.cycle.plays = false;
     def = spray(kind, 20, 0.9);
@@ -178,5 +174,4 @@ INSTANTIATE_TEST_SUITE_P(Playing, EmitterWorldRow, testing::ValuesIn(kPlaying), 
 INSTANTIATE_TEST_SUITE_P(Places, EmitterWorldRow, testing::ValuesIn(kPlaces), row_name);
 INSTANTIATE_TEST_SUITE_P(Subs, EmitterWorldRow, testing::ValuesIn(kSubs), row_name);
 
-}  // namespace world_emitter_rows_test
-}  // namespace physim
+}  // namespace physim::world_emitter_rows_test

@@ -1,14 +1,9 @@
 // Emitters of worlds: sub-emitters, limits, moments, calls, and what is refused.
-#include <gtest/gtest.h>
-
-#include <cmath>
 #include <set>
 
-#include "physim/world.hpp"
 #include "world/emitter_support.hpp"
 
-namespace physim {
-namespace world_emitter_test {
+namespace physim::world_emitter_test {
 
 /// A shell that is thrown up, bursts after a while, and whose stars burst again where they land.
 struct Fireworks {
@@ -90,11 +85,8 @@ TEST(Emitter, each_hit_of_a_wall_fires_once) {
     const ShapeId box = *scene.add_shape(BoxShape{{0.001, 50, 50}});
     ASSERT_TRUE(scene.add({.shape = box, .transform = {.position = {5, 0, 0}}}));
     ASSERT_TRUE(world.set_scene(scene));
-    EmitterDef def;
-    def.kind = kind_of(world, spark());
-    def.cycle.plays = false;
-    def.maximum = 1u << 30;
-    def.start.lifetime = {0.01};
+    EmitterDef def{
+        .kind = kind_of(world, spark()), .cycle = {.plays = false}, .start = {.lifetime = {0.01}}, .maximum = 1u << 30};
     const EmitterId sparks = added(world, def);
     def.kind = kind_of(world, spark(), {.collision = {.on_hit = OnHit::stop}});
     def.seed = 3;
@@ -127,12 +119,10 @@ TEST(Emitter, each_hit_of_a_wall_fires_once) {
 TEST(Emitter, ages_apexes_and_births_set_off_too) {
   for (const int rate : kFrameRates) {
     World world = make_world({.ground = {.mode = GroundMode::none}, .apex_events = true});
-    EmitterDef def;
-    def.kind = kind_of(world, spark());
-    def.cycle.plays = false;
-    def.maximum = 1u << 30;
-    def.start.lifetime = {0.5};
-    def.start.speed = {0};
+    EmitterDef def{.kind = kind_of(world, spark()),
+                   .cycle = {.plays = false},
+                   .start = {.lifetime = {0.5}, .speed = {0}},
+                   .maximum = 1u << 30};
     const EmitterId marks = added(world, def);
     def = spray(def.kind, 100, 3);
     def.subs = {{.on = SubEvent::age, .emitter = marks, .age = 0.2005},
@@ -206,19 +196,17 @@ TEST(Emitter, moments_go_on_bit_for_bit) {
   Fireworks show(60);
   step_to(show.world, 1.5, 60);
   const Snapshot snapshot = show.world.snapshot();
-  const auto saved = show.world.save();
-  ASSERT_TRUE(saved) << saved.error().text();
-  auto loaded = World::load(*saved);
-  ASSERT_TRUE(loaded) << loaded.error().text();
-  EXPECT_EQ(loaded->hash(), show.world.hash());
+  const auto saved = must(show.world.save());
+  auto loaded = must(World::load(saved));
+  EXPECT_EQ(loaded.hash(), show.world.hash());
   std::vector<std::uint64_t> hashes;
   for (int i = 0; i < 90; ++i) {
     ASSERT_TRUE(show.world.step(1.0 / 60));
-    ASSERT_TRUE(loaded->step(1.0 / 60));
+    ASSERT_TRUE(loaded.step(1.0 / 60));
     hashes.push_back(show.world.hash());
-    ASSERT_EQ(loaded->hash(), hashes.back()) << i;
+    ASSERT_EQ(loaded.hash(), hashes.back()) << i;
   }
-  for (const EmitterId id : show.world.emitters()) EXPECT_EQ(loaded->emitter_counts(id), show.world.emitter_counts(id));
+  for (const EmitterId id : show.world.emitters()) EXPECT_EQ(loaded.emitter_counts(id), show.world.emitter_counts(id));
   ASSERT_TRUE(show.world.restore(snapshot));
   for (int i = 0; i < 90; ++i) {
     ASSERT_TRUE(show.world.step(1.0 / 60));
@@ -249,11 +237,7 @@ TEST(Emitter, recordings_replay_every_call) {
   step_to(world, 1.5, 60);
   EXPECT_TRUE(world.remove_emitter(id));
   step_to(world, 2, 60);
-  ASSERT_TRUE(world.stop_recording());
-  const auto report = replay(bytes);
-  ASSERT_TRUE(report) << report.error().text();
-  EXPECT_FALSE(report->difference) << report->difference->what;
-  EXPECT_TRUE(report->complete);
+  replayed(world, bytes);
 }
 
 TEST(Emitter, what_a_removed_one_fired_ends_as_it_would) {
@@ -334,13 +318,11 @@ TEST(Emitter, fires_kinds_of_any_rung) {
   rocket.fidelity.integrator = Integrator::rk4;
   rocket.motor.thrust = {{0, 50}, {1, 50}};
   rocket.motor.propellant_mass = 0.1;
-  EmitterDef def;
-  def.kind = kind_of(world, rocket);
-  def.launch.rail_length = 0.5;
-  def.per_second = {4};
-  def.start.speed = {0};
-  def.start.lifetime = {kInfinity};
-  def.rotation = {0.7071067811865476, 0, 0, 0.7071067811865476};
+  EmitterDef def{.kind = kind_of(world, rocket),
+                 .launch = {.rail_length = 0.5},
+                 .rotation = {0.7071067811865476, 0, 0, 0.7071067811865476},
+                 .per_second = {4},
+                 .start = {.lifetime = {kInfinity}, .speed = {0}}};
   const EmitterId id = added(world, def);
   step_to(world, 1, 100);
   ASSERT_EQ(alive(world, id).size(), 4u);
@@ -419,5 +401,4 @@ TEST(Emitter, one_that_fires_itself_is_cut) {
   EXPECT_EQ(c.born, 3u * 33u);
 }
 
-}  // namespace world_emitter_test
-}  // namespace physim
+}  // namespace physim::world_emitter_test

@@ -1,12 +1,8 @@
 // Trails of particles, and emitters that seek a time: against closed forms and against waiting.
-#include <gtest/gtest.h>
-
-#include "physim/world.hpp"
 #include "scene_support.hpp"
 #include "world/emitter_support.hpp"
 
-namespace physim {
-namespace world_emitter_trail_test {
+namespace physim::world_emitter_trail_test {
 
 World airless() { return make_world({.ground = {.mode = GroundMode::none}}); }
 
@@ -32,12 +28,7 @@ std::vector<Trail> trails_of(const World& world, EmitterId emitter) {
 
 /// Sparks that fly straight at 10 m/s.
 EmitterDef straight(KindId kind, const TrailDef& trail) {
-  EmitterDef def;
-  def.kind = kind;
-  def.per_second = {20};
-  def.start = {.lifetime = {2}, .speed = {10}, .gravity = {0}};
-  def.trail = trail;
-  return def;
+  return {.kind = kind, .per_second = {20}, .start = {.lifetime = {2}, .speed = {10}, .gravity = {0}}, .trail = trail};
 }
 
 TEST(EmitterTrail, tells_where_each_particle_has_been) {
@@ -132,30 +123,29 @@ TEST(EmitterTrail, belongs_to_snapshots_and_saves_but_not_to_the_hash) {
   const EmitterId id = world.emitters()[0];
   step_to(world, 1, 50);
   const Snapshot snapshot = world.snapshot();
-  auto loaded = World::load(world.save().value());
-  ASSERT_TRUE(loaded) << loaded.error().text();
+  auto loaded = reloaded(world);
   const auto same = [id](const World& a, const World& b) {
     const auto one = trails_of(a, id), other = trails_of(b, id);
     ASSERT_EQ(one.size(), other.size());
     for (std::size_t i = 0; i < one.size(); ++i)
       EXPECT_TRUE(one[i].position == other[i].position && one[i].time == other[i].time) << i;
   };
-  same(world, *loaded);
+  same(world, loaded);
   step_to(world, 1.6, 50);
-  step_to(*loaded, 1.6, 50);
-  same(world, *loaded);
-  EXPECT_EQ(world.save().value(), loaded->save().value());
+  step_to(loaded, 1.6, 50);
+  same(world, loaded);
+  EXPECT_EQ(world.save().value(), loaded.save().value());
   // One that leaves by a call between two steps takes its trail along.
   const ProjectileId gone = trails_of(world, id)[0].id;
-  for (World* each : {&world, &*loaded}) {
+  for (World* each : {&world, &loaded}) {
     ASSERT_TRUE((*each)[gone].despawn());
     ASSERT_TRUE(World::load(each->save().value()));
   }
-  same(world, *loaded);
+  same(world, loaded);
   ASSERT_TRUE(world.restore(snapshot));
   step_to(world, 1.6, 50);
   ASSERT_TRUE(world[gone].despawn());
-  same(world, *loaded);
+  same(world, loaded);
 }
 
 TEST(EmitterTrail, what_makes_no_sense_is_refused) {
@@ -284,18 +274,14 @@ TEST(EmitterSeek, is_recorded_and_saved) {
   step_to(world, 0.5, 60);
   ASSERT_TRUE(world.play_emitter(id));
   ASSERT_TRUE(world.seek_emitter(id, 5));
-  auto loaded = World::load(world.save().value());
-  ASSERT_TRUE(loaded) << loaded.error().text();
-  for (World* each : {&world, &*loaded}) {
+  auto loaded = reloaded(world);
+  for (World* each : {&world, &loaded}) {
     step_to(*each, 0.8, 60);
     ASSERT_TRUE(each->seek_emitter(id, 1));
     step_to(*each, 1, 60);
   }
-  EXPECT_EQ(loaded->hash(), world.hash());
-  ASSERT_TRUE(world.stop_recording());
-  const auto report = replay(bytes);
-  ASSERT_TRUE(report) << report.error().text();
-  EXPECT_FALSE(report->difference) << report->difference->what;
+  EXPECT_EQ(loaded.hash(), world.hash());
+  replayed(world, bytes);
 }
 
 TEST(EmitterSeek, times_that_are_none_are_refused) {
@@ -306,5 +292,4 @@ TEST(EmitterSeek, times_that_are_none_are_refused) {
   EXPECT_EQ(world.seek_emitter({}, 1).error().place, "emitter");
 }
 
-}  // namespace world_emitter_trail_test
-}  // namespace physim
+}  // namespace physim::world_emitter_trail_test

@@ -3,8 +3,7 @@
 
 #include "world/joints_support.hpp"
 
-namespace physim {
-namespace world_joints_contacts_test {
+namespace physim::world_joints_contacts_test {
 
 using namespace test_joints;
 using test::near;
@@ -35,8 +34,7 @@ TEST(JointContacts, a_joint_pulls_nobody_through_a_wall) {
   for (const double radius : {0.0, 0.1})
     for (const JointKind kind : {JointKind::rod, JointKind::cable, JointKind::spring})
       for (const Precision precision : {Precision::float64, Precision::float32}) {
-        World world = World::create(falling()).value();
-        ASSERT_TRUE(world.set_scene(room()));
+        World world = make_world(falling(), room());
         const ProjectileId one = put(world, mass_of(1, precision), ball(radius), {0, -1, 0});
         join(world, {.kind = kind, .a = one, .point = {0.3, -4, 0}, .length = 0.5, .stiffness = 1e5, .damping = 10});
         for (int i = 0; i < 240; ++i) {
@@ -50,8 +48,7 @@ TEST(JointContacts, a_joint_pulls_nobody_through_a_wall) {
 }
 
 TEST(JointContacts, a_wrecking_ball_stays_on_its_side_of_the_wall) {
-  World world = World::create(falling()).value();
-  ASSERT_TRUE(world.set_scene(room()));
+  World world = make_world(falling(), room());
   const ProjectileId one = put(world, mass_of(100), ball(0.2), {-1.5, 1, 0});
   join(world, {.kind = JointKind::cable, .a = one, .point = {1.5, 1, 0}});
   double farthest = -2;
@@ -68,8 +65,7 @@ TEST(JointContacts, a_dumb_bell_falls_on_the_ground_and_comes_to_rest_on_it) {
   WorldDef def = falling();
   def.ground = {GroundMode::bounce, 0, 1, 1};
   World world = World::create(def).value();
-  BodyDef body;
-  body.restitution = 0.4;
+  BodyDef body{.restitution = 0.4};
   const ProjectileId a = put(world, mass_of(1), body, {0, 1, 0}, {1, 0, 0.5});
   const ProjectileId b = put(world, mass_of(2), body, {0.6, 1.8, 0});
   const JointId rod = join(world, {.a = a, .b = b});
@@ -89,8 +85,7 @@ class NetsInRoom : public testing::TestWithParam<unsigned> {};
 TEST_P(NetsInRoom, nets_that_fly_about_in_a_room_stay_in_it) {
   for (const double radius : {0.0, 0.05})
     for (const Precision precision : {Precision::float64, Precision::float32}) {
-      World world = World::create(falling()).value();
-      ASSERT_TRUE(world.set_scene(room()));
+      World world = make_world(falling(), room());
       std::mt19937 random(GetParam());
       const auto real = [&](double size) { return size * (static_cast<double>(random() % 20001) / 10000 - 1); };
       std::vector<ProjectileId> all;
@@ -116,5 +111,4 @@ TEST_P(NetsInRoom, nets_that_fly_about_in_a_room_stay_in_it) {
 }
 INSTANTIATE_TEST_SUITE_P(Seeds, NetsInRoom, testing::Values(11, 5, 12, 15, 16));
 
-}  // namespace world_joints_contacts_test
-}  // namespace physim
+}  // namespace physim::world_joints_contacts_test

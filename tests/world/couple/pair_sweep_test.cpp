@@ -6,8 +6,7 @@
 #include <random>
 #include <set>
 
-namespace physim {
-namespace world_pair_sweep_test {
+namespace physim::world_pair_sweep_test {
 
 using Pairs = std::set<std::pair<std::uint32_t, std::uint32_t>>;
 
@@ -66,5 +65,4 @@ TEST_F(Sweep, finds_who_is_beside_one_that_has_another_path) {
   }
 }
 
-}  // namespace world_pair_sweep_test
-}  // namespace physim
+}  // namespace physim::world_pair_sweep_test

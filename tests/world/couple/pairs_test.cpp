@@ -1,12 +1,10 @@
 // Projectiles that meet each other: where and when, what follows, and that nothing else matters.
-#include <cmath>
 #include <map>
 #include <random>
 
 #include "world/pairs_support.hpp"
 
-namespace physim {
-namespace world_pairs_test {
+namespace physim::world_pairs_test {
 
 using namespace test_pairs;
 
@@ -338,8 +336,7 @@ TEST(Pairs, a_path_that_turns_back_within_a_step_is_met_where_it_turns) {
 
 /// What is left of the step is flown with drag, as a step that begins at the hit.
 TEST(Pairs, the_rest_of_the_step_is_flown_with_the_models) {
-  WorldDef def;
-  def.ground.mode = GroundMode::none;
+  WorldDef def{.ground = {.mode = GroundMode::none}};
   for (const RotationModel rotation : {RotationModel::none, RotationModel::magnus, RotationModel::rigid_body}) {
     ProjectileDef p = bullet();
     p.fidelity = Fidelity::simulation();
@@ -366,8 +363,7 @@ TEST(Pairs, the_rest_of_the_step_is_flown_with_the_models) {
 }
 
 TEST(Pairs, every_rung_keeps_momentum_and_parts) {
-  WorldDef def;
-  def.ground.mode = GroundMode::none;
+  WorldDef def{.ground = {.mode = GroundMode::none}};
   for (const Fidelity& fidelity :
        {Fidelity::arcade(), Fidelity::game(), Fidelity::constant_air(), Fidelity::small_arms(), Fidelity::artillery(),
         Fidelity::simulation(), Fidelity::classic()})
@@ -396,5 +392,4 @@ TEST(Pairs, every_rung_keeps_momentum_and_parts) {
     }
 }
 
-}  // namespace world_pairs_test
-}  // namespace physim
+}  // namespace physim::world_pairs_test

@@ -1,24 +1,14 @@
 // Balls that touch a wall, or a row of others, when they are struck.
-#include <vector>
-
-#include "physim/body.hpp"
 #include "scene_support.hpp"
-#include "support.hpp"
-#include "world/world_support.hpp"
 
-namespace physim {
-namespace world_pairs_wall_test {
+namespace physim::world_pairs_wall_test {
 
 using namespace test_scene;
 
 constexpr double kRates[] = {24, 60, 250, 1000};
 constexpr double kRadius = 0.1, kSpeed = 2;  // [m], [m/s]
 
-ProjectileDef ball() {
-  ProjectileDef p{.mass = 1, .diameter = 2 * kRadius};
-  p.fidelity = rung(Integrator::rk4);
-  return p;
-}
+ProjectileDef ball() { return {.mass = 1, .diameter = 2 * kRadius, .fidelity = rung(Integrator::rk4)}; }
 BodyDef of_billiards(double restitution) {
   BodyDef body = bouncing(kRadius, restitution, 0);
   body.collision.others = 1;
@@ -30,8 +20,7 @@ std::vector<Vec3d> at_cushion(double restitution, double gap, double rate) {
   const MaterialId smooth = *scene.add_material({.restitution = 1, .friction = 0});
   put(scene, BoxShape{{40, 0.5, 5}}, {0, -0.5, 0}, smooth);
   put(scene, BoxShape{{0.5, 5, 5}}, {2.5 + gap, 0, 0}, smooth);
-  World world = make_world(space());
-  EXPECT_TRUE(world.set_scene(scene));
+  World world = make_world(space(), scene);
   std::vector<ProjectileId> ids;
   for (const bool comes : {true, false})
     ids.push_back(*world.spawn(
@@ -71,8 +60,7 @@ TEST(PairsWall, what_lies_in_a_floor_by_a_rounding_meets_walls) {
         const MaterialId smooth = *scene.add_material({.restitution = 0, .friction = 0});
         put(scene, BoxShape{{40, 0.5, 5}}, {0, -0.5, 0}, smooth);
         put(scene, BoxShape{{0.5, 5, 5}}, {2.5, 0, 0}, smooth);
-        World world = make_world(space());
-        ASSERT_TRUE(world.set_scene(scene));
+        World world = make_world(space(), scene);
         const ProjectileId id = *world.spawn(
             ball(), {.position = {0.9, radius - depth, 0}, .velocity = Vec3d{kSpeed, 0, 0}}, bouncing(radius, 0, 0));
         run_for(world, 1, 1 / rate);
@@ -87,12 +75,11 @@ TEST(PairsWall, a_blow_goes_through_a_row_on_a_lift) {
     for (const double rate : kRates) {
       Scene scene;
       const MaterialId smooth = *scene.add_material({.restitution = 0, .friction = 0});
-      ASSERT_TRUE(scene.add({.shape = *scene.add_shape(BoxShape{{40, 0.5, 5}}),
-                             .transform = {.position = {0, -0.5, 0}},
-                             .material = smooth,
-                             .motion = SteadyMotion{.velocity = {0, rises, 0}}}));
-      World world = make_world(space());
-      ASSERT_TRUE(world.set_scene(scene));
+      add_thing(scene, BoxShape{{40, 0.5, 5}},
+                {.transform = {.position = {0, -0.5, 0}},
+                 .material = smooth,
+                 .motion = SteadyMotion{.velocity = {0, rises, 0}}});
+      World world = make_world(space(), scene);
       std::vector<ProjectileId> ids;
       for (int i = 0; i < 5; ++i)
         ids.push_back(*world.spawn(ball(),
@@ -105,5 +92,4 @@ TEST(PairsWall, a_blow_goes_through_a_row_on_a_lift) {
     }
 }
 
-}  // namespace world_pairs_wall_test
-}  // namespace physim
+}  // namespace physim::world_pairs_wall_test

@@ -1,14 +1,9 @@
 // Piles rest, sleep and wake as a whole; what falls as one gains nothing.
-#include <algorithm>
 #include <array>
-#include <string>
-#include <vector>
 
-#include "physim/scene.hpp"
 #include "world/joints_support.hpp"
 
-namespace physim {
-namespace world_piles_test {
+namespace physim::world_piles_test {
 
 using test_joints::falling;
 using test_pairs::ball;
@@ -50,14 +45,10 @@ BodyDef sleepy() {
 Scene floor_of_wood(const ConveyorDef& belt = {}) {
   Scene scene;
   const MaterialId wood = *scene.add_material({.restitution = 0.5, .friction = 1});
-  EXPECT_TRUE(scene.add({.shape = *scene.add_shape(PlaneShape{}), .material = wood, .conveyor = belt}));
+  add_thing(scene, PlaneShape{}, {.material = wood, .conveyor = belt});
   return scene;
 }
-World world_with(const ConveyorDef& belt = {}) {
-  World world = make_world(falling());
-  EXPECT_TRUE(world.set_scene(floor_of_wood(belt)));
-  return world;
-}
+World world_with(const ConveyorDef& belt = {}) { return make_world(falling(), floor_of_wood(belt)); }
 
 /// Balls on top of each other.
 std::vector<ProjectileId> stack(World& world, int count, const ProjectileDef& p = wooden(),
@@ -265,11 +256,7 @@ TEST(Piles, are_the_same_straight_on_loaded_rolled_back_and_replayed) {
   ASSERT_TRUE(world.restore(before));
   run_for(world, 0.5, 1 / kHz);
   EXPECT_EQ(world.hash(), slept);
-  ASSERT_TRUE(world.stop_recording());
-  const auto report = replay(recording);
-  ASSERT_TRUE(report) << report.error().text();
-  EXPECT_FALSE(report->difference) << report->difference->what;
+  replayed(world, recording);
 }
 
-}  // namespace world_piles_test
-}  // namespace physim
+}  // namespace physim::world_piles_test

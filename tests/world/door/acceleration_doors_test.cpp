@@ -1,12 +1,8 @@
 // One flight has one acceleration: flights, their samples and worlds tell the same, and it is the register of the
 // original's loop on `classic`, the force over the mass elsewhere.
-#include <cmath>
-
-#include "physim/body.hpp"
 #include "world/world_support.hpp"
 
-namespace physim {
-namespace world_acceleration_doors_test {
+namespace physim::world_acceleration_doors_test {
 
 constexpr double kStep = 1.0 / 60;
 
@@ -74,5 +70,4 @@ TEST(AccelerationDoors, the_register_holds_no_damping_and_every_other_sum_does) 
       test::near(original.flight.accelerations(0.5).drag, original.flight.at(0.5).velocity * std::log(0.9), 1e-5));
 }
 
-}  // namespace world_acceleration_doors_test
-}  // namespace physim
+}  // namespace physim::world_acceleration_doors_test

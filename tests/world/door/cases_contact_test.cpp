@@ -1,15 +1,9 @@
 // Contacts that users of other engines complained of, by closed forms at several frame rates.
-#include <cmath>
-#include <string>
-#include <vector>
-
 #include "math/quat.hpp"
-#include "physim/body.hpp"
 #include "scene_support.hpp"
 #include "world/joints_support.hpp"
 
-namespace physim {
-namespace world_cases_contact_test {
+namespace physim::world_cases_contact_test {
 
 using namespace test_scene;
 using test_joints::falling;
@@ -20,9 +14,7 @@ constexpr Axes kAllAxes = Axes::x | Axes::y | Axes::z;
 constexpr Vec3d kAboutZ{0, 0, 1};
 
 ProjectileDef by_rk4(double radius, double mass = 1, Precision precision = Precision::float64) {
-  ProjectileDef p{.mass = mass, .diameter = 2 * radius};
-  p.fidelity = rung(Integrator::rk4, precision);
-  return p;
+  return {.mass = mass, .diameter = 2 * radius, .fidelity = rung(Integrator::rk4, precision)};
 }
 /// A ball that falls, does not sleep and meets others.
 BodyDef body_of(double radius, double restitution, double friction) {
@@ -36,16 +28,9 @@ MaterialId material(Scene& scene, double restitution, double friction) {
 }
 void add(Scene& scene, const ShapeDef& shape, const Vec3d& at, MaterialId made_of, const Quatd& turn = {1, 0, 0, 0},
          const SceneMotion& motion = {}) {
-  ASSERT_TRUE(scene.add({.shape = *scene.add_shape(shape),
-                         .transform = {.position = at, .rotation = turn},
-                         .material = made_of,
-                         .motion = motion}));
+  add_thing(scene, shape, {.transform = {.position = at, .rotation = turn}, .material = made_of, .motion = motion});
 }
-World world_in(const Scene& scene) {
-  World world = make_world(falling());
-  EXPECT_TRUE(world.set_scene(scene));
-  return world;
-}
+World world_in(const Scene& scene) { return make_world(falling(), scene); }
 std::string at(double rate, const char* what = "") { return what + (" at " + std::to_string(rate)) + " Hz"; }
 
 // ------------------------------------------------------------------------------------------------- sliding and rolling
@@ -412,8 +397,8 @@ TEST(CasesOfContacts, sensors_tell_each_way_in_and_out_whatever_the_step) {
   for (const double rate : {0.25, 1.0, 30.0, 60.0, 1000.0}) {
     Scene scene;
     add(scene, PlaneShape{}, {}, material(scene, 1, 1));
-    const InstanceId gate = *scene.add(
-        {.shape = *scene.add_shape(BoxShape{{1, 0.05, 1}}), .transform = {.position = {0, 0.4, 0}}, .sensor = true});
+    const InstanceId gate =
+        add_thing(scene, BoxShape{{1, 0.05, 1}}, {.transform = {.position = {0, 0.4, 0}}, .sensor = true});
     World world = world_in(scene);
     put(world, by_rk4(r), body_of(r, 1, 0), {0, r + h, 0});
     // The k-th time that its middle is y above its lowest place.
@@ -515,5 +500,4 @@ TEST(CasesOfContacts, a_rack_lies_still) {
       }
 }
 
-}  // namespace world_cases_contact_test
-}  // namespace physim
+}  // namespace physim::world_cases_contact_test

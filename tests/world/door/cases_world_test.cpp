@@ -1,34 +1,18 @@
 // Worlds that users of other engines reported: bounces, seams and emitters at any frame rate, by closed forms.
-#include <algorithm>
-#include <cmath>
-#include <vector>
-
 #include "collide/scene_support.hpp"
 #include "math/quat.hpp"
 #include "scene_support.hpp"
 #include "world/emitter_support.hpp"
-#include "world/world_support.hpp"
 
-namespace physim {
-namespace world_cases_world_test {
+namespace physim::world_cases_world_test {
 
 using namespace test_scene;
 
 ProjectileDef by_rk4(double diameter = 0.2, Precision precision = Precision::float64) {
-  ProjectileDef p{.mass = 1, .diameter = diameter};
-  p.fidelity = rung(Integrator::rk4, precision);
-  return p;
+  return {.mass = 1, .diameter = diameter, .fidelity = rung(Integrator::rk4, precision)};
 }
-BodyDef stopping() {
-  BodyDef body;
-  body.collision.on_hit = OnHit::stop;
-  return body;
-}
-World world_in(const Scene& scene, const WorldDef& def = space()) {
-  World world = make_world(def);
-  EXPECT_TRUE(world.set_scene(scene));
-  return world;
-}
+BodyDef stopping() { return {.collision = {.on_hit = OnHit::stop}}; }
+World world_in(const Scene& scene, const WorldDef& def = space()) { return make_world(def, scene); }
 MaterialId hard(Scene& scene) { return *scene.add_material({.restitution = 1, .friction = 1}); }
 
 // ------------------------------------------------------------------------------------------------------------ bounces
@@ -38,12 +22,8 @@ TEST(CasesOfBounces, a_fast_ball_that_is_thrown_back_is_not_told_by_the_line_beh
   for (const Precision precision : {Precision::float64, Precision::float32})
     for (const double step : {1.0 / 60, 1.0}) {
       Scene scene;
-      ASSERT_TRUE(scene.add({.shape = *scene.add_shape(BoxShape{{0.05, 1, 1}}),
-                             .transform = {.position = {10, 0, 0}},
-                             .material = hard(scene)}));
-      ASSERT_TRUE(scene.add({.shape = *scene.add_shape(BoxShape{{0.05, 5, 5}}),
-                             .transform = {.position = {10.5, 0, 0}},
-                             .sensor = true}));
+      add_thing(scene, BoxShape{{0.05, 1, 1}}, {.transform = {.position = {10, 0, 0}}, .material = hard(scene)});
+      add_thing(scene, BoxShape{{0.05, 5, 5}}, {.transform = {.position = {10.5, 0, 0}}, .sensor = true});
       World world = world_in(scene, space(0));
       const ProjectileId id = *world.spawn(by_rk4(0.2, precision), {.velocity = Vec3d{400, 0, 0}}, bouncing(0.1, 1, 0));
       const auto events = run_for(world, step < 1 ? 0.05 : 1, step);
@@ -63,9 +43,7 @@ TEST(CasesOfBounces, a_hundred_bounces_keep_their_height) {
   for (const Integrator integrator : {Integrator::rk4, Integrator::semi_implicit_euler})
     for (const Precision precision : {Precision::float64, Precision::float32}) {
       Scene scene;
-      ASSERT_TRUE(scene.add({.shape = *scene.add_shape(BoxShape{{5, 1, 5}}),
-                             .transform = {.position = {0, -1, 0}},
-                             .material = hard(scene)}));
+      add_thing(scene, BoxShape{{5, 1, 5}}, {.transform = {.position = {0, -1, 0}}, .material = hard(scene)});
       WorldDef def = space();
       def.apex_events = true;
       World world = world_in(scene, def);
@@ -92,10 +70,10 @@ TEST(CasesOfBounces, a_bounce_off_a_slope_is_the_same_at_every_frame_rate) {
   EXPECT_NEAR(met, 0.888695155, 1e-9);
   for (const double rate : {0.5, 30.0, 60.0, 90.0, 144.0}) {
     Scene scene;
-    ASSERT_TRUE(scene.add(
-        {.shape = *scene.add_shape(PlaneShape{}),
-         .transform = {.position = {12, 0, 0}, .rotation = quat_from_axis_angle(Vec3d{0, 0, 1}, 45 * test::kDegree)},
-         .material = hard(scene)}));
+    add_thing(
+        scene, PlaneShape{},
+        {.transform = {.position = {12, 0, 0}, .rotation = quat_from_axis_angle(Vec3d{0, 0, 1}, 45 * test::kDegree)},
+         .material = hard(scene)});
     World world = world_in(scene);
     const ProjectileId id =
         *world.spawn(by_rk4(0.5), {.position = {0, 10, 0}, .velocity = Vec3d{20, 0, 0}}, bouncing(0.25, 0.8, 0));
@@ -118,9 +96,8 @@ TEST(CasesOfBounces, balls_roll_down_a_slope_by_their_inertia) {
   for (const auto& [friction, inertia, part] : {Case{0.5, 0.4, 5.0 / 7}, {0.5, 2.0 / 3, 0.6}, {0, 0.4, 1}}) {
     Scene scene;
     const Quatd turn = quat_from_axis_angle(Vec3d{0, 0, 1}, -angle);
-    ASSERT_TRUE(scene.add({.shape = *scene.add_shape(BoxShape{{20, 1, 5}}),
-                           .transform = {.position = rotate(turn, Vec3d{0, -1, 0}), .rotation = turn},
-                           .material = hard(scene)}));
+    add_thing(scene, BoxShape{{20, 1, 5}},
+              {.transform = {.position = rotate(turn, Vec3d{0, -1, 0}), .rotation = turn}, .material = hard(scene)});
     World world = world_in(scene);
     BodyDef body = bouncing(0.1, 0, friction);
     body.collision.inertia = inertia;
@@ -175,7 +152,7 @@ TEST(CasesOfSeams, every_question_about_a_chess_board_of_heights_knows_one_diago
   Scene scene;
   HeightFieldShape board{.columns = 5, .rows = 5, .spacing_x = 4, .spacing_z = 4};
   for (int i = 0; i < 25; ++i) board.heights.push_back(i % 2 == 0 ? 1 : -1);
-  ASSERT_TRUE(scene.add({.shape = *scene.add_shape(board)}));
+  add_thing(scene, board);
   World world = world_in(scene);
   for (int row = 0; row < 4; ++row)
     for (int column = 0; column < 4; ++column) {
@@ -197,8 +174,7 @@ TEST(CasesOfSeams, every_question_about_a_chess_board_of_heights_knows_one_diago
 /// hit at x = y = 3.375, and 10 000 rays from random places onto the diagonal hit once each.
 TEST(CasesOfSeams, rays_onto_the_diagonal_of_a_square_hit_it_once) {
   Scene scene;
-  ASSERT_TRUE(scene.add({.shape = *scene.add_shape(MeshShape{
-                             {{-5, -5, 0}, {5, -5, 0}, {5, 5, 0}, {-5, 5, 0}}, {{0, 1, 2}, {0, 2, 3}}, {}})}));
+  add_thing(scene, MeshShape{{{-5, -5, 0}, {5, -5, 0}, {5, 5, 0}, {-5, 5, 0}}, {{0, 1, 2}, {0, 2, 3}}, {}});
   const Vec3d way{0.30458447, 0.30458447, -0.9024725};
   const SceneHit hit = scene.first_hit({{0, 0, 10}, Vec3d{0, 0, 10} + way * 20});
   ASSERT_TRUE(hit);
@@ -225,8 +201,7 @@ TEST(CasesOfEmitters, puffs_behind_a_fast_emitter_are_as_old_as_their_places_say
     for (const double step : {1.0 / 60, 0.1, 1.0}) {
       World world = make_world(space(0));
       ProjectileDef puff = by_rk4(0.01);
-      EmitterDef def;
-      def.kind = *world.add_kind(puff);
+      EmitterDef def{.kind = *world.add_kind(puff)};
       def.rotation = {0.7071067811865476, 0, 0, 0.7071067811865476};  // forwards is up
       def.motion = SteadyMotion{.velocity = {60, 0, 0}};
       def.per_second = {by_metre ? 0.0 : 120.0};
@@ -251,14 +226,11 @@ TEST(CasesOfEmitters, puffs_behind_a_fast_emitter_are_as_old_as_their_places_say
 TEST(CasesOfEmitters, what_begins_and_ends_between_two_frames_fires_all) {
   for (const double step : {1.0 / 60, 1.0}) {
     World world = make_world(space(0));
-    EmitterDef def;
-    def.kind = *world.add_kind(by_rk4(1e-3));
-    def.cycle.duration = 0.01;
-    def.cycle.looping = false;
-    def.cycle.delay = {0.003};
-    def.per_second = {1000};
-    def.bursts = {{.time = 0.005, .count = {7}, .cycles = 2, .interval = 0.002}};
-    def.start.lifetime = {10};
+    EmitterDef def{.kind = *world.add_kind(by_rk4(1e-3)),
+                   .cycle = {.duration = 0.01, .looping = false, .delay = {0.003}},
+                   .per_second = {1000},
+                   .bursts = {{.time = 0.005, .count = {7}, .cycles = 2, .interval = 0.002}},
+                   .start = {.lifetime = {10}}};
     added(world, def);
     const auto born = of_kind(run_for(world, 1, step), EventKind::spawned);
     ASSERT_EQ(born.size(), 24u) << step;
@@ -270,5 +242,4 @@ TEST(CasesOfEmitters, what_begins_and_ends_between_two_frames_fires_all) {
   }
 }
 
-}  // namespace world_cases_world_test
-}  // namespace physim
+}  // namespace physim::world_cases_world_test

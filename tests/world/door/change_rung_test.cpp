@@ -1,15 +1,12 @@
 // A projectile that changes its rung flies on as one that was on it from the start.
-#include <gtest/gtest.h>
-
+#include "must.hpp"
 #include "physim/physim.hpp"
 
-namespace physim {
-namespace world_change_rung_test {
+namespace physim::world_change_rung_test {
 
 TEST(World, a_rung_of_another_interpolation_reads_its_own_curves) {
   World world;
-  ProjectileDef p{.name = "shell", .mass = 40, .diameter = 0.155};
-  p.drag.table = DragTable::g7;
+  ProjectileDef p{.name = "shell", .mass = 40, .diameter = 0.155, .drag = {.table = DragTable::g7}};
   Fidelity rung = Fidelity::constant_air();
   for (const DragTable table : {DragTable::g1, DragTable::g8}) {  // curves of cubic that pchip does not have
     ProjectileDef other = p;
@@ -31,15 +28,10 @@ TEST(World, a_rung_of_another_interpolation_reads_its_own_curves) {
 
 // The count of steps since the launch is then no whole number that can be held.
 TEST(ChangeRung, a_step_can_be_as_short_against_the_age_as_steps_can_be) {
-  WorldDef def;
-  def.ground.mode = GroundMode::none;
-  def.environment.gravity.model = GravityModel::off;
-  def.environment.atmosphere.model = AirModel::vacuum;
-  Result<World> made = World::create(def);
-  ASSERT_TRUE(made);
-  World& world = *made;
-  ProjectileDef p;
-  p.fidelity = Fidelity::constant_air();
+  WorldDef def{.environment = {.gravity = {.model = GravityModel::off}, .atmosphere = {.model = AirModel::vacuum}},
+               .ground = {.mode = GroundMode::none}};
+  World world = must(World::create(def));
+  ProjectileDef p{.fidelity = Fidelity::constant_air()};
   const ProjectileId id = *world.spawn(p, {.position = {0, 100, 0}, .velocity = Vec3d{1, 0, 0}});
   for (int i = 0; i < 12; ++i) ASSERT_TRUE(world.step(9e5));
   ASSERT_TRUE(world.set_detail({.rungs = {{Fidelity::constant_air(), 5}, {Fidelity::game()}}}));
@@ -48,5 +40,4 @@ TEST(ChangeRung, a_step_can_be_as_short_against_the_age_as_steps_can_be) {
   EXPECT_EQ(world[id].fidelity_in_use().fidelity.integrator, Integrator::semi_implicit_euler);
 }
 
-}  // namespace world_change_rung_test
-}  // namespace physim
+}  // namespace physim::world_change_rung_test

@@ -1,13 +1,9 @@
 // The doors of a world: what it is asked for at odd times, with odd values, or when it is not there.
 #include <cstdint>
-#include <limits>
 
-#include "physim/names.hpp"
-#include "physim/world.hpp"
 #include "world/world_support.hpp"
 
-namespace physim {
-namespace world_doors_test {
+namespace physim::world_doors_test {
 
 // ------------------------------------------------------------------------------------------- events that are kept
 TEST(Doors, events_stay_readable_while_the_world_is_changed) {
@@ -19,9 +15,8 @@ TEST(Doors, events_stay_readable_while_the_world_is_changed) {
     if (event.kind != EventKind::landed) continue;
     EXPECT_EQ(event.position.x, landed++);
     for (int i = 0; i < 50; ++i) {  // debris; it outgrows every list of events
-      const auto piece = world.spawn(stone(), {.position = event.position + Vec3d{0, 1, 0}});
-      ASSERT_TRUE(piece);
-      world[*piece].despawn();
+      const auto piece = must(world.spawn(stone(), {.position = event.position + Vec3d{0, 1, 0}}));
+      world[piece].despawn();
     }
   }
   EXPECT_EQ(landed, 100);
@@ -32,8 +27,7 @@ TEST(Doors, events_stay_readable_while_the_world_is_changed) {
 }
 
 TEST(Doors, events_that_nobody_reads_do_not_pile_up) {
-  WorldDef def;
-  def.pools = {{"one", 1, WhenFull::replace_oldest}};
+  WorldDef def{.pools = {{"one", 1, WhenFull::replace_oldest}}};
   World world = make_world(def);
   const KindId kind = *world.add_kind(stone());
   for (int i = 0; i < 500'000; ++i) ASSERT_TRUE(world.spawn(kind, {.position = {0, 9, 0}}));
@@ -99,8 +93,7 @@ TEST(Doors, enumerators_out_of_range_are_refused) {
   rule.rungs.resize(2);
   rule.rungs[0].fidelity.precision = odd<Precision>();
   EXPECT_TRUE(names_its_place(world.set_detail(rule)));
-  Environment environment;
-  environment.atmosphere.model = odd<AirModel>();
+  Environment environment{.atmosphere = {.model = odd<AirModel>()}};
   EXPECT_TRUE(names_its_place(world.set_environment(0, environment)));
   EXPECT_FALSE(world.add_environment(environment));
   EXPECT_TRUE(world.step(0.01));
@@ -125,11 +118,8 @@ TEST(Doors, a_refused_value_leaves_the_recording_whole) {
   wild.fidelity.drag = odd<DragModel>();
   EXPECT_FALSE(world.spawn(wild, {}));
   EXPECT_TRUE(world.step(0.01));
-  ASSERT_TRUE(world.stop_recording());
-  const auto report = replay(bytes);
-  ASSERT_TRUE(report) << report.error().text();
-  EXPECT_FALSE(report->difference);
-  EXPECT_EQ(report->spawned, 1u);
+  const ReplayReport report = replayed(world, bytes);
+  EXPECT_EQ(report.spawned, 1u);
 }
 
 // ------------------------------------------------------------------------------------------- re-entry
@@ -193,8 +183,7 @@ void try_all(World& world, ProjectileId id, const Snapshot& snapshot, Tried& tri
 }
 
 TEST(Doors, a_force_that_changes_its_world_is_refused) {
-  WorldDef def;
-  def.ground.mode = GroundMode::none;
+  WorldDef def{.ground = {.mode = GroundMode::none}};
   World world = make_world(def);
   World calm = make_world(def);
   ProjectileDef p = stone();
@@ -244,9 +233,8 @@ TEST(Doors, a_world_that_is_destroyed_by_its_force_ends_its_step_first) {
     if (recorded) {
       ReplayOptions options;
       options.custom_forces = {{[](const ForceBatch&) {}}};
-      const auto report = replay(bytes, options);
-      ASSERT_TRUE(report) << report.error().text();
-      EXPECT_EQ(report->steps, 1u) << "its end was handed over";
+      const auto report = must(replay(bytes, options));
+      EXPECT_EQ(report.steps, 1u) << "its end was handed over";
     }
   }
 }
@@ -291,10 +279,9 @@ TEST(Doors, a_sink_that_changes_its_world_is_refused) {
   ASSERT_TRUE(world.stop_recording());
   EXPECT_GT(tried.calls, 4 * 40);
   EXPECT_EQ(tried.refused, tried.calls);
-  const auto report = replay(bytes);
-  ASSERT_TRUE(report) << report.error().text();
-  EXPECT_FALSE(report->difference);
-  EXPECT_EQ(report->spawned, 1u);
+  const auto report = must(replay(bytes));
+  EXPECT_FALSE(report.difference);
+  EXPECT_EQ(report.spawned, 1u);
 }
 
 TEST(Doors, a_world_that_is_destroyed_by_its_sink_ends_its_call_first) {
@@ -329,9 +316,7 @@ class Meddler final : public TaskRunner {
 };
 
 TEST(Doors, a_task_runner_that_changes_its_world_is_refused) {
-  WorldDef def;
-  def.threading = {2, 1};
-  World world = make_world(def);
+  World world = make_world({.threading = {2, 1}});
   Meddler meddler(world);
   world.set_task_runner(&meddler);
   for (int i = 0; i < 10; ++i) ASSERT_TRUE(world.spawn(stone(), {.position = {0, 50, 0}}));
@@ -402,5 +387,4 @@ TEST(Doors, a_flight_that_was_moved_away_is_a_refused_one) {
   EXPECT_EQ(third.outcome(), Outcome::refused);
 }
 
-}  // namespace world_doors_test
-}  // namespace physim
+}  // namespace physim::world_doors_test

@@ -1,20 +1,12 @@
 // Worlds whose scene is an engine's: against the same scene as their own, and against closed forms.
-#include <cmath>
-#include <limits>
 #include <set>
-#include <stdexcept>
 #include <thread>
 
 #include "engine_support.hpp"
-#include "physim/body.hpp"
-#include "physim/world.hpp"
 #include "random_shots.hpp"
 #include "scene_support.hpp"
-#include "support.hpp"
-#include "world/world_support.hpp"
 
-namespace physim {
-namespace world_engine_scene_test {
+namespace physim::world_engine_scene_test {
 
 using test::answered_by;
 using test::answers_of;
@@ -31,9 +23,7 @@ std::vector<ProjectileId> spray(World& world, const BodyDef& body, double speed,
   p.fidelity.precision = precision;
   std::vector<ProjectileId> ids;
   for (int i = 0; i < 100; ++i) {
-    Launch launch;
-    launch.position = {0.1, 0.2, 0.3};
-    launch.velocity = r.vector(speed);
+    Launch launch{.position = {0.1, 0.2, 0.3}, .velocity = r.vector(speed)};
     ids.push_back(*world.spawn(p, launch, body));
   }
   return ids;
@@ -71,12 +61,9 @@ TEST(EngineScene, what_bounces_meets_what_it_would_meet_in_a_scene_of_its_own) {
   const Scene scene = room({5, 3, 4}, {.restitution = 0.8, .friction = 0.3});
   for (const Precision precision : {Precision::float64, Precision::float32})
     for (const double radius : {0.0, 0.11}) {
-      World own = make_world(in_the_open()), asking = make_world(in_the_open());
-      ASSERT_TRUE(own.set_scene(scene));
+      World own = make_world(in_the_open(), scene), asking = make_world(in_the_open());
       ASSERT_TRUE(asking.set_scene(answered_by(scene, 1)));
-      BodyDef body;
-      body.restitution = 1;
-      body.collision = {.on_hit = OnHit::bounce, .radius = radius};
+      BodyDef body{.restitution = 1, .collision = {.on_hit = OnHit::bounce, .radius = radius}};
       const auto ids = spray(own, body, 20, precision);
       EXPECT_EQ(spray(asking, body, 20, precision), ids);
       expect_alike(own, asking, ids, 60, 1e-4);
@@ -93,11 +80,9 @@ TEST(EngineScene, what_goes_through_is_as_thick_as_it_would_be) {
   ASSERT_TRUE(scene.add({plank, {{17, 0, 0}, {0.9, 0, 0, 0.4}, 1}, fir}));
   ASSERT_TRUE(scene.add({wall, {.position = {20, 0, 0}}, concrete}));
   for (const double radius : {0.0, 0.003}) {
-    World own = make_world(in_the_open()), asking = make_world(in_the_open());
-    ASSERT_TRUE(own.set_scene(scene));
+    World own = make_world(in_the_open(), scene), asking = make_world(in_the_open());
     ASSERT_TRUE(asking.set_scene(answered_by(scene, 2)));
-    BodyDef body;
-    body.collision = {.on_hit = OnHit::impact, .radius = radius};
+    BodyDef body{.collision = {.on_hit = OnHit::impact, .radius = radius}};
     std::vector<ProjectileId> ids;
     for (int i = 0; i < 20; ++i) {
       Launch launch{.position = {0, -0.5 + 0.05 * i, 0.02 * i}, .speed = 300.0 + 20 * i, .elevation = 0.002 * i};
@@ -110,11 +95,9 @@ TEST(EngineScene, what_goes_through_is_as_thick_as_it_would_be) {
 
 TEST(EngineScene, who_passes_is_told_of_every_way_in_and_out) {
   const Scene scene = room({3, 3, 3}, {});
-  World own = make_world(in_the_open()), asking = make_world(in_the_open());
-  ASSERT_TRUE(own.set_scene(scene));
+  World own = make_world(in_the_open(), scene), asking = make_world(in_the_open());
   ASSERT_TRUE(asking.set_scene(answered_by(scene, 1)));
-  BodyDef body;
-  body.collision.on_hit = OnHit::pass;
+  BodyDef body{.collision = {.on_hit = OnHit::pass}};
   const ProjectileId id = *own.spawn(stone(), {.speed = 30}, body);
   EXPECT_EQ(*asking.spawn(stone(), {.speed = 30}, body), id);
   const auto right = run_for(own, 1), told = run_for(asking, 1);
@@ -135,8 +118,7 @@ TEST(EngineScene, a_step_asks_once_about_all_that_fly_free_from_the_thread_that_
     for (const SceneSegment& s : batch.segments) EXPECT_EQ(s.radius, 0) << "a ray";
   };
   ASSERT_TRUE(scene.set_engine({nothing_there}));
-  World world = make_world(in_the_open(4));
-  ASSERT_TRUE(world.set_scene(scene));
+  World world = make_world(in_the_open(4), scene);
   BodyDef body;
   spray(world, body, 50, Precision::float64);
   spray(world, body, 50, Precision::float32);
@@ -170,11 +152,8 @@ TEST(EngineScene, a_skin_keeps_what_bounces_and_rolls_above_a_floor_that_rounds)
     for (const double radius : {0.0, 0.05}) {
       Scene scene;
       ASSERT_TRUE(scene.set_engine({worn_floor(), kSkin}));
-      World world = make_world(in_the_open());
-      ASSERT_TRUE(world.set_scene(scene));
-      BodyDef body;
-      body.rolling_resistance = 0.3;
-      body.collision = {.on_hit = OnHit::bounce, .radius = radius};
+      World world = make_world(in_the_open(), scene);
+      BodyDef body{.rolling_resistance = 0.3, .collision = {.on_hit = OnHit::bounce, .radius = radius}};
       std::vector<ProjectileId> ids;
       for (int i = 0; i < 30; ++i) {
         Launch launch{.position = {0, 0.2 + 0.1 * i, 0}, .speed = 0.5 * i, .elevation = -0.03 * i};
@@ -196,8 +175,7 @@ TEST(EngineScene, a_skin_keeps_what_bounces_and_rolls_above_a_floor_that_rounds)
 TEST(EngineScene, the_first_touch_is_where_a_closed_form_has_it) {
   Scene scene;
   ASSERT_TRUE(scene.set_engine({worn_floor(), 1e-3}));
-  World world = make_world(in_the_open());
-  ASSERT_TRUE(world.set_scene(scene));
+  World world = make_world(in_the_open(), scene);
   const BodyDef body{.collision = {.on_hit = OnHit::stop, .radius = 0.1}};
   ProjectileDef p = stone();
   p.fidelity.integrator = Integrator::rk4;
@@ -217,8 +195,7 @@ TEST(EngineScene, bad_answers_meet_nothing_and_nothing_throws) {
   for (const SceneHit& answer : {nan, far, flat}) {
     Scene scene;
     ASSERT_TRUE(scene.set_engine({[&](const EngineBatch& b) { std::ranges::fill(b.hits, answer); }}));
-    World world = make_world(in_the_open()), alone = make_world(in_the_open());
-    ASSERT_TRUE(world.set_scene(scene));
+    World world = make_world(in_the_open(), scene), alone = make_world(in_the_open());
     const auto ids = spray(world, {}, 30, Precision::float64);
     spray(alone, {}, 30, Precision::float64);
     EXPECT_TRUE(run_for(world, 1).size() == run_for(alone, 1).size());
@@ -227,8 +204,7 @@ TEST(EngineScene, bad_answers_meet_nothing_and_nothing_throws) {
   }
   Scene scene;
   ASSERT_TRUE(scene.set_engine({[](const EngineBatch&) { throw std::runtime_error("no"); }}));
-  World world = make_world(in_the_open());
-  ASSERT_TRUE(world.set_scene(scene));
+  World world = make_world(in_the_open(), scene);
   spray(world, {}, 30, Precision::float64);
   world.step(1.0 / 64);
   EXPECT_EQ(world.size(), 100u);
@@ -265,18 +241,15 @@ TEST(EngineScene, saves_and_recordings_want_the_function_again) {
   std::vector<std::byte> recording;
   ASSERT_TRUE(world.record(record_into(recording)));
   ASSERT_TRUE(world.set_scene(answered_by(scene, 1)));
-  BodyDef body;
-  body.collision.on_hit = OnHit::bounce;
-  spray(world, body, 20, Precision::float64);
+  spray(world, {.collision = {.on_hit = OnHit::bounce}}, 20, Precision::float64);
   for (int i = 0; i < 50; ++i) world.single_step();
   const Snapshot moment = world.snapshot();
   const std::vector<std::byte> save = *world.save();
   EXPECT_EQ(World::load(save).error().place, "engine_queries");
-  auto loaded = World::load(save, {.engine_queries = {query}});
-  ASSERT_TRUE(loaded) << loaded.error().text();
-  EXPECT_EQ(loaded->hash(), world.hash());
-  for (int i = 0; i < 50; ++i) world.single_step(), loaded->single_step();
-  EXPECT_EQ(loaded->hash(), world.hash());
+  auto loaded = must(World::load(save, {.engine_queries = {query}}));
+  EXPECT_EQ(loaded.hash(), world.hash());
+  for (int i = 0; i < 50; ++i) world.single_step(), loaded.single_step();
+  EXPECT_EQ(loaded.hash(), world.hash());
   const std::uint64_t then = world.hash();
   ASSERT_TRUE(world.restore(moment));
   for (int i = 0; i < 50; ++i) world.single_step();
@@ -285,10 +258,9 @@ TEST(EngineScene, saves_and_recordings_want_the_function_again) {
   world.single_step();
   ASSERT_TRUE(world.stop_recording());
   EXPECT_EQ(replay(recording, {.engine_queries = {query}}).error().place, "engine_queries");
-  const auto report = replay(recording, {.engine_queries = {query, query}});
-  ASSERT_TRUE(report) << report.error().text();
-  EXPECT_FALSE(report->difference);
-  EXPECT_TRUE(report->complete);
+  const auto report = must(replay(recording, {.engine_queries = {query, query}}));
+  EXPECT_FALSE(report.difference);
+  EXPECT_TRUE(report.complete);
 }
 
 TEST(EngineScene, flights_and_predictions_meet_it_too) {
@@ -309,11 +281,8 @@ TEST(EngineScene, flights_and_predictions_meet_it_too) {
     for (double t = 0; t < own.duration(); t += 0.05)
       ASSERT_LT(length(foreign.at(t).position - own.at(t).position), 1e-3) << t;
   }
-  World world = make_world(in_the_open());
-  ASSERT_TRUE(world.set_scene(asking));
-  BodyDef body;
-  body.collision = {.on_hit = OnHit::bounce, .radius = 0.1};
-  const ProjectileId id = *world.spawn(stone(), {.speed = 15}, body);
+  World world = make_world(in_the_open(), asking);
+  const ProjectileId id = *world.spawn(stone(), {.speed = 15}, {.collision = {.on_hit = OnHit::bounce, .radius = 0.1}});
   const Flight ahead = world.predict(id, Until{.ground = std::nullopt, .time = 2}, 1.0 / 64);
   for (int i = 1; i <= 100; ++i) {
     world.step(1.0 / 64);
@@ -321,5 +290,4 @@ TEST(EngineScene, flights_and_predictions_meet_it_too) {
   }
 }
 
-}  // namespace world_engine_scene_test
-}  // namespace physim
+}  // namespace physim::world_engine_scene_test

@@ -1,15 +1,12 @@
 // A projectile's numbers depend on nothing but itself: not on threads, kernels, neighbours, the order of spawning, or a
 // detour through a snapshot.
-#include <cmath>
 #include <map>
 #include <random>
 
 #include "model/ladder.hpp"
-#include "physim/flight.hpp"
 #include "world/world_support.hpp"
 
-namespace physim {
-namespace world_independence_test {
+namespace physim::world_independence_test {
 
 std::vector<Fidelity> rungs() {
   Fidelity float_isa = Fidelity::artillery();
@@ -205,9 +202,7 @@ TEST(Independence, worlds_say_that_they_show_no_spin_drift) {
 
 TEST(Independence, adaptive_integrators_keep_their_tolerance_inside_a_frame) {
   for (const Integrator integrator : test::kAdaptive) {
-    WorldDef def;
-    def.ground.mode = GroundMode::none;
-    def.tolerance.relative = 1e-10;
+    WorldDef def{.ground = {.mode = GroundMode::none}, .tolerance = {.relative = 1e-10}};
     World world = make_world(def);
     ProjectileDef p = bullet();
     p.fidelity = Fidelity::simulation();
@@ -215,8 +210,7 @@ TEST(Independence, adaptive_integrators_keep_their_tolerance_inside_a_frame) {
     const Launch launch{.position = {0, 10, 0}, .speed = 800, .elevation = 0.1};
     const ProjectileId id = *world.spawn(p, launch);
     for (int i = 0; i < 8; ++i) world.step(0.25);  // far too long for one step of these
-    Tolerance exact;
-    exact.relative = 1e-13;
+    Tolerance exact{.relative = 1e-13};
     Until until;
     until.ground.reset();
     until.time = 2;
@@ -226,15 +220,11 @@ TEST(Independence, adaptive_integrators_keep_their_tolerance_inside_a_frame) {
 }
 
 TEST(AutoFidelityInWorlds, chooses_the_cheapest_rung_and_says_why) {
-  WorldDef def;
-  def.ground.mode = GroundMode::none;
+  WorldDef def{.ground = {.mode = GroundMode::none}};
   const Launch launch{.position = {0, 100, 0}, .speed = 800, .elevation = 0.02};
   const auto error_after = [&](double allowed, FidelityInUse& in_use) {
     World world = make_world(def);
-    BodyDef body;
-    body.cheapest_within = allowed;
-    body.within_time = 1;
-    const ProjectileId id = *world.spawn(bullet(), launch, body);
+    const ProjectileId id = *world.spawn(bullet(), launch, {.cheapest_within = allowed, .within_time = 1});
     in_use = world[id].fidelity_in_use();
     for (int i = 0; i < 60; ++i) world.step(def.step);
     Until until;
@@ -251,15 +241,12 @@ TEST(AutoFidelityInWorlds, chooses_the_cheapest_rung_and_says_why) {
   ASSERT_FALSE(fine.notes.empty());
   EXPECT_NE(fine.notes.back().reason.find("cheapest"), std::string::npos);
   World world = make_world(def);
-  BodyDef body;
-  body.cheapest_within = 1e-15;
+  BodyDef body{.cheapest_within = 1e-15};
   EXPECT_FALSE(world.spawn(bullet(), launch, body));
 }
 
 TEST(Detail, moves_between_rungs_with_hysteresis) {
-  WorldDef def;
-  def.ground.mode = GroundMode::none;
-  def.step = 1.0 / 64;
+  WorldDef def{.ground = {.mode = GroundMode::none}, .step = 1.0 / 64};
   ProjectileDef p = bullet();
   p.fidelity = Fidelity::constant_air();
   def.detail.rungs = {{Fidelity::constant_air(), 100}, {Fidelity::game(), 400}, {Fidelity::arcade()}};
@@ -285,5 +272,4 @@ TEST(Detail, moves_between_rungs_with_hysteresis) {
   EXPECT_EQ(world[id].fidelity_in_use().fidelity.integrator, Integrator::rk43);
 }
 
-}  // namespace world_independence_test
-}  // namespace physim
+}  // namespace physim::world_independence_test

@@ -1,11 +1,9 @@
 // Changes of one that flies: what is drawn goes on behind a jump, and the place of its launch stays where it was.
-#include <cmath>
 #include <functional>
 
 #include "world/world_support.hpp"
 
-namespace physim {
-namespace world_jump_test {
+namespace physim::world_jump_test {
 
 struct Rung {
   const char* name;
@@ -26,12 +24,9 @@ std::vector<Rung> rungs() {
 
 /// Nothing acts: all fly straight on every rung.
 WorldDef empty_space() {
-  WorldDef def;
-  def.environment.gravity.model = GravityModel::off;
-  def.environment.atmosphere.model = AirModel::vacuum;
-  def.ground.mode = GroundMode::none;
-  def.step = 1.0 / 64;
-  return def;
+  return {.environment = {.gravity = {.model = GravityModel::off}, .atmosphere = {.model = AirModel::vacuum}},
+          .ground = {.mode = GroundMode::none},
+          .step = 1.0 / 64};
 }
 
 ProjectileDef thing(const Fidelity& fidelity) { return {.mass = 1, .fidelity = fidelity}; }
@@ -126,5 +121,4 @@ TEST(Jump, farther_counts_from_the_launch) {
     }
 }
 
-}  // namespace world_jump_test
-}  // namespace physim
+}  // namespace physim::world_jump_test

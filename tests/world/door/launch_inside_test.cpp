@@ -1,10 +1,7 @@
 // A projectile with a delay flies from its own moment on, wherever that lies in a step.
-#include <gtest/gtest.h>
-
 #include "world/world_support.hpp"
 
-namespace physim {
-namespace world_launch_inside_test {
+namespace physim::world_launch_inside_test {
 
 using test::text;
 
@@ -13,18 +10,9 @@ constexpr double kG = 9.80665;
 constexpr double kDelays[] = {0.011, kStep, 0.0501, 0.2, 0.3331, 1.0 - 1e-4};
 const Launch kUp{.position = {1, 2, 3}, .velocity = Vec3d{30, 40, 5}};
 
-Environment still_air() {
-  Environment environment;
-  environment.gravity.model = GravityModel::constant;
-  return environment;
-}
+Environment still_air() { return {.gravity = {.model = GravityModel::constant}}; }
 WorldDef without_ground() {
-  WorldDef def;
-  def.environment = still_air();
-  def.ground.mode = GroundMode::none;
-  def.step = kStep;
-  def.max_steps = 1000;
-  return def;
+  return {.environment = still_air(), .ground = {.mode = GroundMode::none}, .step = kStep, .max_steps = 1000};
 }
 ProjectileDef damped() {
   ProjectileDef p = stone();
@@ -130,17 +118,11 @@ TEST(LaunchInside, an_emitter_that_follows_it_begins_with_it) {
   ProjectileDef p = with(Integrator::rk4);
   p.gravity_scale = 0;
   const ProjectileId id = *world.spawn(p, {.velocity = Vec3d{100, 0, 0}}, {}, 0.0501);
-  EmitterDef smoke;
-  smoke.kind = *world.add_kind(stone());
-  smoke.follows = id;
-  smoke.per_second = {0};
-  smoke.per_metre = 1;
-  const auto emitter = world.add_emitter(smoke);
-  ASSERT_TRUE(emitter) << emitter.error().text();
+  EmitterDef smoke{.kind = *world.add_kind(stone()), .follows = id, .per_second = {0}, .per_metre = 1};
+  const auto emitter = must(world.add_emitter(smoke));
   for (int i = 0; i < 6; ++i) world.single_step();
-  EXPECT_EQ(world.emitter_counts(*emitter).born, 14u);  // (0.2 - 0.0501) 100 m
+  EXPECT_EQ(world.emitter_counts(emitter).born, 14u);  // (0.2 - 0.0501) 100 m
   for (const Event& e : events_of(world, EventKind::spawned)) EXPECT_NEAR(e.position.x, 100 * (e.time - 0.0501), 1e-9);
 }
 
-}  // namespace world_launch_inside_test
-}  // namespace physim
+}  // namespace physim::world_launch_inside_test

@@ -1,28 +1,24 @@
 // Motors and launch rails in a world: the numbers of flights, whatever else happens to the projectile.
-#include <gtest/gtest.h>
-
 #include "base/event_table.hpp"
-#include "support.hpp"
 #include "world/world_support.hpp"
 
-namespace physim {
-namespace world_motor_world_test {
+namespace physim::world_motor_world_test {
 
 using namespace test;
 
 constexpr double kStep = 1.0 / 64;
 
 ProjectileDef rocket(const Fidelity& fidelity) {
-  ProjectileDef p;
-  p.mass = 0.1;
-  p.diameter = 0.03;
-  p.drag.coefficient = 0.5;
-  p.motor.thrust = {{0, 0}, {0.0317, 0.4}, {0.2371, 28.1}, {0.3113, 14.3}, {0.7173, 9.7}, {1.5791, 10.1}, {1.8937, 0}};
-  p.motor.propellant_mass = 0.0108;
-  p.motor.drag_curve = {{0, 0.4}, {0.5, 0.45}, {1, 0.8}};
-  p.motor.ignition_delay = 0.055;
-  p.fidelity = fidelity;
-  return p;
+  return {
+      .mass = 0.1,
+      .diameter = 0.03,
+      .drag = {.coefficient = 0.5},
+      .motor = {.thrust =
+                    {{0, 0}, {0.0317, 0.4}, {0.2371, 28.1}, {0.3113, 14.3}, {0.7173, 9.7}, {1.5791, 10.1}, {1.8937, 0}},
+                .propellant_mass = 0.0108,
+                .ignition_delay = 0.055,
+                .drag_curve = {{0, 0.4}, {0.5, 0.45}, {1, 0.8}}},
+      .fidelity = fidelity};
 }
 
 Fidelity rung(Integrator integrator, Precision precision = Precision::float64) {
@@ -59,8 +55,7 @@ TEST(WorldMotor, lanes_that_hold_nobody_take_no_motor) {
 }
 
 TEST(WorldMotor, flies_the_bits_of_a_flight) {
-  Environment windy;
-  windy.wind.velocity = {3, 0.5, -2};
+  Environment windy{.wind = {.velocity = {3, 0.5, -2}}};
   for (const Integrator integrator :
        {Integrator::explicit_euler, Integrator::semi_implicit_euler, Integrator::heun, Integrator::rk4})
     for (const Precision precision : {Precision::float32, Precision::float64}) {
@@ -153,17 +148,13 @@ TEST(WorldMotor, goes_on_when_the_projectile_changes_its_rung_or_switches) {
 }
 
 TEST(WorldMotor, generators_push_the_mass_that_is_left) {
-  WorldDef def;
-  def.environment.gravity.model = GravityModel::constant;
-  World world = make_world(def);
+  World world = make_world({.environment = {.gravity = {.model = GravityModel::constant}}});
   ProjectileDef p = rocket(vacuum(Integrator::rk4));
   p.mass = 0.02;  // more than half of it burns
   const ProjectileId id = *world.spawn(p, {.elevation = 90 * kDegree, .rail_length = 0.9});
   run_for(world, 2.5, kStep);
   const Vec3d before = world[id].velocity();
-  ForceDef push;
-  push.law = ConstantForce{{0.1, 0, 0}};
-  push.target.ids = {id};
+  ForceDef push{.law = ConstantForce{{0.1, 0, 0}}, .target = {.ids = {id}}};
   ASSERT_TRUE(world.add_force(push));
   run_for(world, 1, kStep);
   EXPECT_NEAR(world[id].velocity().x - before.x, 0.1 / (0.02 - 0.0108), 1e-9);
@@ -174,9 +165,7 @@ TEST(WorldMotor, burns_under_generators_too) {
   World world = make_world({});
   const ProjectileDef p = rocket(rung(Integrator::rk4));
   const ProjectileId id = *world.spawn(p, from_rail());
-  ForceDef nothing;
-  nothing.law = ConstantForce{};
-  nothing.target.ids = {id};
+  ForceDef nothing{.law = ConstantForce{}, .target = {.ids = {id}}};
   ASSERT_TRUE(world.add_force(nothing));
   run_for(world, 3, 1.0 / 1000);
   const Flight flight = fly(p, from_rail(), {}, p.fidelity, {1e-9, 1e-9, kStep});
@@ -185,16 +174,10 @@ TEST(WorldMotor, burns_under_generators_too) {
 }
 
 TEST(WorldMotor, waits_on_its_rail_without_falling_asleep) {
-  WorldDef def;
-  def.ground = {.mode = GroundMode::bounce};
-  World world = make_world(def);
+  World world = make_world({.ground = {.mode = GroundMode::bounce}});
   ProjectileDef p = rocket(rung(Integrator::rk4));
   p.motor.ignition_delay = 5;
-  BodyDef body;
-  body.can_sleep = true;
-  body.sleep_speed = 0.1;
-  body.sleep_time = 0.5;
-  const ProjectileId id = *world.spawn(p, from_rail(), body);
+  const ProjectileId id = *world.spawn(p, from_rail(), {.can_sleep = true, .sleep_speed = 0.1, .sleep_time = 0.5});
   const auto events = run_for(world, 8, kStep);
   EXPECT_TRUE(std::none_of(events.begin(), events.end(), [](const Event& e) { return e.kind == EventKind::slept; }));
   EXPECT_GT(world[id].position().y, 100);
@@ -219,5 +202,4 @@ TEST(WorldMotor, a_rocket_at_rest_without_a_rail_is_refused) {
   EXPECT_EQ(id.error().place, "launch.rail_length");
 }
 
-}  // namespace world_motor_world_test
-}  // namespace physim
+}  // namespace physim::world_motor_world_test

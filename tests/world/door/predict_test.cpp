@@ -1,16 +1,11 @@
 // Predictions: flights from where projectiles are, bit for bit what the world then does; and worlds that go on with
 // what was on its way in a flight.
-#include <gtest/gtest.h>
-
 #include <map>
 
-#include "physim/world.hpp"
-#include "support.hpp"
 #include "world/random_session.hpp"
 #include "world/world_support.hpp"
 
-namespace physim {
-namespace world_predict_test {
+namespace physim::world_predict_test {
 
 /// Drag in constant air by steps that are the world's frames.
 Fidelity in_frames() {
@@ -23,12 +18,7 @@ using test::near;
 
 constexpr double kStep = 1.0 / 60;
 
-Until for_steps(int steps, std::optional<double> ground = 0.0) {
-  Until until;
-  until.ground = ground;
-  until.time = steps * kStep;
-  return until;
-}
+Until for_steps(int steps, std::optional<double> ground = 0.0) { return {.ground = ground, .time = steps * kStep}; }
 
 bool leaves_out_springs(const Flight& flight) {
   return std::ranges::any_of(flight.fidelity_in_use().notes,
@@ -80,21 +70,15 @@ TEST(Predict, random_sessions_go_as_predicted_to_the_bit) {
 }
 
 ProjectileDef rocket() {
-  ProjectileDef p;
-  p.mass = 2;
-  p.diameter = 0.1;
-  p.length = 1;
-  p.inertia.moments = {0.01, 0.2, 0.2};
-  p.motor.thrust = {{0, 100}, {0.5, 300}, {1, 100}, {2, 0}};
-  p.motor.propellant_mass = 0.5;
-  return p;
+  return {.mass = 2,
+          .diameter = 0.1,
+          .length = 1,
+          .inertia = {.moments = {0.01, 0.2, 0.2}},
+          .motor = {.thrust = {{0, 100}, {0.5, 300}, {1, 100}, {2, 0}}, .propellant_mass = 0.5}};
 }
 
 TEST(Predict, rockets_go_on_with_what_is_left_of_their_burn) {
-  WorldDef def;
-  def.ground.mode = GroundMode::none;
-  def.step = kStep;
-  World world = make_world(def);
+  World world = make_world({.ground = {.mode = GroundMode::none}, .step = kStep});
   for (const double delay : {0.0, 0.35})
     for (const Fidelity& rung : {Fidelity::game(), in_frames(), Fidelity::simulation()}) {
       ProjectileDef p = rocket();
@@ -125,9 +109,7 @@ TEST(Predict, is_the_flight_of_what_was_just_launched) {
     p.fidelity = rung;
     const Launch launch{.position = {0, 2, 0}, .speed = 300, .elevation = 0.1};
     const Flight predicted = world.predict(*world.spawn(p, launch), 60);
-    Tolerance fixed;
-    fixed.step = world.def().step;
-    const Flight flown = fly(p, launch, {}, rung, fixed);
+    const Flight flown = fly(p, launch, {}, rung, {.step = world.def().step});
     EXPECT_EQ(predicted.outcome(), Outcome::landed);
     EXPECT_TRUE(near(predicted.duration(), flown.duration(), 1e-6));
     EXPECT_TRUE(near(predicted.end().position, flown.end().position, 1e-5));
@@ -136,10 +118,7 @@ TEST(Predict, is_the_flight_of_what_was_just_launched) {
 }
 
 TEST(Predict, sees_generators_that_come_and_go) {
-  WorldDef def;
-  def.ground.mode = GroundMode::none;
-  def.step = kStep;
-  World world = make_world(def);
+  World world = make_world({.ground = {.mode = GroundMode::none}, .step = kStep});
   ProjectileDef p = stone();
   p.mass = 2;
   const ProjectileId id = *world.spawn(p, {.speed = 10, .elevation = 0.5});
@@ -209,10 +188,7 @@ TEST(Predict, ranges_and_events_count_from_where_it_is) {
     p.fidelity = rung;
     const ProjectileId id = *world.spawn(p, {.position = {0, 20, 0}, .speed = 100});
     for (int i = 0; i < 12; ++i) world.step(kStep);
-    Until until;
-    until.range = 40;
-    until.events = {{.kind = EventKind::range, .value = 25}};
-    const Flight flight = world.predict(id, until);
+    const Flight flight = world.predict(id, {.range = 40, .events = {{.kind = EventKind::range, .value = 25}}});
     EXPECT_EQ(flight.outcome(), Outcome::reached_range);
     EXPECT_NEAR(flight.end().range, 40, 1e-5) << "float32";
     EXPECT_NEAR(flight.end().position.x - world[id].position().x, 40, 1e-5);
@@ -223,9 +199,7 @@ TEST(Predict, ranges_and_events_count_from_where_it_is) {
 }
 
 TEST(Predict, refuses_what_has_no_flight) {
-  WorldDef def;
-  def.ground.mode = GroundMode::none;
-  World world = make_world(def);
+  World world = make_world({.ground = {.mode = GroundMode::none}});
   const auto place = [&](ProjectileId id, const Until& until = {}, double step = 0) {
     const Flight flight = world.predict(id, until, step);
     EXPECT_EQ(flight.outcome(), Outcome::refused);
@@ -237,11 +211,9 @@ TEST(Predict, refuses_what_has_no_flight) {
   EXPECT_EQ(place(*world.spawn(stone(), {}, {.kinematic = true})), "id");
   EXPECT_EQ(place(flying, {}, -1), "step");
   EXPECT_EQ(place(flying, {}, NAN), "step");
-  Until bad;
-  bad.time = NAN;
+  Until bad{.time = NAN};
   EXPECT_EQ(place(flying, bad), "until.time");
-  Until by_time;
-  by_time.events = {{.kind = EventKind::time, .value = 1}};
+  Until by_time{.events = {{.kind = EventKind::time, .value = 1}}};
   EXPECT_EQ(place(flying, by_time), "until.events");
   world[flying].sleep();
   EXPECT_EQ(place(flying), "id");
@@ -253,10 +225,8 @@ TEST(Predict, refuses_what_has_no_flight) {
 
 // ------------------------------------------------------------------------------------------- from flights
 TEST(SpawnFlight, goes_on_as_the_flight_does) {
-  WorldDef def;
-  def.step = kStep;
-  Tolerance fixed;
-  fixed.step = kStep;
+  WorldDef def{.step = kStep};
+  Tolerance fixed{.step = kStep};
   ProjectileDef ball = bullet();
   ball.diameter = 0.04;
   ball.mass = 0.05;
@@ -284,15 +254,14 @@ TEST(SpawnFlight, goes_on_as_the_flight_does) {
     ASSERT_EQ(flight.outcome(), Outcome::landed);
     const double start = 30 * step;
     World world = make_world(def);
-    const auto id = world.spawn(flight, start);
-    ASSERT_TRUE(id) << id.error().text();
-    EXPECT_EQ(world[*id].fidelity_in_use().fidelity.rotation, flight.fidelity_in_use().fidelity.rotation);
-    EXPECT_NEAR(world[*id].age(), start, 1e-12);
+    const auto id = must(world.spawn(flight, start));
+    EXPECT_EQ(world[id].fidelity_in_use().fidelity.rotation, flight.fidelity_in_use().fidelity.rotation);
+    EXPECT_NEAR(world[id].age(), start, 1e-12);
     for (int i = 1; i <= 60; ++i) {
       world.step(step);
       const Sample there = flight.at(start + i * step);
-      ASSERT_TRUE(near(world[*id].position(), there.position, 1e-12, 1e-10)) << i;
-      ASSERT_NEAR(world[*id].mass(), there.mass, 1e-12) << i;
+      ASSERT_TRUE(near(world[id].position(), there.position, 1e-12, 1e-10)) << i;
+      ASSERT_NEAR(world[id].mass(), there.mass, 1e-12) << i;
     }
   }
 }
@@ -303,11 +272,10 @@ TEST(SpawnFlight, and_back_again) {
   for (int i = 0; i < 20; ++i) world.step(kStep);
   const Flight flight = world.predict(id, 60, kStep);
   World other;
-  const auto there = other.spawn(flight, 0);
-  ASSERT_TRUE(there);
+  const auto there = must(other.spawn(flight, 0));
   for (int i = 0; i < 30; ++i) {
     world.step(kStep), other.step(kStep);
-    ASSERT_EQ(world[id].position(), other[*there].position());
+    ASSERT_EQ(world[id].position(), other[there].position());
   }
 }
 
@@ -325,11 +293,10 @@ TEST(SpawnFlight, is_recorded) {
   EXPECT_FALSE(world.spawn_departed(p, Departure{.age = -1}));
   for (int i = 0; i < 40; ++i) world.step(kStep);
   ASSERT_TRUE(world.stop_recording());
-  auto again = Replay::open(bytes);
-  ASSERT_TRUE(again) << again.error().text();
-  while (again->next()) {
+  auto again = must(Replay::open(bytes));
+  while (again.next()) {
   }
-  EXPECT_EQ(again->world().hash(), world.hash());
+  EXPECT_EQ(again.world().hash(), world.hash());
 }
 
 TEST(SpawnFlight, refuses_what_is_not_on_its_way) {
@@ -351,5 +318,4 @@ TEST(SpawnFlight, refuses_what_is_not_on_its_way) {
   EXPECT_EQ(world.counters().refused, 3u);
 }
 
-}  // namespace world_predict_test
-}  // namespace physim
+}  // namespace physim::world_predict_test

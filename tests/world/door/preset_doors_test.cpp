@@ -1,16 +1,9 @@
 // A preset has its own gravity and its own damping at every door: single flights, batches, worlds, scenarios and
 // comparisons fly one path.
-#include <cmath>
-#include <string>
-
-#include "physim/body.hpp"
-#include "physim/solve.hpp"
-#include "physim/study.hpp"
 #include "scenario/scenario.hpp"
 #include "world/world_support.hpp"
 
-namespace physim {
-namespace world_preset_doors_test {
+namespace physim::world_preset_doors_test {
 
 constexpr double kStep = 1.0 / 60, kTime = 0.5;
 constexpr double kStandardGravity = 9.80665;
@@ -34,8 +27,7 @@ Vec3d by_flight(const ProjectileDef& p, const Launch& launch, const Fidelity& fi
 Vec3d by_batch(const ProjectileDef& p, const Launch& launch, const Fidelity& fidelity) {
   // A plain shot in front of it, so that one pack holds gravity of two kinds.
   const Shot shots[] = {{ProjectileDef{}, launch}, {p, launch}, {ProjectileDef{}, launch}};
-  const Until until{.ground = std::nullopt, .time = kTime};
-  const BatchResult batch = fly_batch(shots, {}, fidelity, {.step = kStep}, until);
+  const BatchResult batch = fly_batch(shots, {}, fidelity, {.step = kStep}, {.ground = std::nullopt, .time = kTime});
   EXPECT_FALSE(batch.error);
   EXPECT_TRUE(test::near(batch.shots[0].position, by_flight(ProjectileDef{}, launch, fidelity), 0, 0));
   return batch.shots[1].position;
@@ -180,8 +172,7 @@ TEST(PresetDoors, drag_that_a_body_scales_is_that_of_single_flights) {
 }
 
 TEST(PresetDoors, gravity_that_is_no_number_is_refused_at_every_door) {
-  ProjectileDef p;
-  p.gravity_scale = NAN;
+  ProjectileDef p{.gravity_scale = NAN};
   const Flight flight = fly(p, {.speed = 9});
   ASSERT_TRUE(flight.error());
   EXPECT_EQ(flight.error()->place, "projectile.gravity_scale");
@@ -212,5 +203,4 @@ TEST(PresetDoors, live_gravity_multiplies_that_of_the_projectile) {
   }
 }
 
-}  // namespace world_preset_doors_test
-}  // namespace physim
+}  // namespace physim::world_preset_doors_test

@@ -5,8 +5,7 @@
 
 #include "world/world_support.hpp"
 
-namespace physim {
-namespace world_processor_mode_test {
+namespace physim::world_processor_mode_test {
 
 using test::Bits;
 
@@ -37,11 +36,10 @@ void add(Bits& bits, const World& world, ProjectileId id) {
 }
 
 void play(Bits& bits, TaskRunner* lent) {
-  WorldDef def;
-  def.environment.wind.velocity = {0.3, 0, -2};
-  def.ground.mode = GroundMode::bounce;
-  def.apex_events = true;
-  def.time_scale = 0.7;
+  WorldDef def{.environment = {.wind = {.velocity = {0.3, 0, -2}}},
+               .ground = {.mode = GroundMode::bounce},
+               .time_scale = 0.7,
+               .apex_events = true};
   if (lent != nullptr) def.threading = {2, 1};
   World world = make_world(def);
   world.set_task_runner(lent);
@@ -101,5 +99,4 @@ TEST(ProcessorMode, OfTheCallerChangesNoReplay) {
                           }}});
 }
 
-}  // namespace world_processor_mode_test
-}  // namespace physim
+}  // namespace physim::world_processor_mode_test

@@ -1,15 +1,9 @@
 // Queries that see projectiles: in spheres and boxes, and along ways, beside closed forms and beside looking at all.
-#include <algorithm>
-#include <cmath>
-
 #include "math/quat.hpp"
 #include "random_shots.hpp"
-#include "support.hpp"
 #include "world/thing_support.hpp"
-#include "world/world_support.hpp"
 
-namespace physim {
-namespace world_projectile_queries_test {
+namespace physim::world_projectile_queries_test {
 
 using namespace test_things;
 using test::Random;
@@ -20,9 +14,8 @@ BodyDef ball_of(double radius, std::uint32_t layers = 1) {
   return body;
 }
 ProjectileId put(World& world, const Vec3d& place, const BodyDef& body, double delay = 0) {
-  const auto id = world.spawn(stone(), {.position = place}, body, delay);
-  EXPECT_TRUE(id);
-  return *id;
+  const auto id = must(world.spawn(stone(), {.position = place}, body, delay));
+  return id;
 }
 using Ids = std::vector<ProjectileId>;
 
@@ -177,5 +170,4 @@ TEST(ProjectileQueries, change_nothing) {
   EXPECT_EQ(world.hash(), before);
 }
 
-}  // namespace world_projectile_queries_test
-}  // namespace physim
+}  // namespace physim::world_projectile_queries_test

@@ -5,8 +5,7 @@
 
 #include "world/world_support.hpp"
 
-namespace physim {
-namespace world_reading_test {
+namespace physim::world_reading_test {
 
 TEST(Reading, many_may_read_at_once) {
   World world = volley(200);
@@ -81,8 +80,7 @@ TEST(Reading, columns_are_what_each_tells_itself) {
         ProjectileDef p = stone();
         p.fidelity = fidelity;
         p.fidelity.precision = precision;
-        Launch launch{.position = {0.1 * i, 50, 0}};
-        launch.velocity = Vec3d{5, 9, 0.3 * i};
+        Launch launch{.position = {0.1 * i, 50, 0}, .velocity = Vec3d{5, 9, 0.3 * i}};
         ids.push_back(*world.spawn(p, launch, {}, i % 9 == 0 ? 0.4 : 0));
       }
   expect_columns(world);
@@ -140,9 +138,7 @@ TEST(Reading, a_step_too_short_to_be_divided_is_refused) {
   ASSERT_FALSE(status);
   EXPECT_EQ(status.error().place, "dt");
   EXPECT_TRUE(world.step(1e-9));
-  WorldDef def;
-  def.step = 1e-30;
-  const auto made = World::create(def);
+  const auto made = World::create({.step = 1e-30});
   ASSERT_FALSE(made);
   EXPECT_EQ(made.error().place, "world.step");
 }
@@ -156,5 +152,4 @@ TEST(Reading, numbers_in_errors_are_short) {
   EXPECT_EQ(refused.error().message, "must be a positive number, not -0.3");
 }
 
-}  // namespace world_reading_test
-}  // namespace physim
+}  // namespace physim::world_reading_test

@@ -1,12 +1,8 @@
 // Rigid bodies in a world: generators, changes of rung, sleep, bounces, snapshots.
-#include <gtest/gtest.h>
-
-#include "physim/world.hpp"
 #include "rigid.hpp"
 #include "world/world_support.hpp"
 
-namespace physim {
-namespace world_rigid_world_test {
+namespace physim::world_rigid_world_test {
 
 using namespace test;
 
@@ -64,12 +60,8 @@ TEST(RigidWorld, adaptive_integrators_divide_frames) {
 }
 
 TEST(RigidWorld, a_landing_is_found_where_a_flight_finds_it_and_a_bounce_goes_on_turning) {
-  WorldDef def;
-  def.ground.mode = GroundMode::bounce;
-  World world = make_world(def);
-  BodyDef body;
-  body.can_sleep = false;
-  const ProjectileId id = *world.spawn(brick_on(Integrator::rk4), thrown(), body);
+  World world = make_world({.ground = {.mode = GroundMode::bounce}});
+  const ProjectileId id = *world.spawn(brick_on(Integrator::rk4), thrown(), {.can_sleep = false});
   for (int step = 0; step < 700; ++step) ASSERT_TRUE(world.step(0.01));
   const Flight flight =
       fly(nasa_brick(), thrown(), {}, rigid(Integrator::rk4), {.step = 0.01}, {.ground = {}, .time = 7});
@@ -105,13 +97,11 @@ TEST(RigidWorld, attitude_survives_a_change_of_form_and_of_precision) {
 
 // Both rungs hold seven numbers, with other meanings.
 TEST(RigidWorld, spin_and_direction_survive_a_change_between_rigid_body_and_modified_point_mass) {
-  ProjectileDef p;
-  p.mass = 15;
-  p.diameter = 0.1;
-  p.twist = 2;
-  p.inertia.moments = {0.02, 0.2, 0.2};
-  p.aero.pitching = {{0, 0, 3.5}};
-  p.aero.lift = {{0, 0, 1.6}};
+  ProjectileDef p{.mass = 15,
+                  .diameter = 0.1,
+                  .twist = 2,
+                  .inertia = {.moments = {0.02, 0.2, 0.2}},
+                  .aero = {.lift = {{0, 0, 1.6}}, .pitching = {{0, 0, 3.5}}}};
   Fidelity repose = Fidelity::simulation(), rigid = repose;
   repose.integrator = rigid.integrator = Integrator::rk4;
   repose.rotation = RotationModel::modified_point_mass;
@@ -163,5 +153,4 @@ TEST(RigidWorld, snapshots_hold_it_and_the_hash_sees_it) {
   EXPECT_NE(world.hash(), hash);
 }
 
-}  // namespace world_rigid_world_test
-}  // namespace physim
+}  // namespace physim::world_rigid_world_test

@@ -5,30 +5,19 @@
 #include "physim/flight.hpp"
 #include "physim/world.hpp"
 
-namespace physim {
-namespace world_round_world_test {
+namespace physim::world_round_world_test {
 
 Environment windy_north() {
-  Environment e;
-  e.altitude = 300;
-  e.wind.velocity = {1, 0.2, -4};
-  e.earth = {.latitude = 0.8, .longitude = 2, .azimuth = 1};
-  return e;
+  return {
+      .altitude = 300, .wind = {.velocity = {1, 0.2, -4}}, .earth = {.latitude = 0.8, .longitude = 2, .azimuth = 1}};
 }
 
-ProjectileDef ball() {
-  ProjectileDef p;
-  p.mass = 5;
-  p.diameter = 0.1;
-  return p;
-}
+ProjectileDef ball() { return {.mass = 5, .diameter = 0.1}; }
 
 TEST(RoundWorld, agrees_with_flight_bit_for_bit) {
   constexpr double kStep = 1.0 / 32;
   constexpr int kSteps = 60;
-  WorldDef def;
-  def.environment = windy_north();
-  def.ground.mode = GroundMode::none;
+  WorldDef def{.environment = windy_north(), .ground = {.mode = GroundMode::none}};
   for (const EarthModel earth : {EarthModel::sphere, EarthModel::sphere_rotating, EarthModel::ellipsoid})
     for (const Precision precision : {Precision::float32, Precision::float64}) {
       ProjectileDef p = ball();
@@ -38,8 +27,7 @@ TEST(RoundWorld, agrees_with_flight_bit_for_bit) {
       World world = std::move(World::create(def).value());
       const ProjectileId id = *world.spawn(p, launch);
       for (int i = 0; i < kSteps; ++i) world.step(kStep);
-      const Until until{.ground = {}, .time = 10};
-      const Flight flight = fly(p, launch, def.environment, p.fidelity, {.step = kStep}, until);
+      const Flight flight = fly(p, launch, def.environment, p.fidelity, {.step = kStep}, {.ground = {}, .time = 10});
       const Sample s = flight.at(kSteps * kStep);
       EXPECT_EQ(world[id].state().position, s.position);
       EXPECT_EQ(world[id].state().velocity, s.velocity);
@@ -52,5 +40,4 @@ TEST(RoundWorld, agrees_with_flight_bit_for_bit) {
     }
 }
 
-}  // namespace world_round_world_test
-}  // namespace physim
+}  // namespace physim::world_round_world_test

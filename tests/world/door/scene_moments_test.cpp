@@ -1,12 +1,7 @@
 // Worlds with scenes through every door of time: snapshots, saves, recordings, and changes in between.
-#include <cmath>
-
-#include "physim/world.hpp"
-#include "support.hpp"
 #include "world/world_support.hpp"
 
-namespace physim {
-namespace world_scene_moments_test {
+namespace physim::world_scene_moments_test {
 
 /// Balls that bounce in a trough, beside a plank that moves to and fro.
 World trough() {
@@ -17,26 +12,21 @@ World trough() {
   for (const double side : {-1.0, 1.0})
     EXPECT_TRUE(scene.add(
         {.shape = plane, .transform = {.rotation = {1, 0, 0, side * 0.3}}, .material = hard, .name = "side"}));
-  EXPECT_TRUE(scene.add({.shape = *scene.add_shape(BoxShape{{0.1, 1, 3}}),
-                         .transform = {.position = {8, 2, 0}},
-                         .material = wood,
-                         .name = "plank",
-                         .motion = KeyedMotion{{{.time = 0, .position = {8, 2, 0}},
-                                                {.time = 1, .position = {2, 2, 0}},
-                                                {.time = 2, .position = {8, 2, 0}}}}}));
-  WorldDef def;
-  def.ground.mode = GroundMode::none;
-  World world = make_world(def);
-  EXPECT_TRUE(world.set_scene(scene));
-  return world;
+  add_thing(scene, BoxShape{{0.1, 1, 3}},
+            {.transform = {.position = {8, 2, 0}},
+             .material = wood,
+             .name = "plank",
+             .motion = KeyedMotion{{{.time = 0, .position = {8, 2, 0}},
+                                    {.time = 1, .position = {2, 2, 0}},
+                                    {.time = 2, .position = {8, 2, 0}}}}});
+  return make_world({.ground = {.mode = GroundMode::none}}, scene);
 }
 
 void throw_in(World& world, int number) {
   for (int i = 0; i < number; ++i) {
     ProjectileDef p = bullet();
     p.fidelity = i % 3 == 0 ? Fidelity::small_arms() : i % 3 == 1 ? Fidelity::game() : Fidelity::arcade();
-    BodyDef body;
-    body.collision = {.on_hit = i % 4 == 0 ? OnHit::impact : OnHit::bounce, .radius = i % 2 * 0.1};
+    BodyDef body{.collision = {.on_hit = i % 4 == 0 ? OnHit::impact : OnHit::bounce, .radius = i % 2 * 0.1}};
     ASSERT_TRUE(world.spawn(p, {.position = {0.3 * i - 3, 4 + 0.1 * i, 0.2 * i}, .speed = 3.0 * i}, body));
   }
 }
@@ -45,20 +35,18 @@ TEST(SceneMoments, a_save_goes_on_as_the_world_does) {
   World world = trough();
   throw_in(world, 24);
   run_for(world, 0.7, 1.0 / 60);
-  const auto save = world.save();
-  ASSERT_TRUE(save);
-  Result<World> loaded = World::load(*save);
-  ASSERT_TRUE(loaded) << loaded.error().text();
-  EXPECT_EQ(loaded->hash(), world.hash());
-  EXPECT_EQ(loaded->save().value(), *save);
+  const auto save = must(world.save());
+  World loaded = must(World::load(save));
+  EXPECT_EQ(loaded.hash(), world.hash());
+  EXPECT_EQ(loaded.save().value(), save);
   for (int i = 0; i < 90; ++i) {
-    world.step(1.0 / 60), loaded->step(1.0 / 60);
-    ASSERT_EQ(loaded->hash(), world.hash()) << i;
-    ASSERT_EQ(loaded->events().size(), world.events().size());
+    world.step(1.0 / 60), loaded.step(1.0 / 60);
+    ASSERT_EQ(loaded.hash(), world.hash()) << i;
+    ASSERT_EQ(loaded.events().size(), world.events().size());
   }
   const InstanceId added = *world.add_instance({.shape = *world.add_shape(SphereShape{2})});
-  ASSERT_EQ(*loaded->add_instance({.shape = *loaded->add_shape(SphereShape{2})}), added);
-  EXPECT_EQ(loaded->hash(), world.hash());
+  ASSERT_EQ(*loaded.add_instance({.shape = *loaded.add_shape(SphereShape{2})}), added);
+  EXPECT_EQ(loaded.hash(), world.hash());
 }
 
 /// What one projectile meets at one time is told in one order, wherever its row lies.
@@ -67,22 +55,19 @@ TEST(SceneMoments, what_is_met_at_once_is_told_in_one_order) {
   const ShapeId box = *scene.add_shape(BoxShape{{0.5, 50, 50}});
   for (int i = 0; i < 4; ++i)
     ASSERT_TRUE(scene.add({.shape = box, .transform = {.position = {5.5, 0, 0}}, .sensor = true}));
-  World world = make_world({});
-  ASSERT_TRUE(world.set_scene(scene));
-  BodyDef body;
-  body.gravity_scale = 0;
+  World world = make_world({}, scene);
+  BodyDef body{.gravity_scale = 0};
   std::vector<ProjectileId> ids;
   for (int i = 0; i < 80; ++i) ids.push_back(*world.spawn(stone(), {.position = {0, 1, 0.1 * i}, .speed = 100}, body));
   for (std::size_t i = 0; i < 40; ++i) EXPECT_TRUE(world[ids[i * 37 % 40]].despawn());
   world.step(1.0 / 60);
-  Result<World> loaded = World::load(*world.save());
-  ASSERT_TRUE(loaded);
+  World loaded = reloaded(world);
   std::size_t told = 0;
   for (int i = 0; i < 3; ++i) {
-    world.step(1.0 / 60), loaded->step(1.0 / 60);
-    ASSERT_EQ(world.events().size(), loaded->events().size());
+    world.step(1.0 / 60), loaded.step(1.0 / 60);
+    ASSERT_EQ(world.events().size(), loaded.events().size());
     for (std::size_t e = 0; e < world.events().size(); ++e) {
-      const Event &one = world.events()[e], &other = loaded->events()[e];
+      const Event &one = world.events()[e], &other = loaded.events()[e];
       EXPECT_EQ(one.instance, other.instance) << e;
       EXPECT_EQ(one.id, other.id);
       if (one.kind != EventKind::sensed) continue;
@@ -99,15 +84,12 @@ TEST(SceneMoments, chance_follows_from_what_is_hashed) {
   loose.spread.deflection = 0.1;
   const auto world_after = [&](int steps) {
     Scene scene;
-    EXPECT_TRUE(scene.add({.shape = *scene.add_shape(BoxShape{{0.009, 5, 5}}),
-                           .transform = {.position = {50, 0, 0}},
-                           .material = *scene.add_material(loose)}));
-    World world = make_world({});
-    EXPECT_TRUE(world.set_scene(scene));
+    add_thing(scene, BoxShape{{0.009, 5, 5}},
+              {.transform = {.position = {50, 0, 0}}, .material = *scene.add_material(loose)});
+    World world = make_world({}, scene);
     for (int i = 0; i < steps; ++i) world.step(0.25 / steps);
     world.step(1.0 / 64);
-    BodyDef body;
-    body.collision.on_hit = OnHit::impact;
+    BodyDef body{.collision = {.on_hit = OnHit::impact}};
     EXPECT_TRUE(world.spawn(bullet(), {.position = {0, 2, 0}, .speed = 780}, body));
     return world;
   };
@@ -134,8 +116,7 @@ TEST(SceneMoments, chance_follows_from_what_is_hashed) {
 TEST(SceneMoments, the_first_scene_changes_no_path) {
   const Scene far = *trough().scene();
   for (const Fidelity& fidelity : {Fidelity::classic(), Fidelity::game(), Fidelity::small_arms()}) {
-    WorldDef def;
-    def.ground.mode = GroundMode::none;
+    WorldDef def{.ground = {.mode = GroundMode::none}};
     World alone = make_world(def), meets = make_world(def);
     ProjectileDef p = bullet();
     p.fidelity = fidelity;
@@ -157,9 +138,7 @@ TEST(SceneMoments, the_first_scene_changes_no_path) {
 TEST(SceneMoments, every_change_wakes_who_sleeps_then) {
   World world = trough();
   const ShapeId ball = *world.add_shape(SphereShape{1});
-  BodyDef body;
-  body.collision.on_hit = OnHit::bounce;
-  const ProjectileId id = *world.spawn(stone(), {.position = {0, 50, 0}}, body);
+  const ProjectileId id = *world.spawn(stone(), {.position = {0, 50, 0}}, {.collision = {.on_hit = OnHit::bounce}});
   const auto change = [&] { return *world.add_instance({.shape = ball, .transform = {.position = {0, 100, 0}}}); };
   const auto put_to_sleep = [&] { return world[id].sleep().ok() && world[id].is_asleep(); };
   for (int i = 0; i < 3; ++i) {
@@ -206,19 +185,11 @@ TEST(SceneMoments, what_comes_by_wakes_who_sleeps) {
   for (const Case& c : cases) {
     Scene scene;
     const bool steady = std::holds_alternative<SteadyMotion>(c.motion);
-    ASSERT_TRUE(scene.add({.shape = *scene.add_shape(BoxShape{c.half}),
-                           .transform = {.position = {steady ? -100.4 : 0, 0.25, 0}},
-                           .motion = c.motion}));
+    add_thing(scene, BoxShape{c.half}, {.transform = {.position = {steady ? -100.4 : 0, 0.25, 0}}, .motion = c.motion});
     const ShapeId floor = *scene.add_shape(BoxShape{{5, 0.5, 5}});
     ASSERT_TRUE(c.on_it || scene.add({.shape = floor, .transform = {.position = {0, -0.5, 0}}}));
-    WorldDef def;
-    def.ground.mode = GroundMode::none;
-    World world = make_world(def);
-    ASSERT_TRUE(world.set_scene(scene));
-    BodyDef body;
-    body.restitution = 0;
-    body.sleep_time = 0.1;
-    body.collision = {.on_hit = OnHit::bounce, .radius = 0.05};
+    World world = make_world({.ground = {.mode = GroundMode::none}}, scene);
+    BodyDef body{.sleep_time = 0.1, .restitution = 0, .collision = {.on_hit = OnHit::bounce, .radius = 0.05}};
     const ProjectileId id = *world.spawn(stone(), {.position = {0, 0.0500001, 0}}, body);
     run_for(world, 0.9, 1.0 / 60);
     ASSERT_TRUE(world[id].is_asleep());
@@ -291,12 +262,8 @@ TEST(SceneMoments, a_recording_plays_every_change_again) {
   ASSERT_TRUE(world.remove_instance(added));
   ASSERT_TRUE(world.remove_shape(ball));
   run_for(world, 0.2, 1.0 / 60);
-  ASSERT_TRUE(world.stop_recording());
-  const auto report = replay(bytes);
-  ASSERT_TRUE(report) << report.error().text();
-  EXPECT_FALSE(report->difference) << report->difference->what;
-  EXPECT_TRUE(report->complete);
-  EXPECT_GT(report->hashes, 60u);
+  const ReplayReport report = replayed(world, bytes);
+  EXPECT_GT(report.hashes, 60u);
 }
 
 TEST(SceneMoments, changes_of_no_scene_are_refused) {
@@ -319,9 +286,7 @@ TEST(SceneMoments, changes_of_no_scene_are_refused) {
 TEST(SceneMoments, bad_collisions_are_refused_with_their_place) {
   World world{};
   const auto why = [&](const CollisionDef& collision) {
-    BodyDef body;
-    body.collision = collision;
-    const auto kind = world.add_kind(stone(), body);
+    const auto kind = world.add_kind(stone(), {.collision = collision});
     return kind ? "" : kind.error().text();
   };
   EXPECT_NE(why({.on_hit = static_cast<OnHit>(17)}).find("body.collision.on_hit"), std::string::npos);
@@ -332,5 +297,4 @@ TEST(SceneMoments, bad_collisions_are_refused_with_their_place) {
   EXPECT_EQ(why({.radius = 1, .inertia = 2.0 / 3}), "");
 }
 
-}  // namespace world_scene_moments_test
-}  // namespace physim
+}  // namespace physim::world_scene_moments_test

@@ -1,14 +1,10 @@
 // Compounds whose parts are of different materials: against closed forms, and against things of their own.
-#include <cmath>
 #include <map>
 
 #include "collide/scene_support.hpp"
-#include "physim/event.hpp"
-#include "physim/world.hpp"
 #include "world/thing_support.hpp"
 
-namespace physim {
-namespace world_scene_parts_test {
+namespace physim::world_scene_parts_test {
 
 using test::Random;
 using namespace test_things;
@@ -28,9 +24,7 @@ World world_with(const Scene& scene, double g = 0) {
   WorldDef def = nothing_but_things();
   def.environment.gravity = {.model = GravityModel::constant, .acceleration = g};
   if (g == 0) def.environment.gravity.model = GravityModel::off;
-  World world = make_world(def);
-  EXPECT_TRUE(world.set_scene(scene));
-  return world;
+  return make_world(def, scene);
 }
 
 /// A box from one corner to the opposite one, and what it is made of; none: the thing's.
@@ -51,9 +45,8 @@ Scene of_parts(const std::vector<Block>& blocks, const Transform& at = {}, const
     if (!materials.contains(b.material)) materials[b.material] = *scene.add_material(*b.material);
     shape.parts.back().material = materials[b.material];
   }
-  const auto compound = scene.add_shape(shape);
-  EXPECT_TRUE(compound) << compound.error().text();
-  EXPECT_TRUE(scene.add({.shape = *compound, .transform = at, .material = tin, .motion = motion}));
+  const auto compound = must(scene.add_shape(shape));
+  EXPECT_TRUE(scene.add({.shape = compound, .transform = at, .material = tin, .motion = motion}));
   return scene;
 }
 /// Each block a thing of its own, at the same places.
@@ -335,9 +328,8 @@ TEST(SceneParts, who_asks_is_told_the_part_and_how_thick_it_is) {
 TEST(SceneParts, flights_meet_them_as_worlds_do) {
   const Scene scene = of_parts({{{50, -1, -1}, {50.1, 1, 1}, &kWood}, {{50.1, -1, -1}, {50.2, 1, 1}, nullptr}});
   const WorldDef def = nothing_but_things();
-  Until until{.ground = std::nullopt, .time = 0.3};
-  until.scene = &scene;
-  until.contact.collision = {.on_hit = OnHit::impact};
+  Until until{
+      .ground = std::nullopt, .time = 0.3, .scene = &scene, .contact = {.collision = {.on_hit = OnHit::impact}}};
   const ProjectileDef def_of_shot = shot();
   const Flight flight =
       fly(def_of_shot, launched({0, 0, 0}, {kSpeed, 0, 0}), def.environment, def_of_shot.fidelity, {}, until);
@@ -367,17 +359,14 @@ TEST(SceneParts, are_held_by_saves_snapshots_and_recordings) {
   static_cast<void>(run_for(other, 0.3, kStep));
   EXPECT_EQ(other.hash(), whole.hash());
   ASSERT_TRUE(other.stop_recording());
-  const auto report = replay(recording);
-  ASSERT_TRUE(report) << report.error().text();
-  EXPECT_TRUE(report->complete && !report->difference);
-  auto loaded = World::load(save);
-  ASSERT_TRUE(loaded) << loaded.error().text();
-  static_cast<void>(run_for(*loaded, 0.3, kStep));
-  EXPECT_EQ(loaded->hash(), whole.hash());
+  const auto report = must(replay(recording));
+  EXPECT_TRUE(report.complete && !report.difference);
+  auto loaded = must(World::load(save));
+  static_cast<void>(run_for(loaded, 0.3, kStep));
+  EXPECT_EQ(loaded.hash(), whole.hash());
   ASSERT_TRUE(other.restore(snapshot));
   static_cast<void>(run_for(other, 0.3, kStep));
   EXPECT_EQ(other.hash(), whole.hash());
 }
 
-}  // namespace world_scene_parts_test
-}  // namespace physim
+}  // namespace physim::world_scene_parts_test

@@ -1,13 +1,10 @@
 // Predictions see the scene of their world: bit for bit what the world then does, with things that move too.
 #include <map>
 
-#include "physim/body.hpp"
 #include "random_shots.hpp"
-#include "support.hpp"
 #include "world/world_support.hpp"
 
-namespace physim {
-namespace world_scene_predict_test {
+namespace physim::world_scene_predict_test {
 
 using test::Random;
 
@@ -20,11 +17,8 @@ Scene playground() {
   const MaterialId fir = *scene.add_material(materials::fir());
   const auto put = [&](const ShapeDef& shape, const Vec3d& place, MaterialId material, const SceneMotion& motion = {},
                        bool sensor = false) {
-    EXPECT_TRUE(scene.add({.shape = *scene.add_shape(shape),
-                           .transform = {.position = place},
-                           .material = material,
-                           .sensor = sensor,
-                           .motion = motion}));
+    add_thing(scene, shape,
+              {.transform = {.position = place}, .material = material, .sensor = sensor, .motion = motion});
   };
   put(PlaneShape{}, {}, hard);
   put(SphereShape{3}, {12, -1, 0}, hard);
@@ -39,10 +33,7 @@ TEST(ScenePredict, predictions_meet_things_as_the_world_then_does_to_the_bit) {
   Random r(17);
   int compared = 0, bounced = 0, ended = 0;
   for (const bool pushed : {false, true}) {
-    WorldDef def;
-    def.ground.mode = GroundMode::none;
-    World world = make_world(def);
-    ASSERT_TRUE(world.set_scene(playground()));
+    World world = make_world({.ground = {.mode = GroundMode::none}}, playground());
     if (pushed) {
       ASSERT_TRUE(world.add_force({.law = ConstantForce{{0, 0.02, 0.01}}, .target = ForceTarget::everything()}));
     }
@@ -56,17 +47,16 @@ TEST(ScenePredict, predictions_meet_things_as_the_world_then_does_to_the_bit) {
       if (i % 4 == 2) p.fidelity.rotation = RotationModel::magnus;
       if (i % 8 == 0 && !pushed) p.fidelity.motion = Motion::closed_form;
       p.fidelity.precision = r.one_in(2) ? Precision::float32 : Precision::float64;
-      BodyDef body;
-      body.can_sleep = false;
+      BodyDef body{.can_sleep = false};
       const OnHit acts[] = {OnHit::bounce, OnHit::impact, OnHit::bounce, OnHit::pass, OnHit::stick, OnHit::stop};
       body.collision = {.on_hit = acts[i % 6], .radius = i % 3 == 0 ? 0.05 : 0.0};
-      Launch launch{.position = {r.in(-2, 2), r.in(1, 3), r.in(-3, 3)}, .speed = r.in(5, 60)};
-      launch.elevation = r.in(-0.5, 0.8);
-      launch.azimuth = r.in(-0.4, 0.4);
+      Launch launch{.position = {r.in(-2, 2), r.in(1, 3), r.in(-3, 3)},
+                    .speed = r.in(5, 60),
+                    .elevation = r.in(-0.5, 0.8),
+                    .azimuth = r.in(-0.4, 0.4)};
       if (i % 4 == 2) launch.spin = {.backspin = 100, .sidespin = 40};
-      const auto id = world.spawn(p, launch, body);
-      ASSERT_TRUE(id) << id.error().text();
-      ids.push_back(*id);
+      const auto id = must(world.spawn(p, launch, body));
+      ids.push_back(id);
     }
     for (int part = 0; part < 4; ++part) {
       std::map<ProjectileId, Flight> flights;
@@ -117,12 +107,9 @@ TEST(ScenePredict, another_scene_is_refused) {
   World world = make_world({});
   const ProjectileId id = *world.spawn(stone(), {.position = {0, 5, 0}});
   const Scene scene = playground();
-  Until until;
-  until.scene = &scene;
-  const Flight flight = world.predict(id, until);
+  const Flight flight = world.predict(id, {.scene = &scene});
   ASSERT_TRUE(flight.error());
   EXPECT_EQ(flight.error()->place, "until.scene");
 }
 
-}  // namespace world_scene_predict_test
-}  // namespace physim
+}  // namespace physim::world_scene_predict_test

@@ -1,14 +1,10 @@
 // What starts at surfaces, goes along them, and through several that touch.
 #include <array>
-#include <cmath>
 
-#include "physim/scene.hpp"
 #include "random_shots.hpp"
-#include "support.hpp"
 #include "world/thing_support.hpp"
 
-namespace physim {
-namespace world_scene_surface_test {
+namespace physim::world_scene_surface_test {
 
 using namespace test_things;
 
@@ -24,17 +20,11 @@ ProjectileDef thrown() {
 
 InstanceId put(Scene& scene, const ShapeDef& shape, const Vec3d& at, const Material& material,
                const SceneMotion& motion = {}) {
-  return *scene.add({.shape = *scene.add_shape(shape),
-                     .transform = {.position = at},
-                     .material = *scene.add_material(material),
-                     .motion = motion});
+  return add_thing(scene, shape,
+                   {.transform = {.position = at}, .material = *scene.add_material(material), .motion = motion});
 }
 
-World world_with(const Scene& scene, const WorldDef& def = nothing_but_things()) {
-  World world = make_world(def);
-  EXPECT_TRUE(world.set_scene(scene));
-  return world;
-}
+World world_with(const Scene& scene, const WorldDef& def = nothing_but_things()) { return make_world(def, scene); }
 
 std::size_t count(const std::vector<Event>& events, EventKind kind) {
   return static_cast<std::size_t>(
@@ -269,9 +259,8 @@ TEST(SceneSurface, a_ball_rolls_on_what_turns_its_slip_around) {
   for (const double dt : {kStep, 1.0 / 240}) {
     Scene scene;
     const MaterialId made_of = *scene.add_material({.restitution = 0, .friction = 1, .grip_restitution = 0.5});
-    ASSERT_TRUE(scene.add({.shape = *scene.add_shape(PlaneShape{}),
-                           .transform = {.rotation = {std::cos(kSlope / 2), 0, 0, -std::sin(kSlope / 2)}},
-                           .material = made_of}));
+    add_thing(scene, PlaneShape{},
+              {.transform = {.rotation = {std::cos(kSlope / 2), 0, 0, -std::sin(kSlope / 2)}}, .material = made_of});
     World world = world_with(scene);
     const Vec3d normal{std::sin(kSlope), std::cos(kSlope), 0};
     const ProjectileId id = *world.spawn(stone(), {.position = normal * 0.05000001}, body_that(OnHit::bounce, 0.05));
@@ -279,8 +268,7 @@ TEST(SceneSurface, a_ball_rolls_on_what_turns_its_slip_around) {
     EXPECT_LT(events.size(), 10 * 2 / dt);
     EXPECT_NEAR(length(world[id].velocity()), kG * std::sin(kSlope) / 1.4 * world.time(), 0.01);
   }
-  WorldDef windy;
-  windy.ground.mode = GroundMode::none;
+  WorldDef windy{.ground = {.mode = GroundMode::none}};
   Scene floor;
   put(floor, PlaneShape{}, {}, {.restitution = 0.5, .friction = 1, .grip_restitution = 0.5});
   World world = world_with(floor, windy);
@@ -298,8 +286,7 @@ TEST(SceneSurface, sensors_are_told_of_what_slides_and_rolls) {
     for (const bool ground : {false, true}) {
       Scene scene;
       if (!ground) put(scene, PlaneShape{}, {}, {.restitution = 0, .friction = 0});
-      ASSERT_TRUE(scene.add(
-          {.shape = *scene.add_shape(BoxShape{{0.3, 1, 1}}), .transform = {.position = {2, 0.5, 0}}, .sensor = true}));
+      add_thing(scene, BoxShape{{0.3, 1, 1}}, {.transform = {.position = {2, 0.5, 0}}, .sensor = true});
       WorldDef def = nothing_but_things();
       if (ground) def.ground.mode = GroundMode::bounce;
       World world = world_with(scene, def);
@@ -380,14 +367,16 @@ TEST(SceneSurface, what_slides_along_an_edge_of_triangles_stays_on_them) {
     for (const double radius : {0.0, 0.1})
       for (const double hz : {60.0, 1000.0}) {
         Scene scene;
-        ASSERT_TRUE(scene.add({.shape = *scene.add_shape(shape),
-                               .transform = {.position = rotate(turn, Vec3d{-60, 0, -60}), .rotation = turn},
-                               .material = *scene.add_material({.restitution = 0, .friction = 1})}));
+        add_thing(scene, shape,
+                  {.transform = {.position = rotate(turn, Vec3d{-60, 0, -60}), .rotation = turn},
+                   .material = *scene.add_material({.restitution = 0, .friction = 1})});
         World world = world_with(scene);
-        BodyDef body;
-        body.restitution = 0, body.friction = friction, body.rolling_resistance = 0, body.can_sleep = false;
-        body.frozen_rotation = Axes::x | Axes::y | Axes::z;
-        body.collision = {.on_hit = OnHit::bounce, .radius = radius};
+        BodyDef body{.frozen_rotation = Axes::x | Axes::y | Axes::z,
+                     .can_sleep = false,
+                     .restitution = 0,
+                     .friction = friction,
+                     .rolling_resistance = 0,
+                     .collision = {.on_hit = OnHit::bounce, .radius = radius}};
         ProjectileDef p = thrown();
         p.diameter = 0.2;
         const Vec3d along = rotate(turn, Vec3d{-1, 0, 0}), up = rotate(turn, Vec3d{0, 1, 0});
@@ -404,17 +393,14 @@ TEST(SceneSurface, what_slides_along_an_edge_of_triangles_stays_on_them) {
 /// Adaptive steps look for contacts by spheres as small as a path bends, which the next ones follow.
 TEST(SceneSurface, points_that_slide_far_from_the_origin_stay_on_large_triangles) {
   test::Random r(5);
-  MeshShape slope;
-  slope.vertices = {{-3000, 900, -3000}, {-3000, 700, 3000}, {3000, 100, -3000}, {3000, -100, 3000}};
-  slope.triangles = {{0, 1, 2}, {2, 1, 3}};
+  MeshShape slope{.vertices = {{-3000, 900, -3000}, {-3000, 700, 3000}, {3000, 100, -3000}, {3000, -100, 3000}},
+                  .triangles = {{0, 1, 2}, {2, 1, 3}}};
   Scene scene;
   put(scene, slope, {}, {.restitution = 0.5, .friction = 0.05});
   World world = world_with(scene, {.ground = {.mode = GroundMode::none}});  // through air
   ProjectileDef p = stone();
   p.fidelity = Fidelity::small_arms();
-  BodyDef body;
-  body.collision.on_hit = OnHit::bounce;
-  body.restitution = 0.5;
+  BodyDef body{.restitution = 0.5, .collision = {.on_hit = OnHit::bounce}};
   std::vector<ProjectileId> points;
   const Vec3d normal = normalized(Vec3d{0.8 / 6, 1, 0.2 / 6});
   const auto height = [&](const Vec3d& x) { return dot(normal, x - slope.vertices[0]); };
@@ -427,5 +413,4 @@ TEST(SceneSurface, points_that_slide_far_from_the_origin_stay_on_large_triangles
   for (const ProjectileId id : points) EXPECT_GT(height(world[id].position()), -1e-9) << id.index;
 }
 
-}  // namespace world_scene_surface_test
-}  // namespace physim
+}  // namespace physim::world_scene_surface_test

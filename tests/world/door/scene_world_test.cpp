@@ -1,17 +1,10 @@
 // Worlds whose projectiles meet things: against closed forms, against the ground, and from every side.
 #include <array>
-#include <cmath>
-#include <limits>
-#include <string>
 
-#include "physim/body.hpp"
 #include "random_shots.hpp"
 #include "scene_support.hpp"
-#include "support.hpp"
-#include "world/world_support.hpp"
 
-namespace physim {
-namespace world_scene_world_test {
+namespace physim::world_scene_world_test {
 
 using test::Random;
 using test_scene::kG;
@@ -20,10 +13,7 @@ using test_scene::unfolded;
 using test_scene::Unfolded;
 
 WorldDef no_ground() {
-  WorldDef def;
-  def.ground.mode = GroundMode::none;
-  def.environment.atmosphere.model = AirModel::vacuum;
-  return def;
+  return {.environment = {.atmosphere = {.model = AirModel::vacuum}}, .ground = {.mode = GroundMode::none}};
 }
 
 struct Precise {
@@ -38,18 +28,15 @@ TEST(SceneWorld, elastic_bounces_in_a_room_follow_the_closed_form) {
     for (const double speed : {10.0, 100.0, 300.0})
       for (const double radius : {0.0, 0.11}) {
         WorldDef def = no_ground();
-        World world = make_world(def);
-        ASSERT_TRUE(world.set_scene(scene));
+        World world = make_world(def, scene);
         ProjectileDef p = stone();
         p.fidelity.precision = precision;
-        BodyDef body;
-        body.gravity_scale = 0;
-        body.restitution = 1;
-        body.friction = 0;
-        body.can_sleep = false;
-        body.collision = {.on_hit = OnHit::bounce, .radius = radius};
-        Launch launch;
-        launch.position = {0.5, -0.25, 0.125};
+        BodyDef body{.gravity_scale = 0,
+                     .can_sleep = false,
+                     .restitution = 1,
+                     .friction = 0,
+                     .collision = {.on_hit = OnHit::bounce, .radius = radius}};
+        Launch launch{.position = {0.5, -0.25, 0.125}};
         const Vec3d v0 = Vec3d{0.6, 0.48, 0.64} * speed;
         launch.velocity = v0;
         const ProjectileId id = *world.spawn(p, launch, body);
@@ -72,19 +59,13 @@ TEST(SceneWorld, elastic_bounces_in_a_room_follow_the_closed_form) {
 TEST(SceneWorld, a_ball_on_a_plane_bounces_as_on_the_ground) {
   Scene scene;
   const MaterialId hard = *scene.add_material({.restitution = 1, .friction = 1});
-  ASSERT_TRUE(scene.add({.shape = *scene.add_shape(PlaneShape{}), .material = hard}));
+  add_thing(scene, PlaneShape{}, {.material = hard});
   for (const Integrator integrator : {Integrator::rk4, Integrator::semi_implicit_euler, Integrator::tsit5}) {
-    WorldDef def;
-    def.ground.mode = GroundMode::bounce;
-    World on_ground = make_world(def);
-    World on_plane = make_world(no_ground());
-    ASSERT_TRUE(on_plane.set_scene(scene));
+    World on_ground = make_world({.ground = {.mode = GroundMode::bounce}});
+    World on_plane = make_world(no_ground(), scene);
     ProjectileDef p = stone();
     p.fidelity.integrator = integrator;
-    BodyDef body;
-    body.restitution = 0.7;
-    body.friction = 0.2;
-    body.collision.on_hit = OnHit::bounce;
+    BodyDef body{.restitution = 0.7, .friction = 0.2, .collision = {.on_hit = OnHit::bounce}};
     const Launch launch{.position = {0, 2, 0}, .speed = 5};
     const ProjectileId one = *on_ground.spawn(p, launch, body), other = *on_plane.spawn(p, launch, body);
     for (int i = 0; i < 64 * 20; ++i) {
@@ -101,14 +82,13 @@ TEST(SceneWorld, a_ball_on_a_plane_bounces_as_on_the_ground) {
 /// What ends a flight on the ground ends it at a plane there.
 TEST(SceneWorld, every_preset_meets_a_plane_where_it_would_land) {
   Scene scene;
-  ASSERT_TRUE(scene.add({.shape = *scene.add_shape(PlaneShape{})}));
+  add_thing(scene, PlaneShape{});
   for (const Fidelity& fidelity : {Fidelity::classic(), Fidelity::game(), Fidelity::constant_air(),
                                    Fidelity::small_arms(), Fidelity::artillery()}) {
     WorldDef def;
     World landing = make_world(def);
     def.ground.mode = GroundMode::none;
-    World meeting = make_world(def);
-    ASSERT_TRUE(meeting.set_scene(scene));
+    World meeting = make_world(def, scene);
     ProjectileDef p = bullet();
     p.fidelity = fidelity;
     const Launch launch{.position = {0, 1.5, 0}, .speed = 300, .elevation = 0.002};
@@ -138,8 +118,7 @@ TEST(SceneWorld, what_meets_nothing_flies_as_without_a_scene) {
                                    Fidelity::small_arms(), Fidelity::artillery()}) {
     WorldDef def = no_ground();
     def.environment.atmosphere.model = AirModel::isa;
-    World with = make_world(def), without = make_world(def);
-    ASSERT_TRUE(with.set_scene(scene));
+    World with = make_world(def, scene), without = make_world(def);
     ProjectileDef p = bullet();
     p.fidelity = fidelity;
     std::vector<ProjectileId> ids;
@@ -162,16 +141,11 @@ TEST(SceneWorld, what_meets_nothing_flies_as_without_a_scene) {
 TEST(SceneWorld, projectiles_do_what_their_kind_says) {
   Scene scene;
   const MaterialId steel = *scene.add_material({.name = "steel"});
-  const InstanceId wall = *scene.add({.shape = *scene.add_shape(BoxShape{{0.01, 5, 5}}),
-                                      .transform = {.position = {10, 0, 0}},
-                                      .material = steel,
-                                      .layers = 2});
-  World world = make_world(no_ground());
-  ASSERT_TRUE(world.set_scene(scene));
+  const InstanceId wall =
+      add_thing(scene, BoxShape{{0.01, 5, 5}}, {.transform = {.position = {10, 0, 0}}, .material = steel, .layers = 2});
+  World world = make_world(no_ground(), scene);
   const auto fire = [&](const CollisionDef& collision) {
-    BodyDef body;
-    body.collision = collision;
-    return *world.spawn(stone(), {.speed = 100}, body);
+    return *world.spawn(stone(), {.speed = 100}, {.collision = collision});
   };
   const ProjectileId stops = fire({.on_hit = OnHit::stop}), sticks = fire({.on_hit = OnHit::stick}),
                      bounces = fire({.on_hit = OnHit::bounce}), other_layers = fire({.layers = 5});
@@ -203,10 +177,8 @@ TEST(SceneWorld, what_is_passed_is_told_with_the_time_of_the_closed_form) {
   const InstanceId solid = *scene.add({.shape = box, .transform = {.position = {5, 0, 0}}});
   const InstanceId sensor = *scene.add({.shape = box, .transform = {.position = {15, 0, 0}}, .sensor = true});
   for (const OnHit on_hit : {OnHit::pass, OnHit::stop}) {
-    World world = make_world(no_ground());
-    ASSERT_TRUE(world.set_scene(scene));
-    BodyDef body;
-    body.collision.on_hit = on_hit;
+    World world = make_world(no_ground(), scene);
+    BodyDef body{.collision = {.on_hit = on_hit}};
     const double beyond = on_hit == OnHit::pass ? 0 : 7;  // starts behind the box that would stop it
     ProjectileDef p = stone();
     p.fidelity.integrator = Integrator::rk4;
@@ -255,11 +227,10 @@ TEST(SceneWorld, nothing_tunnels_and_nothing_is_hit_that_was_missed) {
         Scene scene;
         const bool is_field = std::holds_alternative<HeightFieldShape>(sheet.shape);
         const Vec3d middle = is_field ? Vec3d{-1, 0, -1} : Vec3d{};
-        ASSERT_TRUE(scene.add({.shape = *scene.add_shape(sheet.shape), .transform = {.position = middle}}));
+        add_thing(scene, sheet.shape, {.transform = {.position = middle}});
         WorldDef def = no_ground();
         def.environment.atmosphere.model = AirModel::isa;
-        World world = make_world(def);
-        ASSERT_TRUE(world.set_scene(scene));
+        World world = make_world(def, scene);
         ProjectileDef p = bullet();
         p.fidelity = fidelity;
         p.fidelity.precision = precision;
@@ -268,17 +239,13 @@ TEST(SceneWorld, nothing_tunnels_and_nothing_is_hit_that_was_missed) {
           const double speeds[] = {5, 10, 30, 100, 300, 900, 8000};
           const double speed = speeds[i % 7];
           const double radii[] = {0, 0.01, 0.5};
-          BodyDef body;
-          body.collision.radius = radii[i % 3];
-          body.gravity_scale = 0;
+          BodyDef body{.gravity_scale = 0, .collision = {.radius = radii[i % 3]}};
           const bool hits = i % 2 == 0;
           const Vec3d aim = hits ? Vec3d{r.one_in(5) ? 0 : r.in(-0.99, 0.99), 0, r.one_in(5) ? 0 : r.in(-0.99, 0.99)}
                                  : Vec3d{r.in(2.2, 3) + body.collision.radius, 0, r.in(-0.5, 0.5)};
           const double side = r.one_in(2) ? 1 : -1;
           const double far = r.in(0.6, 3);
-          Launch launch;
-          launch.position = aim + Vec3d{0, side * far, 0};
-          launch.velocity = Vec3d{0, -side * speed, 0};
+          Launch launch{.position = aim + Vec3d{0, side * far, 0}, .velocity = Vec3d{0, -side * speed, 0}};
           (hits ? at : beside).push_back(*world.spawn(p, launch, body));
         }
         run_for(world, 0.8, r.in(1.0 / 240, 1.0 / 30));
@@ -297,8 +264,7 @@ TEST(SceneWorld, rounding_that_adds_up_from_step_to_step_carries_nothing_through
       Scene scene;
       ASSERT_TRUE(
           scene.add({.shape = *scene.add_shape(BoxShape{{0.0005, 1, 1}}), .transform = {.position = {kFar, 0, 0}}}));
-      World world = make_world(no_ground());
-      ASSERT_TRUE(world.set_scene(scene));
+      World world = make_world(no_ground(), scene);
       ProjectileDef p = bullet();
       p.fidelity = fidelity;
       p.fidelity.precision = Precision::float32;
@@ -319,16 +285,11 @@ TEST(SceneWorld, a_block_slides_down_a_slope_as_friction_lets_it) {
     Scene scene;
     const MaterialId ice = *scene.add_material({.restitution = 0, .friction = 0});
     // The plane turned about z: it falls along +x.
-    ASSERT_TRUE(scene.add({.shape = *scene.add_shape(PlaneShape{}),
-                           .transform = {.rotation = {std::cos(kSlope / 2), 0, 0, -std::sin(kSlope / 2)}},
-                           .material = ice}));
-    World world = make_world(no_ground());
-    ASSERT_TRUE(world.set_scene(scene));
-    BodyDef body;
-    body.restitution = 0;
-    body.rolling_resistance = resistance;
-    body.collision.on_hit = OnHit::bounce;
-    body.can_sleep = false;
+    add_thing(scene, PlaneShape{},
+              {.transform = {.rotation = {std::cos(kSlope / 2), 0, 0, -std::sin(kSlope / 2)}}, .material = ice});
+    World world = make_world(no_ground(), scene);
+    BodyDef body{
+        .can_sleep = false, .restitution = 0, .rolling_resistance = resistance, .collision = {.on_hit = OnHit::bounce}};
     const ProjectileId id = *world.spawn(stone(), {.position = {0, 1e-6, 0}}, body);
     run_for(world, 2, 1.0 / 60);
     const double a = kG * (std::sin(kSlope) - resistance * std::cos(kSlope));
@@ -342,12 +303,9 @@ TEST(SceneWorld, a_block_slides_down_a_slope_as_friction_lets_it) {
 
 TEST(SceneWorld, a_wall_that_goes_wakes_what_leans_on_it) {
   Scene scene;
-  const InstanceId table = *scene.add({.shape = *scene.add_shape(BoxShape{{1, 0.1, 1}})});
-  World world = make_world(no_ground());
-  ASSERT_TRUE(world.set_scene(scene));
-  BodyDef body;
-  body.restitution = 0.2;
-  body.collision = {.on_hit = OnHit::bounce, .radius = 0.05};
+  const InstanceId table = add_thing(scene, BoxShape{{1, 0.1, 1}});
+  World world = make_world(no_ground(), scene);
+  BodyDef body{.restitution = 0.2, .collision = {.on_hit = OnHit::bounce, .radius = 0.05}};
   const ProjectileId id = *world.spawn(stone(), {.position = {0, 0.5, 0}}, body);
   run_for(world, 4);
   ASSERT_TRUE(world[id].is_asleep());
@@ -368,11 +326,9 @@ TEST(SceneWorld, a_wall_that_goes_wakes_what_leans_on_it) {
 
 TEST(SceneWorld, a_start_inside_of_something_is_told) {
   Scene scene;
-  ASSERT_TRUE(scene.add({.shape = *scene.add_shape(BoxShape{{1, 1, 1}})}));
-  World world = make_world(no_ground());
-  ASSERT_TRUE(world.set_scene(scene));
-  BodyDef body;
-  body.collision.on_hit = OnHit::bounce;
+  add_thing(scene, BoxShape{{1, 1, 1}});
+  World world = make_world(no_ground(), scene);
+  BodyDef body{.collision = {.on_hit = OnHit::bounce}};
   const ProjectileId id = *world.spawn(stone(), {.position = {0.5, 0, 0}, .speed = 50}, body);
   world.step(1.0 / 60);
   const auto hits = events_of(world, EventKind::hit);
@@ -385,27 +341,21 @@ TEST(SceneWorld, a_start_inside_of_something_is_told) {
 TEST(SceneWorld, what_leaves_all_numbers_beside_a_thing_is_retired) {
   // A push that no number holds, after some steps.
   for (const Precision precision : {Precision::float32, Precision::float64}) {
-    WorldDef def;
-    def.ground.mode = GroundMode::none;
-    World world = make_world(def);
-    ASSERT_TRUE(world.set_scene(room({50, 50, 50}, {.restitution = 1, .friction = 0})));
+    WorldDef def{.ground = {.mode = GroundMode::none}};
+    World world = make_world(def, room({50, 50, 50}, {.restitution = 1, .friction = 0}));
     ProjectileDef p = stone();
     p.fidelity = Fidelity::game();
     p.fidelity.precision = precision;
     p.fidelity.drag = DragModel::off;
     p.mass = 1e-3;
-    BodyDef body;
-    body.collision = {.on_hit = OnHit::bounce, .radius = 0.1};
-    const auto kind = world.add_kind(p, body);
-    ASSERT_TRUE(kind) << kind.error().text();
-    const auto id = world.spawn(*kind, {.velocity = Vec3d{3, 0, 0}});
-    ASSERT_TRUE(id) << id.error().text();
+    const auto kind = must(world.add_kind(p, {.collision = {.on_hit = OnHit::bounce, .radius = 0.1}}));
+    const auto id = must(world.spawn(kind, {.velocity = Vec3d{3, 0, 0}}));
     const auto pushes = [](const ForceBatch& b) {
       for (std::size_t i = 0; i < b.force.size(); ++i) b.force[i] = {b.time > 0.5 ? 1e308 : 0, 0, 0};
     };
     ASSERT_TRUE(world.add_force({.law = CustomForce{pushes}, .target = ForceTarget::everything()}));
-    for (int step = 0; step < 200 && world[*id].is_alive(); ++step) world.step(1.0 / 60);
-    EXPECT_FALSE(world[*id].is_alive());
+    for (int step = 0; step < 200 && world[id].is_alive(); ++step) world.step(1.0 / 60);
+    EXPECT_FALSE(world[id].is_alive());
   }
 }
 
@@ -414,17 +364,16 @@ TEST(SceneWorld, threads_and_kernels_change_nothing) {
   for (const unsigned threads : {1u, 2u, 7u}) {
     WorldDef def = no_ground();
     def.threading = {.threads = threads, .rows_per_thread = 64};
-    World world = make_world(def);
-    ASSERT_TRUE(world.set_scene(room({5, 3, 4}, {.restitution = 0.9, .friction = 0.3})));
+    World world = make_world(def, room({5, 3, 4}, {.restitution = 0.9, .friction = 0.3}));
     Random r(3);
     for (int i = 0; i < 300; ++i) {
       ProjectileDef p = bullet();
       p.fidelity = r.one_in(2) ? Fidelity::game() : Fidelity::small_arms();
-      BodyDef body;
-      body.collision = {.on_hit = OnHit::bounce, .radius = r.one_in(2) ? 0.1 : 0.0};
-      Launch launch{.position = {r.in(-4, 4), r.in(-2, 2), r.in(-3, 3)}, .speed = r.in(1, 300)};
-      launch.elevation = r.in(-1.5, 1.5);
-      launch.azimuth = r.in(-3, 3);
+      BodyDef body{.collision = {.on_hit = OnHit::bounce, .radius = r.one_in(2) ? 0.1 : 0.0}};
+      Launch launch{.position = {r.in(-4, 4), r.in(-2, 2), r.in(-3, 3)},
+                    .speed = r.in(1, 300),
+                    .elevation = r.in(-1.5, 1.5),
+                    .azimuth = r.in(-3, 3)};
       ASSERT_TRUE(world.spawn(p, launch, body));
     }
     run_for(world, 1, 1.0 / 60);
@@ -438,5 +387,4 @@ TEST(SceneWorld, threads_and_kernels_change_nothing) {
   EXPECT_EQ(hashes[0], hashes[2]);
 }
 
-}  // namespace world_scene_world_test
-}  // namespace physim
+}  // namespace physim::world_scene_world_test

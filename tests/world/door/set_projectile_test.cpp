@@ -1,15 +1,10 @@
 // What a projectile is, changed while it flies: mass, diameter, drag and damping.
-#include <cmath>
 #include <map>
-#include <string>
 
-#include "physim/body.hpp"
-#include "physim/world.hpp"
 #include "scenario/scenario.hpp"
 #include "world/world_support.hpp"
 
-namespace physim {
-namespace world_set_projectile_test {
+namespace physim::world_set_projectile_test {
 
 constexpr double kStep = 1.0 / 60;
 const Launch kHigh{.position = {0, 500, 0}, .velocity = Vec3d{60, 10, 5}};
@@ -241,5 +236,4 @@ TEST(SetProjectile, the_list_of_settings_marks_what_it_takes) {
   EXPECT_EQ(found, others.size());
 }
 
-}  // namespace world_set_projectile_test
-}  // namespace physim
+}  // namespace physim::world_set_projectile_test

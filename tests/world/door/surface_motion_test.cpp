@@ -1,12 +1,8 @@
 // The acceleration of what rests, rolls or slides on a surface, by closed forms.
-#include <cmath>
-#include <string>
-
 #include "math/quat.hpp"
 #include "scene_support.hpp"
 
-namespace physim {
-namespace world_surface_motion_test {
+namespace physim::world_surface_motion_test {
 
 using namespace test_scene;
 
@@ -48,17 +44,17 @@ struct Laid {
 };
 
 Laid laid(const Case& c, double speed, double friction, double resistance) {
-  WorldDef def;
-  def.environment = vacuum_of(kG);
-  def.ground = {.mode = c.on == On::ground ? GroundMode::bounce : GroundMode::none, .restitution = 0, .friction = 1};
+  WorldDef def{
+      .environment = vacuum_of(kG),
+      .ground = {.mode = c.on == On::ground ? GroundMode::bounce : GroundMode::none, .restitution = 0, .friction = 1}};
   Laid made{make_world(def), {}};
   if (c.on != On::ground) {
     Scene scene;
     const Quatd turn{std::cos(c.slope / 2), 0, 0, std::sin(c.slope / 2)};
     const Vec3d middle = c.on == On::box ? Vec3d{0, -1, 0} : c.on == On::field ? Vec3d{-60, 0, -60} : Vec3d{};
-    EXPECT_TRUE(scene.add({.shape = *scene.add_shape(shape_of(c.on)),
-                           .transform = {.position = rotate(turn, middle), .rotation = turn},
-                           .material = *scene.add_material({.restitution = 0, .friction = 1})}));
+    add_thing(scene, shape_of(c.on),
+              {.transform = {.position = rotate(turn, middle), .rotation = turn},
+               .material = *scene.add_material({.restitution = 0, .friction = 1})});
     EXPECT_TRUE(made.world.set_scene(scene));
   }
   ProjectileDef p{.mass = 2, .diameter = 2 * kRadius, .fidelity = rung(c.integrator, c.precision)};
@@ -161,10 +157,7 @@ TEST(SurfaceMotion, on_a_slope_it_is_that_of_what_slides_or_rolls_down) {
 /// On a round body it turns with its way: v^2 / (R + r) towards the middle, beside g sin(a) 5/7 along it.
 TEST(SurfaceMotion, on_a_round_body_it_has_what_turns_its_way) {
   const double large = 5;
-  WorldDef def;
-  def.environment = vacuum_of(kG);
-  def.ground.mode = GroundMode::none;
-  World world = make_world(def);
+  World world = make_world({.environment = vacuum_of(kG), .ground = {.mode = GroundMode::none}});
   Scene scene;
   put(scene, SphereShape{large}, {0, 0, 0}, *scene.add_material({.restitution = 0, .friction = 1000}));
   ASSERT_TRUE(world.set_scene(scene));
@@ -184,10 +177,7 @@ TEST(SurfaceMotion, on_a_round_body_it_has_what_turns_its_way) {
 TEST(SurfaceMotion, on_what_moves_it_has_what_takes_it_along) {
   const double turns = 0.7;
   for (const bool is_table : {true, false}) {
-    WorldDef def;
-    def.environment = vacuum_of(kG);
-    def.ground.mode = GroundMode::none;
-    World world = make_world(def);
+    World world = make_world({.environment = vacuum_of(kG), .ground = {.mode = GroundMode::none}});
     Scene scene;
     InstanceDef thing{.shape = *scene.add_shape(CylinderShape{9, 0.5}),
                       .transform = {.position = {0, -0.5, 0}},
@@ -211,5 +201,4 @@ TEST(SurfaceMotion, on_what_moves_it_has_what_takes_it_along) {
   }
 }
 
-}  // namespace world_surface_motion_test
-}  // namespace physim
+}  // namespace physim::world_surface_motion_test

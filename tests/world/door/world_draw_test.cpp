@@ -6,8 +6,7 @@
 #include "math/vec3.hpp"
 #include "physim/world.hpp"
 
-namespace physim {
-namespace world_world_draw_test {
+namespace physim::world_world_draw_test {
 
 /// What is drawn, by ink.
 struct Sheet : SceneCanvas {
@@ -50,10 +49,7 @@ struct Drawn {
   ProjectileId ball, point, still;
 
   Drawn() {
-    BodyDef body;
-    body.collision.radius = 0.25;
-    body.collision.on_hit = OnHit::bounce;
-    body.label = "ball";
+    BodyDef body{.collision = {.on_hit = OnHit::bounce, .radius = 0.25}, .label = "ball"};
     const KindId balls = world.add_kind(stone(), body).value();
     const KindId points = world.add_kind(stone(), {.layers = 2}).value();
     const KindId stills = world.add_kind(stone(), {.kinematic = true, .layers = 2}).value();
@@ -132,5 +128,4 @@ TEST(WorldDraw, balls_are_circles_where_a_canvas_has_none) {
   }
 }
 
-}  // namespace world_world_draw_test
-}  // namespace physim
+}  // namespace physim::world_world_draw_test

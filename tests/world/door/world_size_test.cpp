@@ -3,25 +3,12 @@
 
 #include "physim/world.hpp"
 
-namespace physim {
-namespace world_world_size_test {
+namespace physim::world_world_size_test {
 
-WorldDef small_def() {
-  WorldDef def;
-  def.ground.mode = GroundMode::land;
-  def.threading.threads = 1;
-  return def;
-}
+WorldDef small_def() { return {.ground = {.mode = GroundMode::land}, .threading = {.threads = 1}}; }
 
 ProjectileDef ball(const Fidelity& fidelity) {
-  ProjectileDef p;
-  p.mass = 0.01;
-  p.diameter = 0.008;
-  p.drag.damping = 0.9;
-  p.drag.k1 = 0.0001;
-  p.drag.k2 = 0.00001;
-  p.fidelity = fidelity;
-  return p;
+  return {.mass = 0.01, .diameter = 0.008, .drag = {.damping = 0.9, .k1 = 0.0001, .k2 = 0.00001}, .fidelity = fidelity};
 }
 
 Launch launch(std::size_t i) {
@@ -106,5 +93,4 @@ TEST(WorldSize, calls_for_many_do_what_calls_for_each_do) {
   EXPECT_EQ(many.set_fidelity(some, Fidelity::game()), 0u);  // they are gone
 }
 
-}  // namespace world_world_size_test
-}  // namespace physim
+}  // namespace physim::world_world_size_test

@@ -1,23 +1,11 @@
 // The world against single flights: same rung, same step, same bits.
-#include "physim/world.hpp"
-
-#include <gtest/gtest.h>
-
 #include <random>
 
-#include "physim/flight.hpp"
-#include "physim/names.hpp"
 #include "world/world_support.hpp"
 
-namespace physim {
-namespace world_world_test {
+namespace physim::world_world_test {
 
-Environment windy() {
-  Environment e;
-  e.wind.velocity = {1, 0.2, -4};
-  e.earth.latitude = 0.8;
-  return e;
-}
+Environment windy() { return {.wind = {.velocity = {1, 0.2, -4}}, .earth = {.latitude = 0.8}}; }
 
 std::vector<Fidelity> fixed_rungs() {
   std::vector<Fidelity> rungs{Fidelity::game(), Fidelity::constant_air(), Fidelity::classic(), Fidelity::arcade()};
@@ -55,9 +43,7 @@ TEST(World, agrees_with_flight_bit_for_bit) {
   constexpr int kSteps = 40;
   std::mt19937 random(7);
   std::uniform_real_distribution<double> angle(-0.5, 0.7);
-  WorldDef def;
-  def.environment = windy();
-  def.ground.mode = GroundMode::none;
+  WorldDef def{.environment = windy(), .ground = {.mode = GroundMode::none}};
   for (const Fidelity& rung : fixed_rungs()) {
     World world = make_world(def);
     ProjectileDef p = bullet();
@@ -74,8 +60,7 @@ TEST(World, agrees_with_flight_bit_for_bit) {
     Until until;
     until.ground.reset();
     until.time = 10;
-    Tolerance tolerance;
-    tolerance.step = kStep;
+    Tolerance tolerance{.step = kStep};
     for (int i = 0; i < kSteps; ++i) world.step(kStep);
     for (std::size_t i = 0; i < ids.size(); ++i) {
       const Flight flight = fly(p, launches[i], def.environment, rung, tolerance, until);
@@ -90,5 +75,4 @@ TEST(World, agrees_with_flight_bit_for_bit) {
   }
 }
 
-}  // namespace world_world_test
-}  // namespace physim
+}  // namespace physim::world_world_test

@@ -1,12 +1,9 @@
 // Snapshots go back bit for bit; hashes tell worlds apart, and only worlds.
-#include <gtest/gtest.h>
-
 #include <functional>
 
 #include "world/random_session.hpp"
 
-namespace physim {
-namespace world_moments_test {
+namespace physim::world_moments_test {
 
 World made(const WorldDef& def = {}) { return std::move(World::create(def).value()); }
 
@@ -186,8 +183,7 @@ TEST(Moments, hash_is_that_of_the_state_not_of_the_way_there) {
 }
 
 TEST(Moments, whatever_decides_the_future_is_in_the_hash) {
-  WorldDef def;
-  def.pools = {{"a", 3, WhenFull::replace_oldest}};
+  WorldDef def{.pools = {{"a", 3, WhenFull::replace_oldest}}};
   const auto base = [&](World& w) {
     for (int i = 0; i < 3; ++i)
       w.spawn(ball(), {.position = {0, 5, 0}, .speed = 4}, BodyDef{.despawn = {.farther = 50, .older = 9}});
@@ -281,5 +277,4 @@ TEST(Moments, the_order_of_free_slots_is_in_the_hash) {
   EXPECT_NE(a.hash(), b.hash());
 }
 
-}  // namespace world_moments_test
-}  // namespace physim
+}  // namespace physim::world_moments_test

@@ -1,20 +1,14 @@
 // Recordings: what was done is done again, bit for bit; what is broken is refused or told.
-#include "physim/world.hpp"
+#include "world/world_support.hpp"
 
-#include <gtest/gtest.h>
-
-#include <algorithm>
 #include <map>
-#include <random>
 #include <set>
 
 #include "physim/files.hpp"
-#include "physim/result.hpp"
 #include "world/random_session.hpp"
 #include "world/recording_bytes.hpp"
 
-namespace physim {
-namespace world_recording_test {
+namespace physim::world_recording_test {
 
 using test::Bytes;
 using test::Places;
@@ -67,9 +61,7 @@ TEST(Recording, random_sessions_replay_with_equal_hashes) {
   for (unsigned seed = 1; seed <= 12; ++seed) {
     std::uint64_t hash = 0;
     const Bytes bytes = random_recording(seed, 3000, &hash);
-    auto opened = Replay::open(bytes, with_functions());
-    ASSERT_TRUE(opened) << opened.error().text();
-    Replay& player = *opened;
+    Replay player = must(Replay::open(bytes, with_functions()));
     while (player.next()) continue;
     const ReplayReport& report = player.report();
     ASSERT_FALSE(report.difference) << "seed " << seed << ": " << report.difference->call << " in step "
@@ -100,10 +92,9 @@ TEST(Recording, replays_on_every_kernel_and_number_of_threads) {
     for (const unsigned threads : {1u, 2u, 7u}) {
       ReplayOptions options = with_functions();
       options.threading = {threads, 1};  // one row is enough for a thread
-      const auto report = replay(bytes, options);
-      ASSERT_TRUE(report) << report.error().text();
-      EXPECT_FALSE(report->difference) << kernel << " " << threads << ": " << report->difference->call << " "
-                                       << report->difference->what;
+      const auto report = must(replay(bytes, options));
+      EXPECT_FALSE(report.difference) << kernel << " " << threads << ": " << report.difference->call << " "
+                                      << report.difference->what;
     }
   }
   use_kernel(kernels().front());
@@ -176,11 +167,8 @@ TEST(Recording, seeks_back_and_forwards_to_the_same_worlds) {
                                          .duration = 0.3});
       ASSERT_TRUE(lift) << lift.error().text();
     }
-    BodyDef body;
-    body.collision.on_hit = OnHit::bounce;
-    body.despawn.older = 1 + i % 3;
-    ProjectileDef p;
-    p.mass = 1 + i % 5;
+    BodyDef body{.collision = {.on_hit = OnHit::bounce}, .despawn = {.older = 1.0 + i % 3}};
+    ProjectileDef p{.mass = 1.0 + i % 5};
     if (i % 7 == 0) world.spawn(world.add_kind(p, body).value(), Launch{.speed = 40.0 + i % 10, .elevation = 0.2});
     world.step(1.0 / 60);
   }
@@ -195,12 +183,9 @@ TEST(Recording, hashes_may_be_rare_or_none) {
     ASSERT_TRUE(world.record(record_into(bytes), {every}));
     world.spawn(ProjectileDef{}, Launch{.position = {0, 90, 0}});
     for (int i = 0; i < 70; ++i) world.step(0.01);
-    ASSERT_TRUE(world.stop_recording());
-    const auto report = replay(bytes);
-    ASSERT_TRUE(report);
-    EXPECT_FALSE(report->difference);
-    EXPECT_EQ(report->steps, 70u);
-    EXPECT_EQ(report->hashes, every == 0 ? 0u : 70u / every);
+    const ReplayReport report = replayed(world, bytes);
+    EXPECT_EQ(report.steps, 70u);
+    EXPECT_EQ(report.hashes, every == 0 ? 0u : 70u / every);
   }
 }
 
@@ -213,18 +198,17 @@ TEST(Recording, a_difference_is_told_with_its_step_and_hashes) {
   // Another velocity than the one that was played.
   bytes[at(Call::set_velocity) + kFrameHead + 8] ^= std::byte{1};
   sign(bytes);
-  const auto report = replay(bytes);
-  ASSERT_TRUE(report) << report.error().text();
-  ASSERT_TRUE(report->difference);
-  EXPECT_EQ(report->difference->step, 3u);
-  EXPECT_EQ(report->difference->time, 0.02);
-  EXPECT_EQ(report->difference->call, "step");
-  EXPECT_GT(report->difference->place, at(Call::set_velocity)) << "where in the recording";
-  EXPECT_LT(report->difference->place, bytes.size());
-  EXPECT_NE(std::ranges::find(places.frame, report->difference->place), places.frame.end()) << "a frame begins there";
-  EXPECT_NE(report->difference->recorded_hash, report->difference->replayed_hash);
-  EXPECT_EQ(report->hashes, 2u);
-  EXPECT_NE(report->difference->what.find("was recorded"), std::string::npos);
+  const auto report = must(replay(bytes));
+  ASSERT_TRUE(report.difference);
+  EXPECT_EQ(report.difference->step, 3u);
+  EXPECT_EQ(report.difference->time, 0.02);
+  EXPECT_EQ(report.difference->call, "step");
+  EXPECT_GT(report.difference->place, at(Call::set_velocity)) << "where in the recording";
+  EXPECT_LT(report.difference->place, bytes.size());
+  EXPECT_NE(std::ranges::find(places.frame, report.difference->place), places.frame.end()) << "a frame begins there";
+  EXPECT_NE(report.difference->recorded_hash, report.difference->replayed_hash);
+  EXPECT_EQ(report.hashes, 2u);
+  EXPECT_NE(report.difference->what.find("was recorded"), std::string::npos);
 }
 
 // ------------------------------------------------------------------------------------------------------ it is damaged
@@ -319,18 +303,14 @@ TEST(Recording, a_call_that_it_cannot_hold_is_refused_whole) {
   Bytes bytes;
   World world = made({});
   ASSERT_TRUE(world.record(record_into(bytes)));
-  Launch bad{.position = {0, 90, 0}};
-  bad.attitude.frame = static_cast<AttitudeFrame>(77);
+  Launch bad{.position = {0, 90, 0}, .attitude = {.frame = static_cast<AttitudeFrame>(77)}};
   const auto refused = world.spawn(ProjectileDef{.mass = 3}, bad);  // would leave its kind behind
   ASSERT_FALSE(refused);
   EXPECT_NE(refused.error().message.find("enumerator"), std::string::npos) << refused.error().text();
   ASSERT_TRUE(world.spawn(ProjectileDef{.mass = 2}, Launch{.position = {0, 90, 0}}));
   ASSERT_TRUE(world.add_kind(ProjectileDef{.mass = 5}));
   world.step(0.01);
-  ASSERT_TRUE(world.stop_recording());
-  const auto report = replay(bytes);
-  ASSERT_TRUE(report) << report.error().text();
-  EXPECT_FALSE(report->difference) << report->difference->what;
+  replayed(world, bytes);
 }
 
 TEST(Recording, custom_forces_need_their_functions) {
@@ -344,9 +324,8 @@ TEST(Recording, custom_forces_need_their_functions) {
   const auto refused = replay(bytes);
   ASSERT_FALSE(refused);
   EXPECT_EQ(refused.error().place, "custom_forces");
-  const auto report = replay(bytes, with_functions(1));
-  ASSERT_TRUE(report) << report.error().text();
-  EXPECT_FALSE(report->difference);
+  const auto report = must(replay(bytes, with_functions(1)));
+  EXPECT_FALSE(report.difference);
   ReplayOptions another;
   another.custom_forces = {{[](const ForceBatch&) {}}};
   EXPECT_TRUE(replay(bytes, another)->difference);
@@ -408,11 +387,10 @@ TEST(Recording, a_world_that_ends_does_not_call_its_sink) {
     is_gone = true;
   }
   EXPECT_GT(calls, 3);
-  const auto report = replay(bytes);
-  ASSERT_TRUE(report);
-  EXPECT_FALSE(report->complete);
-  EXPECT_EQ(report->steps, 3u);
-  EXPECT_EQ(report->hashes, 3u) << "all of the last step was handed over when it ended";
+  const auto report = must(replay(bytes));
+  EXPECT_FALSE(report.complete);
+  EXPECT_EQ(report.steps, 3u);
+  EXPECT_EQ(report.hashes, 3u) << "all of the last step was handed over when it ended";
 }
 
 TEST(Recording, a_call_is_handed_over_before_it_steps) {
@@ -422,12 +400,12 @@ TEST(Recording, a_call_is_handed_over_before_it_steps) {
   std::size_t before_last = 0;
   for (int i = 0; i < 5; ++i) before_last = bytes.size(), world.step(0.1);
   EXPECT_GT(bytes.size(), before_last);
-  const auto report = replay(bytes);  // as if the program had died behind its fifth step
-  ASSERT_TRUE(report);
-  EXPECT_FALSE(report->complete);
-  EXPECT_EQ(report->steps, 5u);
-  EXPECT_EQ(report->hashes, 5u);
-  EXPECT_FALSE(report->difference);
+  const auto report = must(replay(bytes));
+  // as if the program had died behind its fifth step
+  EXPECT_FALSE(report.complete);
+  EXPECT_EQ(report.steps, 5u);
+  EXPECT_EQ(report.hashes, 5u);
+  EXPECT_FALSE(report.difference);
 }
 
 TEST(Recording, a_sink_that_fails_ends_it_and_not_the_world) {
@@ -461,5 +439,4 @@ TEST(Recording, a_snapshot_from_before_ends_it) {
   EXPECT_FALSE(world.stop_recording());
 }
 
-}  // namespace world_recording_test
-}  // namespace physim
+}  // namespace physim::world_recording_test

@@ -1,17 +1,9 @@
 // Saves: a world that is loaded goes on as the one that was saved, bit for bit; what is no save is refused.
-#include <gtest/gtest.h>
-
-#include <cmath>
-#include <random>
-
 #include "base/hash.hpp"
-#include "physim/result.hpp"
-#include "physim/world.hpp"
 #include "world/random_session.hpp"
 #include "world/world_support.hpp"
 
-namespace physim {
-namespace world_save_test {
+namespace physim::world_save_test {
 
 using Bytes = std::vector<std::byte>;
 
@@ -23,17 +15,9 @@ LoadOptions with_functions(std::size_t count = 1000) {
   return options;
 }
 
-Bytes save_of(const World& world) {
-  auto saved = world.save();
-  if (!saved) ADD_FAILURE() << saved.error().text();
-  return saved ? std::move(*saved) : Bytes();
-}
+Bytes save_of(const World& world) { return must(world.save()); }
 
-World load(const Bytes& save, const LoadOptions& options = {}) {
-  auto loaded = World::load(save, options);
-  if (!loaded) ADD_FAILURE() << loaded.error().text();
-  return loaded ? std::move(*loaded) : World();
-}
+World load(const Bytes& save, const LoadOptions& options = {}) { return must(World::load(save, options)); }
 
 void expect_same(const World& a, const World& b) {
   ASSERT_EQ(a.hash(), b.hash());
@@ -76,15 +60,11 @@ TEST(Save, random_sessions_go_on_from_any_moment) {
 }
 
 TEST(Save, rockets_go_on_with_what_is_left_of_their_burn) {
-  WorldDef def;
-  def.ground.mode = GroundMode::none;
-  World world = make_world(def);
-  ProjectileDef rocket;
-  rocket.mass = 2;
-  rocket.diameter = 0.1;
-  rocket.length = 1;
-  rocket.motor.thrust = {{0, 100}, {0.5, 300}, {1, 100}, {2, 0}};
-  rocket.motor.propellant_mass = 0.5;
+  World world = make_world({.ground = {.mode = GroundMode::none}});
+  ProjectileDef rocket{.mass = 2,
+                       .diameter = 0.1,
+                       .length = 1,
+                       .motor = {.thrust = {{0, 100}, {0.5, 300}, {1, 100}, {2, 0}}, .propellant_mass = 0.5}};
   for (const double delay : {0.0, 0.35}) {
     rocket.motor.ignition_delay = delay;
     for (const Fidelity& rung : {Fidelity::game(), Fidelity::constant_air(), Fidelity::simulation()}) {
@@ -182,9 +162,7 @@ TEST(Save, a_recording_may_begin_at_one) {
     for (int i = 0; i < 500; ++i) session.act();
     const std::uint64_t hash = world.hash();
     ASSERT_TRUE(world.stop_recording());
-    auto opened = Replay::open(bytes, with_functions());
-    ASSERT_TRUE(opened) << opened.error().text();
-    Replay& player = *opened;
+    Replay player = must(Replay::open(bytes, with_functions()));
     while (player.next()) continue;
     ASSERT_FALSE(player.report().difference)
         << player.report().difference->call << ": " << player.report().difference->what;
@@ -245,9 +223,8 @@ TEST(Save, of_another_version_is_read_and_named_where_it_makes_no_sense) {
   ASSERT_TRUE(world.spawn(stone(), {.position = {0, 9, 0}}));
   Bytes save = save_of(world);
   save[kVersionPlace] = std::byte{'7'};
-  const auto loaded = World::load(with_sum(save));
-  ASSERT_TRUE(loaded) << loaded.error().text();
-  expect_same(*loaded, world);
+  const auto loaded = must(World::load(with_sum(save)));
+  expect_same(loaded, world);
   save[save.size() - 9] = std::byte{0xff};  // the last of its content: a list that is longer than what follows
   const std::string why = ": PhySim 7" + std::string(kVersion).substr(1) + " wrote it, and this is PhySim " + kVersion;
   EXPECT_EQ(World::load(with_sum(save)).error().message, "its bytes make no sense" + why);
@@ -278,5 +255,4 @@ TEST(Save, fuzzed_ones_are_refused_or_make_a_sound_world) {
   EXPECT_GT(made, 100);
 }
 
-}  // namespace world_save_test
-}  // namespace physim
+}  // namespace physim::world_save_test

@@ -1,12 +1,8 @@
 // Adaptive integrators in worlds: the parts of a frame end at the corners of what is piecewise, as the steps of flights
 // do, so that a world is as accurate as a flight of its tolerance.
-#include <gtest/gtest.h>
-
-#include "support.hpp"
 #include "world/world_support.hpp"
 
-namespace physim {
-namespace world_adaptive_frames_test {
+namespace physim::world_adaptive_frames_test {
 
 using namespace test;
 
@@ -55,10 +51,8 @@ State<double> flown(const Bent& b, Integrator integrator, double tolerance) {
 }
 
 State<double> stepped(const Bent& b, Integrator integrator) {
-  WorldDef def;
-  def.environment = b.environment;
-  def.ground.mode = GroundMode::none;
-  def.tolerance = {kTolerance, kTolerance};
+  WorldDef def{
+      .environment = b.environment, .ground = {.mode = GroundMode::none}, .tolerance = {kTolerance, kTolerance}};
   World world = make_world(def);
   ProjectileDef p = b.projectile;
   p.fidelity = Fidelity::simulation();
@@ -88,9 +82,7 @@ TEST(AdaptiveFrames, are_as_accurate_as_flights_over_corners) {
 TEST(AdaptiveFrames, are_divided_for_each_row_alone) {
   for (const Bent& each : bent_cases())
     for (const Precision precision : {Precision::float32, Precision::float64}) {
-      WorldDef def;
-      def.environment = each.environment;
-      def.ground.mode = GroundMode::none;
+      WorldDef def{.environment = each.environment, .ground = {.mode = GroundMode::none}};
       World together = make_world(def);
       World looked_at = make_world([&] {
         WorldDef with_apexes = def;
@@ -116,5 +108,4 @@ TEST(AdaptiveFrames, are_divided_for_each_row_alone) {
     }
 }
 
-}  // namespace world_adaptive_frames_test
-}  // namespace physim
+}  // namespace physim::world_adaptive_frames_test

@@ -1,26 +1,16 @@
 // Hits that ask through every door: what is refused, saves, snapshots, recordings, predictions, flights.
-#include <stdexcept>
-
-#include "physim/world.hpp"
 #include "world/ask_support.hpp"
 #include "world/random_session.hpp"
 
-namespace physim {
-namespace world_ask_hits_doors_test {
+namespace physim::world_ask_hits_doors_test {
 
 using namespace test_ask;
 
-BodyDef asks(double radius = 0) {
-  BodyDef body;
-  body.restitution = 0.9;
-  body.collision = {.on_hit = OnHit::ask, .radius = radius};
-  return body;
-}
+BodyDef asks(double radius = 0) { return {.restitution = 0.9, .collision = {.on_hit = OnHit::ask, .radius = radius}}; }
 
 /// A room in which some ask what happens.
 World asking_room(const HitFunction& function = answer_by_place) {
-  World world = make_world(in_the_open());
-  EXPECT_TRUE(world.set_scene(room({5, 3, 4}, {.restitution = 0.8, .friction = 0.3})));
+  World world = make_world(in_the_open(), room({5, 3, 4}, {.restitution = 0.8, .friction = 0.3}));
   EXPECT_TRUE(world.set_hit_function(function));
   return world;
 }
@@ -117,11 +107,10 @@ TEST(AskHitsDoors, the_function_may_destroy_its_world) {
       world.reset();
       batch.answers[0].then = OnHit::bounce;
     }));
-    EmitterDef def;
-    def.kind = *world->add_kind(stone(), asks());
-    def.start.speed = {300};
-    def.per_second = {steps ? 600.0 : 0.0};
-    def.cycle = {.duration = 1, .prewarm = !steps};
+    EmitterDef def{.kind = *world->add_kind(stone(), asks()),
+                   .cycle = {.duration = 1, .prewarm = !steps},
+                   .per_second = {steps ? 600.0 : 0.0},
+                   .start = {.speed = {300}}};
     ASSERT_TRUE(world->spawn(stone(), {.velocity = Vec3d{50, 0, 0}}, asks()));
     if (steps) static_cast<void>(asking->step(0.2));
     if (!steps) def.per_second = {100}, static_cast<void>(asking->add_emitter(def));
@@ -132,13 +121,10 @@ TEST(AskHitsDoors, the_function_may_destroy_its_world) {
 /// It is let out between two steps, into the past of the emitter, and asks there.
 TEST(AskHitsDoors, who_is_let_out_between_steps_asks_then) {
   World world = asking_room(always({.then = OnHit::bounce}));
-  EmitterDef def;
-  def.kind = *world.add_kind(stone(), asks());
-  def.per_second = {100};
-  def.start.speed = {20, 30};
-  def.start.lifetime = {2};
-  def.cycle.prewarm = true;
-  def.cycle.duration = 1;
+  EmitterDef def{.kind = *world.add_kind(stone(), asks()),
+                 .cycle = {.duration = 1, .prewarm = true},
+                 .per_second = {100},
+                 .start = {.lifetime = {2}, .speed = {20, 30}}};
   ASSERT_TRUE(world.add_emitter(def));
   world.step(1.0 / 60);
   EXPECT_GT(world.hit_counts().questions, 50u);
@@ -154,11 +140,10 @@ TEST(AskHitsDoors, saves_and_snapshots_go_on_the_same) {
   const auto refused = World::load(save);
   ASSERT_FALSE(refused);
   EXPECT_EQ(refused.error().place, "hit_function");
-  auto loaded = World::load(save, {.hit_function = answer_by_place});
-  ASSERT_TRUE(loaded) << loaded.error().text();
-  EXPECT_EQ(*loaded->save(), save);
-  for (int i = 0; i < 40; ++i) world.step(1.0 / 60), loaded->step(1.0 / 60);
-  EXPECT_EQ(loaded->hash(), world.hash());
+  auto loaded = must(World::load(save, {.hit_function = answer_by_place}));
+  EXPECT_EQ(*loaded.save(), save);
+  for (int i = 0; i < 40; ++i) world.step(1.0 / 60), loaded.step(1.0 / 60);
+  EXPECT_EQ(loaded.hash(), world.hash());
   const std::uint64_t then = world.hash();
   ASSERT_TRUE(world.restore(moment));
   for (int i = 0; i < 40; ++i) world.step(1.0 / 60);
@@ -194,10 +179,7 @@ TEST(AskHitsDoors, a_replay_has_the_answers) {
       }));
     }
     spray(recorded, 60);
-    EmitterDef def;
-    def.kind = *recorded.add_kind(stone(), asks());
-    def.start.speed = {300};
-    def.start.lifetime = {0.5};
+    EmitterDef def{.kind = *recorded.add_kind(stone(), asks()), .start = {.lifetime = {0.5}, .speed = {300}}};
     const EmitterId emitter = *recorded.add_emitter(def);
     for (int i = 0; i < 30; ++i) {
       recorded.step(1.0 / 60);
@@ -210,11 +192,10 @@ TEST(AskHitsDoors, a_replay_has_the_answers) {
     for (int i = 0; i < 10; ++i) recorded.step(1.0 / 60);
     ASSERT_TRUE(recorded.stop_recording());
     EXPECT_GT(recorded.hit_counts().refused, 0u);
-    const auto report = replay(recording);
-    ASSERT_TRUE(report) << report.error().text();
-    EXPECT_TRUE(report->complete);
-    EXPECT_EQ(report->hashes, 50u);
-    if (report->difference) ADD_FAILURE() << report->difference->call << ": " << report->difference->what;
+    const auto report = must(replay(recording));
+    EXPECT_TRUE(report.complete);
+    EXPECT_EQ(report.hashes, 50u);
+    if (report.difference) ADD_FAILURE() << report.difference->call << ": " << report.difference->what;
   }
 }
 
@@ -242,16 +223,13 @@ TEST(AskHitsDoors, random_sessions_replay_and_go_on) {
     options.custom_forces.assign(1000, {[](const ForceBatch& b) {
                                    for (std::size_t i = 0; i < b.id.size(); ++i) b.force[i].y += b.mass[i] * 3;
                                  }});
-    const auto report = replay(recording, options);
-    ASSERT_TRUE(report) << report.error().text();
-    EXPECT_TRUE(report->complete);
-    if (report->difference)
-      ADD_FAILURE() << seed << ", " << report->difference->call << ": " << report->difference->what;
+    const auto report = must(replay(recording, options));
+    EXPECT_TRUE(report.complete);
+    if (report.difference) ADD_FAILURE() << seed << ", " << report.difference->call << ": " << report.difference->what;
     options.hit_function = test::answer_somehow;
-    auto loaded = World::load(*world.save(), options);
-    ASSERT_TRUE(loaded) << loaded.error().text();
-    for (int i = 0; i < 30; ++i) world.single_step(), loaded->single_step();
-    EXPECT_EQ(loaded->hash(), world.hash()) << seed;
+    auto loaded = reloaded(world, options);
+    for (int i = 0; i < 30; ++i) world.single_step(), loaded.single_step();
+    EXPECT_EQ(loaded.hash(), world.hash()) << seed;
   }
   EXPECT_GT(asked, 100u);
 }
@@ -295,5 +273,4 @@ TEST(AskHitsDoors, who_begins_inside_stays) {
   }
 }
 
-}  // namespace world_ask_hits_doors_test
-}  // namespace physim
+}  // namespace physim::world_ask_hits_doors_test

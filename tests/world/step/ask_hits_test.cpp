@@ -3,11 +3,9 @@
 #include <thread>
 
 #include "engine_support.hpp"
-#include "physim/body.hpp"
 #include "world/ask_support.hpp"
 
-namespace physim {
-namespace world_ask_hits_test {
+namespace physim::world_ask_hits_test {
 
 using namespace test_ask;
 using test::Random;
@@ -19,10 +17,10 @@ Scene crowded_room() {
   fir.spread.deflection = 0.05;
   const MaterialId wood = *scene.add_material(fir);
   for (int i = 0; i < 3; ++i) put(scene, BoxShape{{0.01, 2, 3}}, {1.0 + 0.6 * i, -1, 0}, wood);
-  EXPECT_TRUE(scene.add({.shape = *scene.add_shape(BoxShape{{0.2, 1, 1}}),
-                         .transform = {.position = {-3, -2, 0}},
-                         .material = wood,
-                         .motion = SteadyMotion{.velocity = {0.5, 0.2, 0}, .angular_velocity = {0, 1, 0}}}));
+  add_thing(scene, BoxShape{{0.2, 1, 1}},
+            {.transform = {.position = {-3, -2, 0}},
+             .material = wood,
+             .motion = SteadyMotion{.velocity = {0.5, 0.2, 0}, .angular_velocity = {0, 1, 0}}});
   EXPECT_TRUE(
       scene.add({.shape = *scene.add_shape(SphereShape{1}), .transform = {.position = {0, 0, 2}}, .sensor = true}));
   return scene;
@@ -59,9 +57,7 @@ void expect_as_the_kind(const Scene& scene, const Rung& rung, OnHit on_hit, doub
   World own = make_world(in_the_open()), asking = make_world(in_the_open());
   ASSERT_TRUE(own.set_scene(scene) && asking.set_scene(scene));
   ASSERT_TRUE(asking.set_hit_function(always({.then = on_hit})));
-  BodyDef body;
-  body.restitution = 0.9;
-  body.collision = {.on_hit = on_hit, .radius = radius};
+  BodyDef body{.restitution = 0.9, .collision = {.on_hit = on_hit, .radius = radius}};
   spray(own, rung.fidelity, body, on_hit == OnHit::impact ? 300 : 40);
   body.collision.on_hit = OnHit::ask;
   spray(asking, rung.fidelity, body, on_hit == OnHit::impact ? 300 : 40);
@@ -106,9 +102,8 @@ TEST(AskHits, so_do_balls_that_meet_each_other_and_particles) {
     World& world = worlds[i];
     ASSERT_TRUE(world.set_scene(crowded_room()));
     ASSERT_TRUE(world.set_hit_function(always({.then = OnHit::bounce})));
-    BodyDef body;
-    body.restitution = 0.9;
-    body.collision = {.on_hit = i == 0 ? OnHit::bounce : OnHit::ask, .radius = 0.1, .others = 1};
+    BodyDef body{.restitution = 0.9,
+                 .collision = {.on_hit = i == 0 ? OnHit::bounce : OnHit::ask, .radius = 0.1, .others = 1}};
     ProjectileDef p = stone();
     p.mass = 0.1;
     Random r(11);
@@ -143,8 +138,7 @@ TEST(AskHits, a_step_asks_in_rounds_in_order_of_time) {
   for (const double side : {1.5, -1.5}) put(scene, BoxShape{{0.5, 50, 50}}, {side, 0, 0}, elastic);
   WorldDef def = in_the_open();
   def.environment.gravity.model = GravityModel::off;
-  World world = make_world(def);
-  ASSERT_TRUE(world.set_scene(scene));
+  World world = make_world(def, scene);
   std::vector<std::vector<HitQuestion>> calls;
   ASSERT_TRUE(world.set_hit_function([&](const HitBatch& batch) {
     calls.emplace_back(batch.questions.begin(), batch.questions.end());
@@ -193,8 +187,7 @@ TEST(AskHits, threads_change_no_bit_and_no_question) {
   std::vector<HitQuestion> asked[2];
   const unsigned threads[2] = {1, 3};
   for (int i = 0; i < 2; ++i) {
-    World world = make_world(in_the_open(threads[i]));
-    ASSERT_TRUE(world.set_scene(crowded_room()));
+    World world = make_world(in_the_open(threads[i]), crowded_room());
     const std::thread::id stepping = std::this_thread::get_id();
     ASSERT_TRUE(world.set_hit_function([&, i](const HitBatch& batch) {
       EXPECT_EQ(std::this_thread::get_id(), stepping);
@@ -225,8 +218,7 @@ TEST(AskHits, a_velocity_of_ones_own_goes_through) {
     const InstanceId plank = put(scene, BoxShape{{0.05, 2, 2}}, {10, 0, 0});
     WorldDef def = in_the_open();
     def.environment.gravity.model = GravityModel::off;
-    World world = make_world(def);
-    ASSERT_TRUE(world.set_scene(scene));
+    World world = make_world(def, scene);
     HitQuestion asked;
     ASSERT_TRUE(world.set_hit_function([&](const HitBatch& batch) {
       asked = batch.questions[0];
@@ -258,11 +250,9 @@ TEST(AskHits, a_velocity_of_ones_own_goes_through) {
 /// A clinch: it bounces off as somebody says, off a wall that moves, and flies on.
 TEST(AskHits, a_velocity_of_ones_own_bounces) {
   Scene scene;
-  ASSERT_TRUE(scene.add({.shape = *scene.add_shape(BoxShape{{0.5, 50, 50}}),
-                         .transform = {.position = {10.5, 0, 0}},
-                         .motion = SteadyMotion{.velocity = {-10, 0, 0}}}));
-  World world = make_world(in_the_open());
-  ASSERT_TRUE(world.set_scene(scene));
+  add_thing(scene, BoxShape{{0.5, 50, 50}},
+            {.transform = {.position = {10.5, 0, 0}}, .motion = SteadyMotion{.velocity = {-10, 0, 0}}});
+  World world = make_world(in_the_open(), scene);
   ASSERT_TRUE(world.set_hit_function([&](const HitBatch& batch) {
     EXPECT_EQ(batch.questions[0].surface_velocity, (Vec3d{-10, 0, 0}));
     batch.answers[0] = {OnHit::bounce, Vec3d{-40, 20, 5}};
@@ -285,8 +275,7 @@ TEST(AskHits, a_velocity_of_ones_own_bounces) {
 TEST(AskHits, a_velocity_along_the_surface_slides) {
   Scene scene;
   put(scene, BoxShape{{50, 1, 50}}, {0, -1, 0}, *scene.add_material({.restitution = 0.5, .friction = 0}));
-  World world = make_world(in_the_open());
-  ASSERT_TRUE(world.set_scene(scene));
+  World world = make_world(in_the_open(), scene);
   ASSERT_TRUE(world.set_hit_function([&](const HitBatch& batch) {
     Vec3d along = batch.questions[0].velocity;
     along.y = 0;
@@ -306,8 +295,7 @@ TEST(AskHits, a_velocity_along_the_surface_slides) {
 TEST(AskHits, what_passes_meets_what_stands_behind) {
   Scene scene;
   for (int i = 0; i < 5; ++i) put(scene, BoxShape{{0.05, 2, 2}}, {10.0 + 0.1 * i, 0, 0});  // they touch
-  World world = make_world(in_the_open());
-  ASSERT_TRUE(world.set_scene(scene));
+  World world = make_world(in_the_open(), scene);
   int calls = 0;
   ASSERT_TRUE(world.set_hit_function([&](const HitBatch& batch) {
     ++calls;
@@ -340,5 +328,4 @@ TEST(AskHits, who_has_too_many_in_a_step_sticks) {
   EXPECT_EQ(world[id].velocity(), Vec3d{});
 }
 
-}  // namespace world_ask_hits_test
-}  // namespace physim
+}  // namespace physim::world_ask_hits_test

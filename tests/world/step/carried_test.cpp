@@ -1,26 +1,15 @@
 // What slides or rolls on things that move: turntables, planks that tilt, trains that start and stop at once, lifts
 // before walls; and what drag does to slides. All beside closed forms.
-#include <cmath>
-
 #include "math/quat.hpp"
-#include "physim/body.hpp"
 #include "scene_support.hpp"
-#include "support.hpp"
-#include "world/world_support.hpp"
 
-namespace physim {
-namespace world_carried_test {
+namespace physim::world_carried_test {
 
 using namespace test_scene;
 
 constexpr double kRates[] = {24, 60, 250};
 constexpr double kRadius = 0.1;  // of balls [m]
 
-ProjectileDef puck(Precision precision = Precision::float64) {
-  ProjectileDef p{.mass = 1, .diameter = 0.2};
-  p.fidelity = rung(Integrator::rk4, precision);
-  return p;
-}
 struct OnDisc {
   Vec3d place, velocity;
 };
@@ -28,12 +17,11 @@ struct OnDisc {
 OnDisc on_disc(double turns, double friction, const BodyDef& body, const Vec3d& velocity, double seconds, double rate) {
   Scene scene;
   const MaterialId made_of = *scene.add_material({.restitution = 0, .friction = friction});
-  EXPECT_TRUE(scene.add({.shape = *scene.add_shape(CylinderShape{40, 0.25}),
-                         .transform = {.position = {0, -0.25, 0}},
-                         .material = made_of,
-                         .motion = SteadyMotion{.angular_velocity = {0, turns, 0}}}));
-  World world = make_world(space());
-  EXPECT_TRUE(world.set_scene(scene));
+  add_thing(scene, CylinderShape{40, 0.25},
+            {.transform = {.position = {0, -0.25, 0}},
+             .material = made_of,
+             .motion = SteadyMotion{.angular_velocity = {0, turns, 0}}});
+  World world = make_world(space(), scene);
   const ProjectileId id =
       *world.spawn(puck(), {.position = {0.5, body.collision.radius + 1e-10, 0}, .velocity = velocity}, body);
   run_for(world, seconds, 1 / rate);
@@ -80,11 +68,8 @@ TEST(Carried, what_slides_or_rolls_on_a_plank_that_tilts_follows_the_equation_of
       for (const double x : {-9.0, 9.0})
         for (const double y : {-0.3, 0.0})
           for (const double z : {-3.0, 3.0}) plank.points.push_back({x, y, z});
-      ASSERT_TRUE(scene.add({.shape = *scene.add_shape(plank),
-                             .material = made_of,
-                             .motion = SteadyMotion{.angular_velocity = {0, 0, w}}}));
-      World world = make_world(space());
-      ASSERT_TRUE(world.set_scene(scene));
+      add_thing(scene, plank, {.material = made_of, .motion = SteadyMotion{.angular_velocity = {0, 0, w}}});
+      World world = make_world(space(), scene);
       BodyDef body = bouncing(radius, 0, 1);
       if (k > 0) body.angular_velocity = {0, 0, w - speed / radius};
       const ProjectileId id = *world.spawn(
@@ -112,8 +97,7 @@ TEST(Carried, what_lies_on_a_train_slides_from_the_moment_at_which_it_stops_or_s
                                    {.time = to, .position = {speed * (to - from), -0.5, 0}}}};
         ASSERT_TRUE(
             scene.add({.shape = *scene.add_shape(BoxShape{{80, 0.5, 5}}), .material = made_of, .motion = train}));
-        World world = make_world(space());
-        ASSERT_TRUE(world.set_scene(scene));
+        World world = make_world(space(), scene);
         const ProjectileId id = *world.spawn(
             puck(), {.position = {0, 1e-10, 0}, .velocity = Vec3d{stops ? speed : 0, 0, 0}}, bouncing(0, 0, friction));
         run_for(world, 2.5, 1 / rate);
@@ -129,10 +113,10 @@ TEST(Carried, a_flight_on_a_train_that_stops_slides_from_that_moment_on) {
   for (const double rate : kRates) {
     Scene scene;
     const MaterialId made_of = *scene.add_material({.restitution = 0, .friction = 1});
-    ASSERT_TRUE(scene.add({.shape = *scene.add_shape(BoxShape{{80, 0.5, 5}}),
-                           .material = made_of,
-                           .motion = KeyedMotion{.keys = {{.time = 0, .position = {0, -0.5, 0}},
-                                                          {.time = when, .position = {speed * when, -0.5, 0}}}}}));
+    add_thing(scene, BoxShape{{80, 0.5, 5}},
+              {.material = made_of,
+               .motion = KeyedMotion{.keys = {{.time = 0, .position = {0, -0.5, 0}},
+                                              {.time = when, .position = {speed * when, -0.5, 0}}}}});
     Until until = meeting(scene, OnHit::bounce);
     until.contact.restitution = 0, until.contact.friction = 0.5, until.contact.rolling_resistance = 0;
     const ProjectileDef p = puck();
@@ -151,12 +135,11 @@ TEST(Carried, a_point_that_slides_over_an_edge_falls_from_there) {
       for (const double rate : kRates) {
         Scene scene;
         const MaterialId made_of = *scene.add_material({.restitution = 0, .friction = 1});
-        ASSERT_TRUE(scene.add({.shape = *scene.add_shape(BoxShape{{5, 0.5, 5}}),
-                               .transform = {.position = {edge - 5, -0.5, 0}},
-                               .material = made_of,
-                               .motion = SteadyMotion{.velocity = {0, rises, 0}}}));
-        World world = make_world(space());
-        ASSERT_TRUE(world.set_scene(scene));
+        add_thing(scene, BoxShape{{5, 0.5, 5}},
+                  {.transform = {.position = {edge - 5, -0.5, 0}},
+                   .material = made_of,
+                   .motion = SteadyMotion{.velocity = {0, rises, 0}}});
+        World world = make_world(space(), scene);
         const double friction = rough ? 0.1 : 0, slows = friction * kG;
         const ProjectileId id = *world.spawn(puck(), {.position = {0, 1e-10, 0}, .velocity = Vec3d{speed, rises, 0}},
                                              bouncing(0, 0, friction));
@@ -209,17 +192,15 @@ TEST(Carried, a_wall_in_motion_or_before_a_lift_is_met_when_both_are_there) {
         const MaterialId rough = *scene.add_material({.restitution = 0, .friction = 1});
         const MaterialId smooth = *scene.add_material({.restitution = 1, .friction = 0});
         if (surface > 0) {
-          ASSERT_TRUE(scene.add({.shape = *scene.add_shape(BoxShape{{40, 0.5, 5}}),
-                                 .transform = {.position = {0, -0.5, 0}},
-                                 .material = rough,
-                                 .motion = SteadyMotion{.velocity = {0, rises, 0}}}));
+          add_thing(scene, BoxShape{{40, 0.5, 5}},
+                    {.transform = {.position = {0, -0.5, 0}},
+                     .material = rough,
+                     .motion = SteadyMotion{.velocity = {0, rises, 0}}});
         }
         SceneMotion motion = AtRest{};
         if (wall_speed != 0) motion = SteadyMotion{.velocity = {wall_speed, 0, 0}};
-        ASSERT_TRUE(scene.add({.shape = *scene.add_shape(BoxShape{{0.5, 9, 5}}),
-                               .transform = {.position = {1.5, 0, 0}},
-                               .material = smooth,
-                               .motion = motion}));
+        add_thing(scene, BoxShape{{0.5, 9, 5}},
+                  {.transform = {.position = {1.5, 0, 0}}, .material = smooth, .motion = motion});
         ASSERT_TRUE(world.set_scene(scene));
         const ProjectileId id =
             *world.spawn(puck(), {.position = {0, surface > 0 ? 1e-10 : 0, 0}, .velocity = Vec3d{speed, rises, 0}},
@@ -235,14 +216,12 @@ TEST(Carried, a_sensor_reports_what_slides_on_a_lift_in_its_time) {
   const double speed = 5, slows = 0.5 * kG;
   for (const double rate : kRates) {
     Scene scene;
-    ASSERT_TRUE(scene.add({.shape = *scene.add_shape(BoxShape{{40, 0.5, 5}}),
-                           .transform = {.position = {0, -0.5, 0}},
-                           .material = *scene.add_material({.restitution = 0, .friction = 1}),
-                           .motion = SteadyMotion{.velocity = {0, 1, 0}}}));
-    ASSERT_TRUE(scene.add(
-        {.shape = *scene.add_shape(BoxShape{{0.5, 9, 9}}), .transform = {.position = {1.5, 0, 0}}, .sensor = true}));
-    World world = make_world(space());
-    ASSERT_TRUE(world.set_scene(scene));
+    add_thing(scene, BoxShape{{40, 0.5, 5}},
+              {.transform = {.position = {0, -0.5, 0}},
+               .material = *scene.add_material({.restitution = 0, .friction = 1}),
+               .motion = SteadyMotion{.velocity = {0, 1, 0}}});
+    add_thing(scene, BoxShape{{0.5, 9, 9}}, {.transform = {.position = {1.5, 0, 0}}, .sensor = true});
+    World world = make_world(space(), scene);
     ASSERT_TRUE(world.spawn(puck(), {.position = {0, 1e-10, 0}, .velocity = Vec3d{speed, 1, 0}}, bouncing(0, 0, 0.5)));
     const std::vector<Event> all = run_for(world, 1, 1 / rate);
     const auto when = [&](double x) { return (speed - std::sqrt(speed * speed - 2 * slows * x)) / slows; };
@@ -289,13 +268,11 @@ TEST(Carried, a_wedge_lifts_what_does_not_move_along_its_way) {
     for (const double rate : kRates) {
       Scene scene;
       const MaterialId smooth = *scene.add_material({.restitution = 0, .friction = 0});
-      ASSERT_TRUE(scene.add(
-          {.shape = *scene.add_shape(BoxShape{{20, half, 5}}),
-           .transform = {.position = normal * -half, .rotation = quat_from_axis_angle(Vec3d{0, 0, -1}, slope)},
-           .material = smooth,
-           .motion = SteadyMotion{.velocity = {speed, 0, 0}}}));
-      World world = make_world(space());
-      ASSERT_TRUE(world.set_scene(scene));
+      add_thing(scene, BoxShape{{20, half, 5}},
+                {.transform = {.position = normal * -half, .rotation = quat_from_axis_angle(Vec3d{0, 0, -1}, slope)},
+                 .material = smooth,
+                 .motion = SteadyMotion{.velocity = {speed, 0, 0}}});
+      World world = make_world(space(), scene);
       BodyDef body = bouncing(radius, 0, 0);
       body.frozen = Axes::x;
       const Vec3d place{0, radius / std::cos(slope) + 1e-10, 0}, rises{0, speed * std::tan(slope), 0};
@@ -317,10 +294,8 @@ TEST(Carried, a_plate_that_turns_fast_presses_and_is_followed_in_parts_of_its_tu
     for (const double x : {-9.0, 9.0})
       for (const double y : {-0.3, 0.0})
         for (const double z : {-9.0, 9.0}) plate.points.push_back({x, y, z});
-    ASSERT_TRUE(scene.add(
-        {.shape = *scene.add_shape(plate), .material = smooth, .motion = SteadyMotion{.angular_velocity = {0, 0, w}}}));
-    World world = make_world(in_the_open());
-    ASSERT_TRUE(world.set_scene(scene));
+    add_thing(scene, plate, {.material = smooth, .motion = SteadyMotion{.angular_velocity = {0, 0, w}}});
+    World world = make_world(in_the_open(), scene);
     const ProjectileId id = *world.spawn(
         puck(), {.position = {start, radius + 1e-10, 0}, .velocity = Vec3d{speed - w * radius, w * start, 0}},
         bouncing(radius, 0, 0));
@@ -332,5 +307,4 @@ TEST(Carried, a_plate_that_turns_fast_presses_and_is_followed_in_parts_of_its_tu
   }
 }
 
-}  // namespace world_carried_test
-}  // namespace physim
+}  // namespace physim::world_carried_test

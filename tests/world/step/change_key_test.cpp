@@ -5,8 +5,7 @@
 #include <algorithm>
 #include <vector>
 
-namespace physim {
-namespace world_change_key_test {
+namespace physim::world_change_key_test {
 
 Change change_of(std::uint32_t slot, Change::Kind kind) {
   Change change;
@@ -33,5 +32,4 @@ TEST(ChangeKey, orders_by_slot_then_kind_then_as_they_were_told) {
   EXPECT_EQ(order, (std::vector<std::size_t>{2, 4, 1, 3, 0}));
 }
 
-}  // namespace world_change_key_test
-}  // namespace physim
+}  // namespace physim::world_change_key_test

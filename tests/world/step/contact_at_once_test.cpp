@@ -1,12 +1,7 @@
 // Contacts that fall on one moment, and contacts that last: corners, piles, walls that push, edges, rolling.
-#include <cmath>
-#include <vector>
-
-#include "physim/scene.hpp"
 #include "world/joints_support.hpp"
 
-namespace physim {
-namespace world_contact_at_once_test {
+namespace physim::world_contact_at_once_test {
 
 using test_joints::falling;
 using test_joints::join;
@@ -30,11 +25,7 @@ BodyDef body_of(double radius, double restitution, double friction) {
   return body;
 }
 
-World world_with(const Scene& scene) {
-  World world = make_world(falling());
-  EXPECT_TRUE(world.set_scene(scene));
-  return world;
-}
+World world_with(const Scene& scene) { return make_world(falling(), scene); }
 
 Quatd turned_about_z(double angle) { return {std::cos(angle / 2), 0, 0, std::sin(angle / 2)}; }
 
@@ -80,13 +71,12 @@ TEST(ContactAtOnce, a_wall_pushes_a_ball_over_a_floor_and_up_a_ramp) {
       const double r = 0.1, a = tilt * kDegree, c = std::cos(a), d = std::sin(a);
       Scene scene;
       const MaterialId soft = *scene.add_material({.restitution = 0, .friction = 1});
-      ASSERT_TRUE(scene.add({.shape = *scene.add_shape(BoxShape{{20, 1, 2}}),
-                             .transform = {.position = {d, -c, 0}, .rotation = turned_about_z(a)},
-                             .material = soft}));
-      ASSERT_TRUE(scene.add({.shape = *scene.add_shape(BoxShape{{0.1, 0.5, 1}}),
-                             .transform = {.position = {-0.5 * c, -0.5 * d, 0}, .rotation = turned_about_z(a)},
-                             .material = soft,
-                             .motion = SteadyMotion{.velocity = {c, d, 0}}}));
+      add_thing(scene, BoxShape{{20, 1, 2}},
+                {.transform = {.position = {d, -c, 0}, .rotation = turned_about_z(a)}, .material = soft});
+      add_thing(scene, BoxShape{{0.1, 0.5, 1}},
+                {.transform = {.position = {-0.5 * c, -0.5 * d, 0}, .rotation = turned_about_z(a)},
+                 .material = soft,
+                 .motion = SteadyMotion{.velocity = {c, d, 0}}});
       World world = world_with(scene);
       const ProjectileId id = put(world, by_rk4(r), body_of(r, 0, 0), {-r * d, r * c, 0});
       const std::size_t hits = run(world, 2, hz);
@@ -104,7 +94,7 @@ TEST(ContactAtOnce, what_falls_on_a_pile_bounces_off_the_floor_below) {
       const double r = 0.05, h = 0.3;
       Scene scene;
       const MaterialId hard = *scene.add_material({.restitution = 1, .friction = 1});
-      ASSERT_TRUE(scene.add({.shape = *scene.add_shape(PlaneShape{}), .material = hard}));
+      add_thing(scene, PlaneShape{}, {.material = hard});
       World world = world_with(scene);
       const double start = r + 2 * r * below + h;
       const ProjectileId upper = put(world, by_rk4(r), body_of(r, 1, 0), {0, start, 0});
@@ -129,7 +119,7 @@ TEST(ContactAtOnce, piles_at_rest_stay_at_rest) {
       const double r = 0.05;
       Scene scene;
       const MaterialId wood = *scene.add_material({.restitution = 0.5, .friction = 1});
-      ASSERT_TRUE(scene.add({.shape = *scene.add_shape(PlaneShape{}), .material = wood}));
+      add_thing(scene, PlaneShape{}, {.material = wood});
       World world = world_with(scene);
       std::vector<ProjectileId> pile;
       for (int i = 0; i < count; ++i)
@@ -175,11 +165,9 @@ TEST(ContactAtOnce, a_ball_turns_about_an_edge_until_nothing_presses) {
       const double fall = (-u * d + std::sqrt(u * u * d * d + 2 * kGravity * (high - r + r * c))) / kGravity;
       Scene scene;
       const MaterialId grip = *scene.add_material({.restitution = 0, .friction = 1000});
-      ASSERT_TRUE(scene.add({.shape = *scene.add_shape(BoxShape{{1, 0.1, 1}}),
-                             .transform = {.position = {-1, -0.1, 0}},
-                             .material = grip}));
-      const InstanceId floor = *scene.add(
-          {.shape = *scene.add_shape(PlaneShape{}), .transform = {.position = {0, -high, 0}}, .material = grip});
+      add_thing(scene, BoxShape{{1, 0.1, 1}}, {.transform = {.position = {-1, -0.1, 0}}, .material = grip});
+      const InstanceId floor =
+          add_thing(scene, PlaneShape{}, {.transform = {.position = {0, -high, 0}}, .material = grip});
       World world = world_with(scene);
       put(world, by_rk4(r), body_of(r, 0, 1), {-0.2, r, 0}, {1.4 * v, 0, 0});
       double met = 0;
@@ -196,8 +184,7 @@ TEST(ContactAtOnce, a_sleeper_that_is_hit_takes_part_from_that_moment) {
     const double r = 0.028575, a = 0.2 * kGravity, v = 2, start = 2.8;
     Scene scene;
     const MaterialId cloth = *scene.add_material({.restitution = 0, .friction = 2000});
-    ASSERT_TRUE(scene.add(
-        {.shape = *scene.add_shape(BoxShape{{9, 1, 1}}), .transform = {.position = {0, -1, 0}}, .material = cloth}));
+    add_thing(scene, BoxShape{{9, 1, 1}}, {.transform = {.position = {0, -1, 0}}, .material = cloth});
     World world = world_with(scene);
     BodyDef body = body_of(r, 1, 1e-4);
     body.can_sleep = true;
@@ -263,5 +250,4 @@ TEST(ContactAtOnce, light_links_hold_a_heavy_ball) {
     }
 }
 
-}  // namespace world_contact_at_once_test
-}  // namespace physim
+}  // namespace physim::world_contact_at_once_test

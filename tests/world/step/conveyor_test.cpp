@@ -1,33 +1,21 @@
 // Surfaces that run: conveyors of things and of the ground, beside closed forms.
-#include <cmath>
-
 #include "math/quat.hpp"
 #include "scene_support.hpp"
-#include "support.hpp"
 #include "world/pairs_support.hpp"
-#include "world/world_support.hpp"
 
-namespace physim {
-namespace world_conveyor_test {
+namespace physim::world_conveyor_test {
 
 using namespace test_scene;
 
 constexpr double kRates[] = {24, 60, 1000};
 constexpr double kBelt = 2, kFriction = 0.2;
 
-ProjectileDef parcel() {
-  ProjectileDef p{.mass = 1, .diameter = 0.2};
-  p.fidelity = rung(Integrator::rk4);
-  return p;
-}
 BodyDef laid(double radius = 0, double friction = kFriction) {
-  BodyDef body;
-  body.restitution = 0;
-  body.friction = friction;
-  body.rolling_resistance = 0;
-  body.can_sleep = true;
-  body.collision = {.on_hit = OnHit::bounce, .radius = radius};
-  return body;
+  return {.can_sleep = true,
+          .restitution = 0,
+          .friction = friction,
+          .rolling_resistance = 0,
+          .collision = {.on_hit = OnHit::bounce, .radius = radius}};
 }
 InstanceDef belt_in(Scene& scene, const Vec3d& velocity, const Quatd& turn = {}, double length = 60) {
   return {.shape = *scene.add_shape(BoxShape{{length, 0.5, 5}}),
@@ -53,7 +41,7 @@ TEST(Conveyor, takes_points_along_at_any_frame_rate) {
       if (!ground) {
         ASSERT_TRUE(world.set_scene(belt({kBelt, 0, 0})));
       }
-      const ProjectileId id = *world.spawn(parcel(), {}, laid());
+      const ProjectileId id = *world.spawn(puck(), {}, laid());
       run_for(world, 0.75 * reached, 1 / rate);
       EXPECT_NEAR(world[id].velocity().x, kFriction * kG * world.time(), 1e-9) << rate << ' ' << ground;
       run_for(world, time - world.time(), 1 / rate);
@@ -66,12 +54,11 @@ TEST(Conveyor, takes_points_along_at_any_frame_rate) {
 /// A solid ball is turned by the belt until it rolls on it, at 2/7 of its speed: slower than what cannot turn.
 TEST(Conveyor, turns_balls_until_they_roll_on_it) {
   for (const double rate : kRates) {
-    World world = make_world(space());
-    ASSERT_TRUE(world.set_scene(belt({kBelt, 0, 0})));
-    const ProjectileId free = *world.spawn(parcel(), {.position = {0, 0.1, 0}}, laid(0.1));
+    World world = make_world(space(), belt({kBelt, 0, 0}));
+    const ProjectileId free = *world.spawn(puck(), {.position = {0, 0.1, 0}}, laid(0.1));
     BodyDef held = laid(0.1);
     held.frozen_rotation = Axes::all;
-    const ProjectileId stiff = *world.spawn(parcel(), {.position = {0, 0.1, 2}}, held);
+    const ProjectileId stiff = *world.spawn(puck(), {.position = {0, 0.1, 2}}, held);
     run_for(world, 2, 1 / rate);
     EXPECT_NEAR(world[free].velocity().x, 2 * kBelt / 7, 1e-6) << rate;
     EXPECT_NEAR(world[free].angular_velocity().z, (kBelt - 2 * kBelt / 7) / 0.1, 1e-4) << rate;
@@ -94,7 +81,7 @@ TEST(Conveyor, pulls_at_what_bounces) {
       BodyDef body = laid(0, friction);
       body.restitution = kRestitution;
       body.combine.restitution = ground ? Combine::product : Combine::maximum;
-      const ProjectileId id = *world.spawn(parcel(), {.position = {0, 1, 0}, .velocity = Vec3d{0, -kDown, 0}}, body);
+      const ProjectileId id = *world.spawn(puck(), {.position = {0, 1, 0}, .velocity = Vec3d{0, -kDown, 0}}, body);
       const auto bounces = of_kind(run_for(world, 0.5), EventKind::bounced);
       ASSERT_EQ(bounces.size(), 1u);
       const double pulled = std::min(friction * (1 + kRestitution) * kDown, kBelt);
@@ -108,9 +95,8 @@ TEST(Conveyor, pulls_at_what_bounces) {
 TEST(Conveyor, runs_along_the_surface_of_a_thing_that_is_turned) {
   const double angle = 30 * test::kDegree;
   for (const Vec3d& velocity : {Vec3d{kBelt, 0, 0}, Vec3d{kBelt, 7, 0}}) {
-    World world = make_world(space());
-    ASSERT_TRUE(world.set_scene(belt(velocity, about_z(angle))));
-    const ProjectileId id = *world.spawn(parcel(), {}, laid(0, 1));
+    World world = make_world(space(), belt(velocity, about_z(angle)));
+    const ProjectileId id = *world.spawn(puck(), {}, laid(0, 1));
     run_for(world, 2, 1.0 / 60);
     const Vec3d up{std::cos(angle), std::sin(angle), 0};
     EXPECT_LT(length(world[id].velocity() - up * kBelt), 1e-9);
@@ -132,9 +118,8 @@ TEST(Conveyor, moves_with_its_thing) {
     InstanceDef def = belt_in(scene, {kBelt, 0, 0});
     def.motion = SteadyMotion{.velocity = {train, 0, 0}};
     ASSERT_TRUE(scene.add(def));
-    World world = make_world(space());
-    ASSERT_TRUE(world.set_scene(scene));
-    const ProjectileId id = *world.spawn(parcel(), {.velocity = Vec3d{train, 0, 0}}, laid());
+    World world = make_world(space(), scene);
+    const ProjectileId id = *world.spawn(puck(), {.velocity = Vec3d{train, 0, 0}}, laid());
     run_for(world, 2, 1.0 / 60);
     EXPECT_NEAR(world[id].velocity().x, train + kBelt, 1e-9) << train;
     EXPECT_NEAR(world[id].position().x, (train + kBelt) * world.time() - kBelt * kBelt / (2 * kFriction * kG), 1e-3);
@@ -144,11 +129,10 @@ TEST(Conveyor, moves_with_its_thing) {
 /// What comes to the end of a belt falls off it with the speed of the belt.
 TEST(Conveyor, throws_what_it_carries_off_its_end) {
   for (const double radius : {0.0, 0.1}) {
-    World world = make_world(space());
-    ASSERT_TRUE(world.set_scene(belt({kBelt, 0, 0}, {}, 3)));
+    World world = make_world(space(), belt({kBelt, 0, 0}, {}, 3));
     BodyDef body = laid(radius, 1);
     if (radius > 0) body.frozen_rotation = Axes::all;
-    const ProjectileId id = *world.spawn(parcel(), {.position = {0, radius, 0}, .velocity = Vec3d{kBelt, 0, 0}}, body);
+    const ProjectileId id = *world.spawn(puck(), {.position = {0, radius, 0}, .velocity = Vec3d{kBelt, 0, 0}}, body);
     run_for(world, 2, 1.0 / 60);
     EXPECT_NEAR(world[id].velocity().x, kBelt, radius > 0 ? 0.3 : 1e-9);
     EXPECT_LT(world[id].position().y, -0.3);
@@ -157,9 +141,8 @@ TEST(Conveyor, throws_what_it_carries_off_its_end) {
 
 /// What lies on a belt does not sleep, however slow it is; what slept wakes when the belt starts, and stops after it.
 TEST(Conveyor, starts_and_stops_by_a_call) {
-  World world = make_world(space());
-  ASSERT_TRUE(world.set_scene(belt({})));
-  const ProjectileId id = *world.spawn(parcel(), {}, laid());
+  World world = make_world(space(), belt({}));
+  const ProjectileId id = *world.spawn(puck(), {}, laid());
   run_for(world, 2, 1.0 / 60);
   EXPECT_TRUE(world[id].is_asleep());
   const InstanceId thing{1, 1};
@@ -178,7 +161,7 @@ TEST(Conveyor, starts_and_stops_by_a_call) {
   WorldDef slow = space();
   slow.ground = {.mode = GroundMode::bounce, .conveyor = {{0.01, 0, 0}}};
   World on_ground = make_world(slow);
-  const ProjectileId crept = *on_ground.spawn(parcel(), {}, laid());
+  const ProjectileId crept = *on_ground.spawn(puck(), {}, laid());
   run_for(on_ground, 5, 1.0 / 60);
   EXPECT_FALSE(on_ground[crept].is_asleep());
   EXPECT_NEAR(on_ground[crept].velocity().x, 0.01, 1e-12);
@@ -186,13 +169,12 @@ TEST(Conveyor, starts_and_stops_by_a_call) {
 
 /// A ball that is pushed by another one on a belt, both carried.
 TEST(Conveyor, acts_in_meetings) {
-  World world = make_world(space());
-  ASSERT_TRUE(world.set_scene(belt({kBelt, 0, 0})));
+  World world = make_world(space(), belt({kBelt, 0, 0}));
   BodyDef body = laid(0.1, 0.5);
   body.frozen_rotation = Axes::all;
   body.collision.others = 1;
-  const ProjectileId behind = *world.spawn(parcel(), {.position = {0, 0.1, 0}, .velocity = Vec3d{5, 0, 0}}, body);
-  const ProjectileId ahead = *world.spawn(parcel(), {.position = {1, 0.1, 0}}, body);
+  const ProjectileId behind = *world.spawn(puck(), {.position = {0, 0.1, 0}, .velocity = Vec3d{5, 0, 0}}, body);
+  const ProjectileId ahead = *world.spawn(puck(), {.position = {1, 0.1, 0}}, body);
   run_for(world, 4, 1.0 / 60);
   EXPECT_NEAR(world[behind].velocity().x, kBelt, 1e-6);
   EXPECT_NEAR(world[ahead].velocity().x, kBelt, 1e-6);
@@ -206,7 +188,7 @@ TEST(Conveyor, flights_are_carried_as_worlds_carry) {
   until.contact.restitution = 0;
   until.contact.friction = kFriction;
   until.contact.rolling_resistance = 0;
-  const Flight flight = fly(parcel(), {.position = {0, 0.1, 0}}, vacuum_of(kG), parcel().fidelity, {}, until);
+  const Flight flight = fly(puck(), {.position = {0, 0.1, 0}}, vacuum_of(kG), puck().fidelity, {}, until);
   const double falls = std::sqrt(0.2 / kG), pulled = kFriction * std::sqrt(2 * kG * 0.1);
   EXPECT_EQ(flight.outcome(), Outcome::time_limit);
   const double slides = (kBelt - pulled) / (kFriction * kG);
@@ -234,7 +216,7 @@ TEST(Conveyor, is_kept_by_snapshots_saves_and_recordings) {
   World world = make_world(space());
   ASSERT_TRUE(world.record(record_into(recording)));
   ASSERT_TRUE(world.set_scene(belt({kBelt, 0, 0})));
-  const ProjectileId id = *world.spawn(parcel(), {}, laid());
+  const ProjectileId id = *world.spawn(puck(), {}, laid());
   run_for(world, 0.5, 1.0 / 60);
   const Snapshot moment = world.snapshot();
   const std::uint64_t before = world.hash();
@@ -242,19 +224,14 @@ TEST(Conveyor, is_kept_by_snapshots_saves_and_recordings) {
   EXPECT_NE(world.hash(), before);
   run_for(world, 2, 1.0 / 60);
   EXPECT_NEAR(world[id].velocity().x, -kBelt, 1e-9);
-  Result<World> loaded = World::load(*world.save());
-  ASSERT_TRUE(loaded) << loaded.error().text();
-  EXPECT_EQ(loaded->hash(), world.hash());
-  EXPECT_EQ(loaded->scene()->instance({1, 1})->conveyor.velocity, (Vec3d{-kBelt, 0, 0}));
+  World loaded = reloaded(world);
+  EXPECT_EQ(loaded.hash(), world.hash());
+  EXPECT_EQ(loaded.scene()->instance({1, 1})->conveyor.velocity, (Vec3d{-kBelt, 0, 0}));
   ASSERT_TRUE(world.restore(moment));
   EXPECT_EQ(world.hash(), before);
   run_for(world, 2, 1.0 / 60);
   EXPECT_NEAR(world[id].velocity().x, kBelt, 1e-9);
-  ASSERT_TRUE(world.stop_recording());
-  const auto report = replay(recording);
-  ASSERT_TRUE(report) << report.error().text();
-  EXPECT_FALSE(report->difference) << report->difference->what;
+  replayed(world, recording);
 }
 
-}  // namespace world_conveyor_test
-}  // namespace physim
+}  // namespace physim::world_conveyor_test

@@ -1,25 +1,14 @@
 // What a thing brings down to the ground inside a step, and what a way over the ground brings to a thing.
-#include <cmath>
-
 #include "math/quat.hpp"
-#include "physim/body.hpp"
 #include "scene_support.hpp"
-#include "support.hpp"
-#include "world/world_support.hpp"
 
-namespace physim {
-namespace world_down_to_ground_test {
+namespace physim::world_down_to_ground_test {
 
 using namespace test_scene;
 
 constexpr double kRates[] = {24, 60, 1000};
 constexpr double kAngle = 30 * test::kDegree, kFall = 1;  // of the slope; from the start to the ground [m]
 
-ProjectileDef puck(Precision precision = Precision::float64) {
-  ProjectileDef p{.mass = 1, .diameter = 0.2};
-  p.fidelity = test_scene::rung(Integrator::rk4, precision);
-  return p;
-}
 WorldDef on_ground(GroundMode mode, double restitution = 0) {
   WorldDef def = space();
   def.ground = {.mode = mode, .height = 0, .restitution = restitution, .friction = 0};
@@ -30,9 +19,9 @@ Scene chute(double radius) {
   Scene scene;
   const Quatd turn{std::cos(kAngle / 2), 0, 0, -std::sin(kAngle / 2)};
   const Vec3d middle = Vec3d{0, kFall, 0} - rotate(turn, Vec3d{0, 0.5 + radius, 0});
-  EXPECT_TRUE(scene.add({.shape = *scene.add_shape(BoxShape{{20, 0.5, 5}}),
-                         .transform = {.position = middle, .rotation = turn},
-                         .material = *scene.add_material({.restitution = 1, .friction = 1})}));
+  add_thing(scene, BoxShape{{20, 0.5, 5}},
+            {.transform = {.position = middle, .rotation = turn},
+             .material = *scene.add_material({.restitution = 1, .friction = 1})});
   return scene;
 }
 
@@ -54,8 +43,7 @@ constexpr Slider kSliders[] = {
 TEST(DownToGround, what_comes_down_a_slope_goes_on_over_the_ground_from_that_moment) {
   for (const Slider& who : kSliders)
     for (const double rate : kRates) {
-      World world = make_world(on_ground(GroundMode::bounce));
-      ASSERT_TRUE(world.set_scene(chute(who.radius)));
+      World world = make_world(on_ground(GroundMode::bounce), chute(who.radius));
       const ProjectileId id = *world.spawn(puck(), {.position = {0, kFall + 1e-10, 0}, .velocity = Vec3d{}},
                                            bouncing(who.radius, 0, who.friction));
       const Arrival comes = arrival(who.part);
@@ -76,8 +64,7 @@ TEST(DownToGround, it_bounces_off_the_ground_with_the_energy_that_it_came_with) 
   for (const Precision precision : {Precision::float64, Precision::float32})
     for (const Slider& who : kSliders)
       for (const double rate : kRates) {
-        World world = make_world(on_ground(GroundMode::bounce, 1));
-        ASSERT_TRUE(world.set_scene(chute(who.radius)));
+        World world = make_world(on_ground(GroundMode::bounce, 1), chute(who.radius));
         const ProjectileId id = *world.spawn(puck(precision), {.position = {0, kFall + 1e-6, 0}, .velocity = Vec3d{}},
                                              bouncing(who.radius, 1, who.friction));
         const double rounding = precision == Precision::float32 ? 1e-4 : 1e-6;
@@ -95,10 +82,10 @@ TEST(DownToGround, a_lift_that_goes_below_the_ground_leaves_its_passenger_there)
     for (const double rate : kRates) {
       World world = make_world(on_ground(GroundMode::bounce));
       Scene scene;
-      ASSERT_TRUE(scene.add({.shape = *scene.add_shape(BoxShape{{2, 0.5, 2}}),
-                             .transform = {.position = {0, 1 - 0.5 - radius, 0}},
-                             .material = *scene.add_material({.restitution = 0, .friction = 1}),
-                             .motion = SteadyMotion{.velocity = {0.2, -0.7, 0}}}));
+      add_thing(scene, BoxShape{{2, 0.5, 2}},
+                {.transform = {.position = {0, 1 - 0.5 - radius, 0}},
+                 .material = *scene.add_material({.restitution = 0, .friction = 1}),
+                 .motion = SteadyMotion{.velocity = {0.2, -0.7, 0}}});
       ASSERT_TRUE(world.set_scene(scene));
       const ProjectileId id = *world.spawn(puck(), {.position = {0, 1 + 1e-10, 0}, .velocity = Vec3d{0.2, -0.7, 0}},
                                            bouncing(radius, 0, 1));
@@ -121,8 +108,7 @@ TEST(DownToGround, it_lands_or_sticks_at_the_moment_at_which_it_comes_down_in_wo
     const BodyDef body = bouncing(who.radius, 0, who.friction);
     for (const GroundMode mode : {GroundMode::land, GroundMode::stick})
       for (const double rate : kRates) {
-        World world = make_world(on_ground(mode));
-        ASSERT_TRUE(world.set_scene(scene));
+        World world = make_world(on_ground(mode), scene);
         const ProjectileId id = *world.spawn(puck(), launch, body);
         const Flight predicted = world.predict(id, Until{.ground = 0.0, .time = 2}, 1 / rate);
         EXPECT_NEAR(predicted.duration(), comes.time, 1e-7) << who.part << ' ' << rate;
@@ -144,5 +130,4 @@ TEST(DownToGround, it_lands_or_sticks_at_the_moment_at_which_it_comes_down_in_wo
   }
 }
 
-}  // namespace world_down_to_ground_test
-}  // namespace physim
+}  // namespace physim::world_down_to_ground_test

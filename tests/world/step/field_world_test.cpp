@@ -1,14 +1,7 @@
 // Wind and force by functions of one's own, in worlds: as flights have them, by the world's clock, through every door.
-#include <gtest/gtest.h>
-
-#include <stdexcept>
-
-#include "physim/world.hpp"
-#include "support.hpp"
 #include "world/world_support.hpp"
 
-namespace physim {
-namespace world_field_world_test {
+namespace physim::world_field_world_test {
 
 using namespace test;
 using Bytes = std::vector<std::byte>;
@@ -31,17 +24,10 @@ ForceFunction tugs(double later = 0) {
       b.force[i] = tug(later + b.time[i], b.position[i], b.velocity[i], b.mass[i]);
   };
 }
-Environment both(double later = 0) {
-  Environment e;
-  e.wind.field = gusts(later);
-  e.force = tugs(later);
-  return e;
-}
+Environment both(double later = 0) { return {.wind = {.field = gusts(later)}, .force = tugs(later)}; }
 /// Nothing but a force of m a0 from a time of the world on.
 Environment pushing_from(double start, const Vec3d& a0) {
-  Environment e;
-  e.gravity.model = GravityModel::off;
-  e.atmosphere.model = AirModel::vacuum;
+  Environment e{.gravity = {.model = GravityModel::off}, .atmosphere = {.model = AirModel::vacuum}};
   e.force = [start, a0](const FieldForceBatch& b) {
     for (std::size_t i = 0; i < b.time.size(); ++i) b.force[i] = a0 * (b.time[i] >= start ? b.mass[i] : 0);
   };
@@ -49,11 +35,7 @@ Environment pushing_from(double start, const Vec3d& a0) {
 }
 
 WorldDef open_world(const Environment& environment) {
-  WorldDef def;
-  def.environment = environment;
-  def.ground.mode = GroundMode::none;
-  def.step = kStep;
-  return def;
+  return {.environment = environment, .ground = {.mode = GroundMode::none}, .step = kStep};
 }
 
 ProjectileDef on(Fidelity f, Integrator integrator = Integrator::rk4) {
@@ -247,11 +229,10 @@ TEST(FieldWorld, zeros_and_rungs_are_found_for_the_time_of_the_launch) {
   lifting.force = [](const FieldForceBatch& b) {
     for (std::size_t i = 0; i < b.time.size(); ++i) b.force[i] = {0, 9 * b.mass[i], 0};
   };
-  const auto elevation = zero_elevation(p, launch, lifting, p.fidelity, 400);
-  ASSERT_TRUE(elevation);
+  const auto elevation = must(zero_elevation(p, launch, lifting, p.fidelity, 400));
   for (const ProjectileId id : {now, pending}) {
     const Vec3d v = world[id].velocity();
-    EXPECT_NEAR(std::atan2(v.y, v.x), *elevation, 1e-9);
+    EXPECT_NEAR(std::atan2(v.y, v.x), elevation, 1e-9);
   }
   World chosen = make_world(open_world(pushing_from(2, {0, 0, 30})));
   const auto motion_of = [&] {
@@ -347,12 +328,7 @@ TEST(FieldWorld, wrong_answers_retire_whom_they_concern) {
 }
 
 // ---------------------------------------- moments, saves, replays
-LoadOptions with_fields() {
-  LoadOptions options;
-  options.wind_fields = {gusts()};
-  options.force_fields = {tugs()};
-  return options;
-}
+LoadOptions with_fields() { return {.wind_fields = {gusts()}, .force_fields = {tugs()}}; }
 
 World busy_world() {
   World world = make_world(open_world(both()));
@@ -388,9 +364,8 @@ TEST(FieldWorld, saves_need_their_functions) {
     ASSERT_FALSE(refused);
     EXPECT_EQ(refused.error().place, missing);
   }
-  auto loaded = World::load(save, with_fields());
-  ASSERT_TRUE(loaded) << loaded.error().text();
-  World again = std::move(*loaded);
+  auto loaded = must(World::load(save, with_fields()));
+  World again = std::move(loaded);
   EXPECT_EQ(*again.save(), save);
   for (int i = 0; i < 60; ++i) {
     ASSERT_EQ(world.hash(), again.hash()) << i;
@@ -407,8 +382,7 @@ TEST(FieldWorld, replays_need_them_in_the_order_in_which_they_came) {
     ASSERT_TRUE(world.record(record_into(bytes), {.from_now = from_now}));
     ASSERT_TRUE(world.spawn(on(Fidelity::simulation()), kLaunch));
     for (int i = 0; i < 20; ++i) world.step(kStep);
-    Environment other;
-    other.wind.field = gusts(5);
+    Environment other{.wind = {.field = gusts(5)}};
     ASSERT_TRUE(world.set_environment(0, other));
     for (int i = 0; i < 20; ++i) world.step(kStep);
     ASSERT_TRUE(world.stop_recording());
@@ -417,10 +391,9 @@ TEST(FieldWorld, replays_need_them_in_the_order_in_which_they_came) {
     EXPECT_EQ(refused.error().place, "wind_fields");
     ReplayOptions all = with_fields();
     all.wind_fields.push_back(gusts(5));
-    const auto report = replay(bytes, all);
-    ASSERT_TRUE(report) << report.error().text();
-    EXPECT_FALSE(report->difference);
-    EXPECT_EQ(report->steps, 40u);
+    const auto report = must(replay(bytes, all));
+    EXPECT_FALSE(report.difference);
+    EXPECT_EQ(report.steps, 40u);
     std::swap(all.wind_fields[0], all.wind_fields[1]);
     EXPECT_TRUE(replay(bytes, all)->difference);
   }
@@ -430,5 +403,4 @@ TEST(FieldWorld, hashes_tell_worlds_with_functions_from_others) {
   EXPECT_NE(make_world(open_world(both())).hash(), make_world(open_world({})).hash());
 }
 
-}  // namespace world_field_world_test
-}  // namespace physim
+}  // namespace physim::world_field_world_test

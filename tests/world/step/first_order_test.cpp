@@ -1,13 +1,7 @@
 // Steps of a given length: drag slows, and turns no velocity around. Of order one: what bounces keeps its energy.
-#include <gtest/gtest.h>
-
-#include <cmath>
-
-#include "physim/names.hpp"
 #include "world/world_support.hpp"
 
-namespace physim {
-namespace world_first_order_test {
+namespace physim::world_first_order_test {
 
 constexpr double kG = 9.80665, kStep = 1.0 / 64, kPi = 3.14159265358979324;
 
@@ -23,16 +17,11 @@ std::vector<Fidelity> rungs(const Fidelity& like, std::initializer_list<Integrat
   return all;
 }
 
-WorldDef open_world() {
-  WorldDef def;
-  def.ground.mode = GroundMode::none;
-  return def;
-}
+WorldDef open_world() { return {.ground = {.mode = GroundMode::none}}; }
 
 /// Paper: 0.1 g, 10 cm. In the first step of 15 m/s its drag would take 24 times its speed.
 ProjectileDef confetti(DragModel drag, const Fidelity& rung) {
-  ProjectileDef p{.mass = 1e-4, .diameter = 0.1};
-  p.drag.coefficient = 1;
+  ProjectileDef p{.mass = 1e-4, .diameter = 0.1, .drag = {.coefficient = 1}};
   p.drag.damping = 1e-40;  // a rate of 92 1/s
   p.drag.k1 = 0.02, p.drag.k2 = 0.004;
   p.fidelity = rung;
@@ -48,8 +37,7 @@ TEST(FixedSteps, drag_never_turns_a_velocity_around) {
       World world = make_world(def);
       const Launch launch{.speed = 15, .elevation = 0.5};
       const ProjectileId id = *world.spawn(p, launch, {.can_sleep = false});
-      Tolerance tolerance;
-      tolerance.step = kStep;
+      Tolerance tolerance{.step = kStep};
       Until until;
       until.ground.reset();
       until.time = 2;
@@ -84,13 +72,11 @@ TEST(FixedSteps, drag_of_generators_and_emitters_never_turns_a_velocity_around) 
       const ProjectileId id =
           *world.spawn(p, {.position = {0, 500, 0}, .velocity = Vec3d{20, 0, 0}}, {.can_sleep = false});
       ASSERT_TRUE(world[id].add_force(LinearQuadraticDragForce{.k1 = 2000, .wind = {3, 0, 0}}));
-      EmitterDef puffs;
-      puffs.kind = *world.add_kind(p, {.can_sleep = false});
-      puffs.position = {0, 400, 0};
-      puffs.cycle.plays = false;
-      puffs.start.speed = {20};
-      puffs.start.lifetime = {kInfinity};
-      puffs.flight.drag = {500};
+      EmitterDef puffs{.kind = *world.add_kind(p, {.can_sleep = false}),
+                       .cycle = {.plays = false},
+                       .position = {0, 400, 0},
+                       .start = {.lifetime = {kInfinity}, .speed = {20}},
+                       .flight = {.drag = {500}}};
       ASSERT_TRUE(world.emit(*world.add_emitter(puffs), 1));
       world.step(kStep);
       ASSERT_EQ(world.ids().size(), 2u);
@@ -135,13 +121,11 @@ TEST(FirstOrder, what_bounces_without_loss_rises_as_high_as_before) {
       World world = make_world(def);
       Scene scene;
       const MaterialId hard = *scene.add_material({.restitution = 1, .friction = 0});
-      ASSERT_TRUE(scene.add({.shape = *scene.add_shape(PlaneShape{}), .material = hard}));
+      add_thing(scene, PlaneShape{}, {.material = hard});
       if (on_thing) {
         ASSERT_TRUE(world.set_scene(scene));
       }
-      BodyDef body;
-      body.restitution = 1, body.friction = 0, body.can_sleep = false;
-      body.collision.on_hit = OnHit::bounce;
+      BodyDef body{.can_sleep = false, .restitution = 1, .friction = 0, .collision = {.on_hit = OnHit::bounce}};
       if (on_thing) body.collision.radius = 0.1;
       const ProjectileId id =
           *world.spawn({.mass = 1, .diameter = 0.2, .fidelity = rung}, {.position = {0, 2, 0}}, body);
@@ -161,18 +145,15 @@ TEST(FirstOrder, what_bounces_without_loss_rises_as_high_as_before) {
 TEST(FirstOrder, what_skims_a_round_thing_gains_no_energy) {
   Scene scene;
   const MaterialId smooth = *scene.add_material({.restitution = 0, .friction = 0});
-  ASSERT_TRUE(scene.add({.shape = *scene.add_shape(SphereShape{2}), .material = smooth}));
+  add_thing(scene, SphereShape{2}, {.material = smooth});
   constexpr double kRadius = 0.07, kSpeed = 3.3, kShort = 0.0122;
   for (const Fidelity& rung : rungs(Fidelity::game(), {Integrator::semi_implicit_euler})) {
     for (const double angle : {0.2, 0.5, 0.8}) {  // from the horizontal [rad]
       ProjectileDef p{.mass = 0.7, .diameter = 2 * kRadius};
       p.fidelity = rung;
       p.fidelity.drag = DragModel::off;
-      World world = make_world(open_world());
-      ASSERT_TRUE(world.set_scene(scene));
-      BodyDef body;
-      body.collision = {.on_hit = OnHit::bounce, .radius = kRadius};
-      body.restitution = 0, body.friction = 0;
+      World world = make_world(open_world(), scene);
+      BodyDef body{.restitution = 0, .friction = 0, .collision = {.on_hit = OnHit::bounce, .radius = kRadius}};
       const Vec3d out{std::cos(angle), std::sin(angle), 0}, up{-out.y, out.x, 0};
       const ProjectileId id =
           *world.spawn(p, {.position = out * (2 + kRadius + 1e-3), .velocity = up * kSpeed - out * 0.2}, body);
@@ -194,9 +175,10 @@ TEST(FirstOrder, balls_that_meet_without_loss_keep_their_energy) {
   falls.drag = DragModel::off;
   for (const Fidelity& rung : rungs(falls)) {
     World world = make_world(open_world());
-    BodyDef body;
-    body.restitution = 1, body.friction = 0, body.can_sleep = false;
-    body.collision = {.on_hit = OnHit::bounce, .radius = 0.1, .others = 1};
+    BodyDef body{.can_sleep = false,
+                 .restitution = 1,
+                 .friction = 0,
+                 .collision = {.on_hit = OnHit::bounce, .radius = 0.1, .others = 1}};
     const ProjectileId upper =
         *world.spawn({.mass = 1, .diameter = 0.2, .fidelity = rung}, {.position = {0, 2.1, 0}}, body);
     body.infinite_mass = true;
@@ -209,5 +191,4 @@ TEST(FirstOrder, balls_that_meet_without_loss_keep_their_energy) {
   }
 }
 
-}  // namespace world_first_order_test
-}  // namespace physim
+}  // namespace physim::world_first_order_test

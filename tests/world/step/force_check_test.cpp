@@ -1,13 +1,10 @@
 // Generators that make no sense are refused with a place and a message.
-#include <gtest/gtest.h>
-
 #include <functional>
 
 #include "support.hpp"
 #include "world/step/force_eval.hpp"
 
-namespace physim {
-namespace world_force_check_test {
+namespace physim::world_force_check_test {
 
 using test::kInfinity;
 using test::kNan;
@@ -123,5 +120,4 @@ TEST(ForceCheck, bad_targets_and_times_are_refused) {
   }
 }
 
-}  // namespace world_force_check_test
-}  // namespace physim
+}  // namespace physim::world_force_check_test

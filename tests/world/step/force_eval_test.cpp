@@ -1,9 +1,6 @@
 // Generators over batches: who feels what, partners and Newton's third law, zones, user functions.
 #include "world/step/force_eval.hpp"
 
-#include <gtest/gtest.h>
-
-#include <cmath>
 #include <map>
 #include <numeric>
 
@@ -11,8 +8,7 @@
 #include "support.hpp"
 #include "world/step/kind_drag.hpp"
 
-namespace physim {
-namespace world_force_eval_test {
+namespace physim::world_force_eval_test {
 
 using test::kNan;
 using test::near;
@@ -296,9 +292,7 @@ Vec3d drag_in_flight(const ProjectileDef& projectile, const Vec3d& v) {
   fidelity.gravity = GravityModel::off;
   fidelity.drag = DragModel::equation;
   fidelity.air = AirModel::constant;
-  Environment environment;
-  environment.atmosphere.density = 1.225;
-  const test::Prepared p(projectile, {}, environment, fidelity);
+  const test::Prepared p(projectile, {}, {.atmosphere = {.density = 1.225}}, fidelity);
   return p.acceleration(0, {{}, v}) * projectile.mass;
 }
 
@@ -394,5 +388,4 @@ TEST(ForceEval, a_steady_step_gathers_into_the_same_memory) {
   EXPECT_EQ(seen, b.position.data() + 5) << "rows side by side are not copied at all";
 }
 
-}  // namespace world_force_eval_test
-}  // namespace physim
+}  // namespace physim::world_force_eval_test

@@ -1,13 +1,7 @@
 // Force generators of a crowded world: threads, kernels, snapshots and hashes; and numbers that are none.
-#include <gtest/gtest.h>
-
-#include <cmath>
-
-#include "physim/world.hpp"
 #include "world/force_support.hpp"
 
-namespace physim {
-namespace world_forces_moments_test {
+namespace physim::world_forces_moments_test {
 
 using test::kInfinity;
 using test::kNan;
@@ -30,10 +24,7 @@ World busy_world(unsigned threads, bool backwards, std::vector<ProjectileId>& id
         launch);
   }
   for (unsigned k = 0; k + 7 < 90; k += 3) {
-    Spring law;
-    law.other = ids[k + (k % 2 == 0 ? 7 : 5)];
-    law.stiffness = 2;
-    law.damping = 0.1;
+    Spring law{.other = ids[k + (k % 2 == 0 ? 7 : 5)], .stiffness = 2, .damping = 0.1};
     world[ids[k]].add_force(law);
   }
   ForceDef gust = force(LinearQuadraticDragForce{0.1, 0.02, {3, 0, 0}}, ForceTarget::everything());
@@ -109,8 +100,7 @@ TEST(WorldForces, what_is_no_number_retires_only_whom_it_hits) {
       World world = make(empty_space());
       std::vector<ProjectileId> ids;
       for (int k = 0; k < 20; ++k) ids.push_back(*world.spawn(ball(rung(i)), at({1.0 * k, 0, 0}, {0, 1, 0})));
-      Spring law;
-      law.other = ids[8];
+      Spring law{.other = ids[8]};
       const ForceId to_bad = *world[ids[9]].add_force(law);
       law.other = ids[7];
       const ForceId from_bad = *world[ids[8]].add_force(law);
@@ -143,8 +133,7 @@ TEST(WorldForces, refuse_what_makes_no_sense) {
   EXPECT_EQ(place_of(force(ConstantForce{}, {})), "force.target");
   EXPECT_EQ(place_of(force(ConstantForce{}, {.ids = {a, b}, .kind = {}})), "force.target.ids[1]");
   EXPECT_EQ(place_of(force(ConstantForce{}, {.ids = {}, .kind = KindId{77}})), "force.target.kind");
-  Spring law;
-  law.other = b;
+  Spring law{.other = b};
   EXPECT_EQ(place_of(force(law, {.ids = {a}, .kind = {}})), "force.other");
   ForceDef timed = force(ConstantForce{}, {.ids = {a}, .kind = {}});
   timed.duration = -1;
@@ -160,5 +149,4 @@ TEST(WorldForces, refuse_what_makes_no_sense) {
   EXPECT_EQ(world.force_count(), 1u);
 }
 
-}  // namespace world_forces_moments_test
-}  // namespace physim
+}  // namespace physim::world_forces_moments_test

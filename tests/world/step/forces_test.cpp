@@ -1,15 +1,8 @@
 // Force generators in a world: order of every integrator, Newton's third law, times, targets, sleep, landings.
-#include "physim/world.hpp"
-
-#include <gtest/gtest.h>
-
-#include <cmath>
-
 #include "solve/take_step.hpp"
 #include "world/force_support.hpp"
 
-namespace physim {
-namespace world_forces_test {
+namespace physim::world_forces_test {
 
 using test::kInfinity;
 using test::kNan;
@@ -82,10 +75,7 @@ struct Pair {
   Pair(const Fidelity& fa, const Fidelity& fb) {
     a = *world.spawn(ball(fa, 1), at({0, 0, 0}, {0, 1, 0}));
     b = *world.spawn(ball(fb, 3), at({2, 0, 0}, {0, 0, 0.5}));
-    Spring law;
-    law.other = b;
-    law.stiffness = 10;
-    law.rest_length = 1.5;
+    Spring law{.other = b, .stiffness = 10, .rest_length = 1.5};
     spring = *world[a].add_force(law);
   }
   [[nodiscard]] Vec3d momentum() const { return world[a].velocity() * 1.0 + world[b].velocity() * 3.0; }
@@ -127,14 +117,10 @@ TEST(WorldForces, under_two_integrators_both_ends_feel_a_spring) {
 
 TEST(WorldForces, what_nothing_moves_pulls_and_is_not_pulled) {
   World world = make(empty_space());
-  BodyDef heavy;
-  heavy.infinite_mass = true;
-  const ProjectileId rock = *world.spawn(ball(rung(Integrator::rk4)), at({0, 0, 0}), heavy);
+  const ProjectileId rock = *world.spawn(ball(rung(Integrator::rk4)), at({0, 0, 0}), {.infinite_mass = true});
   const ProjectileId a = *world.spawn(ball(rung(Integrator::rk4)), at({1, 0, 0}));
   const ProjectileId b = *world.spawn(ball(rung(Integrator::rk4)), at({1, 0, 0}));
-  Spring law;
-  law.stiffness = 4;
-  law.other = rock;
+  Spring law{.other = rock, .stiffness = 4};
   world[a].add_force(law);  // from the free end
   law.other = b;
   world[rock].add_force(law);  // and from the fixed one
@@ -147,9 +133,7 @@ TEST(WorldForces, what_nothing_moves_pulls_and_is_not_pulled) {
 
 TEST(WorldForces, frozen_axes_and_parts_of_gravity_hold) {
   World world = make(empty_space(true));
-  BodyDef body;
-  body.frozen = Axes::x | Axes::z;
-  body.gravity_scale = 0.5;
+  BodyDef body{.gravity_scale = 0.5, .frozen = Axes::x | Axes::z};
   const ProjectileId id = *world.spawn(ball(rung(Integrator::rk4), 2), at({0, 0, 0}, {1, 1, 1}), body);
   world[id].add_force(ConstantForce{{4, 4, 4}});
   steps(world, 100, 1.0 / 100);
@@ -208,8 +192,7 @@ TEST(WorldForces, stay_until_removed_from_one_or_all) {
 // --------------------------------------------------------------------------------------------------- targets
 TEST(WorldForces, act_on_kinds_and_layers_now_and_later) {
   World world = make(empty_space());
-  BodyDef in_layer_2;
-  in_layer_2.layers = 2;
+  BodyDef in_layer_2{.layers = 2};
   const KindId one = *world.add_kind(ball(rung(Integrator::rk4)));
   const KindId two = *world.add_kind(ball(rung(Integrator::rk4)), in_layer_2);
   std::vector<ProjectileId> ids{*world.spawn(one, at({})), *world.spawn(two, at({}))};
@@ -288,14 +271,10 @@ TEST(WorldForces, zones_thrust_and_the_rest_reach_the_world) {
   p.fidelity.air = AirModel::constant;
   p.drag.coefficient = 0.5;
   const KindId kind = *world.add_kind(p);
-  WindZone zone;
-  zone.velocity = {0, 0, 10};
-  zone.low = {-kInfinity, -kInfinity, -kInfinity};
-  zone.high = {kInfinity, kInfinity, kInfinity};
+  WindZone zone{
+      .velocity = {0, 0, 10}, .low = {-kInfinity, -kInfinity, -kInfinity}, .high = {kInfinity, kInfinity, kInfinity}};
   world.add_force(force(zone, ForceTarget::everything()));
-  Thrust thrust;
-  thrust.curve = {{0, 5}, {1, 5}};
-  thrust.direction = {1, 0, 0};
+  Thrust thrust{.curve = {{0, 5}, {1, 5}}, .direction = {1, 0, 0}};
   world.add_force(force(thrust, {.ids = {}, .kind = kind}));
   steps(world, 60, 1.0 / 60);
   const ProjectileId late = *world.spawn(kind, at({}));
@@ -310,8 +289,7 @@ TEST(WorldForces, zones_thrust_and_the_rest_reach_the_world) {
 TEST(WorldForces, wake_sleepers_when_they_come_and_when_they_go) {
   World world = make(empty_space());
   const ProjectileId id = *world.spawn(ball(rung(Integrator::semi_implicit_euler)), at({1, 0, 0}));
-  AnchoredSpring law;
-  law.rest_length = 1;
+  AnchoredSpring law{.rest_length = 1};
   steps(world, 60, 1.0 / 60);
   ASSERT_TRUE(world[id].is_asleep());
   const ForceId f = *world[id].add_force(law);
@@ -382,8 +360,7 @@ TEST(WorldForces, rules_and_apexes_are_seen) {
   WorldDef def = empty_space();
   def.apex_events = true;
   World world = make(def);
-  BodyDef body;
-  body.despawn.farther = 50;
+  BodyDef body{.despawn = {.farther = 50}};
   const ProjectileId id = *world.spawn(ball(rung(Integrator::rk4)), at({0, 0, 0}, {1, 10, 0}), body);
   world[id].add_force(GravityForce{{0, -10, 0}});
   std::vector<Event> events;
@@ -398,5 +375,4 @@ TEST(WorldForces, rules_and_apexes_are_seen) {
   EXPECT_EQ(events[1].reason, Reason::farther);
 }
 
-}  // namespace world_forces_test
-}  // namespace physim
+}  // namespace physim::world_forces_test

@@ -1,32 +1,19 @@
 // Friction of what does not roll: points, and balls that may not turn, on grounds and on things, in worlds and flights.
-#include <cmath>
-#include <string>
-
 #include "math/quat.hpp"
-#include "physim/body.hpp"
 #include "scene_support.hpp"
-#include "support.hpp"
-#include "world/world_support.hpp"
 
-namespace physim {
-namespace world_friction_test {
+namespace physim::world_friction_test {
 
 using namespace test_scene;
 
 constexpr double kRates[] = {24, 60, 1000};
 
-ProjectileDef puck() {
-  ProjectileDef p{.mass = 1, .diameter = 0.2};
-  p.fidelity = test_scene::rung(Integrator::rk4);
-  return p;
-}
 BodyDef sliding(double friction, double radius = 0) {
-  BodyDef body;
-  body.restitution = 0;
-  body.friction = friction;
-  body.rolling_resistance = 0;
-  body.can_sleep = false;
-  body.collision = {.on_hit = OnHit::bounce, .radius = radius};
+  BodyDef body{.can_sleep = false,
+               .restitution = 0,
+               .friction = friction,
+               .rolling_resistance = 0,
+               .collision = {.on_hit = OnHit::bounce, .radius = radius}};
   if (radius > 0) body.frozen_rotation = Axes::x | Axes::y | Axes::z;
   return body;
 }
@@ -60,8 +47,7 @@ TEST(Friction, points_and_balls_that_may_not_turn_slide_to_rest_on_things) {
   const double right = 25 / (2 * 0.5 * kG);
   for (const double radius : {0.0, 0.1})
     for (const double rate : kRates) {
-      World world = make_world(space());
-      ASSERT_TRUE(world.set_scene(slope_of(0)));
+      World world = make_world(space(), slope_of(0));
       const ProjectileId id =
           *world.spawn(puck(), {.position = {0, radius, 0}, .velocity = Vec3d{5, 0, 0}}, sliding(0.5, radius));
       run_for(world, 3, 1 / rate);
@@ -80,8 +66,7 @@ TEST(Friction, slopes_hold_what_friction_can_hold) {
                falls = kG * (std::sin(angle) - mu * std::cos(angle));
   const double top = 25 / (2 * rises), time = 5 / rises + std::sqrt(2 * top / falls);
   for (const double radius : {0.0, 0.1}) {
-    World world = make_world(space());
-    ASSERT_TRUE(world.set_scene(slope_of(angle)));
+    World world = make_world(space(), slope_of(angle));
     const ProjectileId held = *world.spawn(puck(), {.position = normal * radius}, sliding(1, radius));
     const ProjectileId slides =
         *world.spawn(puck(), {.position = normal * radius, .velocity = up * 5}, sliding(mu, radius));
@@ -97,8 +82,7 @@ TEST(Friction, slopes_hold_what_friction_can_hold) {
 TEST(Friction, a_belt_takes_points_along) {
   for (const double radius : {0.0, 0.1})
     for (const double rate : {24.0, 60.0, 240.0}) {
-      World world = make_world(space());
-      ASSERT_TRUE(world.set_scene(slope_of(0, 1, {2, 0, 0})));
+      World world = make_world(space(), slope_of(0, 1, {2, 0, 0}));
       const ProjectileId id = *world.spawn(puck(), {.position = {0, radius, 0}}, sliding(0.2, radius));
       run_for(world, 2, 1 / rate);
       EXPECT_NEAR(world[id].velocity().x, 2, 1e-3) << radius << ' ' << rate;
@@ -116,8 +100,7 @@ TEST(Friction, a_bounce_takes_the_slip_of_what_cannot_turn) {
   const Axes all = Axes::x | Axes::y | Axes::z;
   for (const auto& [frozen, left] :
        {Case{all, {0, 0, 0}}, Case{Axes::none, {15.0 / 7, 0, 20.0 / 7}}, Case{Axes::y, {15.0 / 7, 0, 20.0 / 7}}}) {
-    World world = make_world(space());
-    ASSERT_TRUE(world.set_scene(slope_of(0, 10)));
+    World world = make_world(space(), slope_of(0, 10));
     BodyDef body = sliding(1, 0.1);
     body.frozen_rotation = frozen;
     const ProjectileId id = *world.spawn(puck(), {.position = {0, 0.2, 0}, .velocity = Vec3d{3, -5, 4}}, body);
@@ -144,5 +127,4 @@ TEST(Friction, flights_slide_as_worlds_do) {
   }
 }
 
-}  // namespace world_friction_test
-}  // namespace physim
+}  // namespace physim::world_friction_test

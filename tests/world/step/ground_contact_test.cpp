@@ -7,8 +7,7 @@
 
 #include "prepare/conditions.hpp"
 
-namespace physim {
-namespace world_ground_contact_test {
+namespace physim::world_ground_contact_test {
 
 constexpr double kG = 9.80665, kStep = 0.02;
 
@@ -114,5 +113,4 @@ TEST(GroundContacts, what_slid_below_the_ground_lies_on_it) {
   EXPECT_EQ(on.contacts.lying(above).v, above.v);
 }
 
-}  // namespace world_ground_contact_test
-}  // namespace physim
+}  // namespace physim::world_ground_contact_test

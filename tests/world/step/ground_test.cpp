@@ -1,19 +1,11 @@
 // Landing, bouncing, rolling and sleeping, against closed forms.
-#include <cmath>
-
-#include "physim/flight.hpp"
 #include "world/world_support.hpp"
 
-namespace physim {
-namespace world_ground_test {
+namespace physim::world_ground_test {
 
 constexpr double kG = 9.80665;
 
-WorldDef on_ground(GroundMode mode) {
-  WorldDef def;
-  def.ground.mode = mode;
-  return def;
-}
+WorldDef on_ground(GroundMode mode) { return {.ground = {.mode = mode}}; }
 
 TEST(Ground, landing_has_the_exact_time_and_place_of_a_flight) {
   WorldDef def = on_ground(GroundMode::land);
@@ -31,9 +23,7 @@ TEST(Ground, landing_has_the_exact_time_and_place_of_a_flight) {
       const auto landed =
           std::find_if(events.begin(), events.end(), [](const auto& e) { return e.kind == EventKind::landed; });
       ASSERT_NE(landed, events.end());
-      Tolerance tolerance;
-      tolerance.step = 1.0 / 64;
-      const Flight flight = fly(p, launch, def.environment, p.fidelity, tolerance);
+      const Flight flight = fly(p, launch, def.environment, p.fidelity, {.step = 1.0 / 64});
       // Positions come from the same interpolant; times are added in another order.
       EXPECT_NEAR(landed->time, flight.duration(), 1e-7);
       EXPECT_NEAR(landed->position.x, flight.end().position.x, 1e-6 * flight.end().position.x);
@@ -53,8 +43,7 @@ TEST(Ground, nothing_happens_later_than_its_step) {
   ProjectileDef p = stone();
   p.fidelity.precision = Precision::float32;
   p.fidelity.integrator = Integrator::rk4;  // exact for parabolas: they bounce on and on
-  BodyDef body;
-  body.restitution = 1, body.friction = 0, body.can_sleep = false;
+  BodyDef body{.can_sleep = false, .restitution = 1, .friction = 0};
   for (int i = 0; i < 400; ++i) ASSERT_TRUE(world.spawn(p, {.position = {0.0, 1 + 1e-3 * i, 1.0 * i}}, body));
   std::uint64_t bounces = 0;
   for (int i = 0; i < 64 * 60; ++i) {
@@ -69,8 +58,7 @@ TEST(Ground, nothing_happens_later_than_its_step) {
 
 TEST(Ground, a_bouncing_ball_follows_the_closed_form) {
   WorldDef def = on_ground(GroundMode::bounce);
-  BodyDef body;
-  body.restitution = 0.8;
+  BodyDef body{.restitution = 0.8};
   ProjectileDef p = stone();
   p.fidelity.integrator = Integrator::rk4;  // exact for parabolas
   World world = make_world(def);
@@ -92,8 +80,7 @@ TEST(Ground, a_bouncing_ball_follows_the_closed_form) {
 }
 
 TEST(Ground, closed_forms_bounce_too) {
-  BodyDef body;
-  body.restitution = 0.5;
+  BodyDef body{.restitution = 0.5};
   ProjectileDef p = stone();
   p.fidelity.motion = Motion::closed_form;
   World world = make_world(on_ground(GroundMode::bounce));
@@ -114,11 +101,7 @@ TEST(Ground, closed_forms_bounce_too) {
 TEST(Ground, closed_forms_feel_their_drag_while_they_lie_on_it) {
   constexpr double kRate = 0.5, kStep = 1.0 / 1024;
   for (const DragModel drag : {DragModel::damping, DragModel::linear_quadratic}) {
-    BodyDef body;
-    body.restitution = 0;
-    body.friction = 0;
-    body.rolling_resistance = 0;
-    body.can_sleep = false;
+    BodyDef body{.can_sleep = false, .restitution = 0, .friction = 0, .rolling_resistance = 0};
     ProjectileDef p = stone();
     p.mass = 3;
     p.drag.damping = std::exp(-kRate);
@@ -134,9 +117,7 @@ TEST(Ground, closed_forms_feel_their_drag_while_they_lie_on_it) {
 }
 
 TEST(Ground, friction_slows_a_bounce_as_coulomb_says) {
-  BodyDef body;
-  body.restitution = 0.5;
-  body.friction = 0.3;
+  BodyDef body{.restitution = 0.5, .friction = 0.3};
   World world = make_world(on_ground(GroundMode::bounce));
   world.spawn(stone(), {.position = {0, 1, 0}, .velocity = Vec3d{10, -4, 0}}, body);
   const auto events = run_for(world, 0.5);
@@ -148,11 +129,7 @@ TEST(Ground, friction_slows_a_bounce_as_coulomb_says) {
 }
 
 TEST(Ground, a_ball_rolls_to_rest_and_sleeps_where_resistance_stops_it) {
-  BodyDef body;
-  body.restitution = 0;
-  body.friction = 0;
-  body.rolling_resistance = 0.1;
-  body.sleep_time = 0.25;
+  BodyDef body{.sleep_time = 0.25, .restitution = 0, .friction = 0, .rolling_resistance = 0.1};
   World world = make_world(on_ground(GroundMode::bounce));
   const ProjectileId id = *world.spawn(stone(), {.velocity = Vec3d{5, 0, 0}}, body);
   const auto events = run_for(world, 8);
@@ -167,8 +144,7 @@ TEST(Ground, a_ball_rolls_to_rest_and_sleeps_where_resistance_stops_it) {
 }
 
 TEST(Ground, a_dead_impact_is_told_once) {
-  BodyDef body;
-  body.restitution = 0;
+  BodyDef body{.restitution = 0};
   World world = make_world(on_ground(GroundMode::bounce));
   world.spawn(stone(), {.position = {0, 3, 0}, .velocity = Vec3d{1, 0, 0}}, body);
   const auto events = run_for(world, 3);
@@ -181,8 +157,7 @@ TEST(Ground, a_dead_impact_is_told_once) {
 }
 
 TEST(Ground, an_impulse_wakes_a_sleeper) {
-  BodyDef body;
-  body.sleep_time = 0.1;
+  BodyDef body{.sleep_time = 0.1};
   World world = make_world(on_ground(GroundMode::bounce));
   const ProjectileId id = *world.spawn(stone(), {}, body);
   run_for(world, 1);
@@ -234,9 +209,7 @@ TEST(Ground, apex_is_told_where_it_is) {
 
 // Found by a soak of 10^9 steps: made kinematic at that moment, it would have stayed for ever.
 TEST(Ground, a_roll_that_overflows_ends_in_the_same_step) {
-  WorldDef def;
-  def.ground.mode = GroundMode::bounce;
-  World world = std::move(World::create(def).value());
+  World world = std::move(World::create({.ground = {.mode = GroundMode::bounce}}).value());
   ProjectileDef p;
   p.fidelity = Fidelity::game();
   p.fidelity.drag = DragModel::off;
@@ -256,9 +229,7 @@ struct Rested {
   bool asleep = false;
 };
 Rested bounced_to_rest(ProjectileDef p, double dt) {
-  BodyDef body;
-  body.restitution = 0.5;
-  body.friction = 0.1;
+  BodyDef body{.restitution = 0.5, .friction = 0.1};
   World world = make_world(on_ground(GroundMode::bounce));
   const ProjectileId id = *world.spawn(p, {.position = {0, 5, 0}, .velocity = Vec3d{2, 0, 1}}, body);
   Rested rested;
@@ -272,10 +243,7 @@ Rested bounced_to_rest(ProjectileDef p, double dt) {
 TEST(Ground, bounces_are_those_of_short_frames_at_any_step) {
   for (const Fidelity& rung :
        {Fidelity::game(), Fidelity::constant_air(), Fidelity::simulation(), Fidelity::arcade()}) {
-    ProjectileDef p;
-    p.mass = 0.5;
-    p.diameter = 0.1;
-    p.fidelity = rung;
+    ProjectileDef p{.mass = 0.5, .diameter = 0.1, .fidelity = rung};
     const Rested fine = bounced_to_rest(p, 1.0 / 30);
     ASSERT_GE(fine.bounces, 4);
     for (const double dt : {0.05, 0.1, 0.11, 0.25, 0.5, 1.0, 7.0, 60.0}) {
@@ -338,5 +306,4 @@ TEST(Ground, who_is_lifted_within_a_step_still_begins_it_on_the_ground) {
   EXPECT_TRUE(rose);
 }
 
-}  // namespace world_ground_test
-}  // namespace physim
+}  // namespace physim::world_ground_test

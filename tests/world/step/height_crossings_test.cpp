@@ -1,12 +1,9 @@
 // Crossings that are found by heights alone are those that the whole dense output gives, to the bit.
 #include "world/step/height_crossings.hpp"
 
-#include <utility>
-
 #include "support.hpp"
 
-namespace physim::test {
-namespace world_height_crossings_test {
+namespace physim::test::world_height_crossings_test {
 
 constexpr Integrator kByHeights[] = {Integrator::explicit_euler, Integrator::semi_implicit_euler, Integrator::heun,
                                      Integrator::rk4, Integrator::rk43};
@@ -74,10 +71,9 @@ int crossings_of_step(const Prepared& p, int number, bool by_heights) {
 template <class S>
 void compare_searches(Integrator integrator) {
   SCOPED_TRACE(text(integrator));
-  Fidelity f;
-  f.integrator = integrator;
-  f.air = AirModel::constant;
-  f.precision = sizeof(S) == 4 ? Precision::float32 : Precision::float64;
+  Fidelity f{.integrator = integrator,
+             .air = AirModel::constant,
+             .precision = sizeof(S) == 4 ? Precision::float32 : Precision::float64};
   const Prepared p(bullet_308(), {}, constant_gravity(), f);
   ASSERT_TRUE(DenseHeight<S>::holds(p.conditions()));
   int crossings = 0;
@@ -95,9 +91,7 @@ TEST(HeightCrossings, AreThoseOfTheWholeDenseOutput) {
 
 TEST(HeightCrossings, AreNotForInterpolantsOfTheirOwnOrARoundEarth) {
   const auto holds = [](Integrator integrator, EarthModel earth = EarthModel::flat) {
-    Fidelity f;
-    f.integrator = integrator;
-    f.earth = earth;
+    Fidelity f{.integrator = integrator, .earth = earth};
     Conditions<double> c{};
     c.fidelity = f;
     return DenseHeight<double>::holds(c);
@@ -110,5 +104,4 @@ TEST(HeightCrossings, AreNotForInterpolantsOfTheirOwnOrARoundEarth) {
   EXPECT_FALSE(holds(Integrator::dop853));
 }
 
-}  // namespace world_height_crossings_test
-}  // namespace physim::test
+}  // namespace physim::test::world_height_crossings_test

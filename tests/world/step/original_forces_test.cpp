@@ -1,14 +1,7 @@
 // Tests 3 and 6 of the original in a world, as their author meant them.
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <cmath>
-#include <vector>
-
 #include "world/force_support.hpp"
 
-namespace physim {
-namespace world_original_forces_test {
+namespace physim::world_original_forces_test {
 
 using test::near;
 
@@ -110,5 +103,4 @@ TEST(OriginalForces, the_originals_test_6_as_it_was_meant) {
   EXPECT_TRUE(near(-meant.back().y, 4.2291, 0, 1e-3));
 }
 
-}  // namespace world_original_forces_test
-}  // namespace physim
+}  // namespace physim::world_original_forces_test

@@ -1,14 +1,9 @@
 // Drag on what slides or rolls: it slows, and never turns a motion around, however strong it is and however long steps
 // are. The air lets a slide without friction follow a closed form.
-#include <gtest/gtest.h>
-
 #include "math/vec3.hpp"
-#include "physim/names.hpp"
-#include "physim/world.hpp"
 #include "support.hpp"
 
-namespace physim {
-namespace world_rolling_drag_test {
+namespace physim::world_rolling_drag_test {
 
 struct Slide {
   Integrator integrator;
@@ -51,19 +46,16 @@ Laid laid(const Slide& slide, double k1, double k2, double friction, const Vec3d
     made.thing = scene.add({.shape = box, .transform = {.position = {0, -1, 0}}, .material = rough}).value();
     EXPECT_TRUE(world.set_scene(scene));
   }
-  ProjectileDef p;
-  p.mass = 2;
+  ProjectileDef p{.mass = 2};
   p.drag.k1 = k1 * p.mass, p.drag.k2 = k2 * p.mass;
   p.fidelity = Fidelity::game();
   p.fidelity.integrator = slide.integrator;
   p.fidelity.precision = slide.precision;
-  BodyDef body;
-  body.collision.on_hit = OnHit::bounce;
-  body.collision.radius = slide.on_thing ? slide.radius : 0;
-  body.friction = friction;
-  body.restitution = 0;
-  body.rolling_resistance = 0;
-  body.can_sleep = false;
+  BodyDef body{.can_sleep = false,
+               .restitution = 0,
+               .friction = friction,
+               .rolling_resistance = 0,
+               .collision = {.on_hit = OnHit::bounce, .radius = slide.on_thing ? slide.radius : 0}};
   const Launch launch{.position = {0, slide.on_thing ? slide.radius : 0, 0}, .velocity = velocity};
   made.id = world.spawn(world.add_kind(p, body).value(), launch).value();
   return made;
@@ -132,17 +124,16 @@ TEST(RollingDrag, a_flight_slides_through_air_as_its_closed_form) {
       Scene scene;
       const ShapeId box = scene.add_shape(BoxShape{{500, 1, 500}}).value();
       ASSERT_TRUE(scene.add({.shape = box, .transform = {.position = {0, -1, 0}}}));
-      ProjectileDef p;
-      p.mass = 2;
+      ProjectileDef p{.mass = 2};
       const double k = 0.02, v0 = 50;
       p.drag.k2 = k * p.mass;
       Fidelity fidelity = Fidelity::game();
       fidelity.integrator = integrator;
       fidelity.precision = Precision::float64;
-      Until until{.ground = {}, .time = 2};
-      until.scene = &scene;
-      until.contact.collision.on_hit = OnHit::bounce;
-      until.contact.collision.radius = radius;
+      Until until{.ground = {},
+                  .time = 2,
+                  .scene = &scene,
+                  .contact = {.collision = {.on_hit = OnHit::bounce, .radius = radius}}};
       until.contact.friction = until.contact.restitution = until.contact.rolling_resistance = 0;
       const Launch launch{.position = {0, radius, 0}, .velocity = Vec3d{v0, 0, 0}};
       const Flight flight = fly(p, launch, {}, fidelity, {.step = 0.02}, until);
@@ -152,5 +143,4 @@ TEST(RollingDrag, a_flight_slides_through_air_as_its_closed_form) {
     }
 }
 
-}  // namespace world_rolling_drag_test
-}  // namespace physim
+}  // namespace physim::world_rolling_drag_test

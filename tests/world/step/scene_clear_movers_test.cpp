@@ -1,12 +1,8 @@
 // What rows know to be clear of things at rest, while others move, come, start and stop: no answer changes.
-#include <cmath>
-
-#include "physim/body.hpp"
 #include "world/clear_support.hpp"
 #include "world/core/newcomers.hpp"
 
-namespace physim {
-namespace world_scene_clear_movers_test {
+namespace physim::world_scene_clear_movers_test {
 
 using namespace test_clear;
 
@@ -162,9 +158,7 @@ TEST(SceneClear, what_moves_is_met_after_moments_saves_and_frames) {
         pair.things = things;
       }
       if (step == 60) {
-        auto loaded = World::load(*pair.clear.save());
-        ASSERT_TRUE(loaded);
-        pair.clear = std::move(*loaded);
+        pair.clear = reloaded(pair.clear);
       }
       EXPECT_EQ(pair.clear.advance(frame), pair.asking.advance(frame));
       expect_the_same(pair, step);
@@ -197,9 +191,7 @@ struct Hanging {
   ShapeId ball;  // of a metre
 
   Hanging(const Vec3d& velocity, double radius, Precision precision) {
-    WorldDef def;
-    def.ground.mode = GroundMode::none;
-    def.environment.atmosphere.model = AirModel::vacuum;
+    WorldDef def{.environment = {.atmosphere = {.model = AirModel::vacuum}}, .ground = {.mode = GroundMode::none}};
     world = make_world(def);
     Scene scene;
     put(scene, PlaneShape{}, {0, -40, 0});
@@ -207,10 +199,7 @@ struct Hanging {
     EXPECT_TRUE(world.set_scene(scene));
     ProjectileDef p = stone();
     p.fidelity.precision = precision;
-    BodyDef body;
-    body.gravity_scale = 0;
-    body.can_sleep = false;
-    body.collision = {.on_hit = OnHit::stop, .radius = radius};
+    BodyDef body{.gravity_scale = 0, .can_sleep = false, .collision = {.on_hit = OnHit::stop, .radius = radius}};
     id = *world.spawn(p, {.position = {0, 0, 0}, .velocity = velocity}, body);
   }
 
@@ -332,5 +321,4 @@ TEST(SceneClear, boxes_far_from_each_other_are_not_put_together) {
   for (const auto& group : few.groups()) EXPECT_LT(group.about.high.x - group.about.low.x, 120);
 }
 
-}  // namespace world_scene_clear_movers_test
-}  // namespace physim
+}  // namespace physim::world_scene_clear_movers_test

@@ -1,8 +1,7 @@
 // What rows know to be clear about them: balls and tubes in which nothing stands save questions and change no answer.
 #include "world/clear_support.hpp"
 
-namespace physim {
-namespace world_scene_clear_test {
+namespace physim::world_scene_clear_test {
 
 using namespace test_clear;
 
@@ -28,5 +27,4 @@ TEST(SceneClear, what_is_known_to_be_clear_changes_no_answer) {
   EXPECT_GT(hits, 1500u);
 }
 
-}  // namespace world_scene_clear_test
-}  // namespace physim
+}  // namespace physim::world_scene_clear_test

@@ -1,35 +1,23 @@
 // What contacts do in worlds: spin and velocity, things that move, ways into and through materials.
 #include <array>
-#include <cmath>
-#include <string>
-#include <vector>
 
-#include "physim/body.hpp"
-#include "physim/scene.hpp"
 #include "scene_support.hpp"
-#include "support.hpp"
-#include "world/world_support.hpp"
 
-namespace physim {
-namespace world_scene_contact_test {
+namespace physim::world_scene_contact_test {
 
 using test_scene::bouncing;
 
 constexpr double kG = 9.80665;
 
 WorldDef open_space(AirModel air = AirModel::vacuum) {
-  WorldDef def;
-  def.ground.mode = GroundMode::none;
-  def.environment.atmosphere.model = air;
-  return def;
+  return {.environment = {.atmosphere = {.model = air}}, .ground = {.mode = GroundMode::none}};
 }
 
 Scene floor_of(const Material& material, double slope = 0) {
   Scene scene;
   const MaterialId made_of = *scene.add_material(material);
-  EXPECT_TRUE(scene.add({.shape = *scene.add_shape(PlaneShape{}),
-                         .transform = {.rotation = {std::cos(slope / 2), 0, 0, -std::sin(slope / 2)}},
-                         .material = made_of}));
+  add_thing(scene, PlaneShape{},
+            {.transform = {.rotation = {std::cos(slope / 2), 0, 0, -std::sin(slope / 2)}}, .material = made_of});
   return scene;
 }
 
@@ -61,13 +49,10 @@ class SpinOfBounce : public testing::TestWithParam<RotationModel> {
     p.fidelity.earth = EarthModel::flat;
     p.diameter = 2 * radius;
     p.inertia.moments = {1e-5, 1e-5, 1e-5};
-    World world = make_world(open_space(AirModel::isa));
-    EXPECT_TRUE(world.set_scene(floor_of({.restitution = 0.8, .friction = friction})));
+    World world = make_world(open_space(AirModel::isa), floor_of({.restitution = 0.8, .friction = friction}));
     BodyDef body = bouncing(radius);
     body.collision.inertia = k;
-    Launch launch;
-    launch.position = {0, radius + 1e-3, 0};
-    launch.velocity = Vec3d{before.speed_along, -down, 0};
+    Launch launch{.position = {0, radius + 1e-3, 0}, .velocity = Vec3d{before.speed_along, -down, 0}};
     const ProjectileId id = *world.spawn(p, launch, body);
     EXPECT_TRUE(world[id].set_angular_velocity({0, 0, before.spin}));
     if (GetParam() == RotationModel::magnus) {  // its spin is that of its launch
@@ -120,8 +105,7 @@ TEST(SceneContact, a_ball_on_a_slope_slides_or_rolls_as_friction_lets_it) {
   const double g_along = kG * std::sin(kSlope), g_on = kG * std::cos(kSlope);
   for (const auto& [friction, acceleration] :
        {Case{1, g_along / 1.4}, Case{0.1, g_along - 0.1 * g_on}, Case{0, g_along}}) {
-    World world = make_world(open_space());
-    ASSERT_TRUE(world.set_scene(floor_of({.restitution = 0, .friction = friction}, kSlope)));
+    World world = make_world(open_space(), floor_of({.restitution = 0, .friction = friction}, kSlope));
     const Vec3d normal{std::sin(kSlope), std::cos(kSlope), 0};
     const ProjectileId id = *world.spawn(stone(), {.position = normal * (0.05 + 1e-9)}, bouncing(0.05, 0));
     run_for(world, 2, 1.0 / 60);
@@ -146,8 +130,7 @@ TEST(SceneContact, a_ball_in_a_groove_goes_along_it) {
     ASSERT_TRUE(scene.add(
         {.shape = plane, .transform = {.rotation = fall * Quatd{std::cos(a), 0, 0, std::sin(a)}}, .material = ice}));
   }
-  World world = make_world(open_space());
-  ASSERT_TRUE(world.set_scene(scene));
+  World world = make_world(open_space(), scene);
   const Vec3d up{0, std::cos(kFall), std::sin(kFall)}, down{0, -std::sin(kFall), std::cos(kFall)};
   const ProjectileId id = *world.spawn(stone(), {.position = up * 0.2}, bouncing(0.1, 0));
   run_for(world, 3, 1.0 / 60);
@@ -161,11 +144,8 @@ TEST(SceneContact, a_ball_in_a_groove_goes_along_it) {
 
 /// A ball that slides, without spin at first, rolls with 5/7 of its speed in the end.
 TEST(SceneContact, sliding_becomes_rolling_with_five_sevenths_of_the_speed) {
-  World world = make_world(open_space());
-  ASSERT_TRUE(world.set_scene(floor_of({.restitution = 0, .friction = 0.2})));
-  Launch launch;
-  launch.position = {0, 0.03 + 1e-9, 0};
-  launch.velocity = Vec3d{7, 0, 0};
+  World world = make_world(open_space(), floor_of({.restitution = 0, .friction = 0.2}));
+  Launch launch{.position = {0, 0.03 + 1e-9, 0}, .velocity = Vec3d{7, 0, 0}};
   const ProjectileId id = *world.spawn(stone(), launch, bouncing(0.03, 0));
   const double rolls_after = 7 * 2.0 / 7 / (0.2 * kG);  // u / (mu g (1 + 1/k))
   run_for(world, 0.5 * rolls_after, 1.0 / 240);
@@ -182,12 +162,9 @@ TEST(SceneContact, a_wall_that_moves_strikes_what_stands) {
       const MaterialId hard = *scene.add_material({.restitution = 1, .friction = 0});
       SceneMotion motion = SteadyMotion{.velocity = {50, 0, 0}};
       if (keyed) motion = KeyedMotion{{{.time = 0, .position = {-10, 0, 0}}, {.time = 10, .position = {490, 0, 0}}}};
-      ASSERT_TRUE(scene.add({.shape = *scene.add_shape(BoxShape{{0.0005, 5, 5}}),
-                             .transform = {.position = {-10, 0, 0}},
-                             .material = hard,
-                             .motion = motion}));
-      World world = make_world(open_space());
-      ASSERT_TRUE(world.set_scene(scene));
+      add_thing(scene, BoxShape{{0.0005, 5, 5}},
+                {.transform = {.position = {-10, 0, 0}}, .material = hard, .motion = motion});
+      World world = make_world(open_space(), scene);
       BodyDef body = bouncing(radius);
       body.gravity_scale = 0;
       body.can_sleep = true;
@@ -205,11 +182,9 @@ TEST(SceneContact, a_wall_that_moves_strikes_what_stands) {
 TEST(SceneContact, a_platform_carries_what_lies_on_it) {
   Scene scene;
   const MaterialId rough = *scene.add_material({.restitution = 0, .friction = 1});
-  const InstanceId lift = *scene.add({.shape = *scene.add_shape(BoxShape{{50, 0.5, 5}}),
-                                      .material = rough,
-                                      .motion = SteadyMotion{.velocity = {1, 0.5, 0}}});
-  World world = make_world(open_space());
-  ASSERT_TRUE(world.set_scene(scene));
+  const InstanceId lift =
+      add_thing(scene, BoxShape{{50, 0.5, 5}}, {.material = rough, .motion = SteadyMotion{.velocity = {1, 0.5, 0}}});
+  World world = make_world(open_space(), scene);
   BodyDef body = bouncing(0, 0);
   body.rolling_resistance = 0.3;
   body.can_sleep = true;
@@ -226,15 +201,12 @@ TEST(SceneContact, a_bullet_goes_through_a_plank_and_stops_in_a_wall) {
   const MaterialId plank =
       *scene.add_material({.name = "plank", .penetration = BallisticLimitDef{.speed = 300, .a = 1, .p = 2}});
   const MaterialId wall = *scene.add_material(materials::oak());
-  const InstanceId first = *scene.add(
-      {.shape = *scene.add_shape(BoxShape{{0.01, 1, 1}}), .transform = {.position = {10, 0, 0}}, .material = plank});
-  const InstanceId second = *scene.add(
-      {.shape = *scene.add_shape(BoxShape{{5, 10, 10}}), .transform = {.position = {25, 0, 0}}, .material = wall});
-  World world = make_world(open_space());
-  ASSERT_TRUE(world.set_scene(scene));
-  BodyDef body;
-  body.collision.on_hit = OnHit::impact;
-  body.gravity_scale = 0;
+  const InstanceId first =
+      add_thing(scene, BoxShape{{0.01, 1, 1}}, {.transform = {.position = {10, 0, 0}}, .material = plank});
+  const InstanceId second =
+      add_thing(scene, BoxShape{{5, 10, 10}}, {.transform = {.position = {25, 0, 0}}, .material = wall});
+  World world = make_world(open_space(), scene);
+  BodyDef body{.gravity_scale = 0, .collision = {.on_hit = OnHit::impact}};
   ProjectileDef p = bullet();
   p.fidelity = stone().fidelity;
   const ProjectileId id = *world.spawn(p, {.speed = 500}, body);
@@ -263,16 +235,12 @@ TEST(SceneContact, a_bullet_goes_through_a_plank_and_stops_in_a_wall) {
 TEST(SceneContact, a_ball_skips_off_water_and_a_steep_one_does_not) {
   Scene scene = floor_of(materials::water());
   for (const double angle : {4 * test::kDegree, 60 * test::kDegree}) {
-    World world = make_world(open_space());
-    ASSERT_TRUE(world.set_scene(scene));
-    BodyDef body;
-    body.collision.on_hit = OnHit::impact;
+    World world = make_world(open_space(), scene);
+    BodyDef body{.collision = {.on_hit = OnHit::impact}};
     ProjectileDef p = stone();
     p.mass = 5;
     p.diameter = 0.1;
-    Launch launch;
-    launch.position = {0, 1e-3, 0};
-    launch.velocity = Vec3d{std::cos(angle), -std::sin(angle), 0} * 200.0;
+    Launch launch{.position = {0, 1e-3, 0}, .velocity = Vec3d{std::cos(angle), -std::sin(angle), 0} * 200.0};
     ASSERT_TRUE(world.spawn(p, launch, body));
     world.step(1.0 / 60);
     const bool skips = angle < 0.2;
@@ -306,8 +274,7 @@ double depth_of(const ShapeDef& shape) {
 
 /// The first hit of a ball of 0.2 m that is launched with its middle at a place.
 Event first_hit_of_ball(const Scene& scene, const Vec3d& middle, const Vec3d& velocity) {
-  World world = make_world(open_space());
-  EXPECT_TRUE(world.set_scene(scene));
+  World world = make_world(open_space(), scene);
   ProjectileDef ball = stone();
   ball.fidelity = Fidelity::constant_air();
   const auto id = world.spawn(ball, {.position = middle, .velocity = velocity}, bouncing(0.2));
@@ -325,7 +292,7 @@ TEST(SceneContact, a_ball_whose_middle_lies_at_a_surface_is_pushed_out_by_its_ra
       SCOPED_TRACE(name);
       Scene scene;
       const Vec3d place = where - Vec3d{0, depth_of(shape), 0};
-      ASSERT_TRUE(scene.add({.shape = *scene.add_shape(shape), .transform = {.position = place}}));
+      add_thing(scene, shape, {.transform = {.position = place}});
       for (const double above : {1e-16, 1e-15, 1e-14, 1e-13, 1e-12, 1e-10, -1e-16, -1e-15, -1e-14, -1e-13}) {
         const Vec3d middle = where + Vec3d{0, above, 0};
         const Event hit = first_hit_of_ball(scene, middle, {1e-3, -1, 3e-4});
@@ -338,11 +305,10 @@ TEST(SceneContact, a_ball_whose_middle_lies_at_a_surface_is_pushed_out_by_its_ra
 
 TEST(SceneContact, a_ball_whose_middle_lies_at_a_surface_is_pushed_out_wherever_it_moves) {
   Scene scene;
-  ASSERT_TRUE(scene.add({.shape = *scene.add_shape(BoxShape{{9, 1, 9}}), .transform = {.position = {0.1, -0.7, 0}}}));
+  add_thing(scene, BoxShape{{9, 1, 9}}, {.transform = {.position = {0.1, -0.7, 0}}});
   for (const double above : {0.0, 1e-14, -1e-14, -1e-12})
     for (const Vec3d& velocity : {Vec3d{1, 0, 0.5}, Vec3d{}, Vec3d{0, 1e-3, 0}}) {
-      World world = make_world(open_space());
-      ASSERT_TRUE(world.set_scene(scene));
+      World world = make_world(open_space(), scene);
       ProjectileDef ball = stone();
       ball.fidelity = Fidelity::constant_air();
       const ProjectileId id =
@@ -355,7 +321,7 @@ TEST(SceneContact, a_ball_whose_middle_lies_at_a_surface_is_pushed_out_wherever_
 
 TEST(SceneContact, a_ball_whose_middle_lies_at_an_edge_or_a_corner_is_pushed_out_by_its_radius) {
   Scene scene;
-  ASSERT_TRUE(scene.add({.shape = *scene.add_shape(BoxShape{{1, 1, 1}})}));
+  add_thing(scene, BoxShape{{1, 1, 1}});
   for (const Vec3d& out : {Vec3d{0, 1, 1}, Vec3d{1, 1, 1}})
     for (const double away : {1e-16, 1e-15, 1e-14, 1e-13, 1e-12}) {
       const Event hit = first_hit_of_ball(scene, out + normalized(out) * away, -out);
@@ -364,5 +330,4 @@ TEST(SceneContact, a_ball_whose_middle_lies_at_an_edge_or_a_corner_is_pushed_out
     }
 }
 
-}  // namespace world_scene_contact_test
-}  // namespace physim
+}  // namespace physim::world_scene_contact_test

@@ -1,25 +1,16 @@
 // What lies, rolls or slides on a thing is one contact: told once, and the same at any step, height and frame rate.
-#include <cmath>
-#include <string>
-
-#include "physim/body.hpp"
 #include "scene_support.hpp"
-#include "support.hpp"
-#include "world/world_support.hpp"
 
-namespace physim {
-namespace world_staying_test {
+namespace physim::world_staying_test {
 
 using namespace test_scene;
 
 BodyDef rolling(double resistance, double radius) {
-  BodyDef body;
-  body.restitution = 0;
-  body.friction = 0.4;
-  body.rolling_resistance = resistance;
-  body.can_sleep = false;
-  body.collision = {.on_hit = OnHit::bounce, .radius = radius};
-  return body;
+  return {.can_sleep = false,
+          .restitution = 0,
+          .friction = 0.4,
+          .rolling_resistance = resistance,
+          .collision = {.on_hit = OnHit::bounce, .radius = radius}};
 }
 MeshShape square(double half) {
   return {{{-half, 0, -half}, {half, 0, -half}, {half, 0, half}, {-half, 0, half}}, {{0, 2, 1}, {0, 3, 2}}, {}};
@@ -42,10 +33,8 @@ TEST(Staying, what_rolls_to_rest_rolls_as_far_at_every_step_and_height) {
         for (const double radius : {0.0, 0.1}) {
           Scene scene;
           put(scene, shapes[i], {-aside[i], height - below[i], -aside[i]});
-          World world = make_world(space());
-          ASSERT_TRUE(world.set_scene(scene));
-          ProjectileDef ball{.mass = 1, .diameter = 0.2};
-          ball.fidelity = rung(Integrator::rk4);
+          World world = make_world(space(), scene);
+          ProjectileDef ball{.mass = 1, .diameter = 0.2, .fidelity = rung(Integrator::rk4)};
           Launch launch{.position = {0.3, height + radius, 0.2}, .velocity = Vec3d{0.3, 0, 0.4}};
           const ProjectileId id = *world.spawn(ball, launch, rolling(0.01, radius));
           if (radius > 0) {
@@ -67,10 +56,8 @@ TEST(Staying, what_rolls_on_is_hit_once) {
     for (const Precision precision : {Precision::float32, Precision::float64}) {
       Scene scene;
       put(scene, BoxShape{{100, 1, 100}}, {0, -1, 0});
-      World world = make_world(space());
-      ASSERT_TRUE(world.set_scene(scene));
-      ProjectileDef ball{.mass = 1, .diameter = 0.2};
-      ball.fidelity = rung(Integrator::rk4, precision);
+      World world = make_world(space(), scene);
+      ProjectileDef ball{.mass = 1, .diameter = 0.2, .fidelity = rung(Integrator::rk4, precision)};
       BodyDef body = rolling(0, 0.1);
       const ProjectileId id = *world.spawn(ball, {.position = {0, 1, 0}, .velocity = Vec3d{3, 0, 1}}, body);
       const auto hits = test::of_kind(run_for(world, 10, 1 / rate), EventKind::hit);
@@ -88,15 +75,12 @@ TEST(Staying, a_lift_carries_and_lets_go) {
     InstanceDef lift{.shape = *scene.add_shape(BoxShape{{1, 0.1, 1}}),
                      .transform = {.position = {0, -0.1, 0}},
                      .material = *scene.add_material({.restitution = 0, .friction = 1})};
-    KeyedMotion keys;
-    keys.curve = MotionCurve::smooth;
-    keys.keys = {{.time = 0, .position = {0, -0.1, 0}}, {.time = 0.5, .position = {0, 0.9, 0}}};
+    KeyedMotion keys{.keys = {{.time = 0, .position = {0, -0.1, 0}}, {.time = 0.5, .position = {0, 0.9, 0}}},
+                     .curve = MotionCurve::smooth};
     lift.motion = keys;
     ASSERT_TRUE(scene.add(lift));
-    World world = make_world(space());
-    ASSERT_TRUE(world.set_scene(scene));
-    ProjectileDef ball{.mass = 1, .diameter = 0.1};
-    ball.fidelity = rung(Integrator::rk4);
+    World world = make_world(space(), scene);
+    ProjectileDef ball{.mass = 1, .diameter = 0.1, .fidelity = rung(Integrator::rk4)};
     const ProjectileId id = *world.spawn(ball, {.position = {0, 0.05, 0}}, rolling(0, 0.05));
     const auto events = run_for(world, 0.5, 1 / rate);
     EXPECT_NEAR(world[id].position().y, 1.1017083848, 1e-4) << rate;
@@ -127,14 +111,11 @@ TEST(Staying, a_flight_begins_on_a_thing) {
 TEST(Staying, hits_tell_the_energy_that_they_take) {
   for (const OnHit on_hit : {OnHit::bounce, OnHit::stop, OnHit::stick}) {
     Scene scene;
-    ASSERT_TRUE(scene.add({.shape = *scene.add_shape(PlaneShape{}),
-                           .material = *scene.add_material({.restitution = 0.8, .friction = 0})}));
+    add_thing(scene, PlaneShape{}, {.material = *scene.add_material({.restitution = 0.8, .friction = 0})});
     WorldDef def = space();
     def.environment = vacuum_of(0);
-    World world = make_world(def);
-    ASSERT_TRUE(world.set_scene(scene));
-    ProjectileDef ball{.mass = 2};
-    ball.fidelity = rung(Integrator::rk4);
+    World world = make_world(def, scene);
+    ProjectileDef ball{.mass = 2, .fidelity = rung(Integrator::rk4)};
     BodyDef body = rolling(0, 0);
     body.restitution = 1;
     body.collision.on_hit = on_hit;
@@ -146,5 +127,4 @@ TEST(Staying, hits_tell_the_energy_that_they_take) {
   }
 }
 
-}  // namespace world_staying_test
-}  // namespace physim
+}  // namespace physim::world_staying_test

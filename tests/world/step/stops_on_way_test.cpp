@@ -1,25 +1,14 @@
 // What slides or rolls comes to walls and sensors at the moment that its own law says, whatever the step.
-#include <cmath>
-
 #include "math/quat.hpp"
-#include "physim/body.hpp"
 #include "scene_support.hpp"
-#include "support.hpp"
-#include "world/world_support.hpp"
 
-namespace physim {
-namespace world_stops_on_way_test {
+namespace physim::world_stops_on_way_test {
 
 using namespace test_scene;
 
 constexpr double kRates[] = {24, 60, 1000};
 constexpr double kWall = 1, kSpeed = 5;  // where a wall stands [m]; of what comes to a sensor [m/s]
 
-ProjectileDef puck() {
-  ProjectileDef p{.mass = 1, .diameter = 0.2};
-  p.fidelity = test_scene::rung(Integrator::rk4);
-  return p;
-}
 /// Points slide against friction 0.5, balls roll against a resistance of 0.1.
 struct Mover {
   double radius, slows;  // [m], [m/s^2]
@@ -49,8 +38,7 @@ TEST(OnItsWay, a_wall_in_the_way_changes_nothing_of_how_far_a_point_slides) {
       for (const double rate : kRates) {
         WorldDef def = space();
         if (on_ground) def.ground = {.mode = GroundMode::bounce, .restitution = 0, .friction = 1};
-        World world = make_world(def);
-        ASSERT_TRUE(world.set_scene(wall_and_floor(!on_ground)));
+        World world = make_world(def, wall_and_floor(!on_ground));
         const ProjectileId id = *world.spawn(
             puck(), {.position = {0, on_ground ? 0 : 1e-10, 0}, .velocity = Vec3d{speed, 0, 0}}, point.body);
         const double slides = speed * speed / (2 * point.slows);
@@ -87,8 +75,7 @@ TEST(OnItsWay, what_starts_to_roll_or_slide_comes_to_a_wall_in_its_time) {
         };
         ASSERT_TRUE(scene.add({.shape = slab, .transform = at({0, -0.5 - kind.radius, 0}), .material = made_of}));
         ASSERT_TRUE(scene.add({.shape = wall, .transform = at({way + 0.5 + kind.radius, 0, 0}), .material = made_of}));
-        World world = make_world(space());
-        ASSERT_TRUE(world.set_scene(scene));
+        World world = make_world(space(), scene);
         ASSERT_TRUE(world.spawn(puck(), {.position = rotate(turn, Vec3d{0, 1e-10, 0}), .velocity = Vec3d{}},
                                 bouncing(kind.radius, 0, kind.friction)));
         const double a = kind.part * pull;
@@ -117,8 +104,7 @@ TEST(OnItsWay, sensors_report_when_a_way_over_a_floor_goes_in_and_out) {
         if (!on_ground)
           put(scene, BoxShape{{50, 0.5, 5}}, {0, -0.5 - mover.radius, 0},
               *scene.add_material({.restitution = 0, .friction = 1}));
-        ASSERT_TRUE(scene.add(
-            {.shape = *scene.add_shape(BoxShape{{0.4, 1, 1}}), .transform = {.position = {1, 0, 0}}, .sensor = true}));
+        add_thing(scene, BoxShape{{0.4, 1, 1}}, {.transform = {.position = {1, 0, 0}}, .sensor = true});
         ASSERT_TRUE(world.set_scene(scene));
         const double speed = kSpeed;
         ASSERT_TRUE(world.spawn(puck(), {.position = {0, on_ground ? 0 : 1e-10, 0}, .velocity = Vec3d{speed, 0, 0}},
@@ -143,9 +129,8 @@ TEST(OnItsWay, sensors_report_when_a_way_over_a_floor_goes_in_and_out) {
 TEST(OnItsWay, a_way_whose_length_no_number_holds_goes_by_sensors) {
   for (const double far : {1e150, 1e160, 1e200, 1e300}) {
     Scene scene;
-    ASSERT_TRUE(scene.add({.shape = *scene.add_shape(BoxShape{{1, 1, 1}}), .sensor = true}));
-    World world = make_world(space());
-    ASSERT_TRUE(world.set_scene(scene));
+    add_thing(scene, BoxShape{{1, 1, 1}}, {.sensor = true});
+    World world = make_world(space(), scene);
     const ProjectileId id =
         *world.spawn(puck(), {.position = {far, 0, 0}, .velocity = Vec3d{-far, 0, 0}}, movers()[0].body);
     world.step(1);
@@ -154,5 +139,4 @@ TEST(OnItsWay, a_way_whose_length_no_number_holds_goes_by_sensors) {
   }
 }
 
-}  // namespace world_stops_on_way_test
-}  // namespace physim
+}  // namespace physim::world_stops_on_way_test
