@@ -12,22 +12,18 @@
 namespace physim {
 namespace {
 
-/// A sub-emitter waits for births or for ages, which may be reached in the step of the birth.
-bool waits_for_the_young(const EmitterDef& def) {
-  return std::ranges::any_of(
-      def.subs, [](const SubEmitter& sub) { return sub.on == SubEvent::birth || sub.on == SubEvent::age; });
-}
-/// All that its launches say beside place and velocity is what holds for one without a rail.
-bool has_plain_launch(const WorldImpl& world, const Kind& kind, const EmitterDef& def, double time) {
+/// Whether particles of an emitter differ in place, velocity and time alone, nothing about one has to be noted apart,
+/// and no sub-emitter waits for what may come in the step of the birth: births and ages.
+bool are_alike(const WorldImpl& world, const Kind& kind, const EmitterDef& def, double time) {
+  const BodyDef& body = kind.body;
+  const bool is_plain = body.cheapest_within == 0 && body.angular_velocity == Vec3d{} &&
+                        !std::isfinite(body.despawn.older) && (kind.flags & (kStill | kOwn)) == 0 &&
+                        !has_motor(kind.projectile);
+  const auto is_early = [](const SubEmitter& sub) { return sub.on == SubEvent::birth || sub.on == SubEvent::age; };
   Launch launch = def.launch;
   launch.velocity = Vec3d{1, 0, 0};
-  return !(launch.rail_length > 0) && world.bore_of(kind, launch, time);
-}
-/// Nothing about one of the kind has to be noted apart.
-bool is_plain_kind(const Kind& kind) {
-  const BodyDef& body = kind.body;
-  return body.cheapest_within == 0 && body.angular_velocity == Vec3d{} && !std::isfinite(body.despawn.older) &&
-         (kind.flags & (kStill | kOwn)) == 0 && !has_motor(kind.projectile);
+  return is_plain && !std::ranges::any_of(def.subs, is_early) && !(launch.rail_length > 0) &&
+         world.bore_of(kind, launch, time);
 }
 
 }  // namespace
@@ -45,12 +41,11 @@ const BirthPlan* BirthBatches::plan(std::uint32_t emitter) {
 BirthPlan BirthBatches::find(std::uint32_t index) const {
   const Emitter& e = w_.state.emitters[index];
   const EmitterDef& def = e.def();
-  if (!w_.state.generators.empty() || !e.emission->leaves_gravity() || waits_for_the_young(def)) return {};
+  if (!w_.state.generators.empty() || !e.emission->leaves_gravity()) return {};
   const std::uint32_t kind_index = w_.registry.kinds.find(def.kind);
   if (kind_index == 0) return {};
   const Kind& kind = w_.registry.kind(kind_index);
-  if (!w_.registry.has_environment_of(kind) || !is_plain_kind(kind)) return {};
-  if (!has_plain_launch(w_, kind, def, w_.state.clock.time())) return {};
+  if (!w_.registry.has_environment_of(kind) || !are_alike(w_, kind, def, w_.state.clock.time())) return {};
   const Prepared& rung = kind.rungs.front();
   if (rung.in_use.fidelity.planar || rung.equivalent_drag || rung.rotor) return {};
   const bool driven = e.drives && rung.in_use.fidelity.motion == Motion::force;

@@ -4,6 +4,7 @@
 #include <limits>
 
 #include "world/step/drive.hpp"
+#include "world/step/forced_step.hpp"
 #include "world/step/step_rows.hpp"
 
 namespace physim {
@@ -103,9 +104,8 @@ void PartFlights::find(const SettleContext& context, std::uint16_t index, Cohort
   const Watchdog<S> w = rows_job<S>(context, index).watchdog;
   cohort.floor = static_cast<double>(w.floor);
   cohort.slowest = static_cast<double>(w.slowest);
-  const bool forced = of.key.forced;
-  const bool simple = forced ? !w.apex && !w.watched && !w.box && !of.layout.launched : w.simple;
-  if (!simple || of.key.still || of.layout.meeting || (forced && !context.state->generators.empty())) return;
+  const bool simple = of.key.forced ? !w.apex && !w.watched && !w.box && !of.layout.launched : w.simple;
+  if (!simple || of.key.still || of.layout.meeting || !steps_with_free(context, index)) return;
   Fly<S>& fly = std::get<Fly<S>>(cohort.fly);
   if (of.steps_plainly()) fly = fly_packs<AnyStep, S>;
   with_static_rung(of.static_rung, [&](auto rung) { fly = fly_packs<StaticRung<rung>, S>; });
