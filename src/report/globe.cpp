@@ -407,7 +407,7 @@ Json mark_feature(const Track& track, const Mark& mark) {
 }
 
 // -------------------------------------------------------------------------------------------------------------- files
-/// What a file shows: tracks one after the other, so that only one is in memory.
+/// The content of a file: tracks one after the other, so that only one is in memory.
 struct Shown {
   const Scenario& scenario;
   double end;  // of its clock [s]

@@ -81,7 +81,7 @@ Extent extent_of(const std::vector<Curve>& curves, int column) {
   return extent.or_zero();
 }
 
-/// What a scenario expects of its shots at times, as marks over the curves: rings where it was published, else crosses.
+/// Marks over the curves for what a scenario expects of its shots at times: rings if it was published, else crosses.
 class PlotMarks {
  public:
   PlotMarks(std::span<const FlownShot> shots, std::span<const Expectation> expected) {

@@ -45,7 +45,7 @@ constexpr PixelBox kPanels{.left = 90, .right = 1560, .bottom = 90, .top = 950};
 constexpr double kAcross = 70, kBetween = 110;                                    // between panels [px]
 constexpr std::size_t kMostPanels = 9, kMostCurves = 6;
 
-/// How much the hit probability of any target changes over an input.
+/// Change of the hit probability of any target over an input.
 double change_over(const HitsOverInput& over) {
   PHYSIM_ASSERT(!over.parts.empty());
   double most = 0;

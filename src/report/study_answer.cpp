@@ -309,7 +309,7 @@ Json json_of(const FlownStudy& flown) {
           {"notes", flown.plan.notes()}};
 }
 
-/// Where a shot was: rows for people, quantities and hits for programs. `place`: "800 m: " before what is of a place.
+/// State of a shot: rows for people, quantities and hits for programs. `place`: "800 m: " before what is of a place.
 struct ToldEnd {
   Json quantities = Json::array(), hits = Json::array();
 

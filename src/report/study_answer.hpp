@@ -45,7 +45,7 @@ struct FlownStudy {
 /// do not change the result.
 [[nodiscard]] Answer study_shot_answer(const AskedShot& asked, const StudyPlan& plan, std::uint64_t shot,
                                        const Style& style);
-/// Where its shots come down, as KML for globes: launch, mean impact, ellipses of 1, 2 and 3 deviations, the safety
+/// Points of impact of its shots as KML for globes: launch, mean impact, ellipses of 1, 2 and 3 deviations, the safety
 /// zone, targets and a thousand shots, all on the ground. An error where shots end elsewhere, or the Earth is flat.
 [[nodiscard]] Result<Text> study_kml(const AskedShot& asked, const FlownStudy& flown);
 

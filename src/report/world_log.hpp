@@ -55,7 +55,7 @@ struct LoggedPath {
   std::vector<Vec3d> points;
 };
 
-/// What became of a joint.
+/// Fate of a joint.
 struct LoggedJoint {
   std::uint64_t came_taut = 0;        // times, of a cable
   std::optional<JointEventKind> end;  // ended or broke; none: it holds

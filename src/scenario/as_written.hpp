@@ -56,7 +56,7 @@ class TextPlaces {
   [[nodiscard]] std::size_t offset_of(const Value::Position& position);
   [[nodiscard]] std::size_t begin_of(const Value& value) { return offset_of({value.place.line, value.place.column}); }
   [[nodiscard]] std::size_t end_of(const Value& value) { return offset_of(value.end); }
-  /// What the text says of a value, beside its key.
+  /// The text of a value, beside its key.
   [[nodiscard]] std::string_view said_of(const Value& value);
   /// Tables in braces are values; others have headers, or keys with dots.
   [[nodiscard]] bool is_inline(const Value& table);

@@ -152,7 +152,7 @@ void check_expectations(const Scenario& scenario, const ScenarioNames& names, co
 }
 
 constexpr std::string_view kOfStudy = "study.";
-/// What a study of a shot objects to. Inputs may still come from options.
+/// Objections to a study of a shot. Inputs may still come from options.
 std::vector<Error> mistakes_of_study(const Scenario& scenario, const ScenarioShot& shot) {
   std::vector<Error> errors;
   const Study study = read_study(scenario, shot, errors);

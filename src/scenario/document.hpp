@@ -79,7 +79,7 @@ struct PathInFile {
 };
 /// What is no list stands for a list of one.
 [[nodiscard]] PathInFile follow(const Value& table, std::string_view path);
-/// Where what it leads to stands, or the table around that.
+/// Place of what it leads to, or of the table around that.
 [[nodiscard]] std::string place_of(const Value& table, std::string_view path);
 
 /// "a number", "a table", ...

@@ -44,7 +44,7 @@ void point_up(SchemaNode& node) {
   for (SchemaNode& child : node.children) child.above = &node, point_up(child);
 }
 
-/// What each kind of slot is called, in the order of ValueRef.
+/// Name of each kind of slot, in the order of ValueRef.
 constexpr const char* kTypes[] = {"quantity", "quantity", "vector", "vector", "integer", "integer", "boolean",
                                   "text",     "text",     "choice", "points", "points",  "drawn",   "colour",
                                   "gradient", "list",     "list",   "list",   "list",    "list"};

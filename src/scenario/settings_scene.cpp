@@ -113,7 +113,7 @@ ValueRef shape_kind_slot(const Scope& scope) {
   return slot;
 }
 
-/// What a scenario says of shapes of a kind, beside what the library does.
+/// Settings of shapes of a kind that a scenario has beside those of the library.
 template <class Kind, auto kMember>
 ValueRef of_shape_slot(const Scope& scope) {
   static_cast<void>(shape_as<Kind>(scope));

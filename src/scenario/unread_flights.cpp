@@ -93,7 +93,7 @@ bool has_places(R r) {
   };
   return std::ranges::any_of(r.scenario.shapes, is_terrain) || std::ranges::any_of(r.scenario.expect, is_place);
 }
-/// Whether latitude and direction are read, by things or a round Earth.
+/// True if things or a round Earth read latitude and direction.
 bool is_laid_out(R r) { return has_places(r) || r.any(is_over_round_earth); }
 /// ... or a direction of the compass that wind comes from.
 bool reads_azimuth(R r) { return is_laid_out(r) || r.is_drawn("environment.wind.from"); }
@@ -159,7 +159,7 @@ bool reads_diameter(R r) {
 }
 
 // --------------------------------------------------------------------------------------------------------------- rules
-/// Whether something is true of a rung.
+/// Predicate over a rung.
 template <bool (*is_true)(Rung)>
 bool some(R r) {
   return r.any(is_true);
@@ -174,7 +174,7 @@ template <bool (*feels)(Rung)>
 bool some_in_sight(R r) {
   return r.any([&](Rung f) { return feels(f) && !leaves_plane_alone(r, f); });
 }
-/// Whether a shot of a world is not fixed in a way.
+/// True if a shot of a world is not fixed in a way.
 template <bool (*is_fixed)(const BodyDef&)>
 bool is_free(R r) {
   return !r.scenario.world.given || !is_fixed(r.shot().body);

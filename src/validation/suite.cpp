@@ -21,7 +21,7 @@ bool holds(const fs::path& folder, const Suite& suite, bool was_said) {
   return !files_in(folder, {}, fs::path(suite.files.front()).extension().string()).empty();
 }
 
-/// Where the figures of a suite lie in a folder of the user's: in a folder of the suite's name, or right there.
+/// Path of the figures of a suite in a folder of the user's: in a folder of the suite's name, or right there.
 std::optional<fs::path> folder_in(const fs::path& data, const Suite& suite, bool is_wanted) {
   for (const fs::path& folder : {data / suite.name, data / suite.folder})
     if (holds(folder, suite, true)) return folder;

@@ -12,7 +12,7 @@
 namespace physim {
 namespace {
 
-/// Whether particles of an emitter differ in place, velocity and time alone, nothing about one has to be noted apart,
+/// True if particles of an emitter differ in place, velocity and time alone, nothing is noted of a single one,
 /// and no sub-emitter waits for what may come in the step of the birth: births and ages.
 bool are_alike(const WorldImpl& world, const Kind& kind, const EmitterDef& def, double time) {
   const BodyDef& body = kind.body;

@@ -120,7 +120,7 @@ void DrivenRows::rates(const ParticleKernel& kernel, const WorldState& state, st
   });
 }
 
-/// One by one.
+/// For laws that add velocities, which need the whole step: one row at a time.
 void DrivenRows::push_alone(const Registry& registry, const WorldState& state, Integrator integrator, double time,
                             DrivenBlock& block) const {
   for (std::uint32_t i = 0; i < block.count; ++i) {

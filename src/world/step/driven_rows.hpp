@@ -48,7 +48,7 @@ class DrivenRows {
   /// In a stage at a time of the world.
   void push(const Registry& registry, const WorldState& state, Integrator integrator, double time,
             DrivenBlock& block) const;
-  /// What rows of a cohort feel where they start, if that is all that they feel in the step.
+  /// Pushes on rows of a cohort at the start of a step, if they feel nothing else in it.
   template <class S>
   [[nodiscard]] RowPush<S> pushes(const Registry& registry, const WorldState& state, std::uint16_t cohort,
                                   std::uint32_t first, std::uint32_t last, PushMemory& memory) const;

@@ -37,7 +37,7 @@ class PartFlights {
  public:
   /// Before rows are asked for: the step, its length or the cohorts may be others than before.
   void forget() { cohorts_.clear(); }
-  /// Whether rows of a cohort fly so.
+  /// True if rows of a cohort fly so.
   [[nodiscard]] bool knows(const SettleContext& context, std::uint16_t cohort) {
     return find(context, cohort).is_known();
   }
@@ -48,7 +48,7 @@ class PartFlights {
     const Cohort& known = find(context, cohort);
     std::get<Fly<S>>(known.fly)(known, *context.registry->cohort(cohort).course<S>().conditions, body, parts);
   }
-  /// Where a row is `until` into the step, from its start on, or from its birth in it; none: it has to be settled.
+  /// State of a row `until` into the step, from its start on, or from its birth in it; none: it has to be settled.
   [[nodiscard]] std::optional<State<double>> state_after(const SettleContext& context, std::uint16_t cohort,
                                                          std::uint32_t row, std::optional<double> born, double until);
 

@@ -445,7 +445,7 @@ struct StaticRung {
     return read_body<R>(*job.course->conditions,
                         [&](unsigned number) PHYSIM_INLINE_LAMBDA { return load_field<R>(job, number, row); });
   }
-  /// Where a step of length h ends; of a fall, where it is at a time h behind its launch. `rate` is that of the drag in
+  /// End of a step of length h; of a fall, its state at a time h behind its launch. `rate` is that of the drag in
   /// what pushes the body.
   template <class R, class S>
   PHYSIM_INLINE static State<R> end(const Conditions<S>& c, const Body<R>& b, const State<R>& start, const R& h,

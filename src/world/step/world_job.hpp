@@ -40,7 +40,7 @@ struct RestlessBoxes {
 /// worth fetching from memory first: positions are stored past the caches, which saves a sixth of the traffic.
 inline constexpr std::size_t kCacheBytes = 24u << 20;
 
-/// What emitters do to rows where they start, felt for the whole step. Columns begin with the first row of a job.
+/// Pushes of emitters on rows at the start of a step, felt for all of it. Columns begin with the first row of a job.
 template <class S>
 struct RowPush {
   const S* a[3];       // acceleration [m/s^2]
