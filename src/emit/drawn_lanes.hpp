@@ -3,24 +3,9 @@
 #pragma once
 
 #include "emit/particle_job.hpp"
-#include "math/pack.hpp"
+#include "math/numbers.hpp"
 
 PHYSIM_ISA_BEGIN
-
-template <class R>
-PHYSIM_INLINE R wide_at(const double* from) {
-  if constexpr (kLanes<R> == 1)
-    return *from;
-  else
-    return R::load(from);
-}
-template <class R>
-PHYSIM_INLINE void put_wide(const R& x, double* to) {
-  if constexpr (kLanes<R> == 1)
-    *to = x;
-  else
-    x.store(to);
-}
 
 /// Which piece each lies on: counted, so that no branch has to be guessed.
 template <class R>
@@ -67,8 +52,8 @@ PHYSIM_INLINE void put_curve(const CurvePieces& pieces, const double* x, double*
   constexpr auto kWide = static_cast<std::size_t>(kLanes<R>);
   if (pieces.first + 2 != pieces.count) {
     for (std::size_t i = 0; i < count; i += kWide) {
-      const R at = wide_at<R>(x + i);
-      put_wide(curve_value(pieces_at(pieces, at), at), y + i);
+      const R at = load_lanes<R>(x + i);
+      store_lanes(curve_value(pieces_at(pieces, at), at), y + i);
     }
     return;
   }
@@ -79,10 +64,10 @@ PHYSIM_INLINE void put_curve(const CurvePieces& pieces, const double* x, double*
       behind(curve_value(lanes_of<double>(last), last.start));
   const R start(piece.start), end(last.start);
   for (std::size_t i = 0; i < count; i += kWide) {
-    const R at = wide_at<R>(x + i);
+    const R at = load_lanes<R>(x + i);
     R here = select(at < end, curve_value(all, at), behind);
     if (pieces.first > 0) here = select(at < start, before, here);
-    put_wide(here, y + i);
+    store_lanes(here, y + i);
   }
 }
 
@@ -95,16 +80,16 @@ PHYSIM_INLINE void put_gradient(const GradientPieces& pieces, const double* x, c
   if (pieces.count == 3) {  // of two keys
     const GradientPiece &p = pieces.at[1], &last = pieces.at[2];
     for (std::size_t i = 0; i < count; i += kWide) {
-      const R at = wide_at<R>(x + i);
+      const R at = load_lanes<R>(x + i);
       R u = at - R(p.start);
       if (p.length != 1) u = u / R(p.length);
       u = select(at < R(p.start), R(0.0), select(at < R(last.start), u, R(1.0)));
-      for (std::size_t k = 0; k < 4; ++k) put_wide(R(p.colour[k]) + u * R(p.more[k]), colour.part[k] + i);
+      for (std::size_t k = 0; k < 4; ++k) store_lanes(R(p.colour[k]) + u * R(p.more[k]), colour.part[k] + i);
     }
     return;
   }
   for (std::size_t i = 0; i < count; i += kWide) {
-    const R at = wide_at<R>(x + i);
+    const R at = load_lanes<R>(x + i);
     const PlacesOf<R> places = counted(pieces, at);
     R start{}, length{};
     for (int lane = 0; lane < kLanes<R>; ++lane) {
@@ -118,7 +103,7 @@ PHYSIM_INLINE void put_gradient(const GradientPieces& pieces, const double* x, c
         const GradientPiece& p = pieces.at[places.at[lane]];
         set_lane(from, lane, p.colour[k]), set_lane(more, lane, p.more[k]);
       }
-      put_wide(from + u * more, colour.part[k] + i);
+      store_lanes(from + u * more, colour.part[k] + i);
     }
   }
 }

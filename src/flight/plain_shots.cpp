@@ -27,11 +27,7 @@ bool holds_of_all(std::size_t count, const F& holds) {
 
 template <class R>
 R take(const NumberColumn& column, std::size_t i) {
-  if (column.of_shots == nullptr) return R(column.common);
-  if constexpr (kLanes<R> == 1)
-    return column.of_shots[i];
-  else
-    return R::load(column.of_shots + i);
+  return column.of_shots == nullptr ? R(column.common) : load_lanes<R>(column.of_shots + i);
 }
 
 }  // namespace

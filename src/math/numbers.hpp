@@ -83,6 +83,22 @@ PHYSIM_INLINE R* numbers(Struct<R>& s) {
   return reinterpret_cast<R*>(&s);
 }
 
+/// As many numbers as R has lanes, from memory and into it.
+template <class R, class T>
+PHYSIM_INLINE R load_lanes(const T* from) {
+  if constexpr (kLanes<R> == 1)
+    return *from;
+  else
+    return R::load(from);
+}
+template <class R, class T>
+PHYSIM_INLINE void store_lanes(const R& x, T* to) {
+  if constexpr (kLanes<R> == 1)
+    *to = x;
+  else
+    x.store(to);
+}
+
 /// Where the numbers of a lane begin; they lie sizeof(R) bytes apart.
 template <class R>
 PHYSIM_INLINE const char* lane_bytes(const R* numbers, int lane) {

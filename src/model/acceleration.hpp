@@ -58,6 +58,13 @@ PHYSIM_INLINE Vec3<R> applied_over(const Conditions<S>& c, const Body<R>& b, con
   return b.applied * select(left <= zero, zero, select(left >= length, one, left / length));
 }
 
+/// Lets a body feel an acceleration over the whole of a step, whatever its clock shows.
+template <class R>
+PHYSIM_INLINE void hold_push(const Vec3<R>& push, Body<R>& b) {
+  b.applied = push;
+  b.applied_until = constant<R>(std::numeric_limits<double>::infinity());
+}
+
 /// Lets a body feel what force generators give per mass at a time of a step: with its own force, where it has one, it
 /// stands in the place of that. Generators know the mass at the start of the frame; applied_now() takes what stands
 /// here from the mass at launch to that left.
@@ -67,8 +74,7 @@ PHYSIM_INLINE void add_push(const Conditions<S>& c, const StepSpan<R>& step, con
   PHYSIM_ASSERT(c.has_applied);
   Vec3<R> sum = c.has_motor ? push * (mass_at(b, t) / b.mass) : push;
   if (own_force) sum += applied_over(c, b, step);
-  b.applied = sum;
-  b.applied_until = constant<R>(std::numeric_limits<double>::infinity());
+  hold_push(sum, b);
 }
 
 /// The original frame loop: its slope[0].v is not that of the state but what its last frame left.

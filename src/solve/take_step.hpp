@@ -59,6 +59,12 @@ PHYSIM_INLINE_ALWAYS void semi_implicit_end(Step<R>& s) {
   s.end = semi_implicit_end(s.start, s.slope[0].v, s.h);
 }
 
+/// Where a constant acceleration takes a state in a time t.
+template <class R>
+PHYSIM_INLINE State<R> moved_steadily(const State<R>& s, const Vec3<R>& a, const R& t) {
+  return {s.x + (s.v * t + a * (constant<R>(0.5) * t * t)), s.v + a * t};
+}
+
 /// Semi-implicit Euler of a rotation: what points is turned by the new rates.
 template <class R, class S>
 PHYSIM_INLINE_ALWAYS void semi_implicit_turn(const Conditions<S>& c, const Rotor<R>& rotor, Step<R>& s) {

@@ -2,7 +2,7 @@
 #include <limits>
 #include <type_traits>
 
-#include "math/vec3.hpp"
+#include "solve/take_step.hpp"
 #include "study/cell_number.hpp"
 #include "study/shard_job.hpp"
 
@@ -23,68 +23,57 @@ PHYSIM_INLINE void each_place(std::size_t count, const F& f) {
   for (; i < count; ++i) f(i, std::type_identity<double>());
 }
 template <class R>
-PHYSIM_INLINE R take(const double* from, std::size_t i) {
-  if constexpr (kLanes<R> == 1)
-    return from[i];
-  else
-    return R::load(from + i);
-}
-PHYSIM_INLINE void put(double x, double* into, std::size_t i) { into[i] = x; }
-template <int N>
-PHYSIM_INLINE void put(const Pack<double, N>& x, double* into, std::size_t i) {
-  x.store(into + i);
-}
-template <class R>
 PHYSIM_INLINE Vec3<R> spread(const Vec3d& v) {
   return {R(v.x), R(v.y), R(v.z)};
 }
 }  // namespace
 
 void stretch_column(double offset, double factor, const double* from, double* into, std::size_t count) {
-  each_place(count, [&]<class R>(std::size_t i, std::type_identity<R>)
-                        PHYSIM_INLINE_LAMBDA { put(R(offset) + R(factor) * take<R>(from, i), into, i); });
+  each_place(count, [&]<class R>(std::size_t i, std::type_identity<R>) PHYSIM_INLINE_LAMBDA {
+    store_lanes(R(offset) + R(factor) * load_lanes<R>(from + i), into + i);
+  });
 }
 
 /// left = ahead t + slower t^2 / 2 has a root t that is small where `left` is.
 void move_to_plane(const PlaneJob& job) {
   each_place(job.count, [&]<class R>(std::size_t i, std::type_identity<R>) PHYSIM_INLINE_LAMBDA {
     const Vec3<R> f = spread<R>(job.forward), a = spread<R>(job.acceleration);
-    const Vec3<R> x{take<R>(job.x, i), take<R>(job.y, i), take<R>(job.z, i)};
-    const Vec3<R> v{take<R>(job.vx, i), take<R>(job.vy, i), take<R>(job.vz, i)};
-    const R time = take<R>(job.time, i);
-    const R left = R(job.range) - dot(x - spread<R>(job.muzzle), f), ahead = dot(v, f), slower = dot(a, f);
+    const State<R> s{{load_lanes<R>(job.x + i), load_lanes<R>(job.y + i), load_lanes<R>(job.z + i)},
+                     {load_lanes<R>(job.vx + i), load_lanes<R>(job.vy + i), load_lanes<R>(job.vz + i)}};
+    const R time = load_lanes<R>(job.time + i);
+    const R left = R(job.range) - dot(s.x - spread<R>(job.muzzle), f), ahead = dot(s.v, f), slower = dot(a, f);
     const R t = R(2.0) * left / (ahead + sqrt(ahead * ahead + R(2.0) * slower * left));
     const auto arrives = (ahead > R(0.0)) & (abs(t) <= R(job.most_time) * time);
-    const Vec3<R> moved = x + (v * t + a * (R(0.5) * t * t)), turned = v + a * t;
-    put(select(arrives, moved.x, R(kNoNumber)), job.x, i);
-    put(select(arrives, moved.y, x.y), job.y, i);
-    put(select(arrives, moved.z, x.z), job.z, i);
-    put(select(arrives, turned.x, v.x), job.vx, i);
-    put(select(arrives, turned.y, v.y), job.vy, i);
-    put(select(arrives, turned.z, v.z), job.vz, i);
-    put(select(arrives, time + t, time), job.time, i);
+    const State<R> there = moved_steadily(s, a, t);
+    store_lanes(select(arrives, there.x.x, R(kNoNumber)), job.x + i);
+    store_lanes(select(arrives, there.x.y, s.x.y), job.y + i);
+    store_lanes(select(arrives, there.x.z, s.x.z), job.z + i);
+    store_lanes(select(arrives, there.v.x, s.v.x), job.vx + i);
+    store_lanes(select(arrives, there.v.y, s.v.y), job.vy + i);
+    store_lanes(select(arrives, there.v.z, s.v.z), job.vz + i);
+    store_lanes(select(arrives, time + t, time), job.time + i);
   });
 }
 
 void put_along(const AxisJob& job) {
   each_place(job.count, [&]<class R>(std::size_t i, std::type_identity<R>) PHYSIM_INLINE_LAMBDA {
-    const Vec3<R> x{take<R>(job.x, i), take<R>(job.y, i), take<R>(job.z, i)};
-    put(dot(x - spread<R>(job.start), spread<R>(job.axis)), job.along, i);
+    const Vec3<R> x{load_lanes<R>(job.x + i), load_lanes<R>(job.y + i), load_lanes<R>(job.z + i)};
+    store_lanes(dot(x - spread<R>(job.start), spread<R>(job.axis)), job.along + i);
   });
 }
 
 void put_lengths(const double* x, const double* y, const double* z, double* into, std::size_t count) {
   each_place(count, [&]<class R>(std::size_t i, std::type_identity<R>) PHYSIM_INLINE_LAMBDA {
-    const R a = take<R>(x, i), b = take<R>(y, i), c = take<R>(z, i);
-    put(sqrt(a * a + b * b + c * c), into, i);
+    const R a = load_lanes<R>(x + i), b = load_lanes<R>(y + i), c = load_lanes<R>(z + i);
+    store_lanes(sqrt(a * a + b * b + c * c), into + i);
   });
 }
 
 void put_distances(const double* right, const double* up, double from_right, double from_up, double* into,
                    std::size_t count) {
   each_place(count, [&]<class R>(std::size_t i, std::type_identity<R>) PHYSIM_INLINE_LAMBDA {
-    const R x = take<R>(right, i) - R(from_right), y = take<R>(up, i) - R(from_up);
-    put(sqrt(x * x + y * y), into, i);
+    const R x = load_lanes<R>(right + i) - R(from_right), y = load_lanes<R>(up + i) - R(from_up);
+    store_lanes(sqrt(x * x + y * y), into + i);
   });
 }
 
@@ -159,7 +148,7 @@ struct Deviations {
 
   template <class R>
   PHYSIM_INLINE R at(std::size_t i) const {
-    return take<R>(numbers, i) - R(mean);
+    return load_lanes<R>(numbers + i) - R(mean);
   }
 };
 }  // namespace
@@ -170,7 +159,7 @@ void put_moments(const MomentsJob& job) {
   for (std::size_t first = 0; first < columns; first += 3)
     put_some_sums(columns - first < 3 ? columns - first : 3, job.count, job.means + first,
                   [&]<class R>(int k, std::size_t i, std::type_identity<R>)
-                      PHYSIM_INLINE_LAMBDA { return take<R>(job.columns[first + unsigned(k)], i); });
+                      PHYSIM_INLINE_LAMBDA { return load_lanes<R>(job.columns[first + unsigned(k)] + i); });
   for (std::size_t i = 0; i < columns; ++i) job.means[i] /= static_cast<double>(job.count);
   Deviations one[3], other[3];
   std::size_t terms = 0, done = 0;
@@ -190,11 +179,8 @@ void put_moments(const MomentsJob& job) {
 
 void put_cells(const CellJob& job) {
   each_place(job.count, [&]<class R>(std::size_t i, std::type_identity<R>) PHYSIM_INLINE_LAMBDA {
-    const BitsOf<R> cell = cell_number((take<R>(job.numbers, i) - R(job.centre)) * R(job.per_scale));
-    if constexpr (kLanes<R> == 1)
-      job.cells[i] = cell;
-    else
-      cell.store(job.cells + i);
+    const BitsOf<R> cell = cell_number((load_lanes<R>(job.numbers + i) - R(job.centre)) * R(job.per_scale));
+    store_lanes(cell, job.cells + i);
   });
 }
 
@@ -207,10 +193,10 @@ PHYSIM_INLINE R spread_of(std::size_t size, const double* right, const double* u
   constexpr auto kGroups = static_cast<std::size_t>(kLanes<R>);
   R most(0.0), sum(0.0);
   for (std::size_t i = 0; i < size; ++i) {
-    const R x = take<R>(right, i * kGroups), y = take<R>(up, i * kGroups);
+    const R x = load_lanes<R>(right + i * kGroups), y = load_lanes<R>(up + i * kGroups);
     sum += x + y;
     for (std::size_t j = 0; j < i; ++j) {
-      const R dx = x - take<R>(right, j * kGroups), dy = y - take<R>(up, j * kGroups);
+      const R dx = x - load_lanes<R>(right + j * kGroups), dy = y - load_lanes<R>(up + j * kGroups);
       most = max(dx * dx + dy * dy, most);
     }
   }
@@ -239,11 +225,11 @@ void put_spreads(const SpreadJob& job) {
       turn_groups(job.up + (group + k) * size, size, up + k * size);
     }
     for (std::size_t k = 0; k < some; k += 8)
-      put(spread_of<Eight>(size, right + k * size, up + k * size), job.spreads, group + k);
+      store_lanes(spread_of<Eight>(size, right + k * size, up + k * size), job.spreads + group + k);
     group += some;
   }
   for (; group < job.groups; ++group)
-    put(spread_of<double>(size, job.right + group * size, job.up + group * size), job.spreads, group);
+    store_lanes(spread_of<double>(size, job.right + group * size, job.up + group * size), job.spreads + group);
 }
 
 /// In eight lanes: none waits for the largest of the others. Several directions at a time, as registers allow.

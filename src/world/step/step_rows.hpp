@@ -223,25 +223,27 @@ PHYSIM_INLINE void store_numbers(const Struct<R>& from, S* const (&columns)[N], 
   static_assert(N == kNumbers<Struct>);
   for (std::size_t i = 0; i < N; ++i) numbers(from)[i].store(columns[i] + row);
 }
-/// Lets a pack of bodies feel what emitters do to it for the whole step, whatever its clock shows; the rate of the drag
-/// in that is returned.
+/// What emitters do to a pack of rows for the whole step.
 template <class R, class S>
-PHYSIM_INLINE R load_push(const WorldJob<S>& job, std::uint32_t row, Body<R>& b) {
+PHYSIM_INLINE Pushed<R> load_push(const WorldJob<S>& job, std::uint32_t row) {
   const RowPush<S>& push = job.push;
   const std::uint32_t i = row - job.first;
-  R rate;
-  if (push.drag == nullptr) {
-    b.applied = {R::load(push.a[0] + i), R::load(push.a[1] + i), R::load(push.a[2] + i)};
-    rate = R::load(push.drag_rate + i);
-  } else {
-    using W = Cast<double, R>;
-    const W wide = W::load(push.drag + i);
-    for (int axis = 0; axis < 3; ++axis)
-      b.applied[axis] = cast<S>(W(0.0) - cast<double>(load<R>(job.columns.velocity[axis], row)) * wide);
-    rate = cast<S>(wide);
-  }
-  b.applied_until = constant<R>(std::numeric_limits<double>::infinity());
-  return rate;
+  if (push.drag == nullptr)
+    return {{R::load(push.a[0] + i), R::load(push.a[1] + i), R::load(push.a[2] + i)}, R::load(push.drag_rate + i)};
+  using W = Cast<double, R>;
+  const W wide = W::load(push.drag + i);
+  const auto along = [&](int axis) PHYSIM_INLINE_LAMBDA {
+    return cast<S>(W(0.0) - cast<double>(load<R>(job.columns.velocity[axis], row)) * wide);
+  };
+  return {{along(0), along(1), along(2)}, cast<S>(wide)};
+}
+
+/// Lets a pack of bodies feel it; the rate of the drag in it is returned.
+template <class R, class S>
+PHYSIM_INLINE R push_rows(const WorldJob<S>& job, std::uint32_t row, Body<R>& b) {
+  const Pushed<R> push = load_push<R>(job, row);
+  hold_push(push.a, b);
+  return push.drag_rate;
 }
 
 /// What a rung that turns reads beside the body: the rotor, and the Turn at the start of the step.
@@ -365,7 +367,7 @@ struct AnyRung {
     load_body(job, row, l.body);
     load_clock(job, row, l.step);
     if (turning) load_turn(job, row, l);
-    if (job.push.is_there()) l.drag_rate = load_push(job, row, l.body);
+    if (job.push.is_there()) l.drag_rate = push_rows(job, row, l.body);
     const State<R> start = load_state<R>(job, row);
     l.step.start = start;
     if (classic) l.step.slope[0].v = load_vector<R>(job.columns.carried, row);
@@ -474,7 +476,7 @@ struct StaticRung {
     PHYSIM_INLINE Moved<R> operator()(std::uint32_t row) const {
       Body<R> b = load_body<R>(job, row);
       R rate(S(0));
-      if (!kPlain && !kFalls && job.push.is_there()) rate = load_push(job, row, b);
+      if (!kPlain && !kFalls && job.push.is_there()) rate = push_rows(job, row, b);
       Moved<R> m;
       if (kReadsStart) m.start = load_state<R>(job, row);
       R h(job.h);
