@@ -38,14 +38,10 @@ void EventList::put_in_order(std::vector<EventKey>& spare, GivenEvents& given) {
 
 /// Shows one more, for which there is room.
 void EventList::add_shown(const EventKey& key) const {
-  const std::size_t at = key.place / 4;
-  const auto form = static_cast<Form>(key.place % 4);
-  if (form == Form::whole) return shown_.push_back(whole_[at]);
-  Event& event = add_event(shown_);
-  if (form == Form::in_float)
-    put_told(told_of(key, in_float_[at]), event);
-  else
-    put_told(told_of(key, in_double_[at]), event);
+  const std::size_t at = key.place / 2;
+  if (static_cast<Form>(key.place % 2) == Form::whole) return shown_.push_back(whole_[at]);
+  const Plain& p = plain_[at];
+  put_plain({p.kind, p.reason, {key.slot, p.generation}, p.value, key.time, p.position, p.velocity}, add_event(shown_));
 }
 
 std::span<const Event> EventList::all(GivenEvents& given) const {
@@ -62,8 +58,8 @@ std::span<const Event> EventList::all(GivenEvents& given) const {
 }
 
 std::size_t EventList::bytes() const {
-  return keys_.capacity() * sizeof(EventKey) + in_float_.capacity() * sizeof(Plain<float>) +
-         in_double_.capacity() * sizeof(Plain<double>) + (whole_.capacity() + shown_.capacity()) * sizeof(Event);
+  return keys_.capacity() * sizeof(EventKey) + plain_.capacity() * sizeof(Plain) +
+         (whole_.capacity() + shown_.capacity()) * sizeof(Event);
 }
 
 }  // namespace physim

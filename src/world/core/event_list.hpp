@@ -1,8 +1,8 @@
 // Events of a world: those since the step before, their order, and the list of them for a reader.
 //
 // A step with many births and deaths has an event of each, and mostly no caller reads it. So an event that holds only
-// id, time, place and velocity is kept in few bytes, in fewer if float32 holds its numbers, all others whole. What is
-// put in order are keys alone; the list is made when it is read.
+// id, time, place and velocity is kept in few bytes, all others whole. What is put in order are keys alone; the list is
+// made when it is read.
 #pragma once
 
 #include <algorithm>
@@ -36,28 +36,21 @@ struct EventKey {
   bool operator==(const EventKey& other) const { return (*this <=> other) == 0; }
 };
 
-/// What an event says that says no more, beside place and velocity.
+/// What an event says that says no more.
 struct PlainEvent {
   EventKind kind = EventKind::spawned;
   Reason reason = Reason::none;
   ProjectileId id;
   std::uint32_t value = 0;
-  double time = 0;  // [s]
-};
-
-/// Such an event with its numbers, in float or double.
-template <class S>
-struct Told {
-  PlainEvent event;
-  Vec3<S> x, v;  // [m], [m/s]
+  double time = 0;           // [s]
+  Vec3d position, velocity;  // [m], [m/s]
 };
 
 /// Puts what it says into a blank event.
-template <class S>
-void put_told(const Told<S>& told, Event& event) {
-  event.kind = told.event.kind, event.reason = told.event.reason, event.id = told.event.id;
-  event.value = told.event.value, event.time = told.event.time;
-  event.position = vec_cast<double>(told.x), event.velocity = vec_cast<double>(told.v);
+inline void put_plain(const PlainEvent& plain, Event& event) {
+  event.kind = plain.kind, event.reason = plain.reason, event.id = plain.id;
+  event.value = plain.value, event.time = plain.time;
+  event.position = plain.position, event.velocity = plain.velocity;
 }
 
 /// Lists that were given out and grew out of their memory, or are no more.
@@ -69,11 +62,10 @@ class EventList {
 
   EventList() = default;
   /// Copies have all events, and have shown nothing yet.
-  EventList(const EventList& other)
-      : keys_(other.keys_), in_float_(other.in_float_), in_double_(other.in_double_), whole_(other.whole_) {}
+  EventList(const EventList& other) : keys_(other.keys_), plain_(other.plain_), whole_(other.whole_) {}
   EventList& operator=(const EventList& other) {
     if (this == &other) return *this;
-    keys_ = other.keys_, in_float_ = other.in_float_, in_double_ = other.in_double_, whole_ = other.whole_;
+    keys_ = other.keys_, plain_ = other.plain_, whole_ = other.whole_;
     shown_.clear();
     return *this;
   }
@@ -82,37 +74,32 @@ class EventList {
   ~EventList() = default;
 
   [[nodiscard]] std::size_t size() const { return keys_.size(); }
-  /// Room for more plain ones: `in_float` of float, `in_double` of double, which float32 may hold, too; may end
-  /// for lack of memory.
-  void reserve(std::size_t in_float, std::size_t in_double) {
-    make_room(keys_, in_float + in_double);
-    make_room(in_float_, in_float + in_double);
-    make_room(in_double_, in_double);
+  /// Room for more plain ones; may end for lack of memory.
+  void reserve(std::size_t more) {
+    make_room(keys_, more);
+    make_room(plain_, more);
   }
   void add(const Event& event) {
     append(whole_, event);
     add_key(event.kind, event.id.index, event.time, place_of(whole_.size() - 1, Form::whole));
   }
-  /// A plain one, with a place [m] and a velocity [m/s] in float or double.
-  template <class S>
-  PHYSIM_INLINE void add(const PlainEvent& e, const Vec3<S>& x, const Vec3<S>& v) {
-    add_numbers(e, x.x, x.y, x.z, v.x, v.y, v.z);
+  void add(const PlainEvent& event) {
+    append(plain_, plain_of(event));
+    add_key(event.kind, event.id.index, event.time, place_of(plain_.size() - 1, Form::plain));
   }
-
-  /// Adds `count` plain ones: told(i) gives each, as a Told<S>. They are kept in numbers of that type.
-  template <class S, class F>
-  void add_each(std::size_t count, const F& told) {
-    make_room(keys_, count), make_room(plain<S>(), count);
-    const std::size_t first = keys_.size(), first_plain = plain<S>().size();
-    keys_.resize(first + count), plain<S>().resize(first_plain + count);
+  /// Adds `count` plain ones: event(i) gives each.
+  template <class F>
+  void add_each(std::size_t count, const F& event) {
+    reserve(count);
+    const std::size_t first = keys_.size(), first_plain = plain_.size();
+    keys_.resize(first + count), plain_.resize(first_plain + count);
     EventKey* const keys = keys_.data() + first;
-    Plain<S>* const plains = plain<S>().data() + first_plain;
+    Plain* const plains = plain_.data() + first_plain;
     for (std::size_t i = 0; i < count; ++i) {
-      const Told<S>& t = told(i);
-      const PlainEvent& e = t.event;
+      const PlainEvent& e = event(i);
       keys[i] = {e.time, e.id.index, row_of(e.kind).order, static_cast<std::uint32_t>(first + i),
-                 place_of(first_plain + i, kForm<S>)};
-      plains[i] = plain_of(e, t.x, t.v);
+                 place_of(first_plain + i, Form::plain)};
+      plains[i] = plain_of(e);
     }
   }
 
@@ -120,7 +107,7 @@ class EventList {
   void put_in_order(std::vector<EventKey>& spare, GivenEvents& given);
   /// All of them. What was given stays where it is until these and `given` are cleared.
   [[nodiscard]] std::span<const Event> all(GivenEvents& given) const;
-  void clear() { keys_.clear(), in_float_.clear(), in_double_.clear(), whole_.clear(), shown_.clear(); }
+  void clear() { keys_.clear(), plain_.clear(), whole_.clear(), shown_.clear(); }
   /// Others take its place: what it gave out stays.
   void leave(GivenEvents& given) const {
     if (!shown_.empty()) given.push_back(std::exchange(shown_, {}));
@@ -129,65 +116,28 @@ class EventList {
 
  private:
   /// What is kept of a plain one beside its key.
-  template <class S>
   struct Plain {
     std::uint32_t generation, value;
-    std::array<S, 3> position, velocity;
+    Vec3d position, velocity;
     EventKind kind;
     Reason reason;
   };
-  template <class S>
-  [[nodiscard]] static Plain<S> plain_of(const PlainEvent& e, const Vec3<S>& x, const Vec3<S>& v) {
-    return {e.id.generation, e.value, {x.x, x.y, x.z}, {v.x, v.y, v.z}, e.kind, e.reason};
-  }
-  template <class S>
-  [[nodiscard]] StepList<Plain<S>>& plain() {
-    if constexpr (sizeof(S) == sizeof(float))
-      return in_float_;
-    else
-      return in_double_;
+  [[nodiscard]] static Plain plain_of(const PlainEvent& e) {
+    return {e.id.generation, e.value, e.position, e.velocity, e.kind, e.reason};
   }
   /// In which list an event is kept, and where.
-  enum class Form : std::uint32_t { in_float, in_double, whole };
-  template <class S>
-  static constexpr Form kForm = sizeof(S) == sizeof(float) ? Form::in_float : Form::in_double;
+  enum class Form : std::uint32_t { plain, whole };
   [[nodiscard]] static std::uint32_t place_of(std::size_t at, Form form) {
-    return static_cast<std::uint32_t>(4 * at) | static_cast<std::uint32_t>(form);
+    return static_cast<std::uint32_t>(2 * at) | static_cast<std::uint32_t>(form);
   }
 
-  /// Six numbers come in registers. Of vectors, which come in memory, compilers read in pairs what was just written one
-  /// by one.
-  template <class S>
-  [[gnu::noinline, gnu::flatten]] void add_numbers(const PlainEvent& e, S x, S y, S z, S vx, S vy, S vz) {
-    const Vec3<S> at{x, y, z}, v{vx, vy, vz};
-    if (sizeof(S) > sizeof(float) && fits_float32(at) && fits_float32(v))
-      add_plain(e, vec_cast<float>(at), vec_cast<float>(v));
-    else
-      add_plain(e, at, v);
-  }
-  template <class S>
-  void add_plain(const PlainEvent& e, const Vec3<S>& x, const Vec3<S>& v) {
-    append(plain<S>(), plain_of(e, x, v));
-    add_key(e.kind, e.id.index, e.time, place_of(plain<S>().size() - 1, kForm<S>));
-  }
   void add_key(EventKind kind, std::uint32_t slot, double time, std::uint32_t place) {
     append(keys_, {time, slot, row_of(kind).order, static_cast<std::uint32_t>(keys_.size()), place});
-  }
-  template <class S>
-  [[nodiscard]] static bool fits_float32(const Vec3<S>& v) {
-    const auto fits = [](S x) { return static_cast<S>(static_cast<float>(x)) == x; };
-    return fits(v.x) && fits(v.y) && fits(v.z);
-  }
-  template <class S>
-  [[nodiscard]] static Told<S> told_of(const EventKey& key, const Plain<S>& p) {
-    const auto vector = [](const std::array<S, 3>& of) { return Vec3<S>{of[0], of[1], of[2]}; };
-    return {{p.kind, p.reason, {key.slot, p.generation}, p.value, key.time}, vector(p.position), vector(p.velocity)};
   }
   void add_shown(const EventKey& key) const;
 
   StepList<EventKey> keys_;
-  StepList<Plain<float>> in_float_;
-  StepList<Plain<double>> in_double_;
+  StepList<Plain> plain_;
   StepList<Event> whole_;
   mutable StepList<Event> shown_;  // the first of them, as a caller reads them
 };

@@ -115,7 +115,7 @@ std::size_t BirthBatches::take_places(const BirthPlan& plan, std::size_t most) {
   std::size_t count = 0;
   std::uint32_t index = 0;
   try {
-    w_.state.events.reserve(plan.float32 ? most : 0, plan.float32 ? 0 : most);
+    w_.state.events.reserve(most);
     for (; count < most; ++count) {
       index = 0;
       index = table.take();
@@ -191,13 +191,14 @@ void BirthBatches::join(const BirthPlan& plan, const BirthColumns& b, Particle l
 /// In order of time, which pools that replace their oldest keep, too.
 template <class S>
 void BirthBatches::tell(const BirthPlan& plan, const BirthColumns& b, const FlownParts<S>& flights, std::size_t count) {
-  w_.state.events.add_each<S>(count, [&](std::size_t i) {
+  w_.state.events.add_each(count, [&](std::size_t i) {
     const std::size_t lane = b.next + i;
-    const auto vector = [lane](const auto& of) { return Vec3<S>{of[0][lane], of[1][lane], of[2][lane]}; };
+    const auto vector = [lane](const auto& of) {
+      return vec_cast<double>(Vec3<S>{of[0][lane], of[1][lane], of[2][lane]});
+    };
     w_.state.pools.join(plan.pool, slot_[i]);
-    const PlainEvent spawned{EventKind::spawned, Reason::none, w_.state.slots.id_of(slot_[i]), plan.emitter,
-                             b.time[lane]};
-    return Told<S>{spawned, vector(flights.x), vector(flights.v)};
+    return PlainEvent{EventKind::spawned, Reason::none,     w_.state.slots.id_of(slot_[i]), plan.emitter, b.time[lane],
+                      vector(flights.x),  vector(flights.v)};
   });
 }
 

@@ -261,7 +261,8 @@ void EmitterWatch::end_life(std::uint32_t index, std::optional<double> born, dou
   if (at) expire(index, *at, time);
 }
 void EmitterWatch::expire(std::uint32_t index, const BodyState& at, double time) {
-  w_.keep_event({EventKind::expired, Reason::older, w_.state.slots.id_of(index), 0, time}, at);
+  w_.keep_event(
+      PlainEvent{EventKind::expired, Reason::older, w_.state.slots.id_of(index), 0, time, at.position, at.velocity});
   end_followed(index, at, time);
   if (const std::uint32_t emitter = all_.emitter_of(index)) depart(index, emitter, at, time);
   all_.leave(index, &EmitterCounts::aged);

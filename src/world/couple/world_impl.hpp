@@ -106,10 +106,10 @@ struct WorldImpl : Gate {
   void keep_event(const Event& event) {
     if (may_keep_event()) state.events.add(event);
   }
-  void keep_event(const PlainEvent& event, const BodyState& at) {
-    if (may_keep_event()) state.events.add(event, at.position, at.velocity);
+  void keep_event(const PlainEvent& event) {
+    if (may_keep_event()) state.events.add(event);
   }
-  void keep_events(std::span<const Told<double>> told);
+  void keep_events(std::span<const PlainEvent> told);
   /// Whether there is room for one more; counts it if not.
   bool may_keep_event();
   /// How many more are kept now.

@@ -246,7 +246,7 @@ Result<ProjectileId> WorldImpl::spawn_of(std::uint32_t kind_index, const Launch&
   if (turns) state.extras.turning[index] = {Quatd{}, body.angular_velocity};
   if (std::isfinite(body.despawn.older)) state.old_age.add(launched + body.despawn.older, id);
   if (coming.delay > 0) state.launches.add(launched, id);
-  state.events.reserve(0, 2);  // of its launch
+  state.events.reserve(2);  // of its launch
   arriving.join(body.pool);
   placement.place(index, at, launch, *elevation, coming.moment);
   arriving.arrived();
@@ -339,7 +339,7 @@ Status World::reserve(KindId kind, std::size_t count) {
     slot.flags = w.registry.kind(index).flags;
     const std::uint16_t cohort = w.placement.cohort_for(slot);
     if (cohort == kNoCohort) return {};
-    w.state.rows[cohort].layout().float32 ? w.state.events.reserve(count, 0) : w.state.events.reserve(0, count);
+    w.state.events.reserve(count + 1);  // a launch asks for room for two
     w.state.rows[cohort].reserve(w.state.rows[cohort].size() + count);
   } catch (const std::exception&) {  // no memory, or more than a list can ever have
     return Error{"no memory for so many projectiles", "world.reserve", "reserve fewer"};

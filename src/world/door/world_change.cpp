@@ -26,9 +26,14 @@ void WorldImpl::tell(EventKind kind, std::uint32_t slot, Reason reason, std::opt
   if (!may_keep_event()) return;
   const Slot& who = state.slots[slot];
   const Rows& rows = state.rows_of(who);
-  const PlainEvent event{kind, reason, {slot, who.generation}, value, moment ? *moment : state.clock.time()};
   rows.visit([&, row = who.row](const auto& c) {
-    state.events.add(event, Rows::numbers_at(c.position, row), Rows::numbers_at(c.velocity, row));
+    state.events.add({kind,
+                      reason,
+                      {slot, who.generation},
+                      value,
+                      moment ? *moment : state.clock.time(),
+                      vec_cast<double>(Rows::numbers_at(c.position, row)),
+                      vec_cast<double>(Rows::numbers_at(c.velocity, row))});
   });
 }
 
@@ -38,10 +43,10 @@ bool WorldImpl::may_keep_event() {
   return false;
 }
 
-void WorldImpl::keep_events(std::span<const Told<double>> told) {
+void WorldImpl::keep_events(std::span<const PlainEvent> told) {
   const std::size_t kept = std::min(told.size(), room_for_events());
   state.counters.dropped_events += told.size() - kept;
-  state.events.add_each<double>(kept, [&](std::size_t i) -> const Told<double>& { return told[i]; });
+  state.events.add_each(kept, [&](std::size_t i) -> const PlainEvent& { return told[i]; });
 }
 
 std::size_t WorldImpl::room_for_events() const {

@@ -264,8 +264,7 @@ void WorldImpl::finish_step() {
   keys.clear(), scratch.change_spare.clear(), scratch.changes.clear();
   const auto collect = [&](const Chunk& chunk) {
     PHYSIM_ASSERT(std::ranges::all_of(chunk.events, [&](const Event& e) { return is_of_step(state.clock, e.time); }));
-    PHYSIM_ASSERT(
-        std::ranges::all_of(chunk.strikes, [&](const auto& t) { return is_of_step(state.clock, t.event.time); }));
+    PHYSIM_ASSERT(std::ranges::all_of(chunk.strikes, [&](const auto& t) { return is_of_step(state.clock, t.time); }));
     for (const Change& c : chunk.changes) {
       keys.push_back(ChangeKey::of(c, scratch.changes.size()));
       scratch.changes.push_back(&c);

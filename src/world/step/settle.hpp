@@ -56,7 +56,7 @@ struct Chunk {
   bool looks = false;      // rows that came near are looked at where they have moved on to
   bool attention = false;  // some rows were left where they were
   StepList<Event> events;
-  StepList<Told<double>> strikes;  // of rows that only struck the ground; where emitters watch, these are events
+  StepList<PlainEvent> strikes;  // of rows that only struck the ground; where emitters watch, these are events
   StepList<Change> changes;
   StepList<Trace> traces;   // of those that meet others, each in order of time
   std::uint64_t flown = 0;  // steps of single rows: one that bounces takes several in a step of the world

@@ -129,12 +129,15 @@ class StruckRows {
     PHYSIM_ASSERT(i < job_.count && job_.passed[i] >= 0 && job_.passed[i] <= job_.dt);
     const auto vector = [i](const auto& of) { return Vec3d{of[0][i], of[1][i], of[2][i]}; };
     const EventKind kind = job_.bounces ? EventKind::bounced : EventKind::landed;
-    const Told<double> strike{
-        {kind, Reason::none, context_.state->slots.id_of(slot_[i]), 0, context_.time + job_.passed[i]},
-        vector(job_.at),
-        vector(job_.go)};
+    const PlainEvent strike{kind,
+                            Reason::none,
+                            context_.state->slots.id_of(slot_[i]),
+                            0,
+                            context_.time + job_.passed[i],
+                            vector(job_.at),
+                            vector(job_.go)};
     if (is_watched_)
-      put_told(strike, add_event(chunk_.events));
+      put_plain(strike, add_event(chunk_.events));
     else
       chunk_.strikes.push_back(strike);
     if (!job_.bounces) {

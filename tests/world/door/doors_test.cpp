@@ -338,6 +338,15 @@ TEST(Doors, room_for_more_than_there_can_be_is_refused) {
   EXPECT_TRUE(world.spawn(kind, {.position = {0, 1, 0}}));
 }
 
+TEST(Doors, room_that_was_reserved_is_enough) {
+  World world;
+  const KindId kind = *world.add_kind(stone());
+  ASSERT_TRUE(world.reserve(kind, 5000));
+  const std::size_t reserved = world.memory();
+  for (int i = 0; i < 5000; ++i) ASSERT_TRUE(world.spawn(kind, {.position = {0, 1.0 + i, 0}}));
+  EXPECT_EQ(world.memory(), reserved);
+}
+
 TEST(Doors, a_pool_of_more_threads_than_there_can_be_has_fewer) {
   const auto pool = make_thread_pool(200'000);
   ASSERT_TRUE(pool);
