@@ -170,6 +170,13 @@ Bounds HeightField::box(std::size_t level, std::uint32_t column, std::uint32_t r
   return box;
 }
 
+Bounds HeightField::cell_box(std::uint32_t column, std::uint32_t row) const {
+  Bounds box;
+  for (const std::uint32_t j : {row, row + 1})
+    for (const std::uint32_t i : {column, column + 1}) box.take(point(i, j));
+  return box;
+}
+
 double HeightField::clearance(const Vec3d& p) const {
   double within = kFarthest;
   // What is below it or above it is near it, too, where heights are no cliffs: little else is looked at then.
@@ -198,9 +205,7 @@ void HeightField::clear_of(const Vec3d& p, std::size_t level, std::uint32_t colu
   }
   for (std::uint32_t j = row * kBlock; j < std::min((row + 1) * kBlock, rows_ - 1); ++j)
     for (std::uint32_t i = column * kBlock; i < std::min((column + 1) * kBlock, columns_ - 1); ++i) {
-      Bounds cell;
-      for (const Vec3d& corner : {point(i, j), point(i + 1, j), point(i, j + 1), point(i + 1, j + 1)})
-        cell.take(corner);
+      const Bounds cell = cell_box(i, j);
       const double beside = cell.least_distance(p);
       if (beside >= within) continue;
       if (beside > length(cell.high - cell.low))
@@ -226,6 +231,7 @@ std::optional<NearPlace> HeightField::nearest(const Vec3d& p, double& within) co
   const auto look_at = [&](std::int64_t i, std::int64_t j) {
     if (i < 0 || i > last_column || j < 0 || j > last_row) return;
     const auto of_column = static_cast<std::uint32_t>(i), of_row = static_cast<std::uint32_t>(j);
+    if (cell_box(of_column, of_row).least_distance(p) > within) return;
     for (std::uint32_t half = 0; half < 2; ++half) {
       const Triangle cell = triangle(of_column, of_row, half);
       const Nearest near = nearest_to(cell, p);
@@ -234,9 +240,16 @@ std::optional<NearPlace> HeightField::nearest(const Vec3d& p, double& within) co
       found = {p - near.away * within, within > 0 ? near.away : cell.normal(), number(of_column, of_row, half)};
     }
   };
+  const auto beside = [](double place, double spacing, std::int64_t cell, std::int64_t last, std::int64_t ring) {
+    const double before = cell >= ring ? place - static_cast<double>(cell - ring + 1) * spacing : kInfinity;
+    const double behind = cell + ring <= last ? static_cast<double>(cell + ring) * spacing - place : kInfinity;
+    return std::min(before, behind);
+  };
   const std::int64_t most = std::max({column, last_column - column, row, last_row - row});
   for (std::int64_t ring = 0; ring <= most; ++ring) {
-    if (static_cast<double>(ring - 1) * std::min(spacing_x_, spacing_z_) > within) break;
+    if (ring > 0 && std::min(beside(p.x, spacing_x_, column, last_column, ring),
+                             beside(p.z, spacing_z_, row, last_row, ring)) > within)
+      break;
     for (std::int64_t i = -ring; i <= ring; ++i) {
       const bool side = i == -ring || i == ring;
       for (std::int64_t j = -ring; j <= ring; j += side ? 1 : std::max<std::int64_t>(2 * ring, 1))

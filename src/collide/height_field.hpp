@@ -164,6 +164,7 @@ class HeightField {
   [[nodiscard]] FieldPlane plane_over(std::uint32_t column, std::uint32_t row) const;
   void build_levels();
   [[nodiscard]] Bounds box(std::size_t level, std::uint32_t column, std::uint32_t row) const;
+  [[nodiscard]] Bounds cell_box(std::uint32_t column, std::uint32_t row) const;
   void clear_of(const Vec3d& p, std::size_t level, std::uint32_t column, std::uint32_t row, double& within) const;
   void clear_of_cell(const Vec3d& p, std::uint32_t column, std::uint32_t row, double& within) const;
 

@@ -119,13 +119,11 @@ class SceneContacts : private ContactView {
   [[nodiscard]] std::optional<Support> lies_on(const State<double>& s, double passed) const {
     if (const OnHit does = collision().on_hit; does == OnHit::pass || ends_flights(does)) return std::nullopt;
     const double within = 4 * gap_at(s.x), reach = collision().radius + within;
-    const SceneNearest near = scene_->nearest(s.x, reach, solids_, r_.scene_time() + passed);
-    if (!near) return std::nullopt;
-    if (const auto on = supported_by(near, s, passed, within)) return on;
-    // The nearest one may be a wall beside what it lies on.
+    // Not only the nearest one: that may be a wall beside what it lies on.
     std::optional<Support> found;
-    SceneByMotion(*scene_).each_beside(s.x, reach, solids_, r_.scene_time() + passed, [&](const SceneNearest& other) {
-      if (!found && other.instance != near.instance) found = supported_by(other, s, passed, within);
+    SceneByMotion(*scene_).each_beside(s.x, reach, solids_, r_.scene_time() + passed, [&](const SceneNearest& near) {
+      const auto on = supported_by(near, s, passed, within);
+      if (on && (!found || on->above < found->above)) found = on;
     });
     return found;
   }

@@ -60,21 +60,47 @@ Met of_triangles(const std::vector<SignedDistance>& triangles, const Point& from
   return best;
 }
 
+MeshShape triangles_of(const HeightFieldShape& field) {
+  MeshShape mesh;
+  for (std::uint32_t row = 0; row < field.rows; ++row)
+    for (std::uint32_t column = 0; column < field.columns; ++column)
+      mesh.vertices.push_back(
+          {column * field.spacing_x, field.heights[row * field.columns + column], row * field.spacing_z});
+  for (std::uint32_t row = 0; row + 1 < field.rows; ++row)
+    for (std::uint32_t column = 0; column + 1 < field.columns; ++column) {
+      const std::uint32_t a = row * field.columns + column, b = a + field.columns;
+      mesh.triangles.push_back({a, b, a + 1});
+      mesh.triangles.push_back({a + 1, b, b + 1});
+    }
+  return mesh;
+}
+
+TEST(Scene, what_is_nearest_of_a_field_is_that_of_its_triangles) {
+  Random r(21);
+  HeightFieldShape field{.columns = 6, .rows = 5, .spacing_x = 0.5, .spacing_z = 0.8, .heights = {}};
+  for (int i = 0; i < 30; ++i) field.heights.push_back(r.in(-1, 1));
+  const MeshShape mesh = triangles_of(field);
+  Scene scene, other;
+  ASSERT_TRUE(scene.add({.shape = scene.add_shape(field).value()}));
+  ASSERT_TRUE(other.add({.shape = other.add_shape(mesh).value()}));
+  for (int i = 0; i < 5000; ++i) {
+    Vec3d p{r.in(-1, 3.5), r.in(-2, 2), r.in(-1, 4.2)};
+    if (r.one_in(3)) p = mesh.vertices[r.below(mesh.vertices.size())];  // in the corner of up to six triangles
+    if (r.one_in(3)) p += Vec3d{r.in(-1, 1), r.in(-1, 1), r.in(-1, 1)} * std::pow(10, r.in(-10, -1));
+    const double within = r.one_in(2) ? kInfinity : std::pow(10, r.in(-10, 1));
+    const SceneNearest near = scene.nearest(p, within), expected = other.nearest(p, within);
+    ASSERT_EQ(static_cast<bool>(near), static_cast<bool>(expected)) << i;
+    if (!near) continue;
+    ASSERT_NEAR(near.distance, expected.distance, 1e-14) << i;
+  }
+}
+
 TEST(Scene, spheres_meet_meshes_and_fields_where_the_nearest_triangle_says) {
   Random r(3);
   const MeshShape mesh = ball(4, 0.2);
   HeightFieldShape field{.columns = 4, .rows = 5, .spacing_x = 0.5, .spacing_z = 0.4, .heights = {}};
   for (int i = 0; i < 20; ++i) field.heights.push_back(r.in(-0.3, 0.3));
-  MeshShape as_mesh;
-  for (std::uint32_t row = 0; row < 5; ++row)
-    for (std::uint32_t column = 0; column < 4; ++column)
-      as_mesh.vertices.push_back({column * 0.5, field.heights[row * 4 + column], row * 0.4});
-  for (std::uint32_t row = 0; row < 4; ++row)
-    for (std::uint32_t column = 0; column < 3; ++column) {
-      const std::uint32_t a = row * 4 + column;
-      as_mesh.triangles.push_back({a, a + 4, a + 1});
-      as_mesh.triangles.push_back({a + 1, a + 4, a + 5});
-    }
+  const MeshShape as_mesh = triangles_of(field);
   const auto expect = [&](const ShapeDef& shape, const MeshShape& triangles, const std::string& what) {
     std::vector<SignedDistance> all;
     for (const auto& t : triangles.triangles)
