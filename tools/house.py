@@ -26,7 +26,7 @@ WAYS = [
     ("settling of a step that was taken elsewhere", "src/world/step/settled_row.hpp", "taken_"),
     ("settling of a driven step", "src/world/step/settled_row.hpp", "find_drive"),
     ("strikes in packs", "src/world/step/strike_packs.hpp", "struct Strike"),
-    ("parts of steps in packs", "src/world/step/part_flights.cpp", "PartFlights::fly_packs"),
+    ("parts of steps in packs", "src/world/step/part_flights.cpp", "PartFlights::fly_lanes"),
 ]
 
 # Gates, which say who may take a way: file and a text of it.

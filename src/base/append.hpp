@@ -20,7 +20,7 @@ PHYSIM_INLINE void make_room(List& list, std::size_t more) {
 /// place. A copy reads in wide pieces what was just written in narrow ones, and such a read waits until all of them are
 /// in the cache.
 template <class List>
-PHYSIM_INLINE void append(List& list, const typename List::value_type& item) {
+PHYSIM_INLINE_ALWAYS void append(List& list, const typename List::value_type& item) {
   make_room(list, 1);
   if (list.size() == list.capacity()) __builtin_unreachable();
   list.push_back(item);

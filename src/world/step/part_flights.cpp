@@ -48,47 +48,30 @@ std::optional<Pushed<S>> push_of(const SettleContext& context, std::uint16_t coh
 template <class S>
 using PartPack = Pack<S, static_cast<int>(32 / sizeof(S))>;
 
-/// A row alone has lane 0 of a pack; the others repeat it.
-template <class S>
-Vec3d first_of(const std::array<typename FlownParts<S>::Column, 3>& of) {
-  return {static_cast<double>(of[0][0]), static_cast<double>(of[1][0]), static_cast<double>(of[2][0])};
-}
-template <class S>
-void repeat(S number, typename FlownParts<S>::Column& to) {
-  std::fill_n(to.begin(), kLanes<PartPack<S>>, number);
-}
-template <class S>
-void repeat(const Vec3<S>& v, std::array<typename FlownParts<S>::Column, 3>& to) {
-  repeat(v.x, to[0]), repeat(v.y, to[1]), repeat(v.z, to[2]);
-}
-
 }  // namespace
 
-template <class Rung, class S>
-void PartFlights::fly_packs(const Cohort& cohort, const Conditions<S>& given, const BodyNumbers<S>& body,
-                            FlownParts<S>& n) {
+template <class Rung, class R, class S>
+PHYSIM_FLAT void PartFlights::fly_lanes(const Cohort& cohort, const Conditions<S>& given, const BodyNumbers<S>& body,
+                                        FlownParts<S>& n) {
   PHYSIM_ASSERT(n.count <= FlownParts<S>::kLanes);
-  using R = PartPack<S>;
   const R floor(static_cast<S>(cohort.floor)), slowest(static_cast<S>(cohort.slowest)), zero(S(0));
   n.quiet = 0;
   for (std::size_t i = 0; i < n.count; i += std::size_t{kLanes<R>}) {
-    const auto load = [i](const std::array<typename FlownParts<S>::Column, 3>& of) {
-      return Vec3<R>{R::load(of[0].data() + i), R::load(of[1].data() + i), R::load(of[2].data() + i)};
-    };
+    const auto load = [i](const typename FlownParts<S>::Column& of) { return load_lanes<R>(of.data() + i); };
+    const auto vector = [&load](const auto& of) { return Vec3<R>{load(of[0]), load(of[1]), load(of[2])}; };
     const Conditions<S>& c = Rung::known(given);
-    const State<R> start{load(n.x), load(n.v)};
+    const State<R> start{vector(n.x), vector(n.v)};
     Body<R> b = Rung::template read_body<R>(c, [&](unsigned number) { return R(body[number]); });
     if constexpr (Rung::kFalls) b.launch = start;
     R rate(S(0));
     if (c.has_applied) {
-      b.applied = load(n.push);
-      b.applied_until = constant<R>(std::numeric_limits<double>::infinity());
-      rate = R::load(n.drag_rate.data() + i);
+      hold_push(vector(n.push), b);
+      rate = load(n.drag_rate);
     }
-    const State<R> end = Rung::end(c, b, start, R::load(n.length.data() + i), rate);
+    const State<R> end = Rung::end(c, b, start, load(n.length), rate);
     for (std::size_t axis = 0; axis < 3; ++axis) {
-      end.x[axis].store(n.end_x[axis].data() + i);
-      end.v[axis].store(n.end_v[axis].data() + i);
+      store_lanes(end.x[axis], n.end_x[axis].data() + i);
+      store_lanes(end.v[axis], n.end_v[axis].data() + i);
     }
     // As noteworthy() checks for a whole step; and a row may begin below the ground.
     const MaskOf<R> is_high = (height(c, start.x) > floor) & (height(c, end.x) > floor);
@@ -96,6 +79,15 @@ void PartFlights::fly_packs(const Cohort& cohort, const Conditions<S>& given, co
     if (c.has_applied) quiet = quiet & !((climb_rate(c, start) < zero) & (climb_rate(c, end) > zero));
     n.quiet |= lane_bits(quiet) << i;
   }
+}
+
+template <class Rung, class S>
+void PartFlights::fly_parts(const Cohort& cohort, const Conditions<S>& given, const BodyNumbers<S>& body,
+                            FlownParts<S>& n) {
+  if (n.count == 1)
+    fly_lanes<Rung, S>(cohort, given, body, n);
+  else
+    fly_lanes<Rung, PartPack<S>>(cohort, given, body, n);
 }
 
 template <class S>
@@ -107,15 +99,14 @@ void PartFlights::find(const SettleContext& context, std::uint16_t index, Cohort
   const bool simple = of.key.forced ? !w.apex && !w.watched && !w.box && !of.layout.launched : w.simple;
   if (!simple || of.key.still || of.layout.meeting || !steps_with_free(context, index)) return;
   Fly<S>& fly = std::get<Fly<S>>(cohort.fly);
-  if (of.steps_plainly()) fly = fly_packs<AnyStep, S>;
-  with_static_rung(of.static_rung, [&](auto rung) { fly = fly_packs<StaticRung<rung>, S>; });
+  if (of.steps_plainly()) fly = fly_parts<AnyStep, S>;
+  with_static_rung(of.static_rung, [&](auto rung) { fly = fly_parts<StaticRung<rung>, S>; });
 }
 
 PartFlights::Cohort& PartFlights::find(const SettleContext& context, std::uint16_t index) {
   PHYSIM_ASSERT(index < context.state->rows.size());
   if (cohorts_.size() <= index) cohorts_.resize(context.state->rows.size());
   Cohort& cohort = cohorts_[index];
-  if (cohort.is_asked) return cohort;
   cohort.is_asked = true;
   if (context.state->rows[index].layout().float32)
     find<float>(context, index, cohort);
@@ -131,10 +122,8 @@ std::optional<State<double>> PartFlights::fly_row(const SettleContext& context, 
   const RowColumns<S>& columns = rows.columns<S>();
   BodyNumbers<S> body;
   for (const std::uint8_t field : rows.layout().fields) body[field] = columns.field[field][row];
-  FlownParts<S> part;
-  part.count = 1;
-  State<S> start{Rows::numbers_at(columns.position, row), Rows::numbers_at(columns.velocity, row)};
   S length = static_cast<S>(until - born.value_or(0));
+  State<S> start;
   if (rows.layout().clocked) {
     // As settling reads a row's clock: what is flown of a step begins with its start.
     for (int axis = 0; axis < 3; ++axis) {
@@ -144,16 +133,25 @@ std::optional<State<double>> PartFlights::fly_row(const SettleContext& context, 
     const S steps = static_cast<S>(context.now) - columns.born[row], dt = static_cast<S>(context.dt);
     if (!born) length += columns.offset[row] + steps * dt;
     if (!born && until == context.dt) length = columns.offset[row] + (steps + S(1)) * dt;
+  } else {
+    start = {Rows::numbers_at(columns.position, row), Rows::numbers_at(columns.velocity, row)};
   }
-  repeat(start.x, part.x), repeat(start.v, part.v), repeat(length, part.length);
+  FlownParts<S> part;
+  part.count = 1;
+  part.length[0] = length;
+  for (std::size_t axis = 0; axis < 3; ++axis) part.x[axis][0] = start.x[axis], part.v[axis][0] = start.v[axis];
   if (context.registry->cohort(index).key.forced) {
     const auto push = push_of(context, index, row, born.value_or(0), length, start);
     if (!push) return std::nullopt;
-    repeat(push->a, part.push), repeat(push->drag_rate, part.drag_rate);
+    for (std::size_t axis = 0; axis < 3; ++axis) part.push[axis][0] = push->a[axis];
+    part.drag_rate[0] = push->drag_rate;
   }
   fly(context, index, body, part);
   if ((part.quiet & 1u) == 0) return std::nullopt;
-  return State<double>{first_of<S>(part.end_x), first_of<S>(part.end_v)};
+  const auto first = [](const auto& of) {
+    return Vec3d{static_cast<double>(of[0][0]), static_cast<double>(of[1][0]), static_cast<double>(of[2][0])};
+  };
+  return State<double>{first(part.end_x), first(part.end_v)};
 }
 
 std::optional<State<double>> PartFlights::state_after(const SettleContext& context, std::uint16_t index,

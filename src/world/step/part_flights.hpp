@@ -39,14 +39,14 @@ class PartFlights {
   void forget() { cohorts_.clear(); }
   /// True if rows of a cohort fly so.
   [[nodiscard]] bool knows(const SettleContext& context, std::uint16_t cohort) {
-    return find(context, cohort).is_known();
+    return known(context, cohort).is_known();
   }
   /// Flies rows of a cohort that is known, all with the numbers of one body.
   template <class S>
   void fly(const SettleContext& context, std::uint16_t cohort, const BodyNumbers<S>& body, FlownParts<S>& parts) {
     PHYSIM_ASSERT(knows(context, cohort));
-    const Cohort& known = find(context, cohort);
-    std::get<Fly<S>>(known.fly)(known, *context.registry->cohort(cohort).course<S>().conditions, body, parts);
+    const Cohort& by = known(context, cohort);
+    std::get<Fly<S>>(by.fly)(by, *context.registry->cohort(cohort).course<S>().conditions, body, parts);
   }
   /// State of a row `until` into the step, from its start on, or from its birth in it; none: it has to be settled.
   [[nodiscard]] std::optional<State<double>> state_after(const SettleContext& context, std::uint16_t cohort,
@@ -64,11 +64,16 @@ class PartFlights {
 
     [[nodiscard]] bool is_known() const { return std::get<0>(fly) || std::get<1>(fly); }
   };
+  Cohort& known(const SettleContext& context, std::uint16_t index) {
+    return index < cohorts_.size() && cohorts_[index].is_asked ? cohorts_[index] : find(context, index);
+  }
   Cohort& find(const SettleContext& context, std::uint16_t index);
   template <class S>
   static void find(const SettleContext& context, std::uint16_t index, Cohort& cohort);
   template <class Rung, class S>
-  static void fly_packs(const Cohort& cohort, const Conditions<S>& c, const BodyNumbers<S>& body, FlownParts<S>& parts);
+  static void fly_parts(const Cohort& cohort, const Conditions<S>& c, const BodyNumbers<S>& body, FlownParts<S>& parts);
+  template <class Rung, class R, class S>
+  static void fly_lanes(const Cohort& cohort, const Conditions<S>& c, const BodyNumbers<S>& body, FlownParts<S>& parts);
   template <class S>
   std::optional<State<double>> fly_row(const SettleContext& context, std::uint16_t cohort, std::uint32_t row,
                                        std::optional<double> born, double until);
