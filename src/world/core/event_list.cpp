@@ -41,7 +41,8 @@ void EventList::add_shown(const EventKey& key) const {
   const std::size_t at = key.place / 2;
   if (static_cast<Form>(key.place % 2) == Form::whole) return shown_.push_back(whole_[at]);
   const Plain& p = plain_[at];
-  put_plain({p.kind, p.reason, {key.slot, p.generation}, p.value, key.time, p.position, p.velocity}, add_event(shown_));
+  put_plain({key.kind, key.reason, {key.slot, p.generation}, p.value, key.time, p.position, p.velocity},
+            add_event(shown_));
 }
 
 std::span<const Event> EventList::all(GivenEvents& given) const {

@@ -24,8 +24,11 @@ namespace physim {
 /// What decides the order of events, and where one stands.
 struct EventKey {
   double time = 0;
-  std::uint32_t slot = 0, order = 0, at = 0;
-  std::uint32_t place = 0;  // of what is kept of it; decides nothing
+  std::uint32_t slot = 0, at = 0;
+  std::uint32_t place = 0;  // of what is kept of it; decides nothing, as kind and reason
+  std::uint8_t order = 0;
+  EventKind kind = EventKind::spawned;
+  Reason reason = Reason::none;
 
   /// No time is NaN, and two are seldom equal.
   std::weak_ordering operator<=>(const EventKey& other) const {
@@ -81,11 +84,12 @@ class EventList {
   }
   void add(const Event& event) {
     append(whole_, event);
-    add_key(event.kind, event.id.index, event.time, place_of(whole_.size() - 1, Form::whole));
+    append(keys_, key_of(event, keys_.size(), place_of(whole_.size() - 1, Form::whole)));
   }
-  void add(const PlainEvent& event) {
+  /// Inline: its numbers come in registers, and are not read in pairs where they were just written one by one.
+  PHYSIM_INLINE_ALWAYS void add(const PlainEvent& event) {
     append(plain_, plain_of(event));
-    add_key(event.kind, event.id.index, event.time, place_of(plain_.size() - 1, Form::plain));
+    append(keys_, key_of(event, keys_.size(), place_of(plain_.size() - 1, Form::plain)));
   }
   /// Adds `count` plain ones: event(i) gives each.
   template <class F>
@@ -97,8 +101,7 @@ class EventList {
     Plain* const plains = plain_.data() + first_plain;
     for (std::size_t i = 0; i < count; ++i) {
       const PlainEvent& e = event(i);
-      keys[i] = {e.time, e.id.index, row_of(e.kind).order, static_cast<std::uint32_t>(first + i),
-                 place_of(first_plain + i, Form::plain)};
+      keys[i] = key_of(e, first + i, place_of(first_plain + i, Form::plain));
       plains[i] = plain_of(e);
     }
   }
@@ -119,11 +122,9 @@ class EventList {
   struct Plain {
     std::uint32_t generation, value;
     Vec3d position, velocity;
-    EventKind kind;
-    Reason reason;
   };
-  [[nodiscard]] static Plain plain_of(const PlainEvent& e) {
-    return {e.id.generation, e.value, e.position, e.velocity, e.kind, e.reason};
+  [[nodiscard]] PHYSIM_INLINE_ALWAYS static Plain plain_of(const PlainEvent& e) {
+    return {e.id.generation, e.value, e.position, e.velocity};
   }
   /// In which list an event is kept, and where.
   enum class Form : std::uint32_t { plain, whole };
@@ -131,8 +132,9 @@ class EventList {
     return static_cast<std::uint32_t>(2 * at) | static_cast<std::uint32_t>(form);
   }
 
-  void add_key(EventKind kind, std::uint32_t slot, double time, std::uint32_t place) {
-    append(keys_, {time, slot, row_of(kind).order, static_cast<std::uint32_t>(keys_.size()), place});
+  template <class E>
+  [[nodiscard]] PHYSIM_INLINE_ALWAYS static EventKey key_of(const E& e, std::size_t at, std::uint32_t place) {
+    return {e.time, e.id.index, static_cast<std::uint32_t>(at), place, row_of(e.kind).order, e.kind, e.reason};
   }
   void add_shown(const EventKey& key) const;
 
