@@ -138,7 +138,7 @@ function(physim_add_kernels target)
         target_compile_options(${kernels} PRIVATE $<IF:$<CXX_COMPILER_ID:GNU>,-O2;-fno-thread-jumps,-O1> ${no_guards})
       endif()
     endif()
-    if(PHYSIM_FOR_SIZE)  # what these have in common stands once in one file, of clang too (base/isa.hpp)
+    if(PHYSIM_UNITY OR PHYSIM_FOR_SIZE)  # what these have in common is compiled once, and of clang (base/isa.hpp) stands once
       set_target_properties(${kernels} PROPERTIES UNITY_BUILD ON UNITY_BUILD_MODE GROUP)
       set_source_files_properties(src/flight/batch_kernel.cpp src/world/step/world_kernel.cpp src/world/step/strike_kernel.cpp
                                   PROPERTIES UNITY_GROUP steps)
