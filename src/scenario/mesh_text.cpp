@@ -24,12 +24,13 @@ std::optional<Layout> layout_of_ply(std::string_view text) {
   constexpr double kMostCorners = 1e9;
   Layout layout;
   bool in_corners = false, in_digits = false, has_elements = false;
-  std::size_t property = 0, found = 0;
+  std::size_t property = 0;
+  unsigned found = 0;  // a bit for each axis
   for (std::size_t number = 0; !text.empty(); ++number) {
     std::vector<std::string_view> words = words_of(take_line(text));
     if (!words.empty() && words[0] == "end_header") {
       layout.first = number + 1;
-      return in_digits && found == 3 ? std::optional(layout) : std::nullopt;
+      return in_digits && found == 7 ? std::optional(layout) : std::nullopt;
     }
     if (words.size() < 3) continue;
     if (words[0] == "format") in_digits = words[1] == "ascii";
@@ -44,11 +45,11 @@ std::optional<Layout> layout_of_ply(std::string_view text) {
     if (words[0] != "property" || !in_corners) continue;
     if (words[1] == "list") return std::nullopt;
     if (const std::size_t axis = std::string_view("xyz").find(words[2]); words[2].size() == 1 && axis < 3) {
+      if ((found >> axis & 1u) != 0) return std::nullopt;  // named twice
       layout.words[axis] = property;
-      ++found;
+      found |= 1u << axis;
     }
     ++property;
-    PHYSIM_ASSERT(found <= property);
   }
   return std::nullopt;
 }

@@ -4,6 +4,7 @@
 #include <sstream>
 
 #include "physim/files.hpp"
+#include "scenario/mesh_text.hpp"
 #include "scenario/scenario.hpp"
 #include "scenario/world_run.hpp"
 #include "support.hpp"
@@ -106,6 +107,13 @@ TEST(CasesOfMeshes, a_board_far_from_the_origin_is_as_thick_as_its_file_says) {
     EXPECT_NEAR(hits[0].position.x, kNear, 1e-9) << file;
     EXPECT_NEAR(hits[1].position.x, kFar, 1e-9) << file;
   }
+}
+
+TEST(NumberedMesh, a_ply_that_names_an_axis_twice_is_left_as_it_is) {
+  const std::string ply =
+      "ply\nformat ascii 1.0\nelement vertex 3\nproperty float z\nproperty float y\nproperty float z\n"
+      "element face 1\nproperty list uchar int vertex_indices\nend_header\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n";
+  EXPECT_FALSE(numbered_mesh(ply));
 }
 
 /// Heights in grads from Paris (EPSG 4807, NTF). Right: 51 grads north and 5 grads east of Paris, at 45.9 and 6.83723
