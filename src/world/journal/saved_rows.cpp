@@ -47,6 +47,18 @@ bool constrains(const Conditions<double>& c, const Body<double>& body) {
   return !c.fidelity.planar || std::abs(length_squared(body.plane) - 1) < 1e-5;
 }
 
+/// A fall in a vacuum has the horizontal velocity of its launch: kernels store the vertical one alone.
+bool keeps_its_fall(const WorldCohort& cohort, const Rows& rows, std::uint32_t row) {
+  if (cohort.static_rung == kNoStaticRung || cohort.key.fidelity.motion != Motion::closed_form || cohort.key.still)
+    return true;
+  return rows.visit([row](const auto& c) {
+    const auto is_kept = [&](std::size_t axis) {
+      return c.velocity[axis][row] == c.field[kBodyNumber.launch.v[static_cast<int>(axis)]][row];
+    };
+    return is_kept(0) && is_kept(2);
+  });
+}
+
 }  // namespace
 
 std::vector<double> Placement::saved_numbers(std::uint32_t index) const {
@@ -86,6 +98,7 @@ bool Placement::put_saved(std::uint32_t index, const std::vector<double>& number
   if (layout.burning) good = put_burn(c, next(), body) && good;
   good = good && constrains(c, body);
   state_.rows_of(slot).write_fields(slot.row, body);
+  good = good && keeps_its_fall(registry_.cohort(slot.cohort), rows, slot.row);
   if (layout.turning) rows.put_rotor(slot.row, *rung.rotor);
   rows.forget_clear(slot.row);
   return good && at == numbers.size();

@@ -230,6 +230,29 @@ TEST(Save, of_another_version_is_read_and_named_where_it_makes_no_sense) {
   EXPECT_EQ(World::load(with_sum(save)).error().message, "its bytes make no sense" + why);
 }
 
+TEST(Save, a_fall_that_has_not_the_horizontal_velocity_of_its_launch_is_refused) {
+  constexpr double kSpeed = 123.5;
+  Bytes number(8);
+  std::memcpy(number.data(), &kSpeed, 8);
+  for (const Vec3d& velocity : {Vec3d{kSpeed, 0, 1}, Vec3d{1, 0, kSpeed}}) {
+    World world;
+    ProjectileDef def = stone();
+    def.fidelity = Fidelity::arcade();
+    ASSERT_TRUE(world.spawn(def, {.position = {0, 1e4, 0}, .velocity = velocity}));
+    ASSERT_TRUE(world.step(0.01));
+    const Bytes save = save_of(world);
+    ASSERT_TRUE(World::load(with_sum(save)));
+    int found = 0;
+    for (auto at = save.begin(); (at = std::search(at, save.end(), number.begin(), number.end())) != save.end(); ++at) {
+      ++found;
+      Bytes other = save;
+      other[static_cast<std::size_t>(at - save.begin()) + 5] ^= std::byte{1} << 4;
+      EXPECT_FALSE(World::load(with_sum(other))) << found;
+    }
+    EXPECT_EQ(found, 2) << "that of the launch, and that of now";
+  }
+}
+
 TEST(Save, fuzzed_ones_are_refused_or_make_a_sound_world) {
   World world = make_world(test::session_world());
   test::RandomSession session(world, 11, false);
