@@ -18,7 +18,7 @@ void SceneByMotion::add_boxes_of_movers(std::vector<collide::Bounds>& boxes) con
 }
 
 void SceneByMotion::each_beside(const Vec3d& point, double within, const SceneFilter& filter, double time,
-                                const std::function<void(const SceneNearest&)>& f) const {
+                                FunctionRef<void(const SceneNearest&)> f) const {
   if (!collide::is_near(point) || !(within >= 0) || !collide::is_soon(time)) return;
   std::vector<SceneNearest> found;
   const auto look_at = [&](std::uint32_t index, double&) {

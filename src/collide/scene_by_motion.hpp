@@ -2,11 +2,11 @@
 // other in every step.
 #pragma once
 
-#include <functional>
 #include <optional>
 #include <span>
 #include <vector>
 
+#include "base/function_ref.hpp"
 #include "collide/clear_batch.hpp"
 #include "collide/content.hpp"
 
@@ -30,7 +30,7 @@ class SceneByMotion {
   /// Calls f with the place of each thing that is nearest to a point, if it is no farther than `within`, in order of
   /// the things.
   void each_beside(const Vec3d& point, double within, const SceneFilter& filter, double time,
-                   const std::function<void(const SceneNearest&)>& f) const;
+                   FunctionRef<void(const SceneNearest&)> f) const;
 
   /// Whether something moves that no box holds.
   [[nodiscard]] bool has_boundless_movers() const;
