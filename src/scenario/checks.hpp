@@ -90,7 +90,7 @@ void name_each(List& list, const std::string& kind) {
     if (list[i].name.empty()) list[i].name = kind + "-" + std::to_string(i + 1);
 }
 
-/// True if a part of that name exists; `kind`: "shot".
+/// Error if no part has that name; `kind`: "shot".
 [[nodiscard]] Status check_named(const NameIndex& names, const std::string& name, const std::string& kind,
                                  const std::string& path, const std::string& place);
 /// ... a shot that is fired alone, so that there is one of it.

@@ -59,7 +59,7 @@ PHYSIM_INLINE_ALWAYS void semi_implicit_end(Step<R>& s) {
   s.end = semi_implicit_end(s.start, s.slope[0].v, s.h);
 }
 
-/// Where a constant acceleration takes a state in a time t.
+/// State after a time t under a constant acceleration: x + v t + a t^2/2, v + a t.
 template <class R>
 PHYSIM_INLINE State<R> moved_steadily(const State<R>& s, const Vec3<R>& a, const R& t) {
   return {s.x + (s.v * t + a * (constant<R>(0.5) * t * t)), s.v + a * t};

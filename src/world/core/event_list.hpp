@@ -39,7 +39,7 @@ struct EventKey {
   bool operator==(const EventKey& other) const { return (*this <=> other) == 0; }
 };
 
-/// What an event says that says no more.
+/// An event whose other members have their defaults.
 struct PlainEvent {
   EventKind kind = EventKind::spawned;
   Reason reason = Reason::none;

@@ -223,27 +223,22 @@ PHYSIM_INLINE void store_numbers(const Struct<R>& from, S* const (&columns)[N], 
   static_assert(N == kNumbers<Struct>);
   for (std::size_t i = 0; i < N; ++i) numbers(from)[i].store(columns[i] + row);
 }
-/// What emitters do to a pack of rows for the whole step.
+/// Lets a pack of bodies feel the pushes of emitters for the whole step; returns the rate of the drag in them [1/s].
 template <class R, class S>
-PHYSIM_INLINE Pushed<R> load_push(const WorldJob<S>& job, std::uint32_t row) {
+PHYSIM_INLINE R push_rows(const WorldJob<S>& job, std::uint32_t row, Body<R>& b) {
   const RowPush<S>& push = job.push;
   const std::uint32_t i = row - job.first;
-  if (push.drag == nullptr)
-    return {{R::load(push.a[0] + i), R::load(push.a[1] + i), R::load(push.a[2] + i)}, R::load(push.drag_rate + i)};
+  if (push.drag == nullptr) {
+    hold_push({R::load(push.a[0] + i), R::load(push.a[1] + i), R::load(push.a[2] + i)}, b);
+    return R::load(push.drag_rate + i);
+  }
   using W = Cast<double, R>;
   const W wide = W::load(push.drag + i);
   const auto along = [&](int axis) PHYSIM_INLINE_LAMBDA {
     return cast<S>(W(0.0) - cast<double>(load<R>(job.columns.velocity[axis], row)) * wide);
   };
-  return {{along(0), along(1), along(2)}, cast<S>(wide)};
-}
-
-/// Lets a pack of bodies feel it; the rate of the drag in it is returned.
-template <class R, class S>
-PHYSIM_INLINE R push_rows(const WorldJob<S>& job, std::uint32_t row, Body<R>& b) {
-  const Pushed<R> push = load_push<R>(job, row);
-  hold_push(push.a, b);
-  return push.drag_rate;
+  hold_push({along(0), along(1), along(2)}, b);
+  return cast<S>(wide);
 }
 
 /// What a rung that turns reads beside the body: the rotor, and the Turn at the start of the step.
