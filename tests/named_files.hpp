@@ -2,7 +2,7 @@
 #pragma once
 
 #include "cli/program.hpp"
-#include "physim/files.hpp"
+#include "physim/scenario.hpp"
 
 namespace physim::test {
 

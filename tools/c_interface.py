@@ -1,11 +1,11 @@
 #!/usr/bin/env python3
-"""The C interface out of its headers: the bindings of C#, and the record of its ABI.
+"""The C interface out of its header: the bindings of C#, and the record of its ABI.
 
   c_interface.py csharp [--check]           writes bindings/csharp/PhySim.cs, or says whether it is up to date
   c_interface.py layouts                    writes a C program that prints where members of structs lie
   c_interface.py abi [--record] LIBRARY     compares the ABI with tests/capi/abi.xml, or records it
 
-The ABI is that of a library of empty functions that a C compiler makes of the headers: types and signatures are theirs,
+The ABI is that of a library of empty functions that a C compiler makes of the header: types and signatures are theirs,
 and LIBRARY must show the same functions. A difference is a warning until version 1.0; from then on it is an error, unless
 docs/api_changes.md names what changed.
 """
@@ -17,7 +17,7 @@ import tempfile
 from pathlib import Path
 
 ROOT = Path(__file__).resolve().parent.parent
-HEADERS = [ROOT / "include/physim" / name for name in ("c_flights.h", "c_worlds.h")]
+HEADER = ROOT / "include/physim/physim.h"
 CSHARP = ROOT / "bindings/csharp/PhySim.cs"
 RECORD = ROOT / "tests/capi/abi.xml"
 CHANGES = ROOT / "docs/api_changes.md"
@@ -32,8 +32,7 @@ class Interface:
 
     def __init__(self):
         self.enums, self.structs, self.opaque, self.callbacks, self.functions = [], [], [], [], []
-        for header in HEADERS:
-            self.read(header.read_text(encoding="utf-8"))
+        self.read(HEADER.read_text(encoding="utf-8"))
 
     def read(self, text):
         text = re.sub(r"^\s*#.*(?:\\\n.*)*$", "", text, flags=re.M)
@@ -151,7 +150,7 @@ class CSharp:
         yield "}"
 
     def lines(self):
-        yield "// The C interface of PhySim for C#, made of its headers by tools/c_interface.py: change those. docs/c.md is its guide."
+        yield "// The C interface of PhySim for C#, made of its header by tools/c_interface.py: change those. docs/c.md is its guide."
         yield "// Pointers are pointers: structs of one's own are read and written in place. Delegates that a call keeps must stay."
         yield "using System;"
         yield "using System.Runtime.InteropServices;"
@@ -189,7 +188,7 @@ def csharp(check):
         return 0
     if CSHARP.read_text(encoding="utf-8") == text:
         return 0
-    print("bindings/csharp/PhySim.cs is not that of the headers; run python3 tools/c_interface.py csharp")
+    print("bindings/csharp/PhySim.cs is not that of the header; run python3 tools/c_interface.py csharp")
     return 1
 
 
@@ -232,7 +231,7 @@ def abi(library, record):
     interface = Interface()
     declared, shown = {name for name, *_ in interface.functions}, shown_by(library)
     if declared != shown:
-        print(f"{library} and its headers do not have the same functions: {', '.join(sorted(declared ^ shown))}")
+        print(f"{library} and its header do not have the same functions: {', '.join(sorted(declared ^ shown))}")
         return 1
     with tempfile.TemporaryDirectory() as name:
         now = record_of(interface, Path(name))

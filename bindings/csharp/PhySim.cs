@@ -1,4 +1,4 @@
-// The C interface of PhySim for C#, made of its headers by tools/c_interface.py: change those. docs/c.md is its guide.
+// The C interface of PhySim for C#, made of its header by tools/c_interface.py: change those. docs/c.md is its guide.
 // Pointers are pointers: structs of one's own are read and written in place. Delegates that a call keeps must stay.
 using System;
 using System.Runtime.InteropServices;

@@ -1,7 +1,7 @@
 // Snapshots, saves and recordings of worlds.
 #include "capi/objects.hpp"
 #include "capi/parts.hpp"
-#include "physim/files.hpp"
+#include "physim/scenario.hpp"
 
 namespace physim::capi {
 namespace {

@@ -4,8 +4,8 @@
 #include <nlohmann/json.hpp>
 
 #include "base/assert.hpp"
-#include "physim/files.hpp"
 #include "physim/result.hpp"
+#include "physim/scenario.hpp"
 #include "report/json.hpp"
 #include "report/number.hpp"
 #include "report/table.hpp"

@@ -6,8 +6,8 @@
 #include <set>
 
 #include "base/assert.hpp"
-#include "physim/files.hpp"
 #include "physim/names.hpp"
+#include "physim/scenario.hpp"
 #include "report/fidelity_text.hpp"
 #include "report/json.hpp"
 #include "report/number.hpp"

@@ -7,7 +7,7 @@
 #include "base/assert.hpp"
 #include "math/angles.hpp"
 #include "physim/environment.hpp"
-#include "physim/files.hpp"
+#include "physim/scenario.hpp"
 #include "scenario/checks.hpp"
 #include "scenario/expectation.hpp"
 #include "scenario/published_materials.hpp"

@@ -3,7 +3,7 @@
 
 #include "base/emit_shape_table.hpp"
 #include "emit/emit_surface.hpp"
-#include "physim/files.hpp"
+#include "physim/scenario.hpp"
 #include "scenario/checks.hpp"
 #include "scenario/names.hpp"
 #include "scenario/suggest.hpp"

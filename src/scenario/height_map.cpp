@@ -3,7 +3,7 @@
 
 #include "base/assert.hpp"
 #include "base/ieee_mode.hpp"
-#include "physim/files.hpp"
+#include "physim/scenario.hpp"
 #include "scenario/libraries.hpp"
 #include "scenario/text_file.hpp"
 

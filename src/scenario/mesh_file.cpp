@@ -1,5 +1,5 @@
 // The only file that knows Assimp. Its headers warn where ours do not, so they are system headers to the build.
-#include "physim/files.hpp"
+#include "physim/scenario.hpp"
 
 #include <cstdint>
 #include <optional>

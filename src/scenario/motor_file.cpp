@@ -1,6 +1,6 @@
 // The RASP format of thrust curves. Source: the format of G. H. Stine's program RASP as described by the National
 // Association of Rocketry and thrustcurve.org ("RASP file format").
-#include "physim/files.hpp"
+#include "physim/scenario.hpp"
 
 #include <algorithm>
 #include <string_view>

@@ -1,4 +1,4 @@
-#include "physim/files.hpp"
+#include "physim/scenario.hpp"
 
 #include <memory>
 

@@ -14,7 +14,6 @@
 #include "physim/body.hpp"
 #include "physim/emitter.hpp"
 #include "physim/environment.hpp"
-#include "physim/files.hpp"
 #include "physim/flight.hpp"
 #include "physim/math.hpp"
 #include "physim/projectile.hpp"

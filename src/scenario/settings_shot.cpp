@@ -3,7 +3,7 @@
 #include <filesystem>
 
 #include "physim/body.hpp"
-#include "physim/files.hpp"
+#include "physim/scenario.hpp"
 #include "scenario/settings_parts.hpp"
 #include "scenario/units.hpp"
 #include "settings/flight_rows.hpp"

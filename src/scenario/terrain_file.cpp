@@ -1,5 +1,5 @@
 // The only file that knows GDAL.
-#include "physim/files.hpp"
+#include "physim/scenario.hpp"
 
 #include <algorithm>
 #include <array>

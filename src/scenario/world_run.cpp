@@ -11,7 +11,7 @@
 #include "flight/zero.hpp"
 #include "model/force_laws.hpp"
 #include "model/sight.hpp"
-#include "physim/files.hpp"
+#include "physim/scenario.hpp"
 #include "scenario/checks.hpp"
 #include "scenario/files_in_use.hpp"
 #include "scenario/new_file.hpp"

@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-#include "physim/files.hpp"
+#include "physim/scenario.hpp"
 #include "physim/world.hpp"
 #include "scenario/world_run.hpp"
 

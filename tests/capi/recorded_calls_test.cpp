@@ -91,7 +91,7 @@ const std::map<std::string, std::string> kMadeBy = {
 
 TEST(RecordedCallsInC, each_is_made_by_a_function) {
   std::ostringstream header;
-  header << std::ifstream(std::string(PHYSIM_SOURCE_DIR) + "/include/physim/c_worlds.h").rdbuf();
+  header << std::ifstream(std::string(PHYSIM_SOURCE_DIR) + "/include/physim/physim.h").rdbuf();
   for (const char* name : kRecorded) {
     const auto found = kMadeBy.find(name);
     ASSERT_NE(found, kMadeBy.end()) << name << ": no function of C makes this call";

@@ -1,6 +1,6 @@
 // `physim replay`, as a user runs it.
 #include "cli/program.hpp"
-#include "physim/files.hpp"
+#include "physim/scenario.hpp"
 #include "world/recording_bytes.hpp"
 
 #ifdef PHYSIM_CLI

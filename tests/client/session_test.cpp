@@ -7,7 +7,7 @@
 
 #include "cli/program.hpp"
 #include "physim/body.hpp"
-#include "physim/files.hpp"
+#include "physim/scenario.hpp"
 #include "simclient/core/client.hpp"
 #include "simclient/core/original_tests.hpp"
 #include "simclient/core/prediction.hpp"

@@ -5,7 +5,7 @@
 
 #include "cli/program.hpp"
 #include "client/support.hpp"
-#include "physim/files.hpp"
+#include "physim/scenario.hpp"
 
 namespace physim::client::client_timeline {
 namespace {

@@ -14,7 +14,6 @@
 #include <vector>
 
 #include "fuzz/arguments.hpp"
-#include "physim/files.hpp"
 #include "physim/scenario.hpp"
 
 namespace physim::test {

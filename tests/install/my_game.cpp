@@ -1,5 +1,4 @@
 // Flies a shot of the core and one of a scenario; every installed header compiles.
-#include <physim/files.hpp>
 #include <physim/physim.hpp>
 #include <physim/scenario.hpp>
 

@@ -10,7 +10,7 @@
 #include <set>
 #include <sstream>
 
-#include "physim/files.hpp"
+#include "physim/scenario.hpp"
 #include "report/kml.hpp"
 #include "report/pictures.hpp"
 

@@ -3,7 +3,7 @@
 #include <numbers>
 #include <sstream>
 
-#include "physim/files.hpp"
+#include "physim/scenario.hpp"
 #include "scenario/mesh_text.hpp"
 #include "scenario/scenario.hpp"
 #include "scenario/world_run.hpp"

@@ -1,7 +1,7 @@
 // Emitters of scenario files: meshes, terrain, rain and trails.
 #include "base/archive.hpp"
 #include "cli/program.hpp"
-#include "physim/files.hpp"
+#include "physim/scenario.hpp"
 #include "scenario/revise.hpp"
 #include "scenario/world_run.hpp"
 

@@ -1,6 +1,6 @@
 // Motor files and [shot.motor]: what is read, and that every mistake names its line.
 #include "must.hpp"
-#include "physim/files.hpp"
+#include "physim/scenario.hpp"
 
 #include <cstdio>
 #include <fstream>

@@ -2,7 +2,7 @@
 #include <fstream>
 
 #include "must.hpp"
-#include "physim/files.hpp"
+#include "physim/scenario.hpp"
 #include "scenario/scenario.hpp"
 
 namespace physim::scenario_notes_test {

@@ -1,7 +1,7 @@
 // Scenarios are read, flown and written in a mode of the library's own: decimal numbers are rounded to nearest too.
 #include "processor_mode.hpp"
 
-#include "physim/files.hpp"
+#include "physim/scenario.hpp"
 #include "scenario/scenario.hpp"
 #include "scenario/world_run.hpp"
 

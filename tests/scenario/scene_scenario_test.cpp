@@ -2,7 +2,7 @@
 #include <cstring>
 
 #include "cli/program.hpp"
-#include "physim/files.hpp"
+#include "physim/scenario.hpp"
 #include "scenario/gltf_nodes.hpp"
 #include "scenario/revise.hpp"
 #include "scenario/world_run.hpp"

@@ -1,5 +1,5 @@
 // Terrain out of files: SRTM and GeoTIFF that the test writes, in latitude and longitude and in another projection.
-#include "physim/files.hpp"
+#include "physim/scenario.hpp"
 
 #include <bit>
 #include <cmath>

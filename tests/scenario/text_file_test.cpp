@@ -9,7 +9,7 @@
 #include <thread>
 
 #include "cli/program.hpp"
-#include "physim/files.hpp"
+#include "physim/scenario.hpp"
 #include "scenario/measured_column.hpp"
 #include "scenario/scenario.hpp"
 

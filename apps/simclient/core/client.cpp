@@ -10,7 +10,7 @@
 #include "flight/zero.hpp"
 #include "math/angles.hpp"
 #include "model/ladder.hpp"
-#include "physim/files.hpp"
+#include "physim/scenario.hpp"
 #include "report/file.hpp"
 #include "report/format.hpp"
 #include "scenario/checks.hpp"

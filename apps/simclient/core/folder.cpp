@@ -6,7 +6,7 @@
 #include <sstream>
 #include <tuple>
 
-#include "physim/files.hpp"
+#include "physim/scenario.hpp"
 #include "scenario/text_file.hpp"
 
 namespace physim::client {

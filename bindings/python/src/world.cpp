@@ -6,7 +6,7 @@
 #include "base/ieee_mode.hpp"
 #include "flight/zero.hpp"
 #include "model/force_laws.hpp"
-#include "physim/files.hpp"
+#include "physim/scenario.hpp"
 #include "scenario/reader.hpp"
 #include "scenario/scene_maker.hpp"
 

@@ -6,7 +6,6 @@
 #include <iterator>
 
 #include "fuzz/covered/target.hpp"
-#include "physim/files.hpp"
 #include "physim/scenario.hpp"
 
 namespace physim::test {

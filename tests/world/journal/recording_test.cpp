@@ -4,7 +4,7 @@
 #include <map>
 #include <set>
 
-#include "physim/files.hpp"
+#include "physim/scenario.hpp"
 #include "world/random_session.hpp"
 #include "world/recording_bytes.hpp"
 
