@@ -66,12 +66,12 @@ Status check_motor(const ScenarioShot& shot, const Value& table) {
 
 /// What the library objects to in a part of a scenario, where the part's table has it, or else where the nearest table
 /// around it stands. `member`: of the library, "projectile."; `head`: of the file, "shot.".
-void take_in_place(const std::vector<Error>& all, std::string_view member, const std::string& head, const Value& table,
+void take_in_place(const std::vector<Error>& all, std::string_view member, std::string_view head, const Value& table,
                    Mistakes& mistakes) {
   for (const Error& bad : all) {
     const std::string path = bad.place.substr(bad.place.starts_with(member) ? member.size() : 0);
     const std::string place = follow(table, path).nearest.place.text();
-    if (!mistakes.has(place)) mistakes.take(Error{head + path + ": " + bad.message, place, bad.hint});
+    if (!mistakes.has(place)) mistakes.take(Error{std::string(head) + path + ": " + bad.message, place, bad.hint});
   }
 }
 

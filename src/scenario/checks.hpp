@@ -85,9 +85,9 @@ struct JointRemark {
                              const std::string& hint);
 /// "volley-1", where an element of a list has no name.
 template <class List>
-void name_each(List& list, const std::string& kind) {
+void name_each(List& list, std::string_view kind) {
   for (std::size_t i = 0; i < list.size(); ++i)
-    if (list[i].name.empty()) list[i].name = kind + "-" + std::to_string(i + 1);
+    if (list[i].name.empty()) list[i].name = std::string(kind) + "-" + std::to_string(i + 1);
 }
 
 /// Error if no part has that name; `kind`: "shot".

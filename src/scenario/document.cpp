@@ -212,7 +212,7 @@ Value parse_override_value(std::string_view text, const Place& place) {
     out.content = std::string(text);
   }
   out.place = place;
-  out.raw = text;
+  out.raw = std::make_shared<const std::string>(text);
   return out;
 }
 

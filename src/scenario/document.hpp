@@ -48,8 +48,8 @@ struct Value {
 
   std::variant<bool, std::int64_t, double, std::string, Date, Array, Table> content;
   Place place;
-  Position end;     // just behind it; of a [table] just behind its header
-  std::string raw;  // of an override: the text as typed, for settings that take any text
+  Position end;                            // just behind it; of a [table] just behind its header
+  std::shared_ptr<const std::string> raw;  // of an override: the text as typed, for settings that take any text
 
   template <class T>
   [[nodiscard]] const T* get() const {

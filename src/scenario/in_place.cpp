@@ -21,9 +21,10 @@ bool looks_uncertain(const Value& value) {
   const auto* text = value.get<std::string>();
   if (text == nullptr) return false;
   const std::string_view begin = trimmed(*text);
-  for (const std::string_view word : {"lognormal ", "one of ", "column ", "added "})
-    if (begin.starts_with(word)) return true;
-  return text->find("+-") != text->npos || text->find("..") != text->npos;
+  static constexpr std::string_view kWords[] = {"lognormal ", "one of ", "column ", "added "};
+  const auto is_sign = [](char a, char b) { return (a == '+' && b == '-') || (a == '.' && b == '.'); };
+  const auto is_first = [begin](std::string_view word) { return is_same_key(begin.substr(0, word.size()), word); };
+  return std::ranges::any_of(kWords, is_first) || std::ranges::adjacent_find(*text, is_sign) != text->end();
 }
 
 namespace {

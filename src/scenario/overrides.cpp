@@ -33,15 +33,16 @@ Status make_table(const SchemaNode& node, Value& value) {
 struct Way {
   const Addressed& target;
   std::size_t list = 0;
-  const Value* shot = nullptr;  // that it goes through
+  const Value* element = nullptr;  // of the last list that it goes through
 };
 
 /// A list that a shot has of its preset has no elements in the document, and a first one would be all of it.
 Status check_new_list(const SchemaNode& list, const Value* shot, const Place& place) {
-  const Value* name = shot ? shot->find("preset") : nullptr;
+  if (list.path != "shot.magnus.table") return {};
+  const Value* name = shot->find("preset");
   const std::string* text = name ? name->get<std::string>() : nullptr;
   const auto preset = text ? projectile_preset(*text) : std::nullopt;
-  if (list.path != "shot.magnus.table" || !preset || preset->projectile.magnus.table.empty()) return {};
+  if (!preset || preset->projectile.magnus.table.empty()) return {};
   return Error{list.path + " is that of the preset " + in_quotes(*text) + ", whose rows are not set one by one",
                place.text(), "set the table as a whole, or shot.drag and shot.magnus.lift without a preset"};
 }
@@ -84,7 +85,7 @@ Status put_into_list(Value& list, const SchemaNode& node, Way way, Value&& value
 /// Walks from a table to the target. What is missing on the way is made apart, so that an error leaves nothing behind.
 Status put(Value& here, const SchemaNode& node, Way way, Value&& value) {
   if (Status status = make_table(node, here); !status) return status;
-  if (node.path == "shot") way.shot = &here;
+  if (node.is_list_of_tables()) way.element = &here;
   const SchemaNode& child = node.child_towards(*way.target.node);
   Value* member = here.find(child.name);
   const bool is_last = &child == way.target.node, is_list = !is_last && child.is_list_of_tables();
@@ -95,15 +96,14 @@ Status put(Value& here, const SchemaNode& node, Way way, Value&& value) {
   if (member != nullptr) return put_into(*member);
   Table& table = *here.get<Table>();
   if (table.size() == table.capacity()) table.reserve(2 * table.size() + 6);  // few have one key alone
-  const Place place = value.place;
-  if (is_last) return table.push_back({child.name, place, std::move(value)}), Status();
-  Value made{Table{}, place, {}, {}};
+  if (is_last) return table.push_back({child.name, value.place, std::move(value)}), Status();
+  Value made{Table{}, value.place, {}, {}};
   if (is_list) {
-    if (Status status = check_new_list(child, way.shot, place); !status) return status;
+    if (Status status = check_new_list(child, way.element, made.place); !status) return status;
     made.content = Array{};
   }
   if (Status status = put_into(made); !status) return status;
-  table.push_back({child.name, place, std::move(made)});
+  table.push_back({child.name, made.place, std::move(made)});
   return {};
 }
 
@@ -112,7 +112,7 @@ Status put(Value& here, const SchemaNode& node, Way way, Value&& value) {
 std::string shot_name(const Value& shot, std::size_t index) {
   const Value* name = shot.find("name");
   const std::string* text = name ? name->get<std::string>() : nullptr;
-  const std::string own = text ? *text : name ? name->raw : std::string{};
+  const std::string own = text ? *text : name && name->raw ? *name->raw : std::string{};
   return own.empty() ? "shot-" + std::to_string(index + 1) : own;
 }
 

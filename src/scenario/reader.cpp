@@ -117,8 +117,8 @@ bool is_utf8(std::string_view text) {
 Status read_text(const Entry& entry, const Value& value, std::string& target) {
   if (const auto* text = value.get<std::string>())
     target = *text;
-  else if (!value.raw.empty())
-    target = value.raw;  // --set title=2024
+  else if (value.raw != nullptr)
+    target = *value.raw;  // --set title=2024
   else
     return fault(entry.path, value, "found " + std::string(kind_of(value)), "expected a text in quotes");
   if (!is_utf8(target)) return fault(entry.path, value, "the text is not UTF-8", "");
@@ -375,9 +375,10 @@ void read_triangles(const Entry& entry, const Value& value, std::vector<Triangle
 void read_table_into(const SchemaNode& node, const Scope& scope, const Value& value, Mistakes& mistakes);
 
 void read_records(const SchemaNode& node, const Records& records, const Value& value, Mistakes& mistakes) {
-  const std::string wanted = "a list of tables; write [[" + node.path + "]]";
-  const Array* array = list_of(node.path, value, node.entry->range, wanted, mistakes);
-  if (array == nullptr) return;
+  const Array* array = value.get<Array>();
+  if (!mistakes.take(array ? check_length(node.path, value, array->size(), node.entry->range)
+                           : wrong_kind(node.path, value, "a list of tables; write [[" + node.path + "]]")))
+    return;
   records.resize(0);  // old elements go, so that new ones start from defaults
   records.resize(array->size());
   PHYSIM_ASSERT(records.size() == array->size());

@@ -13,6 +13,7 @@
 #include "base/event_table.hpp"
 #include "base/ieee_mode.hpp"
 #include "math/angles.hpp"
+#include "scenario/document.hpp"
 #include "scenario/suggest.hpp"
 
 namespace physim {
@@ -35,7 +36,7 @@ std::string normalized_unit(std::string_view text) {
 
 const Unit* find_unit(const QuantityInfo& quantity, std::string_view text) {
   for (const Unit& unit : quantity.units)
-    if (unit.name == text) return &unit;
+    if (is_same_key(unit.name, text)) return &unit;
   const std::string normalized = normalized_unit(text);
   for (const Unit& unit : quantity.units)
     if (normalized_unit(unit.name) == normalized) return &unit;

@@ -1,7 +1,7 @@
 #include "setup.hpp"
 
 #include <algorithm>
-#include <deque>
+#include <list>
 #include <unordered_map>
 
 #include "scenario/overrides.hpp"
@@ -20,12 +20,8 @@ class PythonReader {
  public:
   [[nodiscard]] Value read(nb::handle object, const SchemaNode* node, const Place& place) {
     if (++depth_ > kMostDeep) fail("is nested too deeply", *place.source, "a list or dict must not hold itself");
-    Value value;
-    value.place = place;
-    if (nb::isinstance<nb::dict>(object))
-      value.content = table(object, node, *place.source);
-    else
-      value.content = content(object, node, place);
+    const bool is_table = nb::isinstance<nb::dict>(object);
+    Value value{is_table ? table(object, node, *place.source) : content(object, node, place), place, {}, {}};
     --depth_;
     return value;
   }
@@ -34,7 +30,7 @@ class PythonReader {
   static constexpr int kMostDeep = 100;
   using Content = decltype(Value::content);
 
-  [[nodiscard]] Table table(nb::handle object, const SchemaNode* node, const std::string& path) {
+  [[nodiscard]] Content table(nb::handle object, const SchemaNode* node, const std::string& path) {
     Table members;
     for (const auto& [key, each] : nb::borrow<nb::dict>(object)) {
       if (!nb::isinstance<nb::str>(key)) fail("a key is no text", path);
@@ -141,7 +137,7 @@ std::string_view view_of(nb::handle text) {
 enum class Keys : std::uint8_t { paths, keywords };
 
 /// Each is looked up once, but for paths that name or count an element: they go into `once`.
-const Led& led_by(const Value& document, nb::handle key, Keys keys, std::deque<Led>& once) {
+const Led& led_by(const Value& document, nb::handle key, Keys keys, std::list<Led>& once) {
   using Known = std::unordered_map<std::string, Led, TextHash, std::equal_to<>>;
   static Known known_paths, known_keywords;  // under the interpreter's lock
   Known& known = keys == Keys::paths ? known_paths : known_keywords;
@@ -157,7 +153,7 @@ const Led& led_by(const Value& document, nb::handle key, Keys keys, std::deque<L
 
 /// Puts settings into a document: tables before what is in them, whatever the order of the dict.
 void put_settings(Value& document, const nb::dict& changes, Keys keys) {
-  std::deque<Led> once;
+  std::list<Led> once;
   std::vector<std::pair<const Led*, nb::handle>> sorted;
   sorted.reserve(changes.size());
   for (const auto& [key, value] : changes) sorted.emplace_back(&led_by(document, key, keys, once), value);
