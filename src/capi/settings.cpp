@@ -13,21 +13,19 @@ constexpr char kPlainDef[] = "physim = 1\n[[shot]]\n";
 
 Status Def::read_again() const {
   if (read_ != nullptr) return {};
-  Result<Scenario> scenario = read_scenario(document, file, Checks::of_each);
-  if (!scenario) return scenario.error();
-  PHYSIM_ASSERT(!scenario->shots.empty());
-  read_ = std::make_unique<Scenario>(std::move(*scenario));
+  auto read = std::make_unique<Scenario>();
+  if (Status status = read_scenario(document, file, Checks::of_each, *read); !status) return status;
+  PHYSIM_ASSERT(!read->shots.empty());
+  read_ = std::move(read);
   return {};
 }
 
 Result<std::shared_ptr<const Checked>> Def::checked() const {
   const std::unique_lock lock(mutex_);
   if (checked_ != nullptr) return checked_;
-  Result<Scenario> scenario = read_scenario(document, file, Checks::together);
-  if (!scenario) return scenario.error();
-  PHYSIM_ASSERT(!scenario->shots.empty());
   auto made = std::make_shared<Checked>();
-  made->scenario = std::move(*scenario);
+  if (Status status = read_scenario(document, file, Checks::together, made->scenario); !status) return status.error();
+  PHYSIM_ASSERT(!made->scenario.shots.empty());
   made->scenario.environment.wind.field = wind;
   made->scenario.environment.force = field;
   if (!made->scenario.world.given && !made->scenario.things.empty()) {

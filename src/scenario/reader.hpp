@@ -21,8 +21,9 @@ enum class Checks {
 /// Reads one setting, or one list of tables, into the objects of a scope.
 [[nodiscard]] Status read_setting(const SchemaNode& node, const Scope& scope, const Value& value);
 
-/// Reads a document of a scenario file; `file` names it in errors, and other files are looked for beside it.
-[[nodiscard]] Result<Scenario> read_scenario(const Value& document, const std::string& file, Checks checks);
+/// Reads a document of a scenario file into a new scenario, which is large to move; `file` names it in errors, and
+/// other files are looked for beside it.
+[[nodiscard]] Status read_scenario(const Value& document, const std::string& file, Checks checks, Scenario& scenario);
 
 /// The notes of a scenario that was read from a document without them.
 [[nodiscard]] Result<std::vector<std::string>> notes_of(Scenario scenario, Value document);

@@ -83,46 +83,45 @@ Status begin_reading_measurements(const Scenario& scenario) {
 namespace {
 
 /// Reads a document that has no distribution in the place of a number.
-Result<Scenario> read_plain(const Value& document, const std::string& file, Checks checks) {
+Status read_plain(const Value& document, const std::string& file, Checks checks, Scenario& scenario) {
   const FilesInUse in_use;
   const Value* shots = document.find("shot");
   const Array* array = shots ? shots->get<Array>() : nullptr;
   if (shots == nullptr || (array != nullptr && array->empty()))
     return Error{"the scenario has no shot", shots ? shots->place.text() : file + ":1:1", "add a [[shot]]"};
-  Scenario scenario;
   scenario.file = file;
   std::int64_t format = kFormat;
   const Scope scope{.format = &format, .scenario = &scenario};
-  if (Status status = read_table(schema(), scope, document, checks); !status) return status.error();
+  if (Status status = read_table(schema(), scope, document, checks); !status) return status;
   PHYSIM_ASSERT(format == kFormat);
   PHYSIM_ASSERT(scenario.shots.size() == array->size());
   complete(scenario, document);
   note_study_places(scenario.study, document);
-  if (checks == Checks::of_each) return scenario;
-  if (Status status = complete_scene(scenario, document); !status) return status.error();
-  if (Status status = complete_emitters(scenario, document); !status) return status.error();
-  if (Status status = check_scenario(scenario, document); !status) return status.error();
-  if (Status status = begin_reading_measurements(scenario); !status) return status.error();
+  if (checks == Checks::of_each) return {};
+  if (Status status = complete_scene(scenario, document); !status) return status;
+  if (Status status = complete_emitters(scenario, document); !status) return status;
+  if (Status status = check_scenario(scenario, document); !status) return status;
+  if (Status status = begin_reading_measurements(scenario); !status) return status;
   if (checks == Checks::all) {
     add_notes(scenario, document);
     scenario.given = given_settings(scenario, document);
   }
   scenario.files = in_use.inputs();
-  return scenario;
+  return {};
 }
 
 }  // namespace
 
-Result<Scenario> read_scenario(const Value& document, const std::string& file, Checks checks) {
+Status read_scenario(const Value& document, const std::string& file, Checks checks, Scenario& scenario) {
   const IeeeMode mode;
   const FilesInUse in_use;
-  if (Status status = check_format(document, file); !status) return status.error();
-  if (!may_have_distributions(document, &schema())) return read_plain(document, file, checks);
+  if (Status status = check_format(document, file); !status) return status;
+  if (!may_have_distributions(document, &schema())) return read_plain(document, file, checks, scenario);
   Value plain = document;
-  if (Status status = take_distributions(plain, file); !status) return status.error();
-  Result<Scenario> scenario = read_plain(plain, file, checks);
-  if (scenario && checks != Checks::of_each) scenario->files = in_use.inputs();
-  return scenario;
+  if (Status status = take_distributions(plain, file); !status) return status;
+  if (Status status = read_plain(plain, file, checks, scenario); !status) return status;
+  if (checks != Checks::of_each) scenario.files = in_use.inputs();
+  return {};
 }
 
 Result<std::vector<std::string>> notes_of(Scenario scenario, Value document) {
@@ -149,9 +148,9 @@ Result<Scenario> parse_scenario(const std::string& text, const std::string& file
   if (!document) return document.error();
   Mistakes mistakes;
   for (const std::string& override_text : overrides) mistakes.take(apply_override(*document, override_text));
-  Result<Scenario> scenario = read_scenario(*document, file, Checks::all);
+  Scenario scenario;
+  mistakes.take(read_scenario(*document, file, Checks::all, scenario));
   if (mistakes.empty()) return scenario;
-  if (!scenario) mistakes.take(scenario.error());
   return mistakes.status().error();
 }
 

@@ -171,7 +171,9 @@ class Base {
     Value document = document_;
     for (const std::string& each : overrides)
       if (Status status = apply_override(document, each); !status) return status.error();
-    return read_scenario(document, "f.toml", Checks::all);
+    Scenario scenario;
+    if (Status status = read_scenario(document, "f.toml", Checks::all, scenario); !status) return status.error();
+    return scenario;
   }
   /// Adds the first path of a setting that changes the result, or else the first that can be given.
   void add(const Setting& setting) {

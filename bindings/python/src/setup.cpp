@@ -246,13 +246,14 @@ Value shot_of_settings(const nb::dict& settings) {
 
 SetupPtr Setup::make(Value document, const std::string& file, std::optional<Function> wind_field,
                      std::optional<Function> force) {
-  Scenario scenario = taken(read_scenario(document, file, Checks::together));
+  auto made = std::make_shared<Setup>();
+  Scenario& scenario = made->scenario;
+  taken(read_scenario(document, file, Checks::together, scenario));
   if (wind_field) scenario.environment.wind.field = wind_of(*wind_field);
   if (force) scenario.environment.force = force_of(*force);
-  std::optional<Scene> scene;
-  if (!scenario.world.given && !scenario.things.empty()) scene = taken(scene_of(scenario));
-  return std::make_shared<const Setup>(std::move(document), std::move(scenario), std::move(scene),
-                                       std::move(wind_field), std::move(force));
+  if (!scenario.world.given && !scenario.things.empty()) made->scene = taken(scene_of(scenario));
+  made->document = std::move(document), made->wind_field = std::move(wind_field), made->force = std::move(force);
+  return made;
 }
 
 SetupPtr Setup::plain() { return make(plain_document(), ""); }
