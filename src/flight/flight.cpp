@@ -61,12 +61,13 @@ const Y* coefficients_before(const std::vector<Y>& all, Integrator integrator, s
 
 /// Times between which a height is crossed at most once: the ends of the steps and the apexes.
 std::vector<double> borders(const FlightRecord& r) {
-  std::vector<double> times;
-  if (r.cohort.in_use.fidelity.motion == Motion::closed_form) times.push_back(0);
-  for (const double time : r.node_times()) times.push_back(time);
+  std::vector<double> times = r.node_times();
+  if (r.cohort.in_use.fidelity.motion == Motion::closed_form) times.insert(times.begin(), 0);
   for (const Event& e : r.events)
-    if (e.kind == EventKind::apex) times.push_back(e.time);
-  return rising(std::move(times));
+    if (e.kind == EventKind::apex) times.insert(std::ranges::upper_bound(times, e.time), e.time);
+  times.erase(std::unique(times.begin(), times.end()), times.end());
+  PHYSIM_ASSERT(std::ranges::is_sorted(times));
+  return times;
 }
 
 /// First time at which value(time) crosses zero in a direction; nothing where it never does. A flight that was ended by
@@ -114,6 +115,7 @@ LegPart FlightRecord::leg_at(double time) const {
 
 std::vector<double> FlightRecord::node_times() const {
   std::vector<double> times;
+  times.reserve(path.nodes.size() + 1);
   for (std::size_t i = 0; i < std::max<std::size_t>(legs.size(), 1); ++i) {
     const LegPart part = leg(i);
     for (std::size_t node = part.leg.first_node; node < part.end_node; ++node)

@@ -74,6 +74,7 @@ ProjectileDef projectile_of(const ScenarioShot& shot) {
   const BodyDef& body = shot.body;
   ProjectileDef p = shot.projectile;
   p.gravity_scale *= own_of(body).gravity_scale;
+  if (body.drag_scale == 1) return p;
   if (body.drag_scale == 0) {  // on every rung; numbers of no drag at all
     p.drag = {.coefficient = 0};
     p.motor.drag_curve.clear();
