@@ -259,16 +259,7 @@ class Shot(_Settled):
         force_field: Function | None = None,
         **settings: Any,
     ) -> None:
-        if base is None:
-            setup = _core.Setup.from_settings(settings, wind_field, force_field)
-        else:
-            setup = base._setup if isinstance(base, Shot) else base._setup.only_shot("")
-            if settings:
-                setup = setup.with_settings(settings, True)
-            if wind_field is not None or force_field is not None:
-                functions = (wind_field or setup.wind_field, force_field or setup.force_field)
-                setup = setup.with_functions(*functions)
-        self._setup = setup
+        self._setup = _setup_of(base, settings, wind_field, force_field)
 
     @property
     def name(self) -> str:
@@ -525,7 +516,21 @@ def fly(base: _Settled | None = None, /, **settings: Any) -> Flight:
     """
     if isinstance(base, Shot) and not settings:
         return base.fly()
-    return Shot(base, **settings).fly()
+    # As Shot(base, **settings).fly(), which would unpack the keywords and pack them again.
+    setup = _setup_of(base, settings, settings.pop("wind_field", None), settings.pop("force_field", None))
+    return Flight(_core.fly(setup), Shot._of(setup))
+
+
+def _setup_of(base: _Settled | None, settings: dict[str, Any], wind_field: Any, force_field: Any) -> _core.Setup:
+    """Settings and functions of one shot: those of a base with what is given changed."""
+    if base is None:
+        return _core.Setup.from_settings(settings, wind_field, force_field)
+    setup = base._setup if isinstance(base, Shot) else base._setup.only_shot("")
+    if settings:
+        setup = setup.with_settings(settings, True)
+    if wind_field is not None or force_field is not None:
+        setup = setup.with_functions(wind_field or setup.wind_field, force_field or setup.force_field)
+    return setup
 
 
 def suvat(
