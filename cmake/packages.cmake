@@ -1,23 +1,15 @@
 # For packages: what takes no time is compiled for size. The linker takes the first copy of a function that many files
 # have, so the objects of what flies come first, and what is compiled for size gives it nothing.
 #
-# warm: scenes, emitters, studies and worlds around their steps. cold: what checks, names, reads, saves and draws.
-set(cold_sources ${core_sources})
-list(FILTER cold_sources INCLUDE REGEX "src/(\
-base/names|settings/row|emit/check|collide/(content|convex_hull|materials|quickhull|scene_draw|scene_save|terrain)|\
-flight/(auto_fidelity|auto_fidelity_cache|compare|fidelity_candidates|fit)\\.|\
-prepare/(fidelity_presets|projectile_presets)|\
-study/(by_distance|check_study|correlation|estimates|indices|linear|names|over_inputs|part|places|plan|run|targets|zone)\\.|\
-world/core/check|world/journal/|world/door/(world_detail|world_draw|world_emitters|world_forces|world_scene))")
+# warm: scenes, emitters, studies and worlds around their steps.
 set(warm_sources ${core_sources})
 list(FILTER warm_sources INCLUDE REGEX "src/(collide|emit|study|world)/")
 list(FILTER warm_sources EXCLUDE REGEX "src/world/step/")
-list(REMOVE_ITEM warm_sources ${cold_sources})
 set(hot_sources ${core_sources})
-list(REMOVE_ITEM hot_sources ${warm_sources} ${cold_sources})
+list(REMOVE_ITEM hot_sources ${warm_sources})
 
 set(core_sources "")
-foreach(part IN ITEMS hot warm cold)
+foreach(part IN ITEMS hot warm)
   add_library(physim_${part} OBJECT ${${part}_sources})
   physim_flags(physim_${part})
   physim_compile_together(physim_${part} 24)
@@ -25,4 +17,3 @@ foreach(part IN ITEMS hot warm cold)
   list(APPEND core_sources $<TARGET_OBJECTS:physim_${part}>)
 endforeach()
 target_compile_options(physim_warm PRIVATE $<$<CXX_COMPILER_ID:Clang>:-Os>)
-target_compile_options(physim_cold PRIVATE ${PHYSIM_SMALLEST})

@@ -25,7 +25,7 @@ struct NamedQuantity {
   const char* name;
   std::optional<double> SuvatGiven::*value;
 };
-constexpr NamedQuantity kQuantities[] = {
+constexpr NamedQuantity kNamed[] = {
     {"s", &SuvatGiven::s}, {"u", &SuvatGiven::u}, {"v", &SuvatGiven::v}, {"a", &SuvatGiven::a}, {"t", &SuvatGiven::t}};
 
 Error no_motion(const char* message, const char* hint) { return {message, "suvat", hint}; }
@@ -37,7 +37,7 @@ Status check(const SuvatGiven& given) {
   constexpr double kSmallest = 1e-50, kLargest = 1e50;
   std::string names;
   int count = 0;
-  for (const auto& [name, value] : kQuantities) {
+  for (const auto& [name, value] : kNamed) {
     if (!(given.*value)) continue;
     const double size = std::abs(*(given.*value));
     if (size != 0 && !(size >= kSmallest && size <= kLargest))

@@ -13,19 +13,18 @@
 namespace physim {
 namespace {
 
-constexpr double kPound = 0.45359237;                      // [kg]
-constexpr double kInch = 0.0254;                           // [m]
-constexpr double kStandardGravity = 9.80665;               // [m/s^2]
-constexpr double kPoundForce = kPound * kStandardGravity;  // [N]
+using units::operator""_in, units::operator""_lb;
+constexpr double kUnitGravity = 9.80665;             // by which weights are forces, exact [m/s^2]
+constexpr double kPoundForce = 1_lb * kUnitGravity;  // [N]
 
 constexpr Unit kNumber[] = {{""}, {"%", 1, 0, 100}};
-constexpr Unit kLength[] = {{"m"},         {"um", 1e-6},   {"mm", 1e-3},   {"cm", 1e-2},     {"km", 1e3},
-                            {"in", kInch}, {"ft", 0.3048}, {"yd", 0.9144}, {"mi", 1609.344}, {"nmi", 1852}};
+constexpr Unit kLength[] = {{"m"},        {"um", 1e-6},   {"mm", 1e-3},   {"cm", 1e-2},     {"km", 1e3},
+                            {"in", 1_in}, {"ft", 0.3048}, {"yd", 0.9144}, {"mi", 1609.344}, {"nmi", 1852}};
 constexpr Unit kMass[] = {{"kg"},
                           {"g", 1e-3},
                           {"mg", 1e-6},
                           {"gr", 6.479891e-5},
-                          {"lb", kPound},
+                          {"lb", 1_lb},
                           {"oz", 0.028349523125},
                           {"slug", kPoundForce / 0.3048},
                           {"t", 1000}};
@@ -39,9 +38,8 @@ constexpr Unit kAngle[] = {{"rad"},
                            {"mil", 1e-3},  // the milliradian of rifle scopes, not the 6400th of a turn
                            {"moa", kPi / 10800},
                            {"MOA", kPi / 10800, 0, 1, true}};
-constexpr Unit kAcceleration[] = {
-    {"m/s^2"}, {"ft/s^2", 0.3048}, {"g0", kStandardGravity}, {"g", kStandardGravity, 0, 1, true}};
-constexpr Unit kForce[] = {{"N"}, {"kN", 1e3}, {"lbf", kPoundForce}, {"kgf", kStandardGravity}};
+constexpr Unit kAcceleration[] = {{"m/s^2"}, {"ft/s^2", 0.3048}, {"g0", kUnitGravity}, {"g", kUnitGravity, 0, 1, true}};
+constexpr Unit kForce[] = {{"N"}, {"kN", 1e3}, {"lbf", kPoundForce}, {"kgf", kUnitGravity}};
 constexpr Unit kPressure[] = {{"Pa"},
                               {"hPa", 100},
                               {"kPa", 1000},
@@ -51,28 +49,28 @@ constexpr Unit kPressure[] = {{"Pa"},
                               {"atm", 101325},
                               {"inHg", 3386.389},       // at 0 degC, NIST SP 811
                               {"mmHg", 133.322387415},  // at 0 degC
-                              {"psi", kPoundForce / (kInch * kInch)}};
+                              {"psi", kPoundForce / (1_in * 1_in)}};
 constexpr Unit kTemperature[] = {{"K"}, {"degC", 1, 273.15}, {"degF", 5, 459.67, 9}, {"degR", 5, 0, 9}};
-constexpr Unit kDensity[] = {{"kg/m^3"}, {"g/cm^3", 1000}, {"lb/ft^3", kPound / (0.3048 * 0.3048 * 0.3048)}};
-constexpr Unit kBallisticCoefficient[] = {{"kg/m^2"}, {"lb/in^2", kPound / (kInch * kInch)}};
+constexpr Unit kDensity[] = {{"kg/m^3"}, {"g/cm^3", 1000}, {"lb/ft^3", 1_lb / (0.3048 * 0.3048 * 0.3048)}};
+constexpr Unit kBallisticCoefficient[] = {{"kg/m^2"}, {"lb/in^2", 1_lb / (1_in * 1_in)}};
 constexpr Unit kLinearDrag[] = {{"kg/s"}, {"N s/m", 1, 0, 1, true}};
 constexpr Unit kQuadraticDrag[] = {{"kg/m"}};
 constexpr Unit kAngularRate[] = {{"rad/s"}, {"deg/s", kPi / 180}, {"rpm", kPi / 30}};
 constexpr Unit kEnergy[] = {
     {"J"}, {"kJ", 1e3}, {"ft lbf", 0.3048 * kPoundForce}, {"ft-lbf", 0.3048 * kPoundForce, 0, 1, true}};
 constexpr Unit kFrequency[] = {{"1/s"}, {"Hz", 1, 0, 1, true}, {"1/min", 1, 0, 60}, {"rpm", 1, 0, 60}};
-constexpr Unit kStiffness[] = {{"N/m"}, {"N/mm", 1e3}, {"lbf/in", kPoundForce / kInch}};
-constexpr Unit kVolume[] = {{"m^3"}, {"l", 1e-3}, {"cm^3", 1e-6}, {"in^3", kInch* kInch* kInch}};
+constexpr Unit kStiffness[] = {{"N/m"}, {"N/mm", 1e3}, {"lbf/in", kPoundForce / 1_in}};
+constexpr Unit kVolume[] = {{"m^3"}, {"l", 1e-3}, {"cm^3", 1e-6}, {"in^3", 1_in * 1_in * 1_in}};
 constexpr Unit kAttraction[] = {{"m^3/s^2"}, {"km^3/s^2", 1e9}};
 
 constexpr Unit kMomentOfInertia[] = {{"kg m^2"},
                                      {"g cm^2", 1e-7},
                                      {"g mm^2", 1e-9},
-                                     {"lb in^2", kPound* kInch* kInch},
-                                     {"lb ft^2", kPound * 0.3048 * 0.3048},
+                                     {"lb in^2", 1_lb * 1_in * 1_in},
+                                     {"lb ft^2", 1_lb * 0.3048 * 0.3048},
                                      {"slug ft^2", kPoundForce * 0.3048}};
 
-constexpr Unit kArea[] = {{"m^2"}, {"cm^2", 1e-4}, {"mm^2", 1e-6}, {"in^2", kInch* kInch}, {"ft^2", 0.3048 * 0.3048}};
+constexpr Unit kArea[] = {{"m^2"}, {"cm^2", 1e-4}, {"mm^2", 1e-6}, {"in^2", 1_in * 1_in}, {"ft^2", 0.3048 * 0.3048}};
 
 constexpr Unit kJerk[] = {{"m/s^3"}, {"ft/s^3", 0.3048}};
 
