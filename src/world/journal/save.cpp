@@ -135,9 +135,9 @@ class Loading {
   Status time() {
     const Clock& c = saved_.clock;
     constexpr std::uint64_t kMostSteps = std::uint64_t{1} << 62;  // more were never taken
-    const bool fits = c.dt > 0 && std::isfinite(c.dt) && std::isfinite(c.run_start) && c.steps >= c.epoch &&
-                      c.steps < kMostSteps && c.left_over >= 0 && std::isfinite(c.left_over) && c.time_scale >= 0 &&
-                      c.time_scale <= 1000;
+    const bool fits = c.dt > 0 && std::isfinite(c.dt) && c.run_start >= 0 && std::isfinite(c.time()) &&
+                      c.steps >= c.epoch && c.steps >= c.run_steps && c.steps < kMostSteps && c.left_over >= 0 &&
+                      std::isfinite(c.left_over) && c.time_scale >= 0 && c.time_scale <= 1000;
     if (!fits) return makes_no_sense("its clock's numbers");
     state().clock = c;
     return {};

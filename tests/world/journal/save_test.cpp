@@ -230,6 +230,23 @@ TEST(Save, of_another_version_is_read_and_named_where_it_makes_no_sense) {
   EXPECT_EQ(World::load(with_sum(save)).error().message, "its bytes make no sense" + why);
 }
 
+TEST(Save, a_clock_that_never_was_is_refused) {
+  World world;
+  for (int i = 0; i < 3; ++i) ASSERT_TRUE(world.step(0.01));
+  ASSERT_TRUE(world.step(0.02));  // steps of this length began at 0.03 s: the number is in the save
+  const double start = 3 * 0.01;
+  Bytes number(8);
+  std::memcpy(number.data(), &start, 8);
+  Bytes save = save_of(world);
+  ASSERT_TRUE(World::load(with_sum(save)));
+  const auto at = std::search(save.begin(), save.end(), number.begin(), number.end());
+  ASSERT_NE(at, save.end());
+  at[7] ^= std::byte{0x80};
+  EXPECT_FALSE(World::load(with_sum(save))) << "a time below 0";
+  at[7] = std::byte{0x7f}, at[6] = std::byte{0xf0};
+  EXPECT_FALSE(World::load(with_sum(save))) << "no finite time";
+}
+
 TEST(Save, a_fall_that_has_not_the_horizontal_velocity_of_its_launch_is_refused) {
   constexpr double kSpeed = 123.5;
   Bytes number(8);
