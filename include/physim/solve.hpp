@@ -103,30 +103,33 @@ struct Aim {
 
 /// The answer of max_range().
 struct MaxRange {
-  double elevation = 0;      ///< of the bore above the horizon [rad]
-  double range = 0;          ///< along the ground, from below the muzzle to the point of impact [m]
+  double elevation = 0;  ///< of the bore above the horizon [rad]
+  /// Along the ground, from below the muzzle to the point of impact; below 0 if that lies behind the muzzle [m].
+  double range = 0;
   double time = 0;           ///< of flight [s]
   Vec3d position{};          ///< of impact [m]
   Vec3d velocity{};          ///< at impact [m/s]
   std::int64_t flights = 0;  ///< trajectories flown [-]
 };
 
-/// The bore elevation that carries farthest over even ground that rises with `slope` [rad] in the direction of fire,
-/// launch.azimuth, and lies at the height `ground` [m] below or at the muzzle. An error where there is no farthest: the
-/// shot does not come down within `time` [s]; and where all flights together take more than five million steps
-/// or 20 million evaluations of forces.
+/// The bore elevation that carries farthest ahead over even ground that rises with `slope` [rad] in the direction of
+/// fire, launch.azimuth, and lies at the height `ground` [m] below or at the muzzle. An error where there is no
+/// farthest: the shot does not come down within `time` [s]; and where all flights together take more than five million
+/// steps or 20 million evaluations of forces.
 [[nodiscard]] Result<MaxRange> max_range(const ProjectileDef& projectile, const Launch& launch,
                                          const Environment& environment, const Fidelity& fidelity, double ground = 0,
                                          double slope = 0, double time = 3600);
 
 /// Ranges along the line of sight between which a flight stays near a height over it.
 struct DangerSpace {
-  double from = 0;  ///< [m]
-  double to = 0;    ///< [m]
+  double from = 0;                ///< [m]
+  double to = 0;                  ///< [m]
+  bool ends_with_flight = false;  ///< the path still lies within it at its end [-]
 };
 
 /// The ranges around `range` [m] within which a target of a height [m], aimed at in its middle, is hit by a flight that
-/// passes its middle at `range`: the path lies within half the height of where it is there. Ends with the flight.
+/// passes its middle at `range`: the path lies within half the height of where it is there. It ends where the path
+/// turns back along the line of sight, and with the flight.
 [[nodiscard]] Result<DangerSpace> danger_space(const Flight& flight, double range, double height);
 /// ... of a target that stands on the ground of a scene at time 0: the ranges around `range` within which the path lies
 /// no more than `height` [m] above the nearest surface below it, of things of these layers but for sensors. It is

@@ -51,17 +51,18 @@ class Carry {
     launch_.sight = {};
     const SinCos<double> azimuth = sincos(launch.azimuth), rise = sincos(slope);
     base_ = {launch.position.x, ground, launch.position.z};
+    ahead_ = {azimuth.cos, 0, azimuth.sin};
     up_ = {-rise.sin * azimuth.cos, rise.cos, -rise.sin * azimuth.sin};
     until_.ground = slope == 0 ? std::optional(ground) : std::nullopt;
     until_.time = time;
     find_step();
   }
 
-  /// Flies; the range is below zero where the shot does not come down, and error() says why.
+  /// Flies; error() says why a shot does not come down.
   MaxRange shoot(double elevation) {
     launch_.elevation = elevation;
     ++flights_;
-    MaxRange out{.elevation = elevation, .range = -1};
+    MaxRange out{.elevation = elevation};
     const Flight flight = fly_all();
     const std::optional<double> landing = landing_of(flight);
     if (flight.error()) error_ = flight.error();
@@ -74,7 +75,10 @@ class Carry {
     out.position = impact.position;
     out.velocity = impact.velocity;
     out.time = *landing;
-    out.range = length(impact.position - base_);
+    const double way = is_round(flight.fidelity_in_use().fidelity.earth)
+                           ? flight.earth_frames().ground_distance(base_, impact.position)
+                           : length(impact.position - base_);
+    out.range = dot(impact.position - base_, ahead_) < 0 ? -way : way;
     return out;
   }
   [[nodiscard]] const std::optional<Error>& error() const { return error_; }
@@ -121,7 +125,7 @@ class Carry {
   Environment environment_;
   Fidelity fidelity_;
   double slope_;
-  Vec3d base_, up_;
+  Vec3d base_, ahead_, up_;
   Until until_;
   Tolerance tolerance_;
   std::optional<Error> error_;
@@ -162,8 +166,11 @@ DangerSpace space_around(const Flight& flight, double middle, const auto& inside
   std::sort(times.begin(), times.end());
   const auto here = static_cast<std::size_t>(std::find(times.begin(), times.end(), middle) - times.begin());
   PHYSIM_ASSERT(here < times.size());
-  const auto edge = [&](int step) {  // walks from the middle to where the path leaves the space, or to an end
-    double from = middle, at_from = inside(from);
+  DangerSpace space;
+  const auto range_at = [&](double time) { return flight.at(time).range; };
+  // Walks from the middle to where the path leaves the space or turns back along the line of sight, or to an end.
+  const auto edge = [&](int step) {
+    double from = middle, at_from = inside(from), before = middle;
     for (std::size_t i = here; step < 0 ? i > 0 : i + 1 < times.size();) {
       i = step < 0 ? i - 1 : i + 1;
       constexpr double kFewest = 4, kMost = 1e6;
@@ -172,14 +179,21 @@ DangerSpace space_around(const Flight& flight, double middle, const auto& inside
       for (int part = 1; part <= parts; ++part) {
         const double to = start + (times[i] - start) * part / parts;
         const double at_to = inside(to);
-        if (at_to < 0) return flight.at(find_root(inside, from, at_from, to, at_to, 1e-13)).range;
+        if (at_to < 0) return range_at(find_root(inside, from, at_from, to, at_to, 1e-13));
+        if (step * (range_at(to) - range_at(from)) < 0)
+          return range_at(
+              least_between([&](double time) { return -step * range_at(time); }, min(before, to), max(before, to)));
+        before = from;
         from = to;
         at_from = at_to;
       }
     }
-    return flight.at(from).range;
+    space.ends_with_flight = step > 0;
+    return range_at(from);
   };
-  return {edge(-1), edge(1)};
+  space.from = edge(-1);
+  space.to = edge(1);
+  return space;
 }
 
 }  // namespace
@@ -198,7 +212,7 @@ Result<MaxRange> max_range(const ProjectileDef& projectile, const Launch& launch
   constexpr double kScan = 5 * kDegree;
   // Between a steep slope and the vertical there is less room.
   const double above = slope > 0 ? (kRightAngle - slope) * (kScan / kRightAngle) : kScan;
-  MaxRange best{.range = -1};
+  MaxRange best{.range = -kInfinity};
   // A rail does not point into the ground.
   const double lowest = std::ceil((from_rest ? slope : slope - kRightAngle) / kScan) * kScan + kScan;
   for (double elevation = max(lowest, -85 * kDegree); elevation < kRightAngle - 0.2 * above;

@@ -236,19 +236,18 @@ Answer max_range_answer(const AskedShot& asked, const MaxRange& far, const Style
 Answer danger_space_answer(const AskedShot& asked, const Flight& flight, double range, double height,
                            const DangerSpace& space, const Style& style) {
   PHYSIM_ASSERT(space.from <= space.to);
-  const bool ends_with_flight = space.to >= flight.end().range;
   return about_shot(
       asked, style,
       "  a target " + as_typed(height) + " m high at " + as_typed(range) + " m is hit from " + fixed(space.from, 2) +
           " m to " + fixed(space.to, 2) + " m: over " + fixed(space.to - space.from, 2) + " m\n" +
-          (ends_with_flight ? "  " + style.warn("it ends there") +
-                                  " because the flight does: " + std::string(name(flight.outcome())) + "\n"
-                            : ""),
+          (space.ends_with_flight ? "  " + style.warn("it ends there") +
+                                        " because the flight does: " + std::string(name(flight.outcome())) + "\n"
+                                  : ""),
       {{"range [m]", range},
        {"height [m]", height},
        {"from [m]", space.from},
        {"to [m]", space.to},
-       {"ends_with_flight", ends_with_flight},
+       {"ends_with_flight", space.ends_with_flight},
        {"outcome", name(flight.outcome())}});
 }
 

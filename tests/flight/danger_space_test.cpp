@@ -51,6 +51,34 @@ TEST(DangerSpaceOverGround, OfAParabolaOverASlope) {
   }
 }
 
+/// Up along a steep line of sight the path comes back: the space ends where it turns, or where it leaves the height,
+/// and not because the flight does.
+TEST(DangerSpace, EndsWhereThePathTurnsBack) {
+  const double v = 100;
+  for (const double look : {80 * kDegree, 90 * kDegree}) {
+    const Launch launch{.speed = v, .elevation = look, .sight = {.look_angle = look}};
+    const Flight flight = fly({}, launch, airless(), simple(GravityModel::constant), {}, {.ground = -1e-3, .time = 60});
+    ASSERT_EQ(flight.outcome(), Outcome::landed);
+    // Along the line the speed is v - g t sin a: it turns at s = v^2 / (2 g sin a).
+    const double turn = v * v / (2 * kG * std::sin(look));
+    const auto whole = must(danger_space(flight, 0.6 * turn, 1e4));
+    EXPECT_NEAR(whole.from, 0, 1e-9);
+    EXPECT_NEAR(whole.to, turn, 1e-6) << look;
+    EXPECT_FALSE(whole.ends_with_flight);
+  }
+  const Flight over = fly({}, {.speed = v, .elevation = 82 * kDegree, .sight = {.look_angle = 80 * kDegree}}, airless(),
+                          simple(GravityModel::constant), {}, {.ground = 0.0, .time = 60});
+  const auto thin = must(danger_space(over, 100, 1));
+  EXPECT_GT(thin.from, 70);
+  EXPECT_LT(thin.to, 140);
+  EXPECT_FALSE(thin.ends_with_flight) << "the path leaves the height";
+  const Flight level = fly({}, {.position = {0, 1, 0}, .speed = v}, airless(), simple(GravityModel::constant), {},
+                           {.ground = 0.0, .time = 60});
+  const auto last = must(danger_space(level, 30, 10));
+  EXPECT_TRUE(last.ends_with_flight);
+  EXPECT_EQ(last.to, level.end().range);
+}
+
 /// 9 m of a plateau below a straight path at 10 m: what stands on it is hit from edge to edge, and nothing beside it.
 TEST(DangerSpaceOverGround, EndsAtTheEdgesOfAPlateau) {
   Scene scene = slope(0);
