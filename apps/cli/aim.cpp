@@ -112,6 +112,7 @@ Result<Wanted> wanted(const AimCommand& command, const AskedShot& asked, const S
 Result<int> run(const AimCommand& command) {
   const Result<AskedShot> asked = ask(command.question);
   if (!asked) return asked.error();
+  warn_of_fidelity(asked->shot(), "an aim");
   const Result<SceneParts> parts = scene_parts(asked->scenario);
   if (!parts) return about(*asked, parts.error());
   Result<Wanted> target = wanted(command, *asked, *parts);

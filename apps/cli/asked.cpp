@@ -51,6 +51,11 @@ void warn_of_things(const Scenario& scenario, const std::string& answer) {
     print_warning("the things of the scenario are left aside: " + answer + " is of shots that meet nothing");
 }
 
+void warn_of_fidelity(const ScenarioShot& shot, const std::string& answer) {
+  if (shot.cheapest_within)
+    print_warning("shot.fidelity.cheapest_within has no effect: " + answer + " is of flights at shot.fidelity itself");
+}
+
 void warn_of_curve(const Flight& flight) {
   if (flight.error()) return;  // its command says so
   for (const std::string& note : curve_notes(flight))

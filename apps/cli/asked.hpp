@@ -26,6 +26,8 @@ void add_question_options(Command& command, Question& question, bool json = true
 
 /// Says that an answer about shots that meet nothing leaves the things of a scenario aside. `answer`: "a range card".
 void warn_of_things(const Scenario& scenario, const std::string& answer);
+/// Says that an answer flies a shot at its fidelity, if cheapest_within asks for another one.
+void warn_of_fidelity(const ScenarioShot& shot, const std::string& answer);
 /// Warns where a flight leaves the drag curve of its own projectile.
 void warn_of_curve(const Flight& flight);
 /// ... where the flight of a shot of a scenario does, flown alone as the scenario says.

@@ -192,6 +192,7 @@ Result<int> run(const FitCommand& command) {
   if (!options) return options.error();
   const Result<AskedShot> asked = ask_without_things(command.question, "a fit");
   if (!asked) return asked.error();
+  warn_of_fidelity(asked->shot(), "a fit");
   const Result<FitData> data = Reader(command.data).read();
   if (!data) return data.error();
   const ScenarioShot& shot = asked->shot();

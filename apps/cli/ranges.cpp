@@ -25,6 +25,7 @@ Result<int> run(const MaxRangeCommand& command) {
   if (!slope) return slope.error();
   const Result<AskedShot> asked = ask_without_things(command.question, "the farthest range");
   if (!asked) return asked.error();
+  warn_of_fidelity(asked->shot(), "the farthest range");
   const Scenario& scenario = asked->scenario;
   const ScenarioShot& shot = asked->shot();
   const double ground = scenario.until.ground.value_or(0);

@@ -228,6 +228,7 @@ Result<AskedStudy> ask_study(const StudyCommand& command) {
   if (!command.ranges.empty()) question.input.overrides.push_back("output.ranges=" + command.ranges);
   Result<AskedShot> asked = ask(question);
   if (!asked) return asked.error();
+  warn_of_fidelity(asked->shot(), "a study");
   if (Status status = add_options(command, asked->scenario); !status) return status.error();
   std::vector<Error> errors;
   Study study = read_study(asked->scenario, asked->shot(), errors);

@@ -72,11 +72,13 @@ std::string end_text(const Flight& flight) {
   const Sample s = flight.end();
   const double horizontal = std::hypot(s.velocity.x, s.velocity.z);
   const double angle = std::atan2(s.velocity.y, horizontal) / kDegree;
+  const std::string speed = readable(s.speed, 5);
   std::string text = time_text(s.time, flight) + " s: " + place_text(flight, s.position, s.range) + ", windage " +
-                     readable(s.windage, 4) + " m; " + readable(s.speed, 5) + " m/s";
+                     readable(s.windage, 4) + " m; " + speed + " m/s";
   if (s.mach > 0) text += " (Mach " + fixed(s.mach, 3) + ")";
-  return text + ", " + readable(s.energy, 4) + " J, " + fixed(std::abs(angle), 2) + " deg " +
-         (angle < 0 ? "down" : "up");
+  text += ", " + readable(s.energy, 4) + " J";
+  if (speed == "0") return text;  // a direction would be that of a rounding
+  return text + ", " + fixed(std::abs(angle), 2) + " deg " + (angle < 0 ? "down" : "up");
 }
 
 // How a rigid body is stable at the muzzle and at the end, and how far it points off its path there.

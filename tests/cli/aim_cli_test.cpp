@@ -127,6 +127,27 @@ TEST(CliMaxRange, OfAParabola) {
   expect_complaint(physim({"max-range", file, "--set", "environment.gravity.acceleration=0"}), "does not come down");
 }
 
+TEST(CliNotes, CheapestWithinIsOfFlightsThatAreFlownAlone) {
+  const File file("shell.toml", kShell);
+  const std::vector<std::vector<std::string>> commands = {
+      {"aim"}, {"max-range"}, {"study", "--vary", "shot.speed = +- 1 m/s", "--shots", "100"}};
+  for (std::vector<std::string> command : commands) {
+    command.insert(command.begin() + 1, {file, "--set", "shot.fidelity.cheapest_within=1 m"});
+    const Ran ran = physim(command);
+    EXPECT_EQ(ran.code, 0) << ran.err;
+    EXPECT_TRUE(has(ran.err, "shot.fidelity.cheapest_within has no effect")) << command[0] << ran.err;
+  }
+}
+
+TEST(CliRun, AVelocityOfZeroHasNoDirection) {
+  const File file("up.toml", kShell);
+  const Ran ran = physim(
+      {"run", file, "--set", "shot.elevation=90 deg", "--set", "until.events=[{ kind = \"apex\", terminal = true }]"});
+  EXPECT_EQ(ran.code, 0) << ran.err;
+  EXPECT_TRUE(has(ran.out, " 0 m/s, 0 J")) << ran.out;
+  EXPECT_FALSE(has(ran.out, " deg up")) << ran.out;
+}
+
 TEST(CliDangerSpace, OfAParabola) {
   const File file("shell.toml", kShell);
   const std::vector<std::string> base = {"danger-space",         file,    "--set",
