@@ -10,6 +10,7 @@
 #include "model/jerk.hpp"
 #include "model/stability.hpp"
 #include "prepare/grant.hpp"
+#include "solve/watch.hpp"
 
 namespace physim {
 
@@ -293,9 +294,7 @@ Sample Flight::at(double time) const {
   out.velocity = s.v;
   out.acceleration = r.accelerations_of_body(time, b, flown).total;
   out.speed = length(s.v);
-  const bool has_air = c.fidelity.air != AirModel::vacuum;
-  out.mach =
-      has_air ? length(air_velocity(c, r.body, r.clock + time, s)) * air_state(c, r.body, s.x).per_sound_speed : 0;
+  mach_number(c, r.body, r.clock + time, s, out.mach);
   out.mass = mass_at(b, r.clock + time);
   out.thrust = thrust_at(b, r.clock + time);
   out.energy = 0.5 * out.mass * out.speed * out.speed;

@@ -55,9 +55,11 @@ struct Found {
 
 PHYSIM_ISA_BEGIN
 
-/// Behind a call: air and wind are long, and few flights watch it.
+/// The Mach number, 0 in a vacuum. Behind a call: air and wind are long, and few flights watch it.
 template <class R, class S>
 PHYSIM_NOINLINE void mach_number(const Conditions<S>& c, const Body<R>& b, const R& t, const State<R>& s, R& mach) {
+  mach = R(S(0));
+  if (c.fidelity.air == AirModel::vacuum) return;
   mach = length(air_velocity(c, b, t, s)) * air_state(c, b, s.x).per_sound_speed;
 }
 

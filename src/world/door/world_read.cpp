@@ -6,6 +6,7 @@
 #include "math/elementary.hpp"
 #include "model/jerk.hpp"
 #include "model/magnus.hpp"
+#include "solve/watch.hpp"
 #include "world/couple/world_impl.hpp"
 #include "world/door/surface_motion.hpp"
 
@@ -208,11 +209,11 @@ double ProjectileView::mach() const {
   const Slot* slot = world_->find(id_);
   if (!slot) return 0;
   const Conditions<double>& c = world_->registry.cohort(slot->cohort).conditions;
-  if (c.fidelity.air == AirModel::vacuum) return 0;
   const BodyState now = world_->state.state_of(*slot);
   const State<double> s{now.position, now.velocity};
-  const Body<double> body = world_->placement.body_of(*slot);
-  return length(air_velocity(c, body, world_->placement.clock_of(*slot), s)) * air_state(c, body, s.x).per_sound_speed;
+  double mach;
+  mach_number(c, world_->placement.body_of(*slot), world_->placement.clock_of(*slot), s, mach);
+  return mach;
 }
 
 KindId ProjectileView::kind() const {
