@@ -28,6 +28,10 @@ class ContactView {
   [[nodiscard]] Vec3d spin(double passed) const { return component_product(r_.turns(), r_.spin(passed)); }
   [[nodiscard]] bool is_ball() const { return collision().radius > 0; }
   [[nodiscard]] bool is_float32() const { return r_.precision() == Precision::float32; }
+  /// Of the numbers of the projectile's state.
+  [[nodiscard]] double epsilon() const {
+    return is_float32() ? double{std::numeric_limits<float>::epsilon()} : std::numeric_limits<double>::epsilon();
+  }
   /// A vector rounded to the precision of the projectile's state.
   [[nodiscard]] Vec3d held(const Vec3d& x) const { return is_float32() ? vec_cast<double>(vec_cast<float>(x)) : x; }
   [[nodiscard]] double spacing(const Vec3d& x) const {
@@ -130,8 +134,8 @@ class ContactView {
       const double middle = 0.5 * (pressed + free);
       (presses(middle) ? pressed : free) = middle;
     }
-    constexpr double kShortest = 1e-7;  // so that a step has not too many parts [s]
-    return max(free, min(longest, kShortest));
+    const double shortest = 1e-3 * frame();  // so that a step has not too many parts
+    return max(free, min(longest, shortest));
   }
   [[nodiscard]] Surface surface(const SceneHit& hit) const {
     return surface_between(scene_->material(hit.material), r_.surface());
@@ -146,12 +150,16 @@ class ContactView {
     const Vec3d over = runs(hit, passed);
     return over == Vec3d{} ? hit.velocity : hit.velocity + over;
   }
+  /// The slip that rounding leaves to a ball that rolls [m/s].
+  [[nodiscard]] double no_slip(const BallMotion& motion, const SceneHit& hit) const {
+    return max(1e-9, 2 * epsilon() * (length(motion.velocity) + length(hit.velocity)));
+  }
   /// A way along a plane surface.
   [[nodiscard]] BallWay ball_way(const BallMotion& motion, const Pull& a, const SceneHit& hit, const Surface& on,
                                  const Vec3d& over, double time) const {
-    BallWay way = way_on(motion, over, [&](const BallMotion& from) {
-      return slid_or_rolled(from, a, hit.normal, ball(), {on.friction, on.rolling_resistance}, time);
-    });
+    const BallGrip grip{on.friction, on.rolling_resistance, no_slip(motion, hit)};
+    BallWay way = way_on(
+        motion, over, [&](const BallMotion& from) { return slid_or_rolled(from, a, hit.normal, ball(), grip, time); });
     way.way = r_.kept(way.way);
     way.motion.velocity = r_.kept(way.motion.velocity);
     return way;

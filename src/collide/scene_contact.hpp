@@ -130,6 +130,7 @@ class SceneContacts : private ContactView {
   /// The motion that follows along the support that lies_on() found.
   [[nodiscard]] After goes_along(const State<double>& at, const Support& on, double passed) {
     PHYSIM_ASSERT(length(on.hit.normal) > 0);
+    if (is_one_way_too_many(passed)) return After{Then::lies, at, r_.step_length()};
     note_touched(at, passed);
     State<double> s = at;
     SceneHit hit = on.hit;
@@ -171,9 +172,7 @@ class SceneContacts : private ContactView {
     if (moves(hit)) hit.velocity = carried(hit, s.x, {}, passed, 0).v;
     constrain(hit);
     const double pressure = pressure_on(s, hit, passed, 0), rate = dot(s.v - hit.velocity, hit.normal);
-    const double epsilon =
-        is_float32() ? double{std::numeric_limits<float>::epsilon()} : std::numeric_limits<double>::epsilon();
-    double rounding = 8 * epsilon * (length(s.v) + length(hit.velocity));
+    double rounding = 8 * epsilon() * (length(s.v) + length(hit.velocity));
     if (is_ball()) rounding += 4 * spacing(s.x) / radius * length(s.v - hit.velocity);  // of the normal about an edge
     if (!(pressure > 0) || rate > rounding || rate < -rounding - std::sqrt(2 * pressure * within)) return std::nullopt;
     return Support{hit, near.distance - radius};
@@ -222,6 +221,13 @@ class SceneContacts : private ContactView {
       off += hit.normal * gap;
     }
     return held(x + off);
+  }
+
+  /// Whether so many ways along surfaces began within a part of the step that rounding may hold it where it is: it goes
+  /// on in the next step.
+  [[nodiscard]] bool is_one_way_too_many(double passed) {
+    if (passed - ways_since_ >= kLongestPart) ways_since_ = passed, ways_ = 0;
+    return ++ways_ > 2 * kMostHits;
   }
 
   /// One contact; nothing where another one follows in `s`, `hit` and `passed`.
@@ -743,6 +749,8 @@ class SceneContacts : private ContactView {
   SceneFilter solids_;
   collide::TubeCasts casts_;  // about the way that was looked at last
   int hits_ = 0;
+  int ways_ = 0;           // that began since then:
+  double ways_since_ = 0;  // into the step [s]
   bool carried_ = false;
   std::optional<double> above_;      // what it goes along, to begin with [m]
   std::vector<InstanceId> touched_;  // when the step began, by what lay there

@@ -28,6 +28,7 @@ namespace physim {
 struct BallGrip {
   double friction;            // mu [-]
   double rolling_resistance;  // c [-]
+  double no_slip = 1e-9;      // as velocities are rounded: what slips by no more rolls [m/s]
 };
 
 /// How a ball on a surface went on.
@@ -41,7 +42,6 @@ struct BallWay {
 inline BallWay slid_or_rolled(const BallMotion& from, const Pull& by, const Vec3d& normal, const Ball& ball,
                               const BallGrip& grip, double time) {
   PHYSIM_ASSERT(time >= 0 && ball.radius > 0 && ball.inertia > 0);
-  constexpr double kNoSlip = 1e-9;  // [m/s]
   const Vec3d& a = by.moving;
   const double pressure = max(-dot(a, normal), 0.0);
   const Vec3d a_t = a - normal * dot(a, normal);
@@ -51,7 +51,7 @@ inline BallWay slid_or_rolled(const BallMotion& from, const Pull& by, const Vec3
   // The part of the pull that makes the ball roll; friction holds the rest.
   const Vec3d a_roll = ball.is_free() ? a_t : cross(component_product(ball.turns, cross(normal, a_t)), normal);
   const double needed = ball.is_free() ? k / (1 + k) * length(a_t) : length(a_t - a_roll * (1 / (1 + k)));
-  if (slip <= kNoSlip && needed <= grip.friction * pressure) {
+  if (slip <= grip.no_slip && needed <= grip.friction * pressure) {
     const auto left_of = [&](const Vec3d& pull) { return ball.is_free() ? pull : pull - a_t + a_roll; };
     const Pull pulls(left_of(a) * (1 / (1 + k)), left_of(by.at_rest) * (1 / (1 + k)));
     const Rolled on = rolled(from.velocity, pulls, normal, {0, 0, grip.rolling_resistance}, time);
@@ -59,11 +59,12 @@ inline BallWay slid_or_rolled(const BallMotion& from, const Pull& by, const Vec3
     return {time, on.way, {on.velocity, component_product(ball.turns, about)}};
   }
   const double pull = length(a_t);
-  const Vec3d along = slip > kNoSlip ? u * (1 / slip) : pull > 0 ? a_t * (1 / pull) : Vec3d{};
+  const Vec3d along = slip > grip.no_slip ? u * (1 / slip) : pull > 0 ? a_t * (1 / pull) : Vec3d{};
   const double friction = grip.friction * pressure;
   const Vec3d about = cross(normal, along);
-  const double ending = friction * (1 + ball.free_part(about) / k) - dot(a_t, along);  // so fast the slip ends
-  const double taken = slip > kNoSlip && ending > 0 ? min(time, slip / ending) : time;
+  // So fast the slip ends; where nothing rubs, that it passes through zero ends nothing.
+  const double ending = friction > 0 ? friction * (1 + ball.free_part(about) / k) - dot(a_t, along) : 0;
+  const double taken = slip > grip.no_slip && ending > 0 ? min(time, slip / ending) : time;
   const Vec3d dv = a_t - along * friction;
   const Vec3d dw = component_product(ball.turns, about) * (friction / (k * ball.radius));
   return {

@@ -67,4 +67,15 @@ TEST(BallRolling, a_point_that_turns_around_stops_first) {
   EXPECT_EQ(stays.velocity, Vec3d{});
 }
 
+/// Where nothing rubs, a slip that passes through zero ends nothing; one that is rounding rolls.
+TEST(BallRolling, a_slip_ends_a_way_only_where_something_rubs) {
+  const Ball ball{0.1, 0.4};
+  const Vec3d a{-0.5, -10, 0};
+  const BallWay smooth = slid_or_rolled({{1e-8, 0, 0}, {}}, a, kUp, ball, {0, 0}, 1);
+  EXPECT_EQ(smooth.time, 1);
+  EXPECT_NEAR(smooth.motion.velocity.x, -0.5, 1e-7);
+  EXPECT_LT(slid_or_rolled({{1e-8, 0, 0}, {}}, a, kUp, ball, {1, 0}, 1).time, 1e-8);
+  EXPECT_EQ(slid_or_rolled({{1e-8, 0, 0}, {}}, a, kUp, ball, {1, 0, 1e-7}, 1).time, 1);
+}
+
 }  // namespace physim::model_ball_rolling_test

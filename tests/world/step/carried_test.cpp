@@ -307,4 +307,26 @@ TEST(Carried, a_plate_that_turns_fast_presses_and_is_followed_in_parts_of_its_tu
   }
 }
 
+/// In float32 the slip of a ball is rounded anew where each way begins. Each such slip began a way of a nanosecond, so
+/// that a second took minutes.
+TEST(Carried, a_ball_of_float32_on_what_turns_goes_as_one_of_float64) {
+  const auto after = [](Precision precision, double friction, double rate) {
+    Scene scene;
+    const MaterialId made_of = *scene.add_material({.restitution = 0, .friction = 1});
+    add_thing(scene, SphereShape{1}, {.material = made_of, .motion = SteadyMotion{.angular_velocity = {0.5, 0, 0}}});
+    World world = make_world(space(), scene);
+    ProjectileDef ball = puck();
+    ball.fidelity.precision = precision;
+    const Launch launch{.position = {0, 1.35, 0.02}, .velocity = Vec3d{0, 0, 0.1}};
+    const ProjectileId id = *world.spawn(ball, launch, bouncing(0.05, 0, friction));
+    run_for(world, 0.8, 1 / rate);
+    return world[id].position();
+  };
+  for (const double friction : {0.0, 0.3})
+    for (const double rate : {60.0, 1000.0}) {
+      const Vec3d one = after(Precision::float32, friction, rate), other = after(Precision::float64, friction, rate);
+      EXPECT_LT(length(one - other), 2e-3) << friction << ' ' << rate;
+    }
+}
+
 }  // namespace physim::world_carried_test
