@@ -107,6 +107,7 @@ class SceneContacts : private ContactView {
 
   /// What follows from meeting something, `passed` into the step.
   [[nodiscard]] After struck(const State<double>& s, const SceneHit& hit, double passed) {
+    bends_ = 0;
     return followed(std::nullopt, s, with_facing_normal(hit), passed);
   }
 
@@ -224,9 +225,10 @@ class SceneContacts : private ContactView {
   }
 
   /// Whether so many ways along surfaces began within a part of the step that rounding may hold it where it is: it goes
-  /// on in the next step.
+  /// on in the next step. A way may bend as often as it can until the next one.
   [[nodiscard]] bool is_one_way_too_many(double passed) {
     if (passed - ways_since_ >= kLongestPart) ways_since_ = passed, ways_ = 0;
+    bends_ = 0;
     return ++ways_ > 2 * kMostHits;
   }
 
@@ -587,7 +589,7 @@ class SceneContacts : private ContactView {
     if (part == 1 && lands) return After{Then::lands, s, passed};
     if (part == 1 && turn.leaves) return After{Then::flies_on, s, passed};
     if (part == 1 && turn.about) hit.normal = turn.about.away, constrain(hit);
-    if (part == 1 && way.time < left && !moves(hit) && ++hits_ <= kMostHits)
+    if (part == 1 && way.time < left && !moves(hit) && ++bends_ <= kMostHits)
       return moves_along(s, hit, passed, way.motion, a + changed_by(r_, began, s, begin));
     if (part == 1) return After{passed < r_.step_length() ? Then::flies_on : Then::lies, s, passed};
     const double comes = -dot(s.v - next.velocity, next.normal);
@@ -749,6 +751,7 @@ class SceneContacts : private ContactView {
   SceneFilter solids_;
   collide::TubeCasts casts_;  // about the way that was looked at last
   int hits_ = 0;
+  int bends_ = 0;          // of one way along a surface
   int ways_ = 0;           // that began since then:
   double ways_since_ = 0;  // into the step [s]
   bool carried_ = false;

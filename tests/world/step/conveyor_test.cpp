@@ -234,4 +234,24 @@ TEST(Conveyor, is_kept_by_snapshots_saves_and_recordings) {
   replayed(world, recording);
 }
 
+/// A way around a drum bends two thousand times a second: as often in one long step as in many.
+TEST(Conveyor, long_steps_around_a_drum_end_where_short_ones_do) {
+  const auto after = [](double step) {
+    Scene scene;
+    add_thing(scene, CapsuleShape{10, 60},
+              {.transform = {.position = {0, -10, 0}, .rotation = {std::sqrt(0.5), std::sqrt(0.5), 0, 0}},
+               .material = *scene.add_material({.restitution = 0, .friction = 0.5}),
+               .conveyor = {{kBelt, 0, 0}}});
+    World world = make_world(space(), scene);
+    const ProjectileId id = *world.spawn(puck(), {.position = {0, 0.05, 0}, .velocity = Vec3d{0.5, 0, 0}}, laid(0.05, 0.6));
+    run_for(world, 1, step);
+    return world[id].state();
+  };
+  const auto right = after(1.0 / 60);
+  for (const double step : {1.0 / 3, 0.5, 1.0}) {
+    EXPECT_NEAR(length(after(step).position - right.position), 0, 2e-3) << step;
+    EXPECT_NEAR(length(after(step).velocity - right.velocity), 0, 2e-3) << step;
+  }
+}
+
 }  // namespace physim::world_conveyor_test
