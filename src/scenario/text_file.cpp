@@ -103,8 +103,13 @@ Result<Bytes> read(const std::string& file, std::uintmax_t most_bytes, const std
 
 Result<std::string> read_text_file(const std::string& file, std::uintmax_t most_bytes, const std::string& kind) {
   auto text = read<std::string>(file, most_bytes, kind);
+  if (!text) return text;
+  if (text->starts_with("\xff\xfe") || text->starts_with("\xfe\xff"))
+    return Error{"the text is in UTF-16", file + ":1:1", "save it as UTF-8"};
   constexpr std::string_view kByteOrderMark = "\xef\xbb\xbf";  // as spreadsheets and editors write it
-  if (text && text->starts_with(kByteOrderMark)) text->erase(0, kByteOrderMark.size());
+  if (text->starts_with(kByteOrderMark)) text->erase(0, kByteOrderMark.size());
+  constexpr char kEndMark = 0x1a;  // of texts from DOS; a file with zeros is no text
+  if (text->ends_with(kEndMark) && text->find('\0') == text->npos) text->pop_back();
   return text;
 }
 
@@ -133,9 +138,10 @@ bool is_special(const std::string& path) {
 }
 
 std::string_view take_line(std::string_view& text) {
-  const std::size_t end = std::min(text.find('\n'), text.size());
+  const std::size_t end = std::min(text.find_first_of("\r\n"), text.size());
   const std::string_view line = text.substr(0, end);
-  text.remove_prefix(std::min(end + 1, text.size()));
+  text.remove_prefix(end);
+  text.remove_prefix(text.starts_with("\r\n") ? 2 : std::min<std::size_t>(1, text.size()));
   return line;
 }
 

@@ -13,9 +13,9 @@
 
 namespace physim {
 
-/// The text of a file of at most `most_bytes`, without a byte order mark; `kind` names in errors what it should be:
-/// "scenario file". A pipe is read to its end within the same limit; it is refused if it has no writer, or if nothing
-/// comes for a minute. Folders, devices and sockets are refused.
+/// The text of a file of at most `most_bytes`, without a byte order mark and an end mark of DOS; UTF-16 is refused.
+/// `kind` names in errors what it should be: "scenario file". A pipe is read to its end within the same limit; it is
+/// refused if it has no writer, or if nothing comes for a minute. Folders, devices and sockets are refused.
 [[nodiscard]] Result<std::string> read_text_file(const std::string& file, std::uintmax_t most_bytes,
                                                  const std::string& kind);
 /// The bytes of a file, read as read_text_file() reads.
@@ -26,7 +26,7 @@ namespace physim {
 /// libraries that open files themselves.
 [[nodiscard]] Status check_file(const std::string& file, std::uintmax_t most_bytes, const std::string& kind);
 
-/// Takes the next line off the front of a text, without its end.
+/// Takes the next line off the front of a text, without its end: LF, CR LF or CR.
 [[nodiscard]] std::string_view take_line(std::string_view& text);
 /// The words of a line: views into it, parted by blanks.
 [[nodiscard]] std::vector<std::string_view> words_of(std::string_view line);

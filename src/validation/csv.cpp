@@ -4,7 +4,6 @@
 #include <cctype>
 #include <charconv>
 #include <cmath>
-#include <sstream>
 
 #include "base/assert.hpp"
 #include "base/text.hpp"
@@ -57,19 +56,16 @@ CsvFile CsvFile::read(const std::filesystem::path& path) {
   constexpr std::uintmax_t kLargestFile = 256 << 20;  // [bytes]
   const Result<std::string> text = read_text_file(path.string(), kLargestFile, "file of figures");
   if (!text) throw DataError{text.error()};
-  std::istringstream in(*text);
   CsvFile file;
   file.path_ = path;
-  std::string line;
-  for (int number = 1; std::getline(in, line); ++number) file.add_line(line, number);
+  std::string_view rest = *text;
+  for (int number = 1; !rest.empty(); ++number) file.add_line(take_line(rest), number);
   if (file.columns_.empty())
     throw DataError{{.message = "no header line with column names", .place = path.string() + ":1"}};
   return file;
 }
 
-void CsvFile::add_line(std::string line, int number) {
-  constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
-  if (number == 1 && line.starts_with(kByteOrderMark)) line.erase(0, kByteOrderMark.size());
+void CsvFile::add_line(std::string_view line, int number) {
   const std::string_view content = trimmed(line);
   if (content.empty()) return;
   if (content.front() == '#') {

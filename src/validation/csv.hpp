@@ -53,7 +53,7 @@ class CsvFile {
 
  private:
   [[nodiscard]] std::optional<std::size_t> index_of(std::string_view column) const;
-  void add_line(std::string line, int number);
+  void add_line(std::string_view line, int number);
   void add_row(std::vector<std::string> fields, int number);
 
   std::filesystem::path path_;

@@ -35,6 +35,20 @@ TEST(MotorFile, a_byte_order_mark_is_no_part_of_a_name_and_xml_is_told_as_such) 
   EXPECT_EQ(xml.error().text(), "f.rse:1: error: this is XML, as RockSim writes it; only RASP files (.eng) are read");
 }
 
+TEST(MotorFile, lines_end_as_any_program_ends_them) {
+  const auto motors = must(parse_motor_file(kTwo, "two.eng"));
+  for (const char* end : {"\r\n", "\r"}) {
+    std::string text;
+    for (const char c : std::string(kTwo)) text += c == '\n' ? std::string(end) : std::string(1, c);
+    const auto others = must(parse_motor_file(text, "two.eng"));
+    ASSERT_EQ(others.size(), motors.size());
+    for (std::size_t i = 0; i < motors.size(); ++i) {
+      EXPECT_EQ(others[i].motor, motors[i].motor);
+      EXPECT_EQ(others[i].line, motors[i].line);
+    }
+  }
+}
+
 TEST(MotorFile, reads_motors_with_their_thrust_from_zero) {
   const auto motors = must(parse_motor_file(kTwo, "two.eng"));
   ASSERT_EQ(motors.size(), 2u);

@@ -55,6 +55,29 @@ TEST(TextFile, IsReadToItsEnd) {
   ASSERT_EQ(read_byte_file(folder.write("b", bytes), kSmall, "list")->size(), 3U);
 }
 
+TEST(TextFile, IsTextInUtf8WithoutItsMarks) {
+  const Folder folder;
+  const auto text = [&](const std::string& bytes) { return read_text_file(folder.write("a", bytes), kSmall, "list"); };
+  EXPECT_EQ(must(text("\xef\xbb\xbf"
+                      "a\n\x1a")),
+            "a\n");
+  EXPECT_EQ(must(text(std::string("a\0\x1a", 3))), std::string("a\0\x1a", 3)) << "numbers in bytes";
+  for (const std::string& wide : {std::string("\xff\xfe"
+                                              "a\0",
+                                              4),
+                                  std::string("\xfe\xff"
+                                              "\0a",
+                                              4)})
+    EXPECT_EQ(text(wide).error().text(), (folder / "a") + ":1:1: error: the text is in UTF-16; save it as UTF-8");
+}
+
+TEST(TextFile, HasLinesThatEndInThreeWays) {
+  std::string_view text = "a\n\nb\r\n\r\nc\r\rd";
+  std::vector<std::string_view> lines;
+  while (!text.empty()) lines.push_back(take_line(text));
+  EXPECT_EQ(lines, (std::vector<std::string_view>{"a", "", "b", "", "c", "", "d"}));
+}
+
 TEST(TextFile, SaysWhatStandsThere) {
   const Folder folder;
   const auto refusal = [&](const std::string& file) { return read_text_file(file, kSmall, "list").error().text(); };
