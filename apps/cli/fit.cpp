@@ -6,13 +6,12 @@
 #include <charconv>
 #include <cmath>
 #include <memory>
-#include <sstream>
 
 #include "asked.hpp"
-#include "scenario/files_in_use.hpp"
-#include "scenario/measured_column.hpp"
+#include "base/assert.hpp"
+#include "math/angles.hpp"
+#include "scenario/measured_table.hpp"
 #include "scenario/suggest.hpp"
-#include "scenario/text_file.hpp"
 #include "scenario/units.hpp"
 #include "terminal.hpp"
 
@@ -36,114 +35,97 @@ struct DataColumn {
 constexpr std::array<std::string_view, 4> kNames = {"range", "speed", "drop", "time"};
 constexpr Quantity kQuantities[] = {Quantity::length, Quantity::speed, Quantity::length, Quantity::time};
 
-/// Reads a table with a header line: "range [yd], speed [ft/s], drop [in], time [s]" in any order, range and at least
-/// one other; SI where no unit is given. A drop may be an angle, as a scope shows it. Empty fields are not measured;
-/// lines that start with '#' are comments. Errors carry file:line:col.
+/// Reads a table of measurements: "range [yd], speed [ft/s], drop [in], time [s]" in any order, range and at least one
+/// other. A drop may be an angle, as a scope shows it. Empty fields are not measured. Errors carry file:line:column.
 class Reader {
  public:
   explicit Reader(const std::string& file) : file_(file) {}
 
   Result<FitData> read() {
-    constexpr std::uintmax_t kLargestTable = 64 << 20;  // [bytes]
-    const Result<std::string> text = read_text_file(file_, kLargestTable, kMeasurements);
-    if (!text) return text.error();
-    std::istringstream in(*text);
-    std::string line;
-    while (std::getline(in, line)) {
-      ++line_;
-      if (line_ == 1 && line.starts_with("\xEF\xBB\xBF")) line.erase(0, 3);
-      if (!line.empty() && line.back() == '\r') line.pop_back();
-      const std::string_view content = trimmed(line);
-      if (content.empty() || content.front() == '#') continue;
-      const Status status = columns_.empty() ? read_header(line) : read_row(line);
-      if (!status) return status.error();
-    }
-    if (columns_.empty())
-      return Error{.message = "there is no header line",
-                   .place = file_ + ":1:1",
-                   .hint = "write range [m], speed [m/s] above the figures"};
+    const Status status = read_measured_table(
+        file_, [this](const MeasuredLine& heads) { return read_header(heads); },
+        [this](const MeasuredLine& row) { return read_row(row); });
+    if (!status) return status.error();
     if (data_.measurements.empty())
-      return Error{.message = "there is no figure below the header",
-                   .place = file_ + ":" + std::to_string(line_) + ":1"};
+      return Error{.message = "there is no figure below the header", .place = header_place_};
     return std::move(data_);
   }
 
  private:
-  [[nodiscard]] std::string place(std::size_t column) const {
-    return file_ + ":" + std::to_string(line_) + ":" + std::to_string(column);
-  }
-
-  [[nodiscard]] FitUnit* unit_of(std::string_view name) {
+  [[nodiscard]] FitUnit& unit_of(std::string_view name) {
     FitUnits& u = data_.units;
-    return name == "range" ? &u.range : name == "speed" ? &u.speed : name == "drop" ? &u.drop : &u.time;
+    return name == "range" ? u.range : name == "speed" ? u.speed : name == "drop" ? u.drop : u.time;
   }
 
-  Status read_header(const std::string& line) {
-    for (const CsvField& field : csv_fields(line)) {
-      const std::size_t bracket = field.text.find('[');
-      const std::string name(trimmed(field.text.substr(0, bracket)));
-      const auto known = std::find(kNames.begin(), kNames.end(), name);
-      if (known == kNames.end())
-        return Error{.message = "unknown column " + in_quotes(name),
-                     .place = place(field.column),
-                     .hint = suggestion(name, kNames, "known columns")};
-      DataColumn column{*known, kQuantities[known - kNames.begin()], ""};
-      if (bracket != std::string_view::npos) {
-        const std::size_t end = field.text.find(']', bracket);
-        if (end == std::string_view::npos)
-          return Error{
-              .message = "the unit has no closing bracket", .place = place(field.column), .hint = "write range [m]"};
-        column.unit = std::string(trimmed(field.text.substr(bracket + 1, end - bracket - 1)));
-        const std::string unit = "1 " + column.unit;
-        Result<double> one = parse_quantity(unit, column.quantity);
-        if (const auto angle = parse_quantity(unit, Quantity::angle); angle && name == "drop")
-          one = angle, column.quantity = Quantity::angle;
-        if (!one) return Error{.message = one.error().message, .place = place(field.column), .hint = one.error().hint};
-        *unit_of(name) = {column.unit, *one, column.quantity == Quantity::angle};
-      }
-      if (std::ranges::count(columns_, column.name, &DataColumn::name) > 0)
-        return Error{.message = "two columns are named " + in_quotes(name), .place = place(field.column)};
-      columns_.push_back(std::move(column));
-    }
+  Status read_header(const MeasuredLine& heads) {
+    header_place_ = heads.place();
+    for (std::size_t i = 0; i < heads.fields.size(); ++i)
+      if (Status status = read_head(heads, i); !status) return status;
     const bool has_range = std::ranges::count(columns_, "range", &DataColumn::name) > 0;
     if (!has_range || columns_.size() < 2)
       return Error{.message = has_range ? "there is a range and nothing else" : "there is no column \"range\"",
-                   .place = place(1),
+                   .place = heads.place(),
                    .hint = "as in range [yd], speed [ft/s], drop [in]"};
     return {};
   }
 
-  Status read_row(const std::string& line) {
-    const std::vector<CsvField> fields = csv_fields(line);
-    if (fields.size() != columns_.size())
-      return Error{.message = std::to_string(fields.size()) + " fields",
-                   .place = place(1),
-                   .hint = "the header has " + std::to_string(columns_.size()) + " columns"};
-    Measurement m;
-    for (std::size_t i = 0; i < fields.size(); ++i) {
-      const DataColumn& column = columns_[i];
-      if (fields[i].text.empty() && column.name != "range") continue;
-      const bool has_unit = fields[i].text.find_first_not_of("0123456789+-.eE") != std::string_view::npos;
-      std::string text(fields[i].text);
-      if (!has_unit && !column.unit.empty()) text += " " + column.unit;
-      const Result<double> value = parse_quantity(text, column.quantity);
-      if (!value || !std::isfinite(*value))
-        return Error{.message = value ? "must be a finite number" : value.error().message,
-                     .place = place(fields[i].column),
-                     .hint = value ? "" : value.error().hint};
-      if (column.name == "range") m.range = *value;
-      if (column.name == "speed") m.speed = *value;
-      if (column.name == "drop") m.drop = *value;
-      if (column.name == "time") m.time = *value;
-    }
-    if (m.drop && data_.units.drop.is_angle) *m.drop = m.range * std::tan(*m.drop);
-    data_.measurements.push_back(m);
-    data_.places.push_back(place(1));
+  Status read_head(const MeasuredLine& heads, std::size_t i) {
+    const auto [name, unit] = head_of(heads.fields[i].text);
+    const auto known = std::find(kNames.begin(), kNames.end(), name);
+    if (known == kNames.end() && name.find('[') != name.npos)
+      return Error{.message = "the unit has no closing bracket", .place = heads.place(i), .hint = "write range [m]"};
+    if (known == kNames.end())
+      return Error{.message = "unknown column " + in_quotes(name),
+                   .place = heads.place(i),
+                   .hint = suggestion(name, kNames, "known columns")};
+    DataColumn column{*known, kQuantities[known - kNames.begin()], std::string(unit)};
+    const std::string one = "1 " + column.unit;
+    const bool is_angle = name == "drop" && !unit.empty() && parse_quantity(one, Quantity::angle);
+    if (is_angle) column.quantity = Quantity::angle;
+    if (Status status = check_head(heads, i, column.quantity); !status) return status;
+    if (!unit.empty()) unit_of(name) = {column.unit, *parse_quantity(one, column.quantity), is_angle};
+    columns_.push_back(std::move(column));
     return {};
   }
 
-  std::string file_;
-  std::size_t line_ = 0;
+  Status read_row(const MeasuredLine& row) {
+    Measurement m;
+    std::size_t drop = 0;  // its field
+    for (std::size_t i = 0; i < row.fields.size(); ++i) {
+      const DataColumn& column = columns_[i];
+      const bool is_range = column.name == "range";
+      if (row.fields[i].text.empty() && is_range)
+        return Error{.message = "the range is empty", .place = row.place(i), .hint = "say where it was measured"};
+      if (row.fields[i].text.empty()) continue;
+      const Result<double> value = number_in(row, i, column.unit, column.quantity);
+      if (!value) return value.error();
+      if (is_range) m.range = *value;
+      if (column.name == "speed") m.speed = *value;
+      if (column.name == "drop") m.drop = *value, drop = i;
+      if (column.name == "time") m.time = *value;
+    }
+    if (m.drop && data_.units.drop.is_angle)
+      if (Status status = from_angle(m, row.place(drop)); !status) return status;
+    data_.measurements.push_back(m);
+    data_.places.push_back(row.place());
+    return {};
+  }
+
+  /// Makes a length of a drop that is an angle.
+  static Status from_angle(Measurement& m, const std::string& place) {
+    PHYSIM_ASSERT(m.drop.has_value());
+    if (m.range == 0)
+      return Error{.message = "an angle at range 0 says nothing of the drop",
+                   .place = place,
+                   .hint = "leave the field empty, or the row out"};
+    if (!(std::abs(*m.drop) < kRightAngle))
+      return Error{.message = "the angle of a drop is below 90 deg", .place = place};
+    *m.drop = m.range * std::tan(*m.drop);
+    return {};
+  }
+
+  const std::string& file_;
+  std::string header_place_;
   std::vector<DataColumn> columns_;
   FitData data_;
 };

@@ -1,7 +1,4 @@
-// A column of measurements out of a CSV file, as a distribution: each of them as likely.
-//
-// The first line that is no comment names the columns, with their units or without: "speed [ft/s], shot". Lines that
-// begin with # are comments; empty fields are left out.
+// A column out of a table of measurements, as a distribution: each of them as likely. Empty fields are left out.
 #pragma once
 
 #include <string>
@@ -10,17 +7,10 @@
 
 #include "physim/result.hpp"
 #include "physim/units.hpp"
+#include "scenario/measured_table.hpp"
 
 namespace physim {
 
-/// The kind of file, in errors.
-inline constexpr const char* kMeasurements = "table of measurements";
-
-/// What a column is read by.
-enum class Measured {
-  values,
-  differences,  // 2 degC are 2 K
-};
 /// The numbers of a column [SI unit of the quantity].
 [[nodiscard]] Result<std::vector<double>> read_measured_column(const std::string& file, std::string_view column,
                                                                Quantity quantity, Measured measured);

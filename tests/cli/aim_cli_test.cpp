@@ -272,13 +272,15 @@ fidelity = { preset = "simulation", drag = "off" }
 }
 
 // ---------------------------------------------------------------------------------------------------------------- fit
-TEST(CliFit, ReadsFieldsInQuotes) {
+TEST(CliFit, ReadsFieldsInQuotesAndBlankLines) {
   const Folder folder;
   const std::string file = folder.write("bullet.toml", kBullet);
   const auto scale = [&](const std::string& data) {
     return json_of(physim({"fit", file, "--data", folder.write("d.csv", data), "--json", "-"}))["scale"].get<double>();
   };
   EXPECT_EQ(scale("\"range [yd]\",\"speed [ft/s]\"\r\n200,\"2202\"\r\n\"500\", \"1673\"\r\n"),
+            scale("range [yd], speed [ft/s]\n200, 2202\n500, 1673\n"));
+  EXPECT_EQ(scale("range [yd], speed [ft/s]\n200, 2202\n,\n500, 1673\n , \n"),
             scale("range [yd], speed [ft/s]\n200, 2202\n500, 1673\n"));
   expect_complaint(physim({"fit", file, "--data", folder.write("d.csv", "range, speed\n100, \"7o0\"\n")}),
                    "d.csv:2:7: error: ");
@@ -322,9 +324,13 @@ TEST(CliFit, ErrorsHaveTheirPlaceInTheData) {
   complaint("range, range, speed\n", "two columns are named \"range\"");
   complaint("speed, drop\n1, 2\n", "there is no column \"range\"");
   complaint("range\n1\n", "there is a range and nothing else");
-  complaint("range, speed\n100, 700\n200\n", "d.csv:3:1: error: 1 fields; the header has 2 columns");
+  complaint("range, speed\n100, 700\n200\n", "d.csv:3:1: error: 1 field; the header has 2 columns");
   complaint("range, speed\n100, 7o0\n", "d.csv:2:6: error: ");
-  complaint("range, speed\n,700\n", "d.csv:2:1: error: ");
+  complaint("range [yd], speed\n,700\n", "d.csv:2:1: error: the range is empty");
+  complaint("range, speed [ft/s]\n100, -\n", "d.csv:2:6: error: \"-\" is not a number");
+  complaint("range;speed\n100;700\n", "d.csv:1:1: error: semicolons part the columns");
+  complaint("range, drop [mil]\n100, -1\n0, -1\n", "d.csv:3:4: error: an angle at range 0 says nothing of the drop");
+  complaint("range, drop [deg]\n100, -90\n", "d.csv:2:6: error: the angle of a drop is below 90 deg");
   complaint("range, speed\n0, 790\n", "lie at the muzzle");
   complaint("range, speed\n100, 500\n# a comment\n300, 650\n500, 500\n", "d.csv:4:1: error: the speed rises");
   complaint("range, speed\n100, 900\n", "less than a thousandth of the drag");

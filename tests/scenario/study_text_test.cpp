@@ -267,7 +267,7 @@ TEST(StudyColumn, is_read_from_the_folder_of_the_scenario) {
     return with ? std::string("none") : with.error().text();
   };
   EXPECT_NE(refused("shot.speed = column sped of speeds.csv").find("did you mean \"speed\""), std::string::npos);
-  EXPECT_NE(refused("shot.mass = column speed of speeds.csv").find("speeds.csv:3: "), std::string::npos);
+  EXPECT_NE(refused("shot.mass = column speed of speeds.csv").find("speeds.csv:2:7: "), std::string::npos);
   EXPECT_NE(refused("shot.speed = column speed of none.csv").find("none.csv"), std::string::npos);
   EXPECT_NE(refused("shot.speed = column speed").find("no distribution"), std::string::npos);
   std::filesystem::remove_all(folder);
