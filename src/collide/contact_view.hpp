@@ -28,7 +28,7 @@ class ContactView {
   [[nodiscard]] Vec3d spin(double passed) const { return component_product(r_.turns(), r_.spin(passed)); }
   [[nodiscard]] bool is_ball() const { return collision().radius > 0; }
   [[nodiscard]] bool is_float32() const { return r_.precision() == Precision::float32; }
-  /// Of the numbers of the projectile's state.
+  /// The machine epsilon of the number type of the projectile's state.
   [[nodiscard]] double epsilon() const {
     return is_float32() ? double{std::numeric_limits<float>::epsilon()} : std::numeric_limits<double>::epsilon();
   }

@@ -92,7 +92,8 @@ struct SettleContext {
 };
 
 /// A step that a forced row took together with others. What only follows from an event in it (the way on after a
-/// bounce) feels the generators as they were there, held; the effect of an emitter on its particles is taken then.
+/// bounce, or along a surface) feels the mean of the generators over the rest of the step; the effect of an emitter on
+/// its particles is taken then.
 template <class S>
 struct TakenStep {
   bool is_stepped = false;  // else `step` is not there: the row steps by itself, and the rest holds

@@ -8,6 +8,7 @@
 #include "base/assert.hpp"
 #include "base/unset.hpp"
 #include "collide/scene_contact.hpp"
+#include "math/elementary.hpp"
 #include "model/contact.hpp"
 #include "physim/scene.hpp"
 #include "solve/judge.hpp"
@@ -149,13 +150,14 @@ class SettledRow final : public ContactHost {
   /// What constraints leave of a velocity or a way.
   [[nodiscard]] Vec3d kept(const Vec3d& v) const override { return kept_of_lane(conditions(), march.lanes, v); }
 
-  /// From now on the models feel what generators gave it then.
+  /// From now to the end of the step the models feel the mean of what generators give it in that time.
   void feel_as_at(double passed) {
     if (!taken_) return;
     felt_from_ = t_start_ + static_cast<S>(passed);
-    if (driven_) return feel_drive(passed, now(), felt_from_);
-    const S part = static_cast<S>(passed / context_.dt);
-    feel(taken_->push[0] + (taken_->push[1] - taken_->push[0]) * part, felt_from_);
+    if (driven_)
+      feel_drive(passed, now(), felt_from_, mean_from(driven_->held, passed));
+    else
+      feel(mean_from(taken_->push, passed), felt_from_);
   }
   /// Whether its emitter acts on its flight.
   [[nodiscard]] bool is_driven() const { return driven_.has_value(); }
@@ -172,13 +174,14 @@ class SettledRow final : public ContactHost {
     if (is_classic(c.fidelity)) s.slope[0].x = s.start.v;
     for (int stage = 0; stage < end_slope(integrator); ++stage) {
       const State<S> at = stage == 0 ? s.start : s.end;
-      feel_drive(passed + stage_place(integrator, stage) * length, at, stage_time(integrator, stage, s));
+      const double then = passed + stage_place(integrator, stage) * length;
+      feel_drive(then, at, stage_time(integrator, stage, s), push_at(driven_->held, then));
       advance_stage(c, stage, march.lanes);
     }
     if (is_classic(c.fidelity)) {
       s.slope[0].v = s.slope[1].v;
     } else {
-      feel_drive(passed + length, s.end, s.t_end);
+      feel_drive(passed + length, s.end, s.t_end, push_at(driven_->held, passed + length));
       set_slope(c, march.lanes, end_slope(integrator));
     }
   }
@@ -364,7 +367,19 @@ class SettledRow final : public ContactHost {
       Rows::get<RotorConstants>(columns_.rotor, row_, *lane.rotor);
       Rows::get(columns_.turn, row_, lane.step.turn->start);
     }
-    if (taken_) feel(taken_->push[0], t_start_);
+    if (taken_) feel(mean_from(taken_->push, 0), t_start_);
+  }
+  /// What generators give it at a time of the step, of what they give at its start and end.
+  [[nodiscard]] Pushed<S> push_at(const Pushed<S> (&ends)[2], double passed) const {
+    return ends[0] + (ends[1] - ends[0]) * static_cast<S>(passed / context_.dt);
+  }
+  /// The mean of that from `passed` to the end. Drag among it falls as exp(-r t), r = drag_rate: the more of it there
+  /// is, the nearer the mean is to that at the end, so that drag stops nothing that it cannot stop in the air.
+  [[nodiscard]] Pushed<S> mean_from(const Pushed<S> (&ends)[2], double passed) const {
+    constexpr double kStraight = 1e-3;
+    const double z = static_cast<double>(ends[0].drag_rate) * (context_.dt - passed);
+    const double part = z > kStraight ? 1 / z - 1 / expm1(z) : 0.5;  // of that at `passed`
+    return ends[1] + (push_at(ends, passed) - ends[1]) * static_cast<S>(part);
   }
   /// From now on the models feel that by generators.
   void feel(const Pushed<S>& push, S t) {
@@ -375,12 +390,10 @@ class SettledRow final : public ContactHost {
   [[nodiscard]] static Pushed<S> narrow(const Pushed<double>& push) {
     return {vec_cast<S>(push.a), static_cast<S>(push.drag_rate)};
   }
-  /// From now on they feel generators, held, and what its emitter does to it there.
-  void feel_drive(double passed, const State<S>& at, S t) {
-    const S part = static_cast<S>(passed / context_.dt);
-    const Pushed<S>* const held = driven_->held;
+  /// From now on they feel a push of generators, and what its emitter does to it at a time.
+  void feel_drive(double passed, const State<S>& at, S t, const Pushed<S>& held) {
     driven_->felt = driven_->by.at(context_.time + passed, {vec_cast<double>(at.x), vec_cast<double>(at.v)});
-    feel(held[0] + (held[1] - held[0]) * part + narrow(driven_->felt), t);
+    feel(held + narrow(driven_->felt), t);
   }
   /// Whether its emitter acts on it; and what generators alone gave it then.
   void find_drive() {

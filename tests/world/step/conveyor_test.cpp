@@ -243,7 +243,8 @@ TEST(Conveyor, long_steps_around_a_drum_end_where_short_ones_do) {
                .material = *scene.add_material({.restitution = 0, .friction = 0.5}),
                .conveyor = {{kBelt, 0, 0}}});
     World world = make_world(space(), scene);
-    const ProjectileId id = *world.spawn(puck(), {.position = {0, 0.05, 0}, .velocity = Vec3d{0.5, 0, 0}}, laid(0.05, 0.6));
+    const ProjectileId id =
+        *world.spawn(puck(), {.position = {0, 0.05, 0}, .velocity = Vec3d{0.5, 0, 0}}, laid(0.05, 0.6));
     run_for(world, 1, step);
     return world[id].state();
   };

@@ -332,6 +332,40 @@ TEST(WorldForces, landings_lie_on_the_real_step) {
   }
 }
 
+/// What lies on ice feels the mean of a push over a step: with that of the step's start the energy of a spring grew
+/// eight times in ten seconds, and drag that is strong for the step threw a puck away.
+TEST(WorldForces, what_lies_on_ice_swings_at_a_spring_and_is_stopped_by_drag) {
+  WorldDef def = empty_space(true);
+  def.ground.mode = GroundMode::bounce;
+  BodyDef puck{.restitution = 0, .friction = 0, .rolling_resistance = 0};
+  puck.can_sleep = false;
+  for (const Precision p : {Precision::float32, Precision::float64})
+    for (const Integrator i : {Integrator::semi_implicit_euler, Integrator::rk4})
+      for (const double dt : {1.0 / 240, 1.0 / 60, 0.1}) {
+        World world = make(def);
+        const ProjectileId id = *world.spawn(ball(rung(i, p)), at({1, 0, 0}), puck);
+        AnchoredSpring law = spring_to_origin(25);
+        world[id].add_force(law);
+        double least = 1e9, most = 0;
+        for (int k = 0; k * dt < 10; ++k) {
+          ASSERT_TRUE(world.step(dt));
+          const double x = world[id].position().x, v = world[id].velocity().x, energy = 25 * x * x + v * v;
+          least = std::min(least, energy), most = std::max(most, energy);
+        }
+        EXPECT_LT(most, 25 * 1.1) << test::text(i) << dt;
+        EXPECT_GT(least, dt < 0.1 ? 25 * 0.9 : 0) << test::text(i) << dt;
+
+        World thick = make(def);
+        const ProjectileId slow = *thick.spawn(ball(rung(i, p)), at({0, 0, 0}, {3, 0, 0}), puck);
+        thick[slow].add_force(LinearQuadraticDragForce{.k1 = 2 / dt});
+        for (int k = 0; k < 100; ++k) {
+          ASSERT_TRUE(thick.step(dt));
+          ASSERT_LE(std::abs(thick[slow].velocity().x), 3.1);
+        }
+        EXPECT_LT(std::abs(thick[slow].velocity().x), 0.1) << test::text(i) << dt;
+      }
+}
+
 TEST(WorldForces, bounces_and_rest_under_a_gravity_generator) {
   for (const Precision p : {Precision::float32, Precision::float64}) {
     WorldDef with = empty_space(true);
