@@ -37,6 +37,16 @@ std::string length_text(double x) {
   return rounded_text(x) + " m";
 }
 
+std::string within_sentence(const Error& error) {
+  const std::string text = error.place.empty() ? error.message : error.place + ": " + error.message;
+  return error.hint.empty() ? text : text + "; " + error.hint;
+}
+
+void replace_all(std::string& text, const std::string& from, const std::string& to) {
+  PHYSIM_ASSERT(!from.empty());
+  for (std::size_t at = 0; (at = text.find(from, at)) != text.npos; at += to.size()) text.replace(at, from.size(), to);
+}
+
 std::string formatted(const char* pattern, ...) {
   va_list arguments, again;
   va_start(arguments, pattern);

@@ -17,7 +17,7 @@ void say_why_it_landed_at_once(FlightRecord& record, double ground) {
   const std::string height = short_text(ground);
   record.cohort.in_use.notes.push_back({"until.ground", height, height,
                                         "it starts on the ground and does not rise, so it has landed at once; start it "
-                                        "higher by launch.position, or give another ground or none"});
+                                        "at a higher position, or give another ground or none"});
 }
 
 /// A flight that is over before it begins has one node; `body` is launched where it begins.

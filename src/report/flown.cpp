@@ -28,16 +28,11 @@ Result<std::size_t> find_shot(const Scenario& scenario, const std::string& wante
 
 namespace {
 
-/// The path in files of a member of the library: "launch.sight.zero_range" becomes `shot` + ".sight.zero_range".
-std::string in_files(std::string_view member, const std::string& shot = "shot") {
-  for (const std::string_view of_shot : {"launch.", "projectile."})
-    if (member.starts_with(of_shot)) return shot + "." + std::string(member.substr(of_shot.size()));
-  return std::string(member);
-}
-
 /// The place in a file at which a member of the library is set for a shot; empty if no file sets it.
-std::string given_place(const Scenario& scenario, const ScenarioShot& shot, std::string_view member) {
-  const std::string path = in_files(member, "shot." + shot.projectile.name);
+std::string given_place(const Scenario& scenario, const ScenarioShot& shot, const std::string& member) {
+  constexpr std::string_view kShot = "shot.";
+  std::string path = in_files(member);
+  if (path != member) path.insert(kShot.size(), shot.projectile.name + ".");
   for (std::size_t end = path.size(); end != path.npos && end > 0; end = path.find_last_of(".[", end - 1)) {
     const auto at = std::ranges::lower_bound(scenario.given, path.substr(0, end), {}, &GivenSetting::path);
     if (at != scenario.given.end() && at->path == path.substr(0, end)) return at->place;
@@ -53,7 +48,8 @@ Error about(const Scenario& scenario, const ScenarioShot& shot, Error error) {
     error.place = place;
     return error;
   }
-  const std::string field = error.place.empty() ? "" : ": " + in_files(error.place);
+  const bool is_all = error.place.empty() || error.place == "launch" || error.place == "projectile";
+  const std::string field = is_all ? "" : ": " + in_files(error.place);
   error.place = scenario.file + ": shot \"" + shot.projectile.name + "\"" + field;
   return error;
 }

@@ -5,9 +5,11 @@
 #include <nlohmann/json.hpp>
 
 #include "base/assert.hpp"
+#include "base/text.hpp"
 #include "math/angles.hpp"
 #include "report/number.hpp"
 #include "report/table.hpp"
+#include "scenario/names.hpp"
 #include "scenario/units.hpp"
 
 namespace physim::report {
@@ -41,7 +43,8 @@ std::string counts_text(const FlownStudy& flown) {
   if (r.time_was_up) text += "; the time was up, and --shots " + std::to_string(r.shots) + " gives the same again";
   if (misses_width(flown.plan.study(), r)) text += "; the width asked for takes more shots than these";
   if (r.not_arrived > 0) text += "; " + std::to_string(r.not_arrived) + " did not arrive";
-  if (r.refused > 0) text += "; " + std::to_string(r.refused) + " refused: " + r.first_refusal->text();
+  if (r.refused > 0)
+    text += "; " + std::to_string(r.refused) + " refused: " + in_files(within_sentence(*r.first_refusal));
   return text + "\n\n";
 }
 
@@ -306,7 +309,7 @@ Json json_of(const FlownStudy& flown) {
           {"histograms", histograms_json(flown)},
           {"at", places_json(flown)},
           {"worst", std::move(worst)},
-          {"notes", flown.plan.notes()}};
+          {"notes", notes_of(flown.plan)}};
 }
 
 /// State of a shot: rows for people, quantities and hits for programs. `place`: "800 m: " before what is of a place.
@@ -366,6 +369,12 @@ FlownStudy told_study(const StudyPlan& plan, StudyResult result, std::size_t his
 std::string name_of_place(const FlownStudy& flown, std::size_t i) {
   PHYSIM_ASSERT(i < flown.plan.study().at.size());
   return place_text(flown.plan.study().at[i].event);
+}
+
+std::vector<std::string> notes_of(const StudyPlan& plan) {
+  std::vector<std::string> notes;
+  for (const std::string& note : plan.notes()) notes.push_back(in_files(note));
+  return notes;
 }
 
 Answer study_answer(const AskedShot& asked, const FlownStudy& flown, const Style& style) {

@@ -31,6 +31,9 @@ struct FlownStudy {
 /// "800 m", "height 100 m falling": what the i-th place is called.
 [[nodiscard]] std::string name_of_place(const FlownStudy& flown, std::size_t i);
 
+/// The notes of a plan, with its settings by their paths in files.
+[[nodiscard]] std::vector<std::string> notes_of(const StudyPlan& plan);
+
 /// The unit of an input's number; empty where the study is of a function.
 [[nodiscard]] std::string unit_of(const StudyInput& input);
 /// "shot.speed [m/s]"; "shot.speed += [m/s]" of what is added.

@@ -2,6 +2,18 @@
 
 namespace physim {
 
+std::string in_files(std::string text) {
+  constexpr std::string_view kShot = "shot.", kLetters = "abcdefghijklmnopqrstuvwxyz";
+  for (const std::string_view member : {"launch.", "projectile."})
+    for (std::size_t at = 0; (at = text.find(member, at)) != text.npos; ++at) {
+      const bool is_word = at == 0 || std::string_view(" \"'`(").find(text[at - 1]) != std::string_view::npos;
+      const std::size_t end = at + member.size();
+      const bool has_name = end < text.size() && kLetters.find(text[end]) != kLetters.npos;
+      if (is_word && has_name) text.replace(at, member.size(), kShot);
+    }
+  return text;
+}
+
 ScenarioNames::ScenarioNames(const Scenario& scenario) {
   for (const ScenarioShot& shot : scenario.shots) shots.add(shot.projectile.name);
   for (const ScenarioThing& thing : scenario.things) things.add(thing.name);

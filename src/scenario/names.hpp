@@ -2,6 +2,7 @@
 #pragma once
 
 #include <optional>
+#include <string>
 #include <string_view>
 #include <unordered_map>
 #include <unordered_set>
@@ -10,6 +11,10 @@
 #include "scenario/scenario.hpp"
 
 namespace physim {
+
+/// A text of the library with its members by their paths in files: "launch.speed" and "projectile.mass" become
+/// "shot.speed" and "shot.mass".
+[[nodiscard]] std::string in_files(std::string text);
 
 /// Numbers of named things. The texts must stay where they are.
 class NameIndex {

@@ -122,7 +122,7 @@ Status fly_pilot(StudyPlanRecord& plan) {
   if (told.refused == kPilotShots && told.error) return *told.error;
   if (told.refused > 0 && told.error && plan.notes.empty())
     plan.notes.push_back("about " + rounded_text(100.0 * static_cast<double>(told.refused) / kPilotShots) +
-                         " % of the shots are refused, as the first: " + told.error->text());
+                         " % of the shots are refused, as the first: " + within_sentence(*told.error));
   const auto told_of = [](std::size_t arrived) {
     return "of " + std::to_string(kPilotShots) + " shots " + std::to_string(arrived) + " arrived";
   };

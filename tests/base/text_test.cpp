@@ -34,4 +34,12 @@ TEST(Text, LengthsHaveTheUnitThatSuitsThem) {
   EXPECT_EQ(length_text(std::numeric_limits<double>::infinity()), "inf m");
 }
 
+TEST(Text, has_errors_within_a_sentence_and_replaced_parts) {
+  EXPECT_EQ(within_sentence({"is heavy", "projectile.mass", "in kg"}), "projectile.mass: is heavy; in kg");
+  EXPECT_EQ(within_sentence({"is heavy", "", ""}), "is heavy");
+  std::string text = "a b a";
+  replace_all(text, "a", "aa");
+  EXPECT_EQ(text, "aa b aa");
+}
+
 }  // namespace physim::base_text_test

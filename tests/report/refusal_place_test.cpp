@@ -23,7 +23,8 @@ TEST(RefusalPlace, is_that_of_the_setting) {
 
 TEST(RefusalPlace, of_what_no_file_says_is_the_shot) {
   EXPECT_EQ(told({"is bad", "launch.elevation", ""}).place, "f.toml: shot \"a.b\": shot.elevation");
-  EXPECT_EQ(told({"is bad", "", ""}).place, "f.toml: shot \"a.b\"");
+  for (const char* all : {"", "launch", "projectile"})
+    EXPECT_EQ(told({"is bad", all, ""}).place, "f.toml: shot \"a.b\"") << all;
 }
 
 }  // namespace physim::report_refusal_place_test

@@ -26,6 +26,14 @@ TEST(NameIndex, finds_the_first_of_a_name) {
   EXPECT_EQ(index.all().size(), 5U);
 }
 
+TEST(Names, of_the_library_become_those_of_files) {
+  EXPECT_EQ(in_files("launch.sight.zero_range"), "shot.sight.zero_range");
+  EXPECT_EQ(in_files("of 64 shots: projectile.mass: is heavy; see `launch.speed`"),
+            "of 64 shots: shot.mass: is heavy; see `shot.speed`");
+  for (const char* same : {"launch", "the launch. It", "relaunch.speed", "environment.wind", ""})
+    EXPECT_EQ(in_files(same), same);
+}
+
 TEST(ScenarioNames, know_who_fires_which_shot) {
   const std::string text =
       "physim = 1\n[world]\nduration = 1\n[[shot]]\nname = \"a\"\n[[shot]]\nname = \"b\"\n[[shot]]\nname = \"c\"\n"

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "physim/units.hpp"
+#include "report/study_answer.hpp"
 #include "scenario/study_text.hpp"
 #include "scenario/suggest.hpp"
 #include "simclient/core/client.hpp"
@@ -67,7 +68,7 @@ Status begin_study(Client& client) {
   if (!study) return study.error();
   if (Status status = client.study.run.begin(*study); !status) return status;
   client.study.begun_at = client.versions();
-  for (const std::string& note : client.study.run.plan()->notes()) client.say(note);
+  for (const std::string& note : report::notes_of(*client.study.run.plan())) client.say(note);
   return {};
 }
 
