@@ -126,12 +126,12 @@ Result<int> run(const AimCommand& command) {
                                 target->target, target->options);
   if (!found)
     return about(*asked, found.error(),
-                 {{"--target", command.position, "target.position"},
-                  {"--range", command.range, "target.position"},
-                  {"--target-velocity", command.velocity, "target.velocity"},
-                  {"--target-acceleration", command.acceleration, "target.acceleration"},
-                  {"--tolerance", command.tolerance, "options.tolerance"},
-                  {"--time", command.time, "options.time"}});
+                 {{"--target", !command.position.empty(), "target.position"},
+                  {"--range", !command.range.empty(), "target.position"},
+                  {"--target-velocity", !command.velocity.empty(), "target.velocity"},
+                  {"--target-acceleration", !command.acceleration.empty(), "target.acceleration"},
+                  {"--tolerance", !command.tolerance.empty(), "options.tolerance"},
+                  {"--time", !command.time.empty(), "options.time"}});
   Until until{.ground = target->options.ground};
   const bool are_one = found->low && found->high && found->low->time == found->high->time;
   for (const auto& solution : {found->low, are_one ? std::nullopt : found->high}) {

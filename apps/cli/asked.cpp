@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "base/text.hpp"
 #include "outputs.hpp"
 #include "report/summary.hpp"
 #include "report/table.hpp"
@@ -29,9 +30,22 @@ void add_question_options(Command& command, Question& question, bool json) {
 }
 
 Result<Scenario> load(const ScenarioInput& input) {
-  Result<Scenario> scenario = load_scenario(input.file, input.overrides);
-  if (scenario)
-    for (const std::string& note : scenario->notes) print_warning(note);
+  std::vector<std::string> overrides = input.overrides;
+  const std::string ranges = "output.ranges=" + input.ranges;
+  if (!input.ranges.empty()) overrides.push_back(ranges);
+  const auto by_option = [&](std::string& text) {
+    if (!input.ranges.empty()) replace_all(text, "--set " + ranges, "--ranges");
+  };
+  Result<Scenario> scenario = load_scenario(input.file, overrides);
+  if (!scenario) {
+    Error error = scenario.error();
+    for (std::string* text : {&error.place, &error.message, &error.hint}) by_option(*text);  // there may be several
+    return error;
+  }
+  for (std::string& note : scenario->notes) {
+    by_option(note);
+    print_warning(note);
+  }
   return scenario;
 }
 
@@ -106,13 +120,17 @@ Result<std::optional<Vec3d>> option_vector(const char* option, const std::string
   return std::optional<Vec3d>({v[0], v[1], v[2]});
 }
 
+const char* option_of(const Error& error, std::initializer_list<OptionOfError> options) {
+  for (const auto& [option, is_given, member] : options)
+    if (is_given && error.place == member) return option;
+  return nullptr;
+}
+
 Error about(const AskedShot& asked, Error error, std::initializer_list<OptionOfError> options) {
-  for (const auto& [option, text, member] : options) {
-    if (text.empty() || error.place != member) continue;
-    error.place = option;
-    return error;
-  }
-  return about(asked, std::move(error));
+  const char* option = option_of(error, options);
+  if (option == nullptr) return about(asked, std::move(error));
+  error.place = option;
+  return error;
 }
 
 Status give(const Question& question, const Answer& answer) {

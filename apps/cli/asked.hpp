@@ -12,6 +12,7 @@ using namespace report;
 struct ScenarioInput {
   std::string file;
   std::vector<std::string> overrides;
+  std::string ranges;  // of --ranges, instead of output.ranges
 };
 void add_scenario_options(Command& command, ScenarioInput& input);
 
@@ -45,12 +46,14 @@ void warn_of_curve(const Scenario& scenario, const ScenarioShot& shot);
 [[nodiscard]] Result<std::optional<Vec3d>> option_vector(const char* option, const std::string& text,
                                                          Quantity quantity);
 
-/// An option, its value as it was given, and what an error of the library calls that.
+/// An option, whether it was given, and what an error of the library calls its value.
 struct OptionOfError {
   const char* option;
-  const std::string& text;
+  bool is_given;
   std::string_view member;
 };
+/// The option that was given and that an error is about; null where it is about none.
+[[nodiscard]] const char* option_of(const Error& error, std::initializer_list<OptionOfError> options);
 /// An error about a shot; one about the value of an option that was given names the option.
 [[nodiscard]] Error about(const AskedShot& asked, Error error, std::initializer_list<OptionOfError> options);
 

@@ -34,7 +34,7 @@ Result<int> run(const MaxRangeCommand& command) {
   if (!far) {
     Error error = far.error();
     if (error.place == "slope") error.hint = "as in \"5 deg\"; a bare number is in radians";
-    return about(*asked, std::move(error), {{"--slope", command.slope, "slope"}});
+    return about(*asked, std::move(error), {{"--slope", !command.slope.empty(), "slope"}});
   }
   if (has_own_curve(shot.projectile)) {
     Launch launch = shot.launch;
@@ -65,8 +65,7 @@ Result<int> run(const DangerCommand& command) {
   warn_of_curve(flight);
   const auto space = command.terrain ? danger_space(flight, **range, **height, *ground, shot.body.collision.layers)
                                      : danger_space(flight, **range, **height);
-  if (!space)
-    return about(*asked, space.error(), {{"--range", command.range, "range"}, {"--height", command.height, "height"}});
+  if (!space) return about(*asked, space.error(), {{"--range", true, "range"}, {"--height", true, "height"}});
   return done(give(command.question, danger_space_answer(*asked, flight, **range, **height, *space, style_of(stdout))));
 }
 

@@ -19,6 +19,7 @@
 #include "report/table.hpp"
 #include "scenario/mistakes.hpp"
 #include "scenario/study_text.hpp"
+#include "scenario/suggest.hpp"
 #include "scenario/units.hpp"
 #include "study/quantities.hpp"
 #include "study_columns.hpp"
@@ -188,7 +189,7 @@ Result<FlownStudy> fly_study(const Study& study, const ScenarioStudy& texts, Tas
   const std::optional<double> until_time = texts.until_time;
   const auto plan = plan_study(study);
   if (!plan) return plan.error();
-  for (const std::string& note : plan->notes()) print_warning(note);
+  for (const std::string& note : notes_of(*plan)) print_warning(note);
   const auto before = flown_before(command.merge, command.resume, *plan);
   if (!before) return before.error();
   const bool joins_only = !command.merge.empty() && command.resume.empty() && !study.until_width && !until_time;
@@ -213,10 +214,27 @@ Result<FlownStudy> fly_study(const Study& study, const ScenarioStudy& texts, Tas
   return told_study(*plan, *std::move(result), static_cast<std::size_t>(texts.histograms), texts.inputs);
 }
 
-/// An error about the study of a shot.
-Error about_study(const AskedShot& asked, const Error& error) {
-  Error in_text = in_study(asked.scenario.study, error);
+/// An error about the study of a shot, at the option or the text that it is about.
+Error about_study(const StudyCommand& command, const AskedShot& asked, const Error& error) {
+  const char* option = option_of(error, {{"--shots", command.shots.has_value(), "shots"},
+                                         {"--over-inputs", command.over_inputs.has_value(), "over_inputs"},
+                                         {"--histograms", command.histograms.has_value(), "study.histograms"},
+                                         {"--until-width", !command.width.empty(), "until_width.width"},
+                                         {"--range", !command.range.empty(), "until.range"},
+                                         {"--ranges", !command.ranges.empty(), "until.range"}});
+  if (option != nullptr) return {error.message, option, error.hint};
+  Error in_text = in_study(asked.scenario, asked.shot(), error);
   return in_text.place == error.place ? about(asked, error) : in_text;
+}
+
+/// Inputs of another shot are those of another study.
+void warn_of_other_shots(const StudyCommand& command, const AskedShot& asked) {
+  const std::size_t first = asked.scenario.study.inputs.size() - command.vary.size();  // --vary stands behind the file
+  const std::vector<InputOfShot> inputs = inputs_of(asked.scenario, asked.shot());
+  for (std::size_t i = 0; i < command.vary.size(); ++i)
+    if (std::ranges::find(inputs, first + i, &InputOfShot::text) == inputs.end())
+      print_warning("--vary " + in_quotes(command.vary[i]) + ": has no effect: the study is of shot " +
+                    in_quotes(asked.shot().projectile.name));
 }
 
 struct AskedStudy {
@@ -225,7 +243,7 @@ struct AskedStudy {
 };
 Result<AskedStudy> ask_study(const StudyCommand& command) {
   Question question = command.question;
-  if (!command.ranges.empty()) question.input.overrides.push_back("output.ranges=" + command.ranges);
+  question.input.ranges = command.ranges;
   Result<AskedShot> asked = ask(question);
   if (!asked) return asked.error();
   warn_of_fidelity(asked->shot(), "a study");
@@ -233,7 +251,7 @@ Result<AskedStudy> ask_study(const StudyCommand& command) {
   std::vector<Error> errors;
   Study study = read_study(asked->scenario, asked->shot(), errors);
   Mistakes mistakes;
-  for (const Error& error : errors) mistakes.take(about_study(*asked, error));
+  for (const Error& error : errors) mistakes.take(about_study(command, *asked, error));
   if (Status status = mistakes.status(); !status) return status.error();
   if (Status status = add_width(command, study); !status) return status.error();
   return AskedStudy{*std::move(asked), std::move(study)};
@@ -251,10 +269,10 @@ Result<int> serve(const StudyCommand& command, Ranks& ranks) {
 }
 
 /// One of the parts of an array of jobs: flown into its file, and nothing more.
-Result<int> run_part(const StudyCommand& command, const Study& study, TaskRunner& threads) {
+Result<int> run_part(const StudyCommand& command, const AskedShot& asked, const Study& study, TaskRunner& threads) {
   if (command.resume.empty()) return Error{"a part of a study goes into a file", "--shards", "give --resume FILE"};
   const auto plan = plan_study(study);
-  if (!plan) return plan.error();
+  if (!plan) return about_study(command, asked, plan.error());
   const auto range = shards_of(command.shards, plan->shards());
   if (!range) return range.error();
   const auto before = flown_before(command.merge, command.resume, *plan);
@@ -331,11 +349,11 @@ Result<int> run_over_ranges(const StudyCommand& command, const AskedShot& asked,
       there.launch.sight.zero_range = range;
       there.launch.sight.dial = 0;  // it is that of one range
       const auto known = hold(there);
-      if (!known) return about_study(asked, known.error());
+      if (!known) return about_study(command, asked, known.error());
       held = *known;
     }
     auto flown = fly_study(there, asked.scenario.study, threads, ranks, alone);
-    if (!flown) return about_study(asked, flown.error());
+    if (!flown) return about_study(command, asked, flown.error());
     misses = misses || misses_width(there, flown->result);
     list.push_back({range, std::move(flown->result), held});
   }
@@ -449,7 +467,7 @@ Status check_job(const StudyCommand& command, const Ranks& ranks) {
 /// One shot again, such as the worst.
 Result<int> fly_again(const StudyCommand& command, const AskedShot& asked, const Study& study) {
   const auto plan = plan_study(study);
-  if (!plan) return about_study(asked, plan.error());
+  if (!plan) return about_study(command, asked, plan.error());
   const std::uint64_t shots = plan->shards() * study.shard_shots;
   if (*command.fly >= shots)
     return Error{"the study has shots 0 to " + std::to_string(shots - 1), "--fly",
@@ -477,14 +495,15 @@ Result<int> run(StudyCommand command) {
   if (!all) return all.error();
   const auto& [asked, study] = *all;
   warn_of_curve(asked.scenario, asked.shot());
+  warn_of_other_shots(command, asked);
   if (Status status = announce_pictures(command, asked.scenario.study); !status) return status.error();
   if (asked.scenario.world.given) warn_of_things(asked.scenario, "a study of a scenario with a [world]");
   const auto threads = make_thread_pool(command.threads.value_or(0));
   if (command.fly) return fly_again(command, asked, study);
-  if (!command.shards.empty()) return run_part(command, study, *threads);
+  if (!command.shards.empty()) return run_part(command, asked, study, *threads);
   if (!command.ranges.empty()) return run_over_ranges(command, asked, study, *threads, ranks);
   const auto flown = fly_study(study, asked.scenario.study, *threads, ranks, command);
-  if (!flown) return about_study(asked, flown.error());
+  if (!flown) return about_study(command, asked, flown.error());
   if (Status status = write_files(command, asked, *flown, *threads); !status) return status.error();
   const bool misses = misses_width(study, flown->result);
   if (misses) warn_of_width();

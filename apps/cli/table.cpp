@@ -54,7 +54,7 @@ Result<int> run(const TableCommand& command) {
   const Result<CardWishes> wishes = wishes_of(command);
   if (!wishes) return wishes.error();
   Question question = command.question;
-  if (!command.ranges.empty()) question.input.overrides.push_back("output.ranges=" + command.ranges);
+  question.input.ranges = command.ranges;
   const Result<AskedShot> asked = ask_without_things(question, "a range card");
   if (!asked) return asked.error();
   const Result<Card> card = make_card(*asked, *wishes);

@@ -2,6 +2,7 @@
 #include "scenario/checks.hpp"
 
 #include "base/assert.hpp"
+#include "base/text.hpp"
 #include "prepare/check.hpp"
 #include "prepare/grant.hpp"
 #include "scenario/expectation.hpp"
@@ -162,12 +163,29 @@ std::vector<Error> mistakes_of_study(const Scenario& scenario, const ScenarioSho
   return errors;
 }
 
+std::string numbered_input(std::size_t i) { return "inputs[" + std::to_string(i) + ']'; }
+
 /// A path leads to a text, or to something in it.
 bool leads_to(std::string_view path, std::string_view text) {
   PHYSIM_ASSERT(!text.empty());
   if (!path.starts_with(text)) return false;
   path.remove_prefix(text.size());
   return path.empty() || path.front() == '.' || path.front() == '[';
+}
+
+/// An error of the library about the study of a shot, whose inputs are numbered as their texts are. Correlations are
+/// made of several texts. One about a number that is drawn is about the last input that draws it.
+Error by_texts(const Scenario& scenario, const ScenarioShot& shot, Error error) {
+  const std::vector<InputOfShot> inputs = inputs_of(scenario, shot);
+  for (std::size_t i = inputs.size(); i-- > 0;)  // texts have no lower numbers than inputs: none is met twice
+    for (std::string* text : {&error.message, &error.place, &error.hint})
+      replace_all(*text, numbered_input(i), numbered_input(inputs[i].text));
+  if (error.place.starts_with("correlated[") && scenario.study.correlated.size() > 1)
+    error.place.erase(std::string_view("correlated").size(), error.place.find(']') - error.place.find('[') + 1);
+  const std::string setting = in_files(error.place);
+  const auto drawn = std::ranges::find(inputs.rbegin(), inputs.rend(), setting, &InputOfShot::path);
+  if (drawn == inputs.rend()) return error;
+  return {setting + ": " + error.message, numbered_input(drawn->text), error.hint};
 }
 
 }  // namespace
@@ -200,7 +218,9 @@ void note_study_places(ScenarioStudy& study, const Value& document) {
   }
 }
 
-Error in_study(const ScenarioStudy& study, Error error) {
+Error in_study(const Scenario& scenario, const ScenarioShot& shot, Error error) {
+  const ScenarioStudy& study = scenario.study;
+  if (!error.place.starts_with(kOfStudy)) error = by_texts(scenario, shot, std::move(error));
   std::string_view path = error.place;
   if (path.starts_with(kOfStudy)) path.remove_prefix(kOfStudy.size());
   const GivenSetting* nearest = nullptr;
@@ -216,13 +236,14 @@ void check_study(const Scenario& scenario, const Value& document, Mistakes& mist
   const Value* table = document.find("study");
   if (table == nullptr || scenario.world.given) return;  // a study flies shots alone
   std::vector<Error> first;
+  const ScenarioShot* of = nullptr;
   for (const ScenarioShot& shot : scenario.shots) {
     std::vector<Error> errors = mistakes_of_study(scenario, shot);
     if (errors.empty()) return;  // a study is of one shot
-    if (first.empty()) first = std::move(errors);
+    if (first.empty()) first = std::move(errors), of = &shot;
   }
   for (const Error& each : first) {
-    Error error = in_study(scenario.study, each);
+    Error error = in_study(scenario, *of, each);
     if (error.place == each.place) error = {each.place + ": " + each.message, table->place.text(), each.hint};
     mistakes.take(error);
   }

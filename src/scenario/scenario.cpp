@@ -73,7 +73,8 @@ Status begin_reading_measurements(const Scenario& scenario) {
     if (file.empty()) continue;
     Status begun = begin_reading(beside_scenario(scenario, std::string(file)), kMeasurements);
     if (!begun)
-      return in_study(scenario.study, {begun.error().message, "inputs[" + std::to_string(i) + ']', begun.error().hint});
+      return in_study(scenario, scenario.shots.front(),
+                      {begun.error().message, "study.inputs[" + std::to_string(i) + ']', begun.error().hint});
   }
   return {};
 }

@@ -149,8 +149,9 @@ struct ScenarioStudy {
   std::vector<GivenSetting> places{};     ///< of those that are given [-]
 };
 
-/// An error of a study of a scenario in the place of the text that it is about; as it was where it is about none.
-[[nodiscard]] Error in_study(const ScenarioStudy& study, Error error);
+/// An error of the study of a shot in the place of the text that it is about; as it was where it is about none. What is
+/// called "study.inputs[1]" is the text of that number; "inputs[1]" is an input that the study of the shot has.
+[[nodiscard]] Error in_study(const Scenario& scenario, const ScenarioShot& shot, Error error);
 
 /// A number and its distribution from a text, PATH = DISTRIBUTION:
 ///   800 m/s +- 3 m/s                     normal

@@ -306,14 +306,6 @@ Result<std::vector<PairOfInputs>> pairs_of(const Study& study, const ShotOfScena
   return pairs_by_distance(study, *own, halves->right);
 }
 
-/// The text of an input with the path of the shot itself; nothing where it is of another.
-std::optional<std::string> input_for(const std::string& text, const ShotOfScenario& of) {
-  const std::size_t number = std::min(text.find('='), text.size());
-  const auto own = of.path(trimmed(std::string_view(text).substr(0, number)));
-  if (!own) return std::nullopt;
-  return number == text.size() ? text : *own + ' ' + text.substr(number);
-}
-
 using Errors = std::vector<Error>;
 
 Error as_one(const Errors& errors) {
@@ -326,14 +318,12 @@ std::string numbered(const char* list, std::size_t i) { return std::string(list)
 
 void add_inputs(const Scenario& scenario, const ScenarioShot& shot, Study& study, Errors& errors) {
   const std::string folder = std::filesystem::path(scenario.file).parent_path().string();
-  for (std::size_t i = 0; i < scenario.study.inputs.size(); ++i) {
-    const auto text = input_for(scenario.study.inputs[i], {scenario, shot});
-    if (!text) continue;
-    auto input = parse_study_input_in(folder, *text, &shot);
+  for (const InputOfShot& each : inputs_of(scenario, shot)) {
+    auto input = parse_study_input_in(folder, each.written, &shot);
     if (input)
       study.inputs.push_back(*std::move(input));
     else
-      errors.push_back(placed(input.error(), numbered("study.inputs", i)));
+      errors.push_back(placed(input.error(), numbered("study.inputs", each.text)));
   }
 }
 
@@ -430,6 +420,18 @@ Status add_scene(const Scenario& scenario, const ScenarioShot& shot, Study& stud
 }
 
 }  // namespace
+
+std::vector<InputOfShot> inputs_of(const Scenario& scenario, const ScenarioShot& shot) {
+  const ShotOfScenario of{scenario, shot};
+  std::vector<InputOfShot> inputs;
+  for (std::size_t i = 0; i < scenario.study.inputs.size(); ++i) {
+    const std::string& text = scenario.study.inputs[i];
+    const std::size_t number = std::min(text.find('='), text.size());
+    const auto own = of.path(trimmed(std::string_view(text).substr(0, number)));
+    if (own) inputs.push_back({i, number == text.size() ? text : *own + ' ' + text.substr(number), *own});
+  }
+  return inputs;
+}
 
 Result<std::vector<StudyPlace>> study_places_of(const ScenarioStudy& texts) {
   std::vector<StudyPlace> places;

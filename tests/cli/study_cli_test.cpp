@@ -435,5 +435,72 @@ TEST(StudyCli, bad_input_says_what_is_wrong) {
   EXPECT_TRUE(has(refusal({"--resume", folder / "no/folder"}), "folder"));
 }
 
+constexpr const char* kTwoShots = R"(physim = 1
+[environment]
+atmosphere = "vacuum"
+[[shot]]
+name = "s"
+speed = "100 m/s +- 1 m/s"
+elevation = "30 deg"
+rail_length = "1 m"
+[[shot]]
+name = "t"
+speed = "50 m/s"
+elevation = { low = "29 deg", high = "31 deg" }
+[study]
+shots = 4096
+)";
+
+/// The file is innocent of what an option says.
+TEST(StudyCli, errors_of_options_name_the_option) {
+  const Folder folder;
+  const std::string file = folder.write("two.toml", kTwoShots);
+  const auto refused = [&](const std::string& option, const std::string& value, const std::string& error) {
+    expect_complaint(physim({"study", file, option, value}), option + ": error: " + error);
+  };
+  refused("--shots", "0", "must be from 1 to 2^50");
+  refused("--until-width", "0 m", "must be a positive number, not 0");
+  refused("--histograms", "2", "must be from 3 to 1000 bars");
+  refused("--over-inputs", "1", "must be from 2 to 100 parts");
+  refused("--range", "-5 m", "must be a positive number, not -5");
+  refused("--ranges", "500 m .. 100 m step 100 m", "output.ranges: the steps lead nowhere");
+  refused("--vary", "shot.speed = 100 m/s +- 5 m/s",
+          "study.inputs[2].path: shot.speed is drawn by inputs[0] already; let one of the two be `added`");
+  refused("--vary", "shot.rail_length = -2 m .. -1 m", "study.inputs[2]: shot.rail_length: must be zero or positive");
+  expect_complaint(physim({"study", file, "--shots", "0", "--shards", "1/2", "--resume", folder / "part"}),
+                   "--shots: error: ");
+  expect_complaint(physim({"table", file, "--ranges", "500 m .. 100 m step 100 m"}),
+                   "--ranges: error: output.ranges: ");
+  expect_complaint(physim({"table", file, "--set", "output.ranges=5 m .. 1 m step 1 m"}),
+                   "--set output.ranges=5 m .. 1 m step 1 m: error: output.ranges: ");
+}
+
+TEST(StudyCli, inputs_of_another_shot_have_no_effect) {
+  const Folder folder;
+  const std::string file = folder.write("two.toml", kTwoShots), mass = "shot.t.mass = 1 kg +- 0.1 kg";
+  const Ran other = physim({"study", file, "--vary", mass, "--vary", "shot.s.elevation = +- 1 deg"});
+  EXPECT_EQ(other.code, 0);
+  EXPECT_EQ(other.err, "warning: --vary \"" + mass + "\": has no effect: the study is of shot \"s\"\n");
+  EXPECT_EQ(physim({"study", file, "--shot", "t", "--vary", mass}).err, "");
+}
+
+/// Messages about files have the names of files.
+TEST(StudyCli, refused_shots_name_the_setting_of_the_file) {
+  const Folder folder;
+  const std::string file = folder.write("two.toml", kTwoShots);
+  const Ran ran = physim({"study", file, "--vary", "shot.rail_length = -2 m .. 1 m"});
+  EXPECT_EQ(ran.code, 0);
+  for (const std::string& text : {ran.err, ran.out}) {
+    EXPECT_TRUE(has(text, "shot.rail_length: must be zero or positive")) << text;
+    EXPECT_FALSE(has(text, "error:") || has(text, "launch.")) << text;
+  }
+  const std::string thrown =
+      folder.write("low.toml",
+                   "physim = 1\n[[shot]]\nname = \"s\"\nspeed = \"9 m/s\"\nposition = [\"0 m\", \"5 m\", \"0 m\"]\n"
+                   "[until]\nground = \"5 m\"\n");
+  const Ran landed = physim({"run", thrown});
+  EXPECT_TRUE(has(landed.out, "start it at a higher position")) << landed.out;
+}
+
 }  // namespace physim::testing_cli::cli_study_cli_test
 #endif

@@ -1,7 +1,9 @@
 // Mistakes of a [study] have the place of their text, whichever command reads the file.
 #include <gtest/gtest.h>
 
+#include "must.hpp"
 #include "scenario/scenario.hpp"
+#include "scenario/study_text.hpp"
 
 namespace physim::scenario_study_errors_test {
 
@@ -55,6 +57,30 @@ TEST(StudyErrors, an_override_is_named_as_the_option_that_it_is) {
   expect_begins(error_of(kInput, {"study.at=[\"apox\"]"}), "--set study.at=[\"apox\"]: error: study.at[0]: no place");
   expect_begins(error_of(kInput, {"study.inputs=[\"shot.mass = 10 g +- -1 g\"]"}),
                 "--set study.inputs=[\"shot.mass = 10 g +- -1 g\"]: error: study.inputs[0].distribution.deviation: ");
+}
+
+/// A study has the inputs of its own shot alone; an error names the text.
+TEST(StudyErrors, inputs_of_other_shots_count_among_the_texts) {
+  Scenario asked = must(parse_scenario(kShot + "[[shot]]\nname = \"t\"\nspeed = \"1 m/s\"\n", "f.toml", {}));
+  asked.shots[0].projectile.name = "s";
+  asked.study.inputs = {"shot.t.mass = 1 kg +- 0.1 kg", "shot.s.speed = 8 m/s +- 1 m/s",
+                        "shot.s.speed = 8 m/s +- 2 m/s", "shot.s.mass = -2 kg .. -1 kg"};
+  asked.study.correlated = {"shot.s.mass with shot.s.speed = 0.5", "shot.t.mass with shot.t.speed = 0.5"};
+  asked.study.places = {{"inputs", "f.toml:1"},         {"inputs[0]", "f.toml:2"},     {"inputs[1]", "f.toml:3"},
+                        {"inputs[2]", "f.toml:4"},      {"inputs[3]", "--vary"},       {"correlated", "f.toml:9"},
+                        {"correlated[0]", "f.toml:10"}, {"correlated[1]", "f.toml:11"}};
+  const auto told = [&](const Error& error) { return in_study(asked, asked.shots[0], error).text(); };
+  EXPECT_EQ(told({"shot.speed is drawn by inputs[0] already", "inputs[1].path", "let one be added"}),
+            "f.toml:4: error: study.inputs[2].path: shot.speed is drawn by inputs[1] already; let one be added");
+  EXPECT_EQ(told({"is a text", "study.inputs[1]", ""}), "f.toml:3: error: study.inputs[1]: is a text");
+  EXPECT_EQ(told({"must be positive", "projectile.mass", ""}),
+            "--vary: error: study.inputs[3]: shot.mass: must be positive");
+  EXPECT_EQ(told({"is not positive definite", "correlated[0].matrix", ""}),
+            "f.toml:9: error: study.correlated.matrix: is not positive definite");
+  EXPECT_EQ(told({"must be positive", "projectile.diameter", ""}), "projectile.diameter: error: must be positive");
+  const auto inputs = inputs_of(asked, asked.shots[1]);
+  ASSERT_EQ(inputs.size(), 1U);
+  EXPECT_EQ(inputs[0].written, "shot.mass = 1 kg +- 0.1 kg");
 }
 
 TEST(StudyErrors, a_study_of_one_of_several_shots_is_good) {
