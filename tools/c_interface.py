@@ -5,7 +5,7 @@
   c_interface.py layouts                    writes a C program that prints where members of structs lie
   c_interface.py abi [--record] LIBRARY     compares the ABI with tests/capi/abi.xml, or records it
 
-The ABI is that of a library of empty functions that a C compiler makes of the header: types and signatures are theirs,
+The ABI is that of a library of empty functions that a C compiler makes of the header: types and signatures are its own,
 and LIBRARY must show the same functions. A difference is a warning until version 1.0; from then on it is an error, unless
 docs/api_changes.md names what changed.
 """

@@ -108,7 +108,7 @@ public enum physim_emitter_action {
   PHYSIM_STOP = 1,
   /// <summary>its subs that wait for it</summary>
   PHYSIM_TRIGGER = 2,
-  /// <summary>value: so many now</summary>
+  /// <summary>value: this many particles at once</summary>
   PHYSIM_EMIT = 3,
   /// <summary>value: as if it had played for this time [s]</summary>
   PHYSIM_SEEK = 4,
@@ -1210,7 +1210,7 @@ public static unsafe class C {
   /// <summary>Events from number `first` on, up to `room` of them; `count` is how many were written. `each`: sizeof(physim_event).</summary>
   [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
   public static extern physim_result physim_flight_events(IntPtr flight, UIntPtr first, physim_event* into, UIntPtr each, UIntPtr room, UIntPtr* count);
-  /// <summary>What of the fidelity was not granted, a line each: "effect: asked, granted: reason"; as physim_get() writes.</summary>
+  /// <summary>The rungs of the fidelity that were not granted, a line each: "effect: asked, granted: reason"; as physim_get() writes.</summary>
   [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
   public static extern physim_result physim_flight_notes(IntPtr flight, byte* into, UIntPtr room, UIntPtr* length);
   /// <summary>Flies `count` launches of a shot, with the numbers of physim_fly(). `weather`, `pool` and `info` may be null.</summary>
@@ -1310,7 +1310,7 @@ public static unsafe class C {
   /// <summary>Events of the last step, and of calls since, as physim_flight_events() writes them.</summary>
   [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
   public static extern physim_result physim_world_events(IntPtr world, UIntPtr first, physim_event* into, UIntPtr each, UIntPtr room, UIntPtr* count);
-  /// <summary>Reads projectiles: these, or if `ids` is null all that are alive, as they lie in memory: the faster way, in which the column `id` tells which they are. Rows are filled up to `count`; `read` (may be null) is how many there are. Of those that are gone all is zero.</summary>
+  /// <summary>Reads the projectiles `ids`; if `ids` is null, all that are alive, in the order of memory, which is faster: the column `id` names them. Rows are filled up to `count`; `read` (may be null) is the number of projectiles. Rows of projectiles that are gone are zero.</summary>
   [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
   public static extern physim_result physim_world_states(IntPtr world, physim_id* ids, UIntPtr count, physim_states* into, UIntPtr* read);
   /// <summary>Writes positions, velocities, angular velocities and user data of projectiles; `written` (may be null) counts those that took them.</summary>
@@ -1343,7 +1343,7 @@ public static unsafe class C {
   /// <summary>The world of a save. `def`: of a world that fires by itself, the one that it was made of, with its functions; else null. `functions` may be null. Kinds and names are given again: physim_world_add_kind() finds the kind that is there.</summary>
   [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
   public static extern physim_result physim_world_load(IntPtr data, UIntPtr size, IntPtr def, physim_functions* functions, out IntPtr world);
-  /// <summary>Records every call that changes the world, with a hash every so many steps (0: none). The recording of a world to which something was done already, as of one with a scene, begins with a save.</summary>
+  /// <summary>Records every call that changes the world, with a hash every `hash_every` steps (0: none). The recording of a world to which something was done already, as of one with a scene, begins with a save.</summary>
   [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
   public static extern physim_result physim_world_record(IntPtr world, uint hash_every);
   [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]

@@ -285,7 +285,8 @@ PHYSIM_API physim_result physim_flight_samples(const physim_flight* flight, cons
 /// Events from number `first` on, up to `room` of them; `count` is how many were written. `each`: sizeof(physim_event).
 PHYSIM_API physim_result physim_flight_events(const physim_flight* flight, size_t first, physim_event* into,
                                               size_t each, size_t room, size_t* count);
-/// What of the fidelity was not granted, a line each: "effect: asked, granted: reason"; as physim_get() writes.
+/// The rungs of the fidelity that were not granted, a line each: "effect: asked, granted: reason"; as physim_get()
+/// writes.
 PHYSIM_API physim_result physim_flight_notes(const physim_flight* flight, char* into, size_t room, size_t* length);
 
 // ----------------------------------------------------------------------------------------------------------- batches
@@ -654,9 +655,9 @@ PHYSIM_API physim_result physim_world_do(physim_world* world, physim_world_actio
 PHYSIM_API physim_result physim_world_events(const physim_world* world, size_t first, physim_event* into, size_t each,
                                              size_t room, size_t* count);
 
-/// Reads projectiles: these, or if `ids` is null all that are alive, as they lie in memory: the faster way, in which
-/// the column `id` tells which they are. Rows are filled up to `count`; `read` (may be null) is how many there are. Of
-/// those that are gone all is zero.
+/// Reads the projectiles `ids`; if `ids` is null, all that are alive, in the order of memory, which is faster: the
+/// column `id` names them. Rows are filled up to `count`; `read` (may be null) is the number of projectiles. Rows of
+/// projectiles that are gone are zero.
 PHYSIM_API physim_result physim_world_states(const physim_world* world, const physim_id* ids, size_t count,
                                              const physim_states* into, size_t* read);
 /// Writes positions, velocities, angular velocities and user data of projectiles; `written` (may be null) counts those
@@ -768,8 +769,8 @@ typedef struct physim_functions {
 /// there.
 PHYSIM_API physim_result physim_world_load(const void* data, size_t size, const physim_def* def,
                                            const physim_functions* functions, physim_world** world);
-/// Records every call that changes the world, with a hash every so many steps (0: none). The recording of a world to
-/// which something was done already, as of one with a scene, begins with a save.
+/// Records every call that changes the world, with a hash every `hash_every` steps (0: none). The recording of a world
+/// to which something was done already, as of one with a scene, begins with a save.
 PHYSIM_API physim_result physim_world_record(physim_world* world, uint32_t hash_every);
 PHYSIM_API physim_result physim_world_stop_recording(physim_world* world, physim_bytes** recording);
 
@@ -850,7 +851,7 @@ PHYSIM_API physim_result physim_world_draw(const physim_world* world, const phys
                                            const physim_canvas* canvas);
 
 // ------------------------------------------------------------------------------------------------------------ scenes
-// Where a call takes `scene` as a void pointer, it is a physim_scene, or a physim_world: the scene of that world.
+// A void pointer `scene` is a physim_scene, or a physim_world for the scene of that world.
 
 typedef struct physim_transform {
   uint32_t size;       ///< sizeof(physim_transform) [bytes]
@@ -980,7 +981,7 @@ typedef enum physim_emitter_action {
   PHYSIM_PLAY = 0,
   PHYSIM_STOP = 1,
   PHYSIM_TRIGGER = 2,  // its subs that wait for it
-  PHYSIM_EMIT = 3,     // value: so many now
+  PHYSIM_EMIT = 3,     // value: this many particles at once
   PHYSIM_SEEK = 4      // value: as if it had played for this time [s]
 } physim_emitter_action;
 PHYSIM_API physim_result physim_emitter_do(physim_world* world, physim_id emitter, physim_emitter_action action,

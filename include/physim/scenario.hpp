@@ -133,7 +133,7 @@ struct MotorFileEntry {
 // ---------------------------------------------------------------------------------------------------------------------
 // Mesh files: triangles out of OBJ, STL, glTF and what else Assimp reads; heights out of pictures.
 
-/// Whether this build reads meshes from files: it does where Assimp was there when it was built.
+/// Whether this build reads meshes from files: true if Assimp was found when it was built.
 [[nodiscard]] bool reads_mesh_files();
 
 /// The triangles of all objects of a file, up to 256 MB of it, as they stand in it; equal corners are one vertex. A
@@ -141,7 +141,7 @@ struct MotorFileEntry {
 /// file.
 [[nodiscard]] Result<MeshShape> read_mesh_file(const std::string& file);
 
-/// Whether this build reads heights from pictures: it does where stb was there when it was built.
+/// Whether this build reads heights from pictures: true if stb was found when it was built.
 [[nodiscard]] bool reads_height_maps();
 
 /// Heights out of a picture in grey, PNG of 8 or 16 bits best: black is `low` and white is `high` [m], columns go along
@@ -162,7 +162,7 @@ struct TerrainCut {
   std::optional<double> missing{};  ///< height of points that have none, above sea level; none: they are an error [m]
 };
 
-/// Whether this build reads terrain from files: it does where GDAL was there when it was built.
+/// Whether this build reads terrain from files: true if GDAL was found when it was built.
 [[nodiscard]] bool reads_terrain_files();
 
 /// The heights of the first band of a raster, in the unit that it names, brought to a grid of latitude and longitude on

@@ -224,8 +224,8 @@ class SceneContacts : private ContactView {
     return held(x + off);
   }
 
-  /// Whether so many ways along surfaces began within a part of the step that rounding may hold it where it is: it goes
-  /// on in the next step. A way may bend as often as it can until the next one.
+  /// True if more ways along surfaces began within kLongestPart than motion explains: rounding holds the projectile
+  /// where it is, and it waits for the next step, so that no step is without end. A new way may bend kMostHits times.
   [[nodiscard]] bool is_one_way_too_many(double passed) {
     if (passed - ways_since_ >= kLongestPart) ways_since_ = passed, ways_ = 0;
     bends_ = 0;

@@ -62,7 +62,7 @@ inline BallWay slid_or_rolled(const BallMotion& from, const Pull& by, const Vec3
   const Vec3d along = slip > grip.no_slip ? u * (1 / slip) : pull > 0 ? a_t * (1 / pull) : Vec3d{};
   const double friction = grip.friction * pressure;
   const Vec3d about = cross(normal, along);
-  // So fast the slip ends; where nothing rubs, that it passes through zero ends nothing.
+  // Deceleration of the slip [m/s^2]. Without friction a slip of zero is no end: nothing makes the ball roll.
   const double ending = friction > 0 ? friction * (1 + ball.free_part(about) / k) - dot(a_t, along) : 0;
   const double taken = slip > grip.no_slip && ending > 0 ? min(time, slip / ending) : time;
   const Vec3d dv = a_t - along * friction;

@@ -373,8 +373,9 @@ class SettledRow final : public ContactHost {
   [[nodiscard]] Pushed<S> push_at(const Pushed<S> (&ends)[2], double passed) const {
     return ends[0] + (ends[1] - ends[0]) * static_cast<S>(passed / context_.dt);
   }
-  /// The mean of that from `passed` to the end. Drag among it falls as exp(-r t), r = drag_rate: the more of it there
-  /// is, the nearer the mean is to that at the end, so that drag stops nothing that it cannot stop in the air.
+  /// Mean push from `passed` to the end of the step: a(T) + (a(passed) - a(T)) w, w = 1/z - 1/(e^z - 1) of what decays
+  /// as exp(-r t), r = drag_rate, z = r (T - passed); w = 1/2 without drag. Strong drag takes the push at the end, as
+  /// the implicit step in the air does, and so stays stable.
   [[nodiscard]] Pushed<S> mean_from(const Pushed<S> (&ends)[2], double passed) const {
     constexpr double kStraight = 1e-3;
     const double z = static_cast<double>(ends[0].drag_rate) * (context_.dt - passed);
