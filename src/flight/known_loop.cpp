@@ -116,7 +116,7 @@ KnownStop go_on_known(KnownFlight& flight) {
 template <class Method, int kRung>
 constexpr KnownStep step_of() {
   constexpr PlainRungs kRungs = kKnownRungs[kRung];
-  using Rung = KnownRung<kRungs.gravity, kRungs.earth, kRungs.wind>;
+  using Rung = KnownRung<kRungs.gravity, kRungs.earth>;
   return {take_known_step<Method, Rung>, go_on_known<Method, Rung>};
 }
 template <class Method, int... kRung>

@@ -17,7 +17,8 @@ PHYSIM_INLINE void copy_vector(const Vec3<double>& from, Vec3<double>& to) {
 }
 
 /// A point mass with a drag curve and nothing special about it, in the standard's air below the top of its first layer.
-template <GravityModel kGravity, EarthModel kEarth, WindModel kWind>
+/// Calm air is a wind of zero.
+template <GravityModel kGravity, EarthModel kEarth>
 struct KnownRung {
   /// The conditions that this rung reads; LowAirOfOne reads the air.
   PHYSIM_INLINE static Conditions<double> known(const Conditions<double>& c) {
@@ -27,7 +28,7 @@ struct KnownRung {
     k.fidelity.earth = kEarth;
     k.fidelity.drag = DragModel::equation;
     k.fidelity.air = AirModel::isa;
-    k.fidelity.wind = kWind;
+    k.fidelity.wind = WindModel::constant;
     k.fidelity.rotation = RotationModel::none;
     k.fidelity.planar = false;
     k.fidelity.interpolation = c.fidelity.interpolation;

@@ -10,11 +10,9 @@
 
 namespace physim {
 
-/// The rungs that are known.
+/// The rungs that are known, in calm air too: a wind of zero leaves the bits of a velocity as they are.
 inline constexpr PlainRungs kKnownRungs[] = {
-    {GravityModel::constant, EarthModel::flat, WindModel::off},
     {GravityModel::constant, EarthModel::flat, WindModel::constant},
-    {GravityModel::inverse_square, EarthModel::flat_coriolis, WindModel::off},
     {GravityModel::inverse_square, EarthModel::flat_coriolis, WindModel::constant},
 };
 
