@@ -113,7 +113,7 @@ ShotGroup& ShotGroups::group_of(const ProjectileDef& projectile, KnownCurve* cur
   known->cohort.in_use = in_use;
   Conditions<double>& conditions = known->cohort.conditions;
   conditions = prepare_conditions(environment, in_use.fidelity, known->cohort.profiles);
-  conditions.has_own_wind = task_.weather.has_wind();
+  conditions.has_own_wind = task_.weather.has_wind() && in_use.fidelity.wind != WindModel::off;
   conditions.has_own_air = task_.weather.has_air();
   return *known;
 }

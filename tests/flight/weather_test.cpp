@@ -168,8 +168,12 @@ TEST(Weather, every_rung_reads_its_own) {
   const auto expect = [&](const ProjectileDef& projectile, const std::vector<Launch>& from, const Fidelity& f,
                           const Tolerance& tolerance, const Until& until, const std::string& what) {
     for (const auto& [name, weather] : kinds_of(days))
-      expect_as_flights(fly_batch(projectile, from, {}, f, tolerance, until, nullptr, weather), projectile, from, {},
-                        weather, f, tolerance, until, what + ", " + name);
+      for (const WindModel wind : {f.wind, WindModel::off}) {  // off: a rung that knows no wind reads none
+        Fidelity g = f;
+        g.wind = wind;
+        expect_as_flights(fly_batch(projectile, from, {}, g, tolerance, until, nullptr, weather), projectile, from, {},
+                          weather, g, tolerance, until, what + ", " + name);
+      }
   };
   ProjectileDef ball = bullet_308();
   ball.mass = 0.046, ball.diameter = 0.043, ball.drag = {.table = DragTable::sphere};
