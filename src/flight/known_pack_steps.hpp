@@ -19,12 +19,11 @@ using TakeSteps = bool (*)(const Conditions<S>& c, const FlyerSet<R>& flyers, S 
 
 /// A point mass with a drag curve in the standard's air over a flat Earth, and nothing special about it but perhaps
 /// its own weather.
-template <WindModel kWind, bool kOwnWeather>
+template <bool kOwnWeather>
 struct PlainRung {
-  static constexpr bool kHasWind = kWind != WindModel::off;
   template <class S>
   PHYSIM_INLINE static bool matches(const Conditions<S>& c) {
-    return is_plain(c, {.wind = kWind, .features = {.has_own_air = kOwnWeather, .has_own_wind = kOwnWeather}});
+    return is_plain(c, {.features = {.has_own_air = kOwnWeather, .has_own_wind = kOwnWeather}});
   }
   /// Said right before conditions are read, or the compiler forgets it.
   template <class S>
@@ -45,7 +44,7 @@ template <class R>
 struct Evaluation {
   R per_cd;                                // of the drag
   R part;                                  // of the cell on the drag curve
-  Components<R> through_air;               // velocity, where there is wind
+  Components<R> through_air;               // velocity
   UnsignedOf<ScalarOf<R>> row[kLanes<R>];  // where it begins
 };
 
@@ -81,13 +80,13 @@ class KnownSteps {
     const R z = altitude(c_, y.x);
     if (lanes_at_least(z, R(c_.air.base[1])) != 0) return false;  // below the top of the lowest layer
     const AirState<R> air = Rung::air(c_, b, z);
-    const Vec3<R> through_air = air_velocity(c_, b, s.t, y);
+    const Vec3<R> through_air = y.v - wind(c_, b, s.t, y.x);
     const R speed = length(through_air);
     const R place = curve_position(b, air.per_sound_speed, speed), cell = curve_cell(b, place);
     Evaluation<R>& e = under_way_[i];
     e.per_cd = drag_per_cd(air, speed, b.half_area_per_mass);
     e.part = place - cell;
-    if constexpr (Rung::kHasWind) e.through_air = through_air;
+    e.through_air = through_air;
     row_offsets(b.curve_row + cell, e.row);
     return true;
   }
@@ -97,10 +96,9 @@ class KnownSteps {
     const Body<R>& b = w_.flyer[i]->body;
     Rung::assume(c_);
     const R cd = row_cubic_at(c_.curve_rows, e.row, e.part);
-    const Vec3<R> through_air = Rung::kHasWind ? Vec3<R>(e.through_air) : slope.x;
     Sum<R> sum;
     sum.begin(&Accelerations::gravity, weight_per_mass(c_, b, slope.x));  // constant: it needs no place
-    sum.add(&Accelerations::drag, through_air * (e.per_cd * cd));
+    sum.add(&Accelerations::drag, Vec3<R>(e.through_air) * (e.per_cd * cd));
     slope.v = sum.total;
   }
 
@@ -128,11 +126,10 @@ PHYSIM_NOINLINE bool take_known_steps(const Conditions<S>& c, const FlyerSet<R>&
 
 template <class Method, class R, class S>
 TakeSteps<R, S> steps_by(const Conditions<S>& c) {
-  using Calm = PlainRung<WindModel::off, false>;
-  using Windy = PlainRung<WindModel::constant, false>;
-  using OwnWeather = PlainRung<WindModel::constant, true>;
-  if (Calm::matches(c)) return take_known_steps<Method, Calm, R, S>;
-  if (Windy::matches(c)) return take_known_steps<Method, Windy, R, S>;
+  using SameWeather = PlainRung<false>;
+  using OwnWeather = PlainRung<true>;
+  PHYSIM_ASSERT(is_calm_without_wind(c));
+  if (SameWeather::matches(c)) return take_known_steps<Method, SameWeather, R, S>;
   if (OwnWeather::matches(c)) return take_known_steps<Method, OwnWeather, R, S>;
   return take_any_steps<R, S>;
 }

@@ -66,11 +66,9 @@ void take_any_step(const Conditions<double>& c, Flyer<double>& flyer, double rel
 KnownStep known_step(const Conditions<double>& c) {
   const Integrator integrator = c.fidelity.integrator;
   if (integrator != Integrator::tsit5 && integrator != Integrator::rk43) return {};
-  const auto rung = std::ranges::find_if(kKnownRungs, [&](PlainRungs rungs) {
-    if (c.fidelity.wind == WindModel::off) rungs.wind = WindModel::off;
-    return is_plain(c, rungs);
-  });
+  const auto rung = std::ranges::find_if(kKnownRungs, [&](const PlainRungs& rungs) { return is_plain(c, rungs); });
   if (rung == std::end(kKnownRungs)) return {};
+  PHYSIM_ASSERT(is_calm_without_wind(c));
   KnownStep step = known_step_on(static_cast<int>(rung - kKnownRungs), integrator);
   if (integrator == Integrator::tsit5) step.interpolate = interpolate_tsit5;
   return step;

@@ -10,10 +10,10 @@
 
 namespace physim {
 
-/// The rungs that are known, in calm air too: a wind of zero leaves the bits of a velocity as they are.
+/// The rungs that are known.
 inline constexpr PlainRungs kKnownRungs[] = {
-    {GravityModel::constant, EarthModel::flat, WindModel::constant},
-    {GravityModel::inverse_square, EarthModel::flat_coriolis, WindModel::constant},
+    {GravityModel::constant, EarthModel::flat},
+    {GravityModel::inverse_square, EarthModel::flat_coriolis},
 };
 
 /// What a step of Tsit5 leaves for its interpolant beside the nodes at its ends, which hold the first slope and the
