@@ -16,7 +16,6 @@ ROOT = Path(__file__).resolve().parent.parent
 WAYS = [
     ("march of any rung, one lane or packs", "src/solve/march.hpp", "class March"),
     ("loop over known steps of one flight", "src/flight/known_loop.cpp", "KnownLoop"),
-    ("one known step of the march", "src/flight/known_step.hpp", "KnownStep"),
     ("known steps of packs", "src/flight/known_pack_steps.hpp", "PHYSIM_ISA_BEGIN"),
     ("frames of the march", "src/solve/march.hpp", "take_frame"),
     ("stages of forced steps", "src/solve/stages.hpp", "PHYSIM_ISA_BEGIN"),

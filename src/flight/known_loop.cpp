@@ -10,16 +10,6 @@ PHYSIM_ISA_BEGIN
 
 namespace {
 
-template <class Method, class Rung>
-void take_known_step(const Conditions<double>& c, Flyer<double>& flyer, double relative, double absolute) {
-  Step<double>& s = flyer.step;
-  StageCells<Method> cells(flyer.body, c.curve_rows, {});
-  const LowAirOfOne low_air(c.air);
-  const KnownStages<Rung, Method> stages(c, low_air, flyer.body, s.t, s.h, s.t_end, start_of(s), cells);
-  if (!stages.holds()) return take_any_step(c, flyer, relative, absolute);
-  stages.put(stages.error(relative, absolute), s);
-}
-
 /// A flight under way, in its own variables: of its lanes only the body is read, until it writes its state back to
 /// them.
 template <class Method, class Rung>
@@ -117,7 +107,7 @@ template <class Method, int kRung>
 constexpr KnownStep step_of() {
   constexpr PlainRungs kRungs = kKnownRungs[kRung];
   using Rung = KnownRung<kRungs.gravity, kRungs.earth>;
-  return {take_known_step<Method, Rung>, go_on_known<Method, Rung>};
+  return {go_on_known<Method, Rung>};
 }
 template <class Method, int... kRung>
 KnownStep step_of(int rung, std::integer_sequence<int, kRung...>) {

@@ -59,10 +59,6 @@ void interpolate_kept(const KeptStep& kept, const Node& n0, const Node& n1, Stat
   interpolate<Tsit5>(slopes->data(), kept.h, coefficients);
 }
 
-void take_any_step(const Conditions<double>& c, Flyer<double>& flyer, double relative, double absolute) {
-  take_step(c, flyer, relative, absolute);
-}
-
 KnownStep known_step(const Conditions<double>& c) {
   const Integrator integrator = c.fidelity.integrator;
   if (integrator != Integrator::tsit5 && integrator != Integrator::rk43) return {};

@@ -57,15 +57,13 @@ struct KnownStop {
 
 /// How steps of a known rung and integrator are taken.
 struct KnownStep {
-  /// Takes one, as take_step() does, to the bit: a flyer's slopes, its end and its error.
-  void (*take)(const Conditions<double>& c, Flyer<double>& flyer, double relative, double absolute) = nullptr;
-  /// Takes steps and keeps them, one after the other, as March does, to the bit; the last one tried, if it needs a
-  /// closer look, is neither accepted yet nor kept.
+  /// Takes steps and keeps them, one after the other, as March does by take_step(), to the bit; the last one tried, if
+  /// it needs a closer look, is neither accepted yet nor kept.
   KnownStop (*go_on)(KnownFlight& flight) = nullptr;
   /// The coefficients of its interpolant, as dense_sums() makes them, to the bit; none where it is made of both ends.
   void (*interpolate)(const Step<double>& step, State<double>* coefficients) = nullptr;
 
-  explicit operator bool() const { return take != nullptr; }
+  explicit operator bool() const { return go_on != nullptr; }
 };
 
 void keep_slopes(const Step<double>& step, KeptStep& kept);
@@ -78,10 +76,6 @@ void interpolate_kept(const KeptStep& kept, const Node& n0, const Node& n1, Stat
 
 /// The step, without its interpolant, of kKnownRungs[rung] by Tsit5 or RK4(3) (flight/known_loop.cpp).
 [[nodiscard]] KnownStep known_step_on(int rung, Integrator integrator);
-
-/// A step of any rung, for kernels that know few: all integrators and models are long, and few steps get above the
-/// first layer of the air.
-void take_any_step(const Conditions<double>& c, Flyer<double>& flyer, double relative, double absolute);
 
 }  // namespace physim
 

@@ -108,13 +108,13 @@ class LaneFlight {
     if constexpr (kMayBeKnown) {
       while (!ended_) {
         const auto [why, may_cross] = path_.go_on(known_, course_, lane());
-        look_at_step(why == KnownEnd::of_another_rung ? try_step() : why == KnownEnd::accepted, may_cross);
+        look_at_step(why == KnownEnd::of_another_rung ? march_.try_step() : why == KnownEnd::accepted, may_cross);
       }
     }
   }
 
   /// One step, or a try at it.
-  void step() { look_at_step(try_step(), kAllWatched); }
+  void step() { look_at_step(march_.try_step(), kAllWatched); }
   void look_at_step(bool accepted, WatchedSet may_cross) {
     const bool told = accepted && may_cross != 0 && may_cross != kAllWatched;  // by known steps
     const bool special = told || needs_attention(course_, lane(), accepted, may_cross).special;
@@ -140,12 +140,6 @@ class LaneFlight {
     auto from = next();
     while (from && stays(*from)) from = next();
     if (from) relaunch(*from);
-  }
-  [[nodiscard]] bool try_step() {
-    if constexpr (kMayBeKnown) {
-      if (known_) return march_.try_step_by(true, known_.take);
-    }
-    return march_.try_step();
   }
 
   void make_dense() {
