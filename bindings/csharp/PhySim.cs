@@ -1076,7 +1076,7 @@ public unsafe struct physim_joint {
   public physim_id b;
   /// <summary>[m]</summary>
   public fixed double point[3];
-  /// <summary>0: as far as its ends are apart [m]</summary>
+  /// <summary>0: as far as its ends are apart; a spring's may be DBL_MIN, which is none [m]</summary>
   public double length;
   /// <summary>of a cable, 0 to 1</summary>
   public double restitution;

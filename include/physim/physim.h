@@ -1064,7 +1064,7 @@ typedef struct physim_joint {
   physim_id a;          ///< one end [-]
   physim_id b;          ///< the other end; none: the point [-]
   double point[3];      ///< [m]
-  double length;        ///< 0: as far as its ends are apart [m]
+  double length;        ///< 0: as far as its ends are apart; a spring's may be DBL_MIN, which is none [m]
   double restitution;   ///< of a cable, 0 to 1 [-]
   double stiffness;     ///< of a spring [N/m]
   double damping;       ///< of a spring [kg/s]

@@ -20,10 +20,11 @@ constexpr Entry kJointSettings[] = {
     PHYSIM_JOINT(a, "name of the shot at one end, fired once", kRequired),
     PHYSIM_JOINT(b, "name of the shot at the other end, fired once; empty: a point"),
     PHYSIM_JOINT_DEF(point, "of the world, where there is no b", Quantity::length),
-    PHYSIM_JOINT_DEF(
-        length,
-        "of a rod, a taut cable, a spring at rest, radius of a hinge; launch: as far as its ends are apart then",
-        Quantity::length, Range{.low = 0, .high = 1e15, .low_open = true}, absent("launch")),
+    PHYSIM_JOINT_DEF(length,
+                     "of a rod, a taut cable, a spring at rest (alone it may be 0), radius of a hinge; launch: as far "
+                     "as its ends are "
+                     "apart then",
+                     Quantity::length, between(0, 1e15), absent("launch")),
     PHYSIM_JOINT_DEF(restitution, "of a cable: speed kept when it comes taut", between(0, 1)),
     PHYSIM_JOINT_DEF(stiffness, "of a spring: force for each metre of stretch", Quantity::stiffness, at_least(0)),
     PHYSIM_JOINT_DEF(damping, "of a spring: of the rate at which its length changes", Quantity::linear_drag,

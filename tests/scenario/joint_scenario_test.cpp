@@ -38,7 +38,7 @@ restitution = 0.25
 kind = "spring"
 a = "weight"
 b = "ball"
-length = "2 m"
+length = "0 m"
 stiffness = "50 N/m"
 damping = "0.5 kg/s"
 )";
@@ -51,7 +51,7 @@ TEST(JointScenario, all_that_a_joint_may_say_is_read_and_written_back) {
   EXPECT_EQ(read.joints[1].name, "joint-2");
   EXPECT_EQ(read.joints[1].def, (Joint{.kind = JointKind::cable, .length = 1.5, .restitution = 0.25}));
   EXPECT_EQ(read.joints[2].b, "ball");
-  EXPECT_EQ(read.joints[2].def, (Joint{.kind = JointKind::spring, .length = 2, .stiffness = 50, .damping = 0.5}));
+  EXPECT_EQ(read.joints[2].def, (Joint{.kind = JointKind::spring, .length = 0, .stiffness = 50, .damping = 0.5}));
   const Result<Scenario> again = parse_scenario(scenario_text(read), "g.toml");
   ASSERT_TRUE(again) << again.error().text() << scenario_text(read);
   EXPECT_EQ(hash_of(again->joints), hash_of(read.joints));

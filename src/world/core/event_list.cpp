@@ -38,11 +38,8 @@ void EventList::put_in_order(std::vector<EventKey>& spare, GivenEvents& given) {
 
 /// Shows one more, for which there is room.
 void EventList::add_shown(const EventKey& key) const {
-  const std::size_t at = key.place / 2;
-  if (static_cast<Form>(key.place % 2) == Form::whole) return shown_.push_back(whole_[at]);
-  const Plain& p = plain_[at];
-  put_plain({key.kind, key.reason, {key.slot, p.generation}, p.value, key.time, p.position, p.velocity},
-            add_event(shown_));
+  if (is_whole(key)) return shown_.push_back(whole_[key.place / 2]);
+  put_plain(plain_at(key), add_event(shown_));
 }
 
 std::span<const Event> EventList::all(GivenEvents& given) const {

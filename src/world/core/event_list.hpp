@@ -110,6 +110,12 @@ class EventList {
   void put_in_order(std::vector<EventKey>& spare, GivenEvents& given);
   /// All of them. What was given stays where it is until these and `given` are cleared.
   [[nodiscard]] std::span<const Event> all(GivenEvents& given) const;
+  /// Calls f with each of a kind, in their order.
+  template <class F>
+  void each_of(EventKind kind, const F& f) const {
+    for (const EventKey& key : keys_)
+      if (key.kind == kind) f(kept(key));
+  }
   void clear() { keys_.clear(), plain_.clear(), whole_.clear(), shown_.clear(); }
   /// Others take its place: what it gave out stays.
   void leave(GivenEvents& given) const {
@@ -128,6 +134,7 @@ class EventList {
   }
   /// In which list an event is kept, and where.
   enum class Form : std::uint32_t { plain, whole };
+  [[nodiscard]] static bool is_whole(const EventKey& key) { return static_cast<Form>(key.place % 2) == Form::whole; }
   [[nodiscard]] static std::uint32_t place_of(std::size_t at, Form form) {
     return static_cast<std::uint32_t>(2 * at) | static_cast<std::uint32_t>(form);
   }
@@ -137,6 +144,16 @@ class EventList {
     return {e.time, e.id.index, static_cast<std::uint32_t>(at), place, row_of(e.kind).order, e.kind, e.reason};
   }
   void add_shown(const EventKey& key) const;
+  [[nodiscard]] PlainEvent plain_at(const EventKey& key) const {
+    const Plain& p = plain_[key.place / 2];
+    return {key.kind, key.reason, {key.slot, p.generation}, p.value, key.time, p.position, p.velocity};
+  }
+  [[nodiscard]] Event kept(const EventKey& key) const {
+    if (is_whole(key)) return whole_[key.place / 2];
+    Event event;
+    put_plain(plain_at(key), event);
+    return event;
+  }
 
   StepList<EventKey> keys_;
   StepList<Plain> plain_;

@@ -15,6 +15,7 @@ namespace {
 
 constexpr std::uint32_t kMostRounds = 64;  // of one search for lengths
 constexpr std::uint32_t kMostSets = 100;   // of cables that pull and planes that press, beside two for each row
+constexpr std::uint32_t kMostTurns = 4;    // of springs, for each round
 constexpr std::uint32_t kFewRounds = 4;    // that put lengths right where no effort is left
 constexpr double kLeastWork = 1000;        // of a round: that of a small net [-]
 constexpr double kTaut = 1e-9;             // a cable that is shorter by less is taut, of its length [-]
@@ -39,6 +40,7 @@ class Net {
     if (!follows || !gains(flown)) return report_;
     std::ranges::copy(flown, bodies_.begin());
     hold(false);
+    if (std::ranges::any_of(rows_, &NetRow::is_spring)) calm(flown);
     return report_;
   }
   [[nodiscard]] double work() const { return work_; }
@@ -52,12 +54,15 @@ class Net {
   struct Found {
     Vec3d n0;             // direction from b to a when the step began
     Vec3d n;              // ... where they are now
+    Vec3d along;          // of q: n0; of a spring (r0 + r)/(l0 + l), r from b to a
+    double turned = 0;    // of a spring: by how much that has changed since q moved its ends [-]
     double l0 = 0;        // distance when the step began [m]
     double l = 0;         // now [m]
     double target = 0;    // of l; of a spring with what q adds to it [m]
     double give = 0;      // of a spring: l that a q gives [1/kg]
     double slack = 0;     // what does not count [m]
-    double rounding = 0;  // ... for each q [1/kg]
+    double moved = 0;     // by each q, at most [1/kg]
+    double rounding = 0;  // what does not count for each q [1/kg]
     double q = 0;         // impulse times h [kg m]
     double p = 0;         // impulse that turns speeds [N s]
     bool takes_part = false;
@@ -114,6 +119,37 @@ class Net {
   /// points that are carried: impulses may do so where steps are too long for the net. They are compared with the start
   /// of the step, less what flights of the first order gain by themselves, as their way is not that of their speeds.
   [[nodiscard]] bool gains(const std::vector<NetBody>& flown) const {
+    const Balance b = balance(flown);
+    return !(b.gained <= kMostGain * b.moved);  // written so that a NaN counts as a gain
+  }
+  /// Springs that were not felt hold what the bodies went on with: their motion about their common one gives it.
+  void calm(const std::vector<NetBody>& flown) {
+    const double gained = balance(flown).gained;
+    const bool is_free = std::ranges::none_of(bodies_, [](const NetBody& body) { return body.mobility == Vec3d{}; });
+    double energy = 0;  // of that motion [J]
+    Vec3d common{};
+    for (double Vec3d::*axis : {&Vec3d::x, &Vec3d::y, &Vec3d::z}) {
+      double masses = 0, momentum = 0;
+      for (const NetBody& body : bodies_)
+        if (const double w = body.mobility.*axis; w > 0) masses += 1 / w, momentum += body.v.*axis / w;
+      if (is_free && masses > 0) common.*axis = momentum / masses;
+      for (const NetBody& body : bodies_)
+        if (const double w = body.mobility.*axis; w > 0) energy += square(body.v.*axis - common.*axis) / (2 * w);
+    }
+    if (!(gained > 0 && energy > 0)) return;
+    const double left = std::sqrt(std::max(1 - gained / energy, 0.0));
+    for (NetBody& body : bodies_)
+      for (double Vec3d::*axis : {&Vec3d::x, &Vec3d::y, &Vec3d::z})
+        if (body.mobility.*axis > 0) body.v.*axis = common.*axis + (body.v.*axis - common.*axis) * left;
+  }
+  [[nodiscard]] static double square(double x) { return x * x; }
+
+  /// What the bodies gained beyond that work and what is their own flights', and what moved in the step [J].
+  struct Balance {
+    double gained = 0;
+    double moved = 0;
+  };
+  [[nodiscard]] Balance balance(const std::vector<NetBody>& flown) const {
     double gained = 0, own = 0, moved = 0;  // [J]
     for (std::size_t i = 0; i < bodies_.size(); ++i) {
       const NetBody &now = bodies_[i], &then = flown[i];
@@ -122,10 +158,10 @@ class Net {
       for (double Vec3d::*axis : {&Vec3d::x, &Vec3d::y, &Vec3d::z}) {
         if (!(now.mobility.*axis > 0)) continue;
         const double mass = 1 / (now.mobility.*axis);
-        const auto square = [axis](const Vec3d& v) { return v.*axis * (v.*axis); };
-        gained += mass * ((square(now.v) - square(then.start_velocity)) / 2 - push.*axis * (way.*axis));
-        own += mass * ((square(then.v) - square(then.start_velocity)) / 2 - push.*axis * (flown_way.*axis));
-        moved += mass * (square(then.v) + square(then.start_velocity)) / 2;
+        const double began = square(then.start_velocity.*axis), ended = square(then.v.*axis);
+        gained += mass * ((square(now.v.*axis) - began) / 2 - push.*axis * (way.*axis));
+        own += mass * ((ended - began) / 2 - push.*axis * (flown_way.*axis));
+        moved += mass * (ended + began) / 2;
       }
     }
     for (std::size_t i = 0; i < rows_.size(); ++i) {
@@ -139,7 +175,7 @@ class Net {
       gained += stored(found_[i].l) - stored(found_[i].l0);
       moved += stored(found_[i].l0);
     }
-    return !(gained - std::max(own, 0.0) <= kMostGain * moved);  // written so that a NaN counts as a gain
+    return {gained - std::max(own, 0.0), moved};
   }
 
   /// What a point that is carried, with directions that turn, gives to the first end of a row.
@@ -153,8 +189,8 @@ class Net {
     if (!b.is_carried || !(mobility > 0)) return {};
     const Vec3d velocity = (b.x - b.start) * (1 / part_.h);
     const double turned = dot(row.normal_rate, a.x - b.x);  // [m/s]
-    const Vec3d along = f.n0 * (f.q / part_.h) + f.n * (f.p + (row.is_spring() ? f.q / part_.h : 0));
     const double impulse = f.q / part_.h + f.p;
+    const Vec3d along = f.along * (times_of(row) * f.q / part_.h) + f.n * f.p;
     return {dot(along, velocity) - impulse * turned, (length_squared(velocity) + turned * turned) / (2 * mobility)};
   }
 
@@ -178,7 +214,7 @@ class Net {
       }
     }
     for (std::size_t i = 0; i < rows_.size(); ++i)
-      if (found_[i].active && pushed == &Found::n0) coefficients_.push_back({order_[i], order_[i], found_[i].give});
+      if (found_[i].active && pushed == &Found::along) coefficients_.push_back({order_[i], order_[i], found_[i].give});
     equations_.factor(count, coefficients_);
     work_ += std::max(equations_.work(), kLeastWork);
     unknown_.resize(count);
@@ -241,12 +277,13 @@ class Net {
       for (std::size_t i = 0; i < rows_.size(); ++i) found_[i].q = 0;
       place();
     }
+    report_.is_rough = !report_.solved;
+    for (std::size_t i = 0; i < rows_.size(); ++i)
+      if (rows_[i].is_spring() && dot(found_[i].n0, found_[i].n) < 0) report_.is_rough = true;
     for (std::size_t i = 0; i < rows_.size(); ++i) {
       const Found& f = found_[i];
       if (f.q == 0) continue;
-      push(rows_[i], f.n0, f.q / part_.h, &NetBody::v);
-      // A spring pulls at the end of the step as at its start; what holds lengths does as speeds need it.
-      if (rows_[i].is_spring()) push(rows_[i], f.n, f.q / part_.h, &NetBody::v);
+      push(rows_[i], f.along, times_of(rows_[i]) * f.q / part_.h, &NetBody::v);
     }
   }
 
@@ -254,12 +291,13 @@ class Net {
     const NetBody &a = bodies_[row.a], &b = bodies_[row.b];
     f.n0 = {0, 1, 0};
     measure(row, row.start_normal, a.start - b.start, f.n0, f.l0);
-    f.n = f.n0;
+    f.n = f.along = f.n0;
     f.slack = 8 * kEpsilon * size_of(row);
-    f.rounding = 16 * kEpsilon * (length(a.mobility) + length(b.mobility));
+    f.moved = length(a.mobility) + length(b.mobility);
+    f.rounding = 16 * kEpsilon * f.moved;
     f.q = f.p = 0;
     f.give = 0;
-    const bool has_direction = row.has_normal || f.l0 > 0;
+    const bool has_direction = row.has_normal || row.is_spring() || f.l0 > 0;
     f.takes_part = has_direction && (a.mobility != Vec3d{} || b.mobility != Vec3d{});
     f.target = f.l0;
     if (row.only_pushes()) f.target = std::min(f.l0, row.length);
@@ -281,13 +319,31 @@ class Net {
     return row.restitution == 0 || dot(f.n0, a.start_velocity - b.start_velocity) <= rounding;
   }
 
-  /// Bodies where they flew, moved by the rows.
+  /// Bodies where they flew, moved by the rows; springs turn with their ends.
   void place() {
-    for (std::size_t i = 0; i < bodies_.size(); ++i) bodies_[i].x = flown_[i];
-    for (std::size_t i = 0; i < rows_.size(); ++i)
-      if (found_[i].q != 0) push(rows_[i], found_[i].n0, found_[i].q, &NetBody::x);
-    measure_all();
+    bool turns = true;
+    for (std::uint32_t times = 0; turns && times < kMostTurns; ++times) {
+      for (std::size_t i = 0; i < bodies_.size(); ++i) bodies_[i].x = flown_[i];
+      for (std::size_t i = 0; i < rows_.size(); ++i)
+        if (found_[i].q != 0) push(rows_[i], found_[i].along, found_[i].q, &NetBody::x);
+      measure_all();
+      turns = false;
+      for (std::size_t i = 0; i < rows_.size(); ++i)
+        if (rows_[i].is_spring()) turns = turn(rows_[i], found_[i]) || turns;
+    }
   }
+  /// The mean direction of a spring: with it the work of its impulse is what it has given, to rounding. True if it has
+  /// turned.
+  bool turn(const NetRow& row, Found& f) const {
+    const NetBody &a = bodies_[row.a], &b = bodies_[row.b];
+    const double both = f.l0 + f.l;
+    const Vec3d along = both > 0 ? (a.start - b.start + a.x - b.x) * (1 / both) : f.n0;
+    f.turned = length(along - f.along);
+    f.along = along;
+    return f.q != 0 && f.turned > 4 * kEpsilon;
+  }
+  /// In units of q/h, what a row does to speeds along the step: half of a spring's impulse moves its ends.
+  [[nodiscard]] static double times_of(const NetRow& row) { return row.is_spring() ? 2 : 1; }
   [[nodiscard]] static double missing(const Found& f) { return f.l + f.give * f.q - f.target; }
 
   /// q of the active rows, by Newton's method; where a step makes things worse, by less of it.
@@ -295,15 +351,15 @@ class Net {
     for (Found& f : found_) f.q = 0;
     place();
     std::vector<double> before(rows_.size()), step(rows_.size());
-    double best = kInfinity, part = 1;
+    double best = kInfinity, most = kInfinity, part = 1;
     for (std::uint32_t round = 0; round < kMostRounds && effort_.suffices(work_); ++round) {
-      const double most = what_is_missing();
+      most = what_is_missing();
       if (most <= 1) return true;
       if (most < best) {
         best = most;
         part = 1;
         ++report_.rounds;
-        factor(&Found::n, &Found::n0);
+        factor(&Found::n, &Found::along);
         solve([this](std::size_t i) { return -missing(found_[i]); }, [&](std::size_t i, double q) { step[i] = q; });
         for (std::size_t i = 0; i < rows_.size(); ++i) before[i] = found_[i].q;
       } else if ((part /= 2) < kLeastPart) {
@@ -313,13 +369,15 @@ class Net {
         if (found_[i].active) found_[i].q = before[i] + part * step[i];
       place();
     }
-    return best < kNear;
+    return most < kNear;
   }
   /// The most that active rows miss, of what does not count.
   [[nodiscard]] double what_is_missing() const {
     double most = 0;
     for (const Found& f : found_)
-      if (f.active) most = std::max(most, std::abs(missing(f)) / (f.slack + f.rounding * std::abs(f.q)));
+      if (f.active)
+        most = std::max(most, std::max(std::abs(missing(f)), f.moved * f.turned * std::abs(f.q)) /
+                                  (f.slack + f.rounding * std::abs(f.q)));
     return most;
   }
 
@@ -441,8 +499,7 @@ class Net {
     };
     report_.solved = choose(attempt, fits) && report_.solved;
     for (std::size_t i = 0; i < rows_.size(); ++i) {
-      const double twice = rows_[i].is_spring() ? 2 : 1;
-      rows_[i].impulse = -(twice * found_[i].q / part_.h + found_[i].p);
+      rows_[i].impulse = -(times_of(rows_[i]) * found_[i].q / part_.h + found_[i].p);
     }
   }
 

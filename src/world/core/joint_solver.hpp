@@ -12,7 +12,13 @@
 //   taut cables      l(q) <= l0, q <= 0, one of them equal  (a linear complementarity problem)
 //   planes           l(q) >= l,  q >= 0, one of them equal
 //   guides           l(q) = l                               a direction that is given, and may turn
-//   springs          q = -(h^2/2) F,  F = k ((l0 + l(q))/2 - L) + c (l(q) - l0)/h    (trapezoidal rule: any k, any h)
+//   springs          q = -(h^2/2) F,  F = k ((l0 + l(q))/2 - L) + c (l(q) - l0)/h    (any k, any h)
+//
+// A spring's impulse, 2 q/h, goes along (r0 + r1)/(l0 + l1), r from one end to the other: its work is what the spring
+// gives, to rounding, and it turns nothing (a discrete gradient: Gonzalez 1996, J. Nonlinear Sci. 6, 449-467).
+//
+// A body bounces where its net brings it to a plane, with its speed there: the step is taken in parts, up to that
+// moment and from there.
 //
 // A cable that was slack when the step began and is too long at its end came taut: the step is taken in parts, up to
 // that moment and from there (world/couple/joint_parts.cpp). There the speed at which its ends part is turned around by
@@ -28,15 +34,18 @@
 // Computers Ops Res. 21, 587-596); its last resort is Murty's rule. Rows that others imply already take no part.
 //
 // A light body between rods that hold a heavy one swings across them fast: such steps are taken in parts that are short
-// beside that (1000 kg on ten links of a gram: some hundreds of parts of 1/60 s).
+// beside that (1000 kg on ten links of a gram: some hundreds of parts of 1/60 s). A net with springs that is not solved
+// in one step, or that turns a spring by a quarter of a turn or more, is taken in parts that are short beside the swing
+// of its springs.
 //
-// Error: of order h^2 in place and time over a fixed span. Wrong: where a net turns by a quarter of a turn or more
-// within a step. Then, where the rounds do not suffice, and where the net would gain more than a fiftieth of the energy
-// of its motion in a step, lengths are put right without a speed: springs are not felt in that step, and energy is
-// lost.
+// Error: of order h^2 in place and time over a fixed span. Wrong: where a net of rods turns by a quarter of a turn or
+// more within a step. Then, where the rounds do not suffice, and where the net would gain more than a fiftieth of the
+// energy of its motion in a step, lengths are put right without a speed: springs are not felt in that step or part, and
+// the motion about the common one gives the energy that they hold behind it.
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <span>
 
 #include "physim/math.hpp"
@@ -45,13 +54,26 @@ namespace physim {
 
 /// A body that rows end at, or a fixed point.
 struct NetBody {
-  Vec3d start{};            // where it was when the step began [m]
-  Vec3d start_velocity{};   // [m/s]
-  Vec3d x{};                // place after its flight alone; then the held place [m]
-  Vec3d v{};                // velocity after its flight alone; then the held velocity [m/s]
-  Vec3d mobility{};         // one over its mass, along each axis; 0: nothing moves it [1/kg]
-  double spacing = 0;       // of the numbers that keep its place [m]
-  bool is_carried = false;  // a point that goes on its way, whatever it holds
+  Vec3d start{};                        // where it was when the step began [m]
+  Vec3d start_velocity{};               // [m/s]
+  Vec3d x{};                            // place after its flight alone; then the held place [m]
+  Vec3d v{};                            // velocity after its flight alone; then the held velocity [m/s]
+  Vec3d mobility{};                     // one over its mass, along each axis; 0: nothing moves it [1/kg]
+  double spacing = 0;                   // of the numbers that keep its place [m]
+  bool is_carried = false;              // a point that goes on its way, whatever it holds
+  std::optional<Vec3d> acceleration{};  // of a flight alone that bounces, between its bounces [m/s^2]
+};
+
+/// A plane at rest that a body bounces off: one of its flight alone, or one that only its net brings it to.
+struct NetBounce {
+  std::uint32_t body = 0;
+  Vec3d place{};           // of the body where it touches the plane [m]
+  Vec3d normal{};          // towards the body [-]
+  double restitution = 0;  // [-]
+  double speed = 1;        // with which it came along the normal in its flight alone [m/s]
+  Vec3d across{};          // by which its velocity changed across the normal then [m/s]
+  double rubbed = 0;       // of a ball: what that took of the square of its velocity, its spin may have [m2/s2]
+  bool is_over = false;    // it has met it in the step at hand
 };
 
 /// What holds two bodies.
@@ -84,6 +106,7 @@ struct NetReport {
   std::uint32_t rounds = 0;
   double residual = 0;  // the farthest that a row is from what it keeps [m]
   bool solved = true;
+  bool is_rough = false;  // not solved, or turned by a quarter of a turn or more: shorter parts may do better
 };
 
 /// What a part of a step is.
@@ -116,7 +139,8 @@ class NetEffort {
 /// Holds the bodies of one net at the end of a part of a step. Rows are in an order in which neighbours are near.
 NetReport hold_part(std::span<NetBody> bodies, std::span<NetRow> rows, const NetPart& part, NetEffort& effort);
 /// Holds them at the end of a step of h [s], which is cut where cables come taut, and where it is too long for the net
-/// (world/couple/joint_parts.cpp).
-NetReport hold_net(std::span<NetBody> bodies, std::span<NetRow> rows, double h, NetEffort& effort);
+/// (world/couple/joint_parts.cpp), and where bodies bounce.
+NetReport hold_net(std::span<NetBody> bodies, std::span<NetRow> rows, std::span<NetBounce> bounces, double h,
+                   NetEffort& effort);
 
 }  // namespace physim

@@ -152,7 +152,11 @@ Status check(const Joint& joint) {
   check_point(c, joint);
   if (joint.length) {
     c.require(!row_of(joint.kind).slides, "joint.length", "is given for a slider", "it has low and high");
-    c.positive(*joint.length, "joint.length", "leave it out for the distance at which its ends are now");
+    constexpr std::string_view kHint = "leave it out for the distance at which its ends are now";
+    if (joint.kind == JointKind::spring)
+      c.not_negative(*joint.length, "joint.length", kHint);
+    else
+      c.positive(*joint.length, "joint.length", kHint);
     c.require(*joint.length <= kFarthestJoint, "joint.length", "must not be above 1e15 m");
   }
   c.require(joint.restitution >= 0 && joint.restitution <= 1, "joint.restitution", "must lie between 0 and 1");
@@ -229,7 +233,8 @@ Status complete(const WorldState& state, Joint& joint) {
   }
   if (joint.length || kind.slides) return {};
   joint.length = length(between);
-  if (!(*joint.length > 0)) return Error{"its ends are at one place", "joint.length", "say how long it is"};
+  if (!(*joint.length > 0) && joint.kind != JointKind::spring)
+    return Error{"its ends are at one place", "joint.length", "say how long it is"};
   return {};
 }
 

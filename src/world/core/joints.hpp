@@ -93,16 +93,25 @@ class Joints {
   std::unordered_map<std::uint32_t, std::vector<std::uint32_t>> of_slot_;
 };
 
+/// Where a held projectile, flown without its joints, met the ground or a thing at rest in the step at hand.
+struct HeldBounce {
+  std::uint32_t held;             // among those held
+  double time = 0;                // of the world [s]
+  Vec3d place, velocity, normal;  // behind it [m], [m/s], [-]
+};
+
 /// A held projectile, in the step at hand.
 struct HeldBody {
   ProjectileId id;
-  BodyState start;  // when the step began
+  BodyState start;            // when the step began
+  bool meets_others = false;  // it bounced off things that move, or off projectiles
 };
 
 /// Memory that steps use again and again.
 struct JointScratch {
   double began = 0;                              // time of the step at hand [s]
   std::vector<HeldBody> held;                    // in order of slots
+  std::vector<HeldBounce> bounces;               // in order of those held, then of time
   std::vector<std::vector<std::uint32_t>> nets;  // joints that hold together, neighbours near each other
   std::vector<std::uint32_t> broken;             // joints that pulled or pushed with more than their break_force
 };

@@ -1,6 +1,9 @@
 #include "world/couple/joint_contacts.hpp"
 
 #include "base/assert.hpp"
+#include "collide/contact_rules.hpp"
+#include "collide/engine.hpp"
+#include "collide/scene_by_motion.hpp"
 #include "model/ladder.hpp"
 #include "world/couple/world_impl.hpp"
 
@@ -18,7 +21,8 @@ std::optional<NetContact> ground_on_way(const WorldImpl& w, const Slot& slot, co
   const double part = from.y > ground.height ? (from.y - ground.height) / (from.y - to.y) : 0;
   Vec3d place = from + (to - from) * part;
   place.y = ground.height;
-  return NetContact{{0, 1, 0}, ground.height, place};
+  const OwnSurface own = OwnSurface::of(w.registry.kind(slot.kind).body);
+  return NetContact{{0, 1, 0}, ground.height, place, surface_between(ground, own).restitution};
 }
 
 std::optional<NetContact> thing_on_way(const WorldImpl& w, const Slot& slot, const Vec3d& from, const Vec3d& to) {
@@ -34,7 +38,12 @@ std::optional<NetContact> thing_on_way(const WorldImpl& w, const Slot& slot, con
   // Outside of it also when its row has rounded its place.
   PHYSIM_ASSERT(hit.part >= 0 && hit.part <= 1);
   const double skin = thinner + 1e-9 + 4 * w.state.rows_of(slot).layout().epsilon() * length(to);
-  return NetContact{hit.normal, dot(hit.normal, hit.position) + skin, hit.position + hit.normal * skin};
+  NetContact contact{hit.normal, dot(hit.normal, hit.position) + skin, hit.position + hit.normal * skin};
+  contact.rests = hit.instance.generation != kEngineGeneration && SceneByMotion(*scene).rests(hit.instance.index);
+  const OwnSurface own = OwnSurface::of(w.registry.kind(slot.kind).body);
+  if (collision.on_hit == OnHit::bounce)
+    contact.restitution = surface_between(scene->material(hit.material), own).restitution;
+  return contact;
 }
 
 }  // namespace

@@ -12,9 +12,11 @@ struct WorldImpl;
 
 /// A plane that a projectile stays in front of.
 struct NetContact {
-  Vec3d normal{};     // of length one, outwards
-  double offset = 0;  // dot(normal, place) is not below [m]
-  Vec3d place{};      // of its middle where it touches [m]
+  Vec3d normal{};          // of length one, outwards
+  double offset = 0;       // dot(normal, place) is not below [m]
+  Vec3d place{};           // of its middle where it touches [m]
+  double restitution = 0;  // 0 where it stops or sticks [-]
+  bool rests = true;
 };
 
 /// What a projectile would go into on a straight way at the end of a step; nothing where the way is free.

@@ -6,6 +6,8 @@
 #include "base/assert.hpp"
 #include "base/checker.hpp"
 #include "base/joint_table.hpp"
+#include "collide/engine.hpp"
+#include "collide/scene_by_motion.hpp"
 #include "math/angles.hpp"
 #include "math/elementary.hpp"
 #include "math/quat.hpp"
@@ -107,6 +109,13 @@ void wake_net(WorldImpl& world, const std::vector<std::uint32_t>& net, double dt
   if (!moves) return;
   for (const std::uint32_t slot : asleep)
     if (state.slots[slot].is(kAsleep)) world.wake(slot);
+}
+
+/// A projectile of the step at hand; null if it is not held.
+[[nodiscard]] HeldBody* held_in(JointScratch& scratch, ProjectileId id) {
+  const auto at =
+      std::ranges::lower_bound(scratch.held, id.index, {}, [](const HeldBody& body) { return body.id.index; });
+  return at != scratch.held.end() && at->id == id ? &*at : nullptr;
 }
 
 // ------------------------------------------------------------------------------------------- one net
@@ -233,12 +242,49 @@ class NetStep {
     const Own* own = state_.extras.find_own(id.index);
     const Axes frozen = own ? own->frozen : w_.registry.kind(slot.kind).body.frozen;
     body.mobility = free_axes(frozen) * (1 / mass_of(w_.registry, state_, slot));
+    if (held && !held->meets_others && frozen == Axes::none) add_bounces(*held, at->second);
     return at->second;
   }
-  [[nodiscard]] const HeldBody* held_of(ProjectileId id) const {
-    const auto& held = w_.jointed.held;
-    const auto at = std::ranges::lower_bound(held, id.index, {}, [](const HeldBody& body) { return body.id.index; });
-    return at != held.end() && at->id == id ? &*at : nullptr;
+  [[nodiscard]] const HeldBody* held_of(ProjectileId id) const { return held_in(w_.jointed, id); }
+  /// Those of its flight alone. Its acceleration is that from the last one on; where that is short, or it lies there,
+  /// the one that leads to the first.
+  void add_bounces(const HeldBody& held, std::uint32_t index) {
+    constexpr double kShort = 1.0 / 64, kLong = 1.0 / 4;  // of a step [-]
+    constexpr double kLies = 1e-9, kUnknown = 1;          // [m/s], [m/s2]
+    const auto number = static_cast<std::uint32_t>(&held - w_.jointed.held.data());
+    const std::vector<HeldBounce>& bounces = w_.jointed.bounces;
+    const auto begin = std::ranges::lower_bound(bounces, number, {}, &HeldBounce::held);
+    const auto end = std::find_if(begin, bounces.end(), [&](const HeldBounce& each) { return each.held != number; });
+    const std::span<const HeldBounce> all(begin, end);
+    if (all.empty()) return;
+    NetBody& body = bodies_[index];
+    const HeldBounce &first = all.front(), &last = all.back();
+    const double until = first.time - w_.jointed.began, left = w_.jointed.began + dt_ - last.time;
+    const double rounding = 16 * body.spacing / (until * until);  // of an acceleration from places
+    Vec3d a{};
+    if (left > kShort * dt_) a = (body.v - last.velocity) * (1 / left);
+    const bool lies = std::abs(dot(last.normal, last.velocity)) < kLies;
+    if ((left <= kShort * dt_ || lies) && until > kLong * dt_ && rounding < kUnknown)
+      a = (first.place - body.start - body.start_velocity * until) * (2 / (until * until));
+    body.acceleration = a;
+    const bool spins = w_.registry.kind(state_.slots[held.id.index].kind).body.collision.radius > 0;
+    Vec3d v = body.start_velocity;
+    double time = w_.jointed.began;
+    for (const HeldBounce& each : all) {
+      v += a * (each.time - time);
+      NetBounce bounce{.body = index, .place = each.place, .normal = each.normal};
+      bounce.speed = -dot(each.normal, v);
+      if (bounce.speed > 0) {
+        bounce.restitution = std::clamp(dot(each.normal, each.velocity) / bounce.speed, 0.0, 1.0);
+        const Vec3d change = each.velocity - v;
+        bounce.across = change - each.normal * dot(each.normal, change);
+        const Vec3d slides = v + each.normal * bounce.speed;
+        if (spins) bounce.rubbed = length_squared(slides) - length_squared(slides + bounce.across);
+        bounces_.push_back(bounce);
+      }
+      v = each.velocity;
+      time = each.time;
+    }
   }
 
   /// A body that would be moved into the ground or a thing stays in front of it, and the net is solved once more.
@@ -247,11 +293,11 @@ class NetStep {
     const std::vector<NetBody> flown = bodies_;
     const std::size_t joints = rows_.size();
     NetEffort effort(joints);
-    NetReport report = hold_net(bodies_, rows_, dt_, effort);
+    NetReport report = hold_net(bodies_, rows_, bounces_, dt_, effort);
     for (int time = 1; time < kMostTimes && !effort.is_spent() && add_contacts(flown); ++time) {
       std::ranges::copy(flown, bodies_.begin());
       for (std::size_t i = 0; i < joints; ++i) rows_[i].impulse = 0, rows_[i].came_taut = false;
-      report = hold_net(bodies_, rows_, dt_, effort);
+      report = hold_net(bodies_, rows_, bounces_, dt_, effort);
     }
     rows_.resize(joints);
     for (std::size_t i = 0; i < flown.size(); ++i)
@@ -272,17 +318,30 @@ class NetStep {
       if (!contact || !f(*contact)) return;
     }
   }
+  /// What comes from outside bounces, off each plane once in a step; what lay there already, or comes again, stays in
+  /// front of it.
   bool add_contacts(const std::vector<NetBody>& flown) {
-    const std::size_t before = rows_.size();
+    bool found = false;
     for (std::size_t i = 0; i < flown.size(); ++i) {
       NetBody body = bodies_[i];
       while_it_meets(i, flown[i].x, body, [&](const NetContact& contact) {
-        if (!is_shallow(body, contact)) return keep_before(i, contact), false;
-        stop_at(body, contact);
-        return true;
+        if (is_shallow(body, contact)) return stop_at(body, contact), true;
+        found = true;
+        const bool comes = -depth(flown[i].start, contact) > kAside * (1 + length(body.x));
+        const auto number = static_cast<std::uint32_t>(i);
+        const auto is_same = [&](const NetBounce& bounce) {
+          return bounce.body == number && dot(bounce.normal, contact.normal) > kSamePlane;
+        };
+        if (comes && contact.rests && std::ranges::none_of(bounces_, is_same)) {
+          bounces_.push_back(
+              {.body = number, .place = contact.place, .normal = contact.normal, .restitution = contact.restitution});
+        } else {
+          keep_before(i, contact);
+        }
+        return false;
       });
     }
-    return rows_.size() > before;
+    return found;
   }
   /// The body stays in front of what it meets, however its net is solved.
   void keep_before(std::size_t body, const NetContact& contact) {
@@ -295,16 +354,16 @@ class NetStep {
     row.start_normal = row.normal = contact.normal;
     row.length = contact.offset;
   }
-  [[nodiscard]] static double depth(const NetBody& body, const NetContact& contact) {
-    return contact.offset - dot(contact.normal, body.x);
+  [[nodiscard]] static double depth(const Vec3d& place, const NetContact& contact) {
+    return contact.offset - dot(contact.normal, place);
   }
   /// So little that it is moved out without another look at its net.
   [[nodiscard]] static bool is_shallow(const NetBody& body, const NetContact& contact) {
-    return depth(body, contact) < 1e-12 * (1 + length(body.x)) + 16 * body.spacing;
+    return depth(body.x, contact) < 1e-12 * (1 + length(body.x)) + 16 * body.spacing;
   }
   /// If the net and its contacts contradict each other, no body enters anything.
   static void stop_at(NetBody& body, const NetContact& contact) {
-    body.x = is_shallow(body, contact) ? body.x + contact.normal * depth(body, contact) : contact.place;
+    body.x = is_shallow(body, contact) ? body.x + contact.normal * depth(body.x, contact) : contact.place;
     const double into = dot(contact.normal, body.v);
     if (into < 0) body.v -= contact.normal * into;
   }
@@ -367,6 +426,9 @@ class NetStep {
     return static_cast<double>(rest.time) >= body.sleep_time;
   }
 
+  static constexpr double kSamePlane = 0.99;  // cosine [-]
+  static constexpr double kAside = 1e-7;  // of a place: what is farther off a plane than that does not lie on it [-]
+
   WorldImpl& w_;
   WorldState& state_;
   const std::vector<std::uint32_t>& net_;
@@ -374,11 +436,35 @@ class NetStep {
   std::vector<NetBody> bodies_;
   std::vector<std::uint32_t> slots_;  // of bodies; 0: a fixed point
   std::vector<NetRow> rows_;
+  std::vector<NetBounce> bounces_;
   bool carried_ = false;                                     // a point or an axis moves
   std::optional<std::uint32_t> origin_;                      // body that planes are relative to
   std::vector<std::uint32_t> joints_;                        // of rows, those of a joint one after the other
   std::unordered_map<std::uint32_t, std::uint32_t> places_;  // of slots among the bodies
 };
+
+/// Finds out where held projectiles bounced in the step at hand.
+void note_bounces(WorldImpl& world) {
+  JointScratch& s = world.jointed;
+  s.bounces.clear();
+  const Scene* scene = world.state.scene.get();
+  world.state.events.each_of(EventKind::bounced, [&](const Event& e) {
+    HeldBody* held = held_in(s, e.id);
+    const Slot* slot = world.find(e.id);
+    if (!held || !slot || e.time < s.began) return;
+    const bool on_ground = !e.instance && !e.other;
+    const bool is_flat = world.registry.cohort(slot->cohort).key.fidelity.earth == EarthModel::flat;
+    const bool rests = on_ground ? is_flat
+                                 : !e.other && scene && e.instance.generation != kEngineGeneration &&
+                                       SceneByMotion(*scene).rests(e.instance.index);
+    held->meets_others = held->meets_others || !rests;
+    const auto number = static_cast<std::uint32_t>(held - s.held.data());
+    s.bounces.push_back({number, e.time, e.position, e.velocity, on_ground ? Vec3d{0, 1, 0} : e.normal});
+  });
+  std::ranges::stable_sort(s.bounces, [](const HeldBounce& a, const HeldBounce& b) {
+    return a.held != b.held ? a.held < b.held : a.time < b.time;
+  });
+}
 
 }  // namespace
 
@@ -407,6 +493,7 @@ void hold_joints(WorldImpl& world, double dt) {
   PHYSIM_ASSERT(dt > 0);
   std::vector<std::uint32_t>& broken = world.jointed.broken;
   broken.clear();
+  if (!world.jointed.held.empty()) note_bounces(world);
   for (const std::vector<std::uint32_t>& net : world.jointed.nets) NetStep(world, net, dt).run();
   std::ranges::sort(broken);
   for (const std::uint32_t index : broken) break_joint(world, index);

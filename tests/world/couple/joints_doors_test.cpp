@@ -28,6 +28,7 @@ TEST(JointDoors, bad_joints_are_refused_with_a_place) {
   refused({.a = a, .point = {2e15, 0, 0}}, "joint.point");
   for (const double length : {nan, -1.0, 0.0, kInfinity, 1e16})
     refused({.a = a, .b = b, .length = length}, "joint.length");
+  refused({.kind = JointKind::spring, .a = a, .b = b, .length = -1}, "joint.length");
   refused({.a = a, .b = same}, "joint.length");
   refused({.a = a}, "joint.length");  // it lies at its point
   const ProjectileId far = put(world, mass_of(1), bob(), {2e15, 0, 0});
