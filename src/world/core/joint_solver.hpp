@@ -100,6 +100,7 @@ struct NetRow {
   double impulse = 0;      // with which it pulled its ends together [N s]
   double speed = 0;        // at which they parted when it came taut [m/s]
   bool came_taut = false;  // in this step
+  void forget() { impulse = speed = 0, came_taut = false; }
 };
 
 struct NetReport {

@@ -64,7 +64,7 @@ class StepInParts {
     PHYSIM_ASSERT(h > 0);
     for (NetBody& body : bodies) body.x = body.start, body.v = body.start_velocity;
     for (NetBounce& bounce : bounces) bounce.is_over = false;
-    for (NetRow& row : found_) row.impulse = 0, row.came_taut = false;
+    for (NetRow& row : found_) row.forget();
     has_springs_ = std::ranges::any_of(rows, &NetRow::is_spring);
     holds_ = !std::ranges::all_of(rows, &NetRow::is_spring);
   }

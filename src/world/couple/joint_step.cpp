@@ -296,7 +296,7 @@ class NetStep {
     NetReport report = hold_net(bodies_, rows_, bounces_, dt_, effort);
     for (int time = 1; time < kMostTimes && !effort.is_spent() && add_contacts(flown); ++time) {
       std::ranges::copy(flown, bodies_.begin());
-      for (std::size_t i = 0; i < joints; ++i) rows_[i].impulse = 0, rows_[i].came_taut = false;
+      for (std::size_t i = 0; i < joints; ++i) rows_[i].forget();
       report = hold_net(bodies_, rows_, bounces_, dt_, effort);
     }
     rows_.resize(joints);
