@@ -162,12 +162,11 @@ struct Joint {
   ProjectileId a{};                 ///< one end [-]
   ProjectileId b{};                 ///< the other end; null: `point` [-]
   Vec3d point{};                    ///< where there is no b: of the world, or of `thing` in its own frame [m]
-  std::optional<double>
-      length{};            ///< of a rod, of a cable that is taut, of a spring at rest, radius of a hinge; above
-                           ///< 0, of a spring 0 or more; none: as far as its ends are apart when it is added [m]
-  double restitution = 0;  ///< of a cable: speed kept when it comes taut, 0..1; 0: its ends go on together [-]
-  double stiffness = 1;    ///< of a spring [N/m]
-  double damping = 0;      ///< of a spring: of the rate at which its length changes [kg/s]
+  std::optional<double> length{};   ///< of a rod, a taut cable, radius of a hinge: above 0; of a spring at rest: 0 or
+                                    ///< more; none: as far as its ends are apart when it is added [m]
+  double restitution = 0;           ///< of a cable: speed kept when it comes taut, 0..1; 0: its ends go on together [-]
+  double stiffness = 1;             ///< of a spring [N/m]
+  double damping = 0;               ///< of a spring: of the rate at which its length changes [kg/s]
   std::optional<double> break_force{};  ///< it ends if it pulls or pushes with more, on the mean of a step; above 0;
                                         ///< none: it never breaks [N]
   Vec3d velocity{};                     ///< of a point of the world, at most 1e9 [m/s]

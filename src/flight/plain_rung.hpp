@@ -17,9 +17,8 @@ struct PlainRungs {
 
 PHYSIM_ISA_BEGIN
 
-/// Whether a projectile flies as a point mass with a drag curve in the standard's air, calm or with one wind, and has
-/// nothing special about it but these features. Calm air is a wind of zero, which leaves the bits of a velocity as they
-/// are.
+/// True if a projectile is a point mass with a drag curve in the standard's air, calm or with one wind, on these rungs
+/// and with these features alone. A wind of zero, that of calm air, changes no bit of the velocity through the air.
 template <class S>
 PHYSIM_INLINE bool is_plain(const Conditions<S>& c, const PlainRungs& rungs) {
   const Fidelity& f = c.fidelity;
@@ -28,7 +27,7 @@ PHYSIM_INLINE bool is_plain(const Conditions<S>& c, const PlainRungs& rungs) {
          !turns(f) && !spins(f) && static_cast<const Features&>(c) == rungs.features;
 }
 
-/// Whether calm air has a wind of zero: who reads it without looking at its rung says so before.
+/// True if the wind of calm air is stored as zero. Steps that read the wind on any rung assert it.
 template <class S>
 PHYSIM_INLINE bool is_calm_without_wind(const Conditions<S>& c) {
   const Components<S>& w = c.wind.velocity;

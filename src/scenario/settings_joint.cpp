@@ -22,8 +22,7 @@ constexpr Entry kJointSettings[] = {
     PHYSIM_JOINT_DEF(point, "of the world, where there is no b", Quantity::length),
     PHYSIM_JOINT_DEF(length,
                      "of a rod, a taut cable, a spring at rest (alone it may be 0), radius of a hinge; launch: as far "
-                     "as its ends are "
-                     "apart then",
+                     "as its ends are apart then",
                      Quantity::length, between(0, 1e15), absent("launch")),
     PHYSIM_JOINT_DEF(restitution, "of a cable: speed kept when it comes taut", between(0, 1)),
     PHYSIM_JOINT_DEF(stiffness, "of a spring: force for each metre of stretch", Quantity::stiffness, at_least(0)),

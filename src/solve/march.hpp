@@ -149,15 +149,9 @@ class March {
   }
   /// Tries one in the lanes that are asked for; what others do means nothing.
   PHYSIM_INLINE Mask try_step(const Mask& asked = all()) {
-    return try_step_by(asked, [](const Conditions<S>& c, Flyer<R>& flyer, S relative, S absolute)
-                                  PHYSIM_INLINE_LAMBDA { take_step(c, flyer, relative, absolute); });
-  }
-  /// By what takes steps as take_step() does.
-  PHYSIM_INLINE Mask try_step_by(const Mask& asked, const auto& take) { return try_step_by(conditions(), asked, take); }
-  /// Tries a step under the march's conditions, of which the compiler may know more where it is handed them.
-  PHYSIM_INLINE Mask try_step_by(const Conditions<S>& c, const Mask& asked, const auto& take) {
+    const Conditions<S>& c = conditions();
     set_step(c);
-    take(conditions(), lanes, course_->plan.relative, course_->plan.absolute);
+    take_step(c, lanes, course_->plan.relative, course_->plan.absolute);
     return control_step(c, asked);
   }
 

@@ -122,7 +122,7 @@ class Net {
     const Balance b = balance(flown);
     return !(b.gained <= kMostGain * b.moved);  // written so that a NaN counts as a gain
   }
-  /// Springs that were not felt hold what the bodies went on with: their motion about their common one gives it.
+  /// Takes the energy that the net gained out of the motion of its bodies about that of their centre of mass.
   void calm(const std::vector<NetBody>& flown) {
     const double gained = balance(flown).gained;
     const bool is_free = std::ranges::none_of(bodies_, [](const NetBody& body) { return body.mobility == Vec3d{}; });
@@ -144,10 +144,9 @@ class Net {
   }
   [[nodiscard]] static double square(double x) { return x * x; }
 
-  /// What the bodies gained beyond that work and what is their own flights', and what moved in the step [J].
   struct Balance {
-    double gained = 0;
-    double moved = 0;
+    double gained = 0;  // by the bodies, beyond the work done on them and the gain of their flights alone [J]
+    double moved = 0;   // that of the motion of the step, before and after it [J]
   };
   [[nodiscard]] Balance balance(const std::vector<NetBody>& flown) const {
     double gained = 0, own = 0, moved = 0;  // [J]

@@ -40,8 +40,8 @@
 //
 // Error: of order h^2 in place and time over a fixed span. Wrong: where a net of rods turns by a quarter of a turn or
 // more within a step. Then, where the rounds do not suffice, and where the net would gain more than a fiftieth of the
-// energy of its motion in a step, lengths are put right without a speed: springs are not felt in that step or part, and
-// the motion about the common one gives the energy that they hold behind it.
+// energy of its motion in a step, lengths are put right without a speed: springs do not act in that step or part, and
+// the energy that the net gains by that is taken from the motion about its centre of mass.
 #pragma once
 
 #include <cstdint>
@@ -107,7 +107,7 @@ struct NetReport {
   std::uint32_t rounds = 0;
   double residual = 0;  // the farthest that a row is from what it keeps [m]
   bool solved = true;
-  bool is_rough = false;  // not solved, or turned by a quarter of a turn or more: shorter parts may do better
+  bool is_rough = false;  // not solved, or a spring turned by a quarter of a turn or more
 };
 
 /// What a part of a step is.

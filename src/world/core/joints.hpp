@@ -93,11 +93,11 @@ class Joints {
   std::unordered_map<std::uint32_t, std::vector<std::uint32_t>> of_slot_;
 };
 
-/// Where a held projectile, flown without its joints, met the ground or a thing at rest in the step at hand.
+/// A bounce of a held projectile, flown without its joints, in the step at hand.
 struct HeldBounce {
   std::uint32_t held;             // among those held
   double time = 0;                // of the world [s]
-  Vec3d place, velocity, normal;  // behind it [m], [m/s], [-]
+  Vec3d place, velocity, normal;  // after it [m], [m/s], [-]
 };
 
 /// A held projectile, in the step at hand.

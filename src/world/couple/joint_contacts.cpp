@@ -39,7 +39,7 @@ std::optional<NetContact> thing_on_way(const WorldImpl& w, const Slot& slot, con
   PHYSIM_ASSERT(hit.part >= 0 && hit.part <= 1);
   const double skin = thinner + 1e-9 + 4 * w.state.rows_of(slot).layout().epsilon() * length(to);
   NetContact contact{hit.normal, dot(hit.normal, hit.position) + skin, hit.position + hit.normal * skin};
-  contact.rests = hit.instance.generation != kEngineGeneration && SceneByMotion(*scene).rests(hit.instance.index);
+  contact.rests = is_at_rest(*scene, hit.instance);
   const OwnSurface own = OwnSurface::of(w.registry.kind(slot.kind).body);
   if (collision.on_hit == OnHit::bounce)
     contact.restitution = surface_between(scene->material(hit.material), own).restitution;
@@ -47,6 +47,10 @@ std::optional<NetContact> thing_on_way(const WorldImpl& w, const Slot& slot, con
 }
 
 }  // namespace
+
+bool is_at_rest(const Scene& scene, InstanceId thing) {
+  return thing.generation != kEngineGeneration && SceneByMotion(scene).rests(thing.index);
+}
 
 std::optional<NetContact> contact_on_way(const WorldImpl& w, std::uint32_t index, const Vec3d& from, const Vec3d& to) {
   PHYSIM_ASSERT(index > 0);

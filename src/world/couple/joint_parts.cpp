@@ -150,7 +150,7 @@ class StepInParts {
     }
   }
 
-  /// When bodies come to planes in the part just held, after its start [s]; never where they do not.
+  /// Finds when bodies come to planes in the part just held, after its start [s]; infinity: not in it.
   void find_meetings(double part) {
     meetings_.assign(bounces_.size(), kInfinity);
     for (std::size_t i = 0; i < bounces_.size(); ++i) {
@@ -173,8 +173,8 @@ class StepInParts {
     for (std::size_t i = 0; i < bounces_.size(); ++i)
       if (meetings_[i] <= until) bounce(bounces_[i]);
   }
-  /// It leaves its plane with a part of the speed with which it came: the net takes its share of the blow. Across, it
-  /// loses what its flight alone lost, by how hard it strikes, and no more than it has.
+  /// Turns the velocity of a body around along the normal, times its restitution. Friction takes what it took of the
+  /// flight alone, in proportion to the speed along the normal, and never turns a slide around.
   void bounce(NetBounce& bounce) {
     bounce.is_over = true;
     NetBody& body = bodies_[bounce.body];
@@ -189,13 +189,13 @@ class StepInParts {
     const double most = length_squared(across) > 0 ? -dot(across, body.v) / length_squared(across) : 0;
     const double moved = length_squared(body.v);
     body.v += across * std::clamp(most, 0.0, std::min(came / bounce.speed, 1.0));
-    // A spin that has more than the ball lost here takes the rest out of its bounce.
+    // The flight alone has changed the spin: the bounce pays for energy that the ball does not lose here.
     const double owed = bounce.rubbed - (moved - length_squared(body.v)), up = dot(n, body.v);
     if (owed > 0 && up > 0) body.v -= n * (up - std::sqrt(std::max(up * up - owed, 0.0)));
     if (body.acceleration && bounce.restitution == 0)  // it lies there
       *body.acceleration -= n * std::min(dot(n, *body.acceleration), 0.0);
   }
-  /// Gives the blow to the net: a small push shows how it takes it.
+  /// Applies a blow to the net: its response is that to a push along the normal, which is linear.
   void push(const NetBounce& bounce, double came) {
     const double moment = kLeastCut * h_;
     std::vector<NetBody> bodies(bodies_.begin(), bodies_.end());

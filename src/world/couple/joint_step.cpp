@@ -6,8 +6,6 @@
 #include "base/assert.hpp"
 #include "base/checker.hpp"
 #include "base/joint_table.hpp"
-#include "collide/engine.hpp"
-#include "collide/scene_by_motion.hpp"
 #include "math/angles.hpp"
 #include "math/elementary.hpp"
 #include "math/quat.hpp"
@@ -246,8 +244,8 @@ class NetStep {
     return at->second;
   }
   [[nodiscard]] const HeldBody* held_of(ProjectileId id) const { return held_in(w_.jointed, id); }
-  /// Those of its flight alone. Its acceleration is that from the last one on; where that is short, or it lies there,
-  /// the one that leads to the first.
+  /// Adds the bounces of its flight alone. Its acceleration is the mean from the last one on; where that time is short,
+  /// or the body lies there, it is the one that leads to the first.
   void add_bounces(const HeldBody& held, std::uint32_t index) {
     constexpr double kShort = 1.0 / 64, kLong = 1.0 / 4;  // of a step [-]
     constexpr double kLies = 1e-9, kUnknown = 1;          // [m/s], [m/s2]
@@ -318,8 +316,8 @@ class NetStep {
       if (!contact || !f(*contact)) return;
     }
   }
-  /// What comes from outside bounces, off each plane once in a step; what lay there already, or comes again, stays in
-  /// front of it.
+  /// A body that starts off a plane bounces off it, once in a step; a body that lies there, or comes again, stays in
+  /// front of it. True if there is something new to solve for.
   bool add_contacts(const std::vector<NetBody>& flown) {
     bool found = false;
     for (std::size_t i = 0; i < flown.size(); ++i) {
@@ -454,9 +452,7 @@ void note_bounces(WorldImpl& world) {
     if (!held || !slot || e.time < s.began) return;
     const bool on_ground = !e.instance && !e.other;
     const bool is_flat = world.registry.cohort(slot->cohort).key.fidelity.earth == EarthModel::flat;
-    const bool rests = on_ground ? is_flat
-                                 : !e.other && scene && e.instance.generation != kEngineGeneration &&
-                                       SceneByMotion(*scene).rests(e.instance.index);
+    const bool rests = on_ground ? is_flat : !e.other && scene && is_at_rest(*scene, e.instance);
     held->meets_others = held->meets_others || !rests;
     const auto number = static_cast<std::uint32_t>(held - s.held.data());
     s.bounces.push_back({number, e.time, e.position, e.velocity, on_ground ? Vec3d{0, 1, 0} : e.normal});
