@@ -165,7 +165,7 @@ class StepInParts {
         continue;
       }
       const double s = first_where(kLooks, [&](double at) { return above(at) < 0 && above(at) < started; });
-      if (above(s) < slack) meetings_[i] = part * s;
+      if (above(s) < slack) meetings_[i] = std::max(part * s, kLeastCut * h_);
     }
   }
   [[nodiscard]] double first_meeting() const { return meetings_.empty() ? kInfinity : std::ranges::min(meetings_); }
