@@ -132,10 +132,13 @@ struct CountedCells {
   double scale = 1;                     ///< about a standard deviation [unit of the quantity]
   std::int64_t first = 0;               ///< number of the first cell with a count [-]
   std::vector<std::uint64_t> counts{};  ///< of cells from there on [-]
+  double least = -kInfinity;            ///< of the numbers counted [unit of the quantity]
+  double most = kInfinity;              ///< [unit of the quantity]
 
   /// Numbers counted.
   [[nodiscard]] std::uint64_t count() const;
-  /// The number that a part 0 <= p <= 1 lies below, in straight lines within a cell; NaN where there are none [unit].
+  /// The number that a part 0 <= p <= 1 lies below, in straight lines within a cell, from `least` to `most`; NaN if
+  /// there are none [unit].
   [[nodiscard]] double quantile(double p) const;
   /// The part that lies below x [-].
   [[nodiscard]] double part_below(double x) const;

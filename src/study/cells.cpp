@@ -34,6 +34,13 @@ void widen(CountedCells& cells, std::int64_t low, std::int64_t high) {
   cells.counts.resize(static_cast<std::size_t>(last - cells.first + 1));
 }
 
+/// Before what they are the ends of is counted.
+void take_ends(CountedCells& cells, double least, double most) {
+  const bool some = !cells.counts.empty();
+  cells.least = some ? std::min(cells.least, least) : least;
+  cells.most = some ? std::max(cells.most, most) : most;
+}
+
 }  // namespace
 
 void count_into(CountedCells& cells, std::span<const double> numbers) {
@@ -43,6 +50,7 @@ void count_into(CountedCells& cells, std::span<const double> numbers) {
 void count_into(CountedCells& cells, std::span<const double> numbers, const LeastAndMost& ends) {
   PHYSIM_ASSERT(cells.scale > 0 && !numbers.empty());
   const ShardKernel& kernel = shard_kernel();
+  take_ends(cells, ends.least, ends.most);
   const double per_scale = 1 / cells.scale;
   const auto cell_of = [&](double x) { return static_cast<std::int64_t>(cell_number((x - cells.centre) * per_scale)); };
   widen(cells, cell_of(ends.least), cell_of(ends.most));
@@ -64,6 +72,7 @@ void count_into(CountedCells& cells, std::span<const double> numbers, const Leas
 void join(CountedCells& cells, const CountedCells& others) {
   PHYSIM_ASSERT(cells.centre == others.centre && cells.scale == others.scale);
   if (others.counts.empty()) return;
+  take_ends(cells, others.least, others.most);
   widen(cells, others.first, others.first + static_cast<std::int64_t>(others.counts.size()) - 1);
   const auto offset = static_cast<std::size_t>(others.first - cells.first);
   for (std::size_t i = 0; i < others.counts.size(); ++i) cells.counts[offset + i] += others.counts[i];
@@ -91,10 +100,13 @@ double CountedCells::quantile(double p) const {
     if (counts[i] == 0) continue;
     last = i;
     const auto inside = static_cast<double>(counts[i]);
-    if (below + inside >= wanted) return edge(i) + (edge(i + 1) - edge(i)) * std::max(0.0, (wanted - below) / inside);
+    if (below + inside >= wanted) {
+      const double x = edge(i) + (edge(i + 1) - edge(i)) * std::max(0.0, (wanted - below) / inside);
+      return std::min(std::max(x, least), most);
+    }
     below += inside;
   }
-  return edge(last + 1);
+  return std::min(edge(last + 1), most);
 }
 
 double CountedCells::part_below(double x) const {

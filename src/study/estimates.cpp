@@ -200,7 +200,8 @@ StudyResult figures_of(const StudyPlanRecord& plan, const ShardSums& sums) {
   for (std::size_t q = 0; q < n; ++q)
     result.quantities.push_back({study.quantities[q], mean_of_quantity(plan, sums, q),
                                  some ? std::sqrt(sums.moments.covariance(q, q)) : kNotKnown,
-                                 some ? sums.least[q] : kNotKnown, some ? sums.most[q] : kNotKnown, sums.cells[q]});
+                                 some ? sums.cells[q].least : kNotKnown, some ? sums.cells[q].most : kNotKnown,
+                                 sums.cells[q]});
   for (std::size_t i = 0; i < n * n; ++i)
     result.covariance.push_back(some ? sums.moments.covariance(i / n, i % n) : kNotKnown);
   if (plan.has_plane()) put_plane(plan, sums, result);

@@ -67,8 +67,7 @@ bool fits(const CommonSums& sums, const CommonSums& first) {
     return fits(part.moments, sums.cells.size()) && sized(part.hits, first.hits) &&
            fits(part.indices, of_first.indices);
   };
-  return sums.replicates.size() == kReplicates && sized(sums.hits, first.hits) && sized(sums.least, first.least) &&
-         sized(sums.most, sums.least) && sums.worst.size() <= kWorstShots &&
+  return sums.replicates.size() == kReplicates && sized(sums.hits, first.hits) && sums.worst.size() <= kWorstShots &&
          std::ranges::equal(sums.cells, first.cells, each) && std::ranges::equal(sums.spreads, first.spreads, each) &&
          std::ranges::equal(sums.replicates, first.replicates, of_replicate) && fits(sums.moments, sums.cells.size()) &&
          fits(sums.from_aim, first.from_aim) && fits(sums.from_centre, first.from_centre) &&

@@ -74,6 +74,8 @@ void put_grids(StudyPlanRecord& plan, const SampleMoments& m) {
   for (std::size_t q = 0; q < m.size(); ++q) plan.grids.push_back({m.mean[q], std::max(deviation(q), least(q))});
   if (plan.has_plane()) {
     plan.centre = {m.mean[0], m.mean[1]};
+    const double right = m.mean[0] - plan.study.aim.right, up = m.mean[1] - plan.study.aim.up;
+    plan.aim_distance = std::sqrt(right * right + up * up);
     plan.radius_scale = std::max(plan.grids[0].scale, plan.grids[1].scale);
   }
   for (const StudyQuantity axis : {StudyQuantity::x, StudyQuantity::y, StudyQuantity::z}) {

@@ -13,7 +13,7 @@ namespace physim {
 
 /// Raised whenever the bytes of parts change. Results of shards may differ between versions without it: parts name the
 /// version that flew them, and others refuse them.
-inline constexpr std::uint32_t kStudyFormat = 5;
+inline constexpr std::uint32_t kStudyFormat = 6;
 
 /// Inputs that are drawn together: one that is correlated with none, or all of a correlation.
 struct InputGroup {
@@ -34,6 +34,7 @@ struct StudyPlanRecord {
   std::shared_ptr<const ShotModel> model;
   std::vector<CellGrid> grids;             // of each quantity
   PlanePoint centre;                       // mean point of impact of the pilot
+  double aim_distance = 0;                 // ... from the aim [m]
   double radius_scale = 1;                 // of distances on the plane [m]
   std::vector<std::size_t> in_space;       // indices of x, y and z; empty: not all are asked for
   double space_scale = 1;                  // of distances in space [m]

@@ -62,7 +62,8 @@ ShardSums ShardFlyer::add_up(std::uint64_t shard, const ModelTold& told, Columns
   sums.shots = study.shard_shots;
   sums.replicates.resize(kReplicates);
   for (const CellGrid& grid : plan_.grids) sums.cells.push_back(empty_cells(grid.centre, grid.scale));
-  sums.from_aim.cells = sums.from_centre.cells = empty_cells(0, plan_.radius_scale);
+  sums.from_aim.cells = empty_cells(plan_.aim_distance, plan_.radius_scale);
+  sums.from_centre.cells = empty_cells(0, plan_.radius_scale);
   sums.in_space.cells = empty_cells(0, plan_.space_scale);
 
   sums.refused = told.refused;
@@ -129,7 +130,6 @@ void ShardFlyer::add_arrived(std::uint64_t shard, ShardSums& sums) {
   sums.moments = moments_of(m_.arrived);
   for (std::size_t q = 0; q < m_.arrived.size() && !m_.shots.empty(); ++q) {
     const LeastAndMost ends = shard_kernel().least_and_most(m_.arrived[q].data(), m_.shots.size());
-    sums.least.push_back(ends.least), sums.most.push_back(ends.most);
     count_into(sums.cells[q], m_.arrived[q], ends);
   }
   m_.distances.resize(m_.shots.size());

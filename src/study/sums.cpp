@@ -38,18 +38,6 @@ void join_distances(ReplicateDistances& all, const ReplicateDistances& more) {
   for (std::size_t i = 0; i < more.spreads.size(); ++i) join(all.spreads[i], more.spreads[i]);
 }
 
-void join_ends(ShardSums& all, const ShardSums& later) {
-  if (later.least.empty()) return;
-  if (all.least.empty()) {
-    all.least = later.least, all.most = later.most;
-    return;
-  }
-  for (std::size_t i = 0; i < all.least.size(); ++i) {
-    all.least[i] = std::min(all.least[i], later.least[i]);
-    all.most[i] = std::max(all.most[i], later.most[i]);
-  }
-}
-
 /// The first is kept, then each that has a tenth more shots than the one before: some 300 of them for 10^15 shots. The
 /// last of all is always there.
 void thin(std::vector<StageSums>& stages) {
@@ -100,7 +88,6 @@ void join(ShardSums& all, const ShardSums& later) {
   all.not_arrived += later.not_arrived;
   if (!all.refusal) all.refusal = later.refusal;
   join(all.moments, later.moments);
-  join_ends(all, later);
   for (std::size_t i = 0; i < all.cells.size(); ++i) join(all.cells[i], later.cells[i]);
   join_distances(all.from_aim, later.from_aim);
   join_distances(all.from_centre, later.from_centre);

@@ -65,7 +65,6 @@ struct CommonSums {
   std::uint64_t not_arrived = 0;
   std::optional<FirstRefusal> refusal;
   SampleMoments moments;  // of all quantities
-  std::vector<double> least, most;
   std::vector<CountedCells> cells;
   DistanceSums from_aim, from_centre, in_space;
   std::vector<DistanceSums> spreads;  // of each group size

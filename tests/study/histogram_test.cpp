@@ -81,4 +81,20 @@ TEST(StudyHistograms, of_few_values_have_their_bars) {
   EXPECT_EQ(run.quantities[1].cells.histogram(0), run.quantities[1].cells.histogram(3)) << "fewer are none";
 }
 
+/// Quantiles are those of the shots, however far from the aim they come down, and never beyond the least and the most.
+TEST(StudyHistograms, radii_from_a_far_aim_are_as_fine_as_from_a_near_one) {
+  const StudyResult far = result_of(scatter(0, 8000), scattered);
+  ASSERT_TRUE(far.from_aim);
+  EXPECT_NEAR(far.from_aim->r50, 8000, 0.02);
+  EXPECT_NEAR(far.from_aim->r95, 8000 + 1.645, 0.03);  // of the bell curve along the direction from the aim
+  Study rolls = scatter();
+  rolls.inputs = {input("right", UniformDistribution{1, 7}), input("up", UniformDistribution{0, 1e-9})};
+  const StudyResult run = result_of(rolls, scattered);
+  for (const QuantityResult& q : run.quantities)
+    for (const double p : {0.0, 0.05, 0.95, 1.0}) {
+      EXPECT_GE(q.cells.quantile(p), q.least);
+      EXPECT_LE(q.cells.quantile(p), q.most);
+    }
+}
+
 }  // namespace physim::study_histogram_test
