@@ -71,8 +71,10 @@ void fly_record(FlightRecord& record, const Tolerance& tolerance, const Until& u
   if (record.cohort.conditions.has_motor && record.body.ignition == 0)
     keep_event(record, {{EventKind::ignition}, Outcome::event}, true, 0, record.body.launch);
   if (record.cohort.in_use.fidelity.precision == Precision::float32)
-    return fly_body<float>(record, tolerance, until, narrow(record.body));
-  fly_body<double>(record, tolerance, until, record.body);
+    fly_body<float>(record, tolerance, until, narrow(record.body));
+  else
+    fly_body<double>(record, tolerance, until, record.body);
+  if (record.outcome == Outcome::landed && record.duration == 0) say_why_it_landed_at_once(record, *until.ground);
 }
 
 /// All but the path; the elevation is found.

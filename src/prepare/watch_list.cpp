@@ -98,11 +98,11 @@ bool ends_at_once(const Conditions<double>& c, const Body<double>& b, const Unti
   if (!until.ground || height(c, b.launch.x) > *until.ground) return false;
   if (b.rail_phase < kOffRail && b.rail.y >= 0) return false;  // its rail stands on the ground
   const double climb = climb_rate(c, b.launch);
-  // Level at the start: weight against what lifts it decides. Drag does not, and its tables may not be there yet.
+  if (climb != 0) return climb < 0;
+  if (height(c, b.launch.x) == *until.ground) return false;  // the first step shows whether something lifts it
   Sum<double> sum;
   sum_effects(c, b, 0.0, b.launch, PointInVacuum{}, sum);
-  const double climb_later = climb_rate(c, State<double>{b.launch.x, sum.total});
-  return climb < 0 || (climb == 0 && climb_later < 0);
+  return climb_rate(c, State<double>{b.launch.x, sum.total}) < 0;
 }
 
 }  // namespace physim

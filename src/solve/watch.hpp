@@ -181,6 +181,14 @@ PHYSIM_INLINE MaskOf<R> may_cross_twice(const R& from, const R& to, const R& rat
   return MaskOf<R>(side_may_change_twice(Side{from}, Side{to}, Side{rate_from}, Side{rate_to}));
 }
 
+/// A step that begins on the ground, level, and ends below it: a level launch that nothing lifts, or the end of a level
+/// rail. The flight lands where the step begins.
+template <class Side>
+PHYSIM_INLINE auto side_drops(const Side& from, const Side& to, const Side& rate_from) {
+  return from.not_below() & from.not_above() & rate_from.not_below() & rate_from.not_above() & to.below();
+}
+PHYSIM_INLINE bool lands(const EventSpec& spec) { return spec.kind == EventKind::ground && spec.terminal; }
+
 /// Where lanes stand with one watched quantity at an end of a step: the sides of its value, and of its rate where it
 /// may turn. What stands at the end of a step that is accepted stands at the start of the next.
 class Standing {
@@ -237,7 +245,8 @@ struct Detected {
   /// Looks at one watched quantity.
   PHYSIM_INLINE void add(const EventSpec& spec, const Standing& from, const Standing& to) {
     const unsigned twice = side_may_change_twice(from.value(), to.value(), from.rate(), to.rate());
-    const unsigned once = side_changes(spec.direction, from.value(), to.value());
+    unsigned once = side_changes(spec.direction, from.value(), to.value());
+    if (lands(spec)) once |= side_drops(from.value(), to.value(), from.rate());
     some |= once | twice;
     if (!spec.terminal) return;
     surely_terminal |= once & ~twice;
@@ -341,6 +350,10 @@ struct CrossingFinder {
     const W rate_start = watched_rate(c, at.body, spec, at.n0.y, at.n0.a);
     const W rate_end = watched_rate(c, at.body, spec, at.n1.y, at.n1.a);
     const MaskOf<W> twice = asked & may_cross_twice(at_start, at_end, rate_start, rate_end);
+    using Side = SideOf<W>;
+    const W zero(0.0);
+    if (lands(spec))
+      add(asked & MaskOf<W>(side_drops(Side{at_start}, Side{at_end}, Side{rate_start})), zero, zero != zero);
     const W h = at.n1.t - at.n0.t;
     const EndRates<W> rates{rough_rate(c, at.body, spec, at.n0.y, at.n0.a) * h,
                             rough_rate(c, at.body, spec, at.n1.y, at.n1.a) * h};
@@ -387,12 +400,27 @@ struct CrossingFinder {
     };
     const W turn = find_roots(rate, zero, rate_start, W(1.0), rate_end, kThetaTolerance, zero, asked);
     const W at_turn = value(turn);
-    // A shot from below the ground that never comes out of it has landed when it sinks.
+    const MaskOf<W> hops = asked & (rate_start > zero) & (at_turn <= zero);
+    W first = zero, at_first = at_start;
+    put_behind_start(turn, at_turn, hops & (at_start == zero), first, at_first);
+    // A shot from below the ground that never comes out of it has landed when it sinks, one from the ground at once.
     const MaskOf<W> is_ground = spec.kind == EventKind::ground ? asked : zero != zero;
-    const MaskOf<W> drowned = is_ground & (rate_start > zero) & (at_turn <= zero);
-    add(drowned, turn, zero != zero);
-    look_between(zero, at_start, turn, at_turn, asked & !drowned);
+    const MaskOf<W> drowned = is_ground & hops & (at_first <= zero);
+    add(drowned, select(at_start < zero, turn, zero), zero != zero);
+    look_between(first, at_first, turn, at_turn, asked & !drowned);
     look_between(turn, at_turn, W(1.0), at_end, asked & !drowned);
+  }
+  /// A place shortly behind the start of a step, where what rises from its value is above it, though it is below again
+  /// where the velocity turns: steps of low order that are long beside such a hop.
+  [[gnu::noinline]] void put_behind_start(const W& turn, const W& at_turn, MaskOf<W> asked, W& first,
+                                          W& at_first) const {
+    constexpr int kHalves = 40;
+    first = select(asked, turn, first), at_first = select(asked, at_turn, at_first);
+    for (int i = 0; i < kHalves && any(asked); ++i) {
+      first = select(asked, W(0.5) * first, first);
+      at_first = select(asked, value(first), at_first);
+      asked = asked & (at_first <= W(0.0));
+    }
   }
 };
 

@@ -58,6 +58,41 @@ TEST(FirstUsers, a_flight_that_has_landed_at_once_says_why) {
   EXPECT_FALSE(has_note(high, "until.ground", ""));
 }
 
+/// What stands level on the ground flies if something lifts it: a golf ball with backspin does.
+TEST(FirstUsers, lift_carries_a_level_launch_off_the_ground) {
+  const ProjectileDef golf = presets::golf_ball().projectile;
+  Launch launch{.speed = 70, .spin = {.backspin = 4000 * 6 * kDegree}};
+  const Flight level = fly(golf, launch, {}, Fidelity::simulation());
+  launch.elevation = 1e-9;
+  const Flight raised = fly(golf, launch, {}, Fidelity::simulation());
+  EXPECT_NEAR(level.end().position.x, raised.end().position.x, 1e-3);
+  EXPECT_GT(level.end().position.x, 150);
+  EXPECT_FALSE(has_note(level, "until.ground", ""));
+}
+
+/// A level rail on the ground ends, and with it the flight, where nothing lifts what leaves it.
+TEST(FirstUsers, a_level_rail_on_the_ground_ends_in_a_landing) {
+  const ProjectileDef ball{.mass = 1, .diameter = 0.05, .drag = {.coefficient = 0.4}};
+  for (const Fidelity& fidelity : {Fidelity::game(), Fidelity::small_arms(), Fidelity::simulation()}) {
+    const Flight flight = fly(ball, {.speed = 30, .rail_length = 3}, {}, fidelity);
+    EXPECT_EQ(flight.outcome(), Outcome::landed);
+    EXPECT_NEAR(flight.end().position.x, 3, 1e-6);
+    EXPECT_EQ(flight.end().position.y, 0);
+  }
+}
+
+/// Steps of first order that end below the ground at once land on it, not below.
+TEST(FirstUsers, a_hop_within_a_step_lands_on_the_ground) {
+  Fidelity fidelity = test::vacuum(Integrator::semi_implicit_euler);
+  for (const Integrator integrator : {Integrator::semi_implicit_euler, Integrator::explicit_euler, Integrator::heun})
+    for (const auto& [speed, step] : {std::pair{0.2, 0.02}, {3.0, 0.5}, {60.0, 10.0}}) {
+      fidelity.integrator = integrator;
+      const Flight flight = fly({}, {.speed = speed, .elevation = 30 * kDegree}, {}, fidelity, {.step = step});
+      EXPECT_EQ(flight.outcome(), Outcome::landed) << name(integrator) << ' ' << speed;
+      EXPECT_NEAR(flight.end().position.y, 0, 1e-9 * speed) << name(integrator) << ' ' << speed;
+    }
+}
+
 TEST(FirstUsers, a_standard_drag_function_alone_says_whose_mass_and_size_are_flown) {
   ProjectileDef p{.drag = {.table = DragTable::g7}};
   const Launch launch{.position = {0, 1, 0}, .speed = 800};

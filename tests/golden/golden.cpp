@@ -19,7 +19,7 @@ namespace {
 /// What this version of the library must print. A change of the physics or the numerics changes it: say so in the
 /// commit.
 using Sums = std::array<std::uint64_t, 5>;
-constexpr Sums kExpectedSums = {0x2b584708ee1e1267, 0xcb627ab80280aca6, 0x71ae1fc08213a0c9, 0x27069a43df7afc27,
+constexpr Sums kExpectedSums = {0x2b584708ee1e1267, 0xcb627ab80280aca6, 0x71ae1fc08213a0c9, 0x9b3d264e278b6a50,
                                 0xe7fcee5f922a58a6};
 
 void print(std::FILE* file, const Sums& sums) {
