@@ -17,6 +17,7 @@
 #include "collide/path_cast.hpp"
 #include "collide/scene_by_motion.hpp"
 #include "collide/way_through.hpp"
+#include "model/ball_between.hpp"
 #include "model/ball_rolling.hpp"
 #include "model/body.hpp"
 #include "physim/event.hpp"
@@ -645,21 +646,53 @@ class SceneContacts : private ContactView {
     const Vec3d u = one.normal * ((first - c * second) * per) + other.normal * ((second - c * first) * per);
     const double left = longest_way(passed);
     const Vec3d along_it = normalized(line), n = normalized(middle);
-    Surface rough = surface(one);
-    if (is_ball()) rough.friction = 0;  // it rolls
     const Vec3d before = along_it * dot(s.v - u, along_it), over = along_it * dot(runs(one, passed), along_it);
-    const Vec3d on_it = n * dot(a, n);
-    const auto way_by = [&](const Pull& pull) {
-      const Pull here{along_it * dot(pull.moving, along_it) + on_it, along_it * dot(pull.at_rest, along_it) + on_it};
-      return point_way({before, {}}, over, here, n, rough, left);
+    const auto way_by = [&](const Pull& pull, double time) {
+      if (is_ball()) return ball_between(one, other, {u + before, spin(passed)}, pull, passed, time);
+      BallWay way = point_between(one, other, before, over, pull, along_it, time);
+      way.way += u * time, way.motion.velocity += u;
+      return way;
     };
-    const BallWay on = way_by(pull_along(r_, a, s, {before - over, n, passed, left},
-                                         [&](const Pull& pull) { return way_by(pull).motion.velocity - over; }));
-    const Vec3d way = on.way + u * left;
+    const Pull pull = pull_along(r_, a, s, {before - over, n, passed, left},
+                                 [&](const Pull& by) { return way_by(by, left).motion.velocity - u - over; });
+    const BallWay on = way_by(pull, left);
+    const Vec3d way = r_.kept(on.way);
     carried_ = carried_ || u != Vec3d{} || over != Vec3d{};
-    const SceneHit next = cast(s.x, s.x + way, passed, left);
+    const Vec3d above = n * (4 * gap_at(s.x) / dot(n, one.normal));  // the cast goes along both, and meets neither
+    SceneHit next = cast(s.x + above, s.x + above + way, passed, left);
     if (is_at_once(next, s.x, way, left)) return rests(s.x, u, passed);
-    return along({s.x, before + u}, way, on.motion.velocity + u, next, passed, one, u);
+    next.position -= above;
+    const After after = along({s.x, before + u}, way, r_.kept(on.motion.velocity), next, passed, one, u);
+    if (is_ball()) r_.put_spin(way_by(pull, after.passed - passed).motion.spin, after.passed);
+    return after;
+  }
+  /// The way of a ball along two surfaces.
+  [[nodiscard]] BallWay ball_between(const SceneHit& one, const SceneHit& other, const BallMotion& motion,
+                                     const Pull& pull, double passed, double time) const {
+    const auto face = [&](const SceneHit& hit) {
+      const Surface on = surface(hit);
+      return BallFace{hit.normal, hit.velocity, runs(hit, passed), {on.friction, on.rolling_resistance}};
+    };
+    return moved_between(motion, pull.moving, {face(one), face(other)}, ball(), time);
+  }
+  /// The way of a point along the line between two surfaces, of which each resists by what presses the point on it.
+  [[nodiscard]] BallWay point_between(const SceneHit& one, const SceneHit& other, const Vec3d& velocity,
+                                      const Vec3d& over, const Pull& pull, const Vec3d& line, double time) const {
+    const double c = dot(one.normal, other.normal);
+    const double by_one = -dot(pull.moving, one.normal), by_other = -dot(pull.moving, other.normal);
+    double on_one = (by_one - c * by_other) / (1 - c * c), on_other = (by_other - c * by_one) / (1 - c * c);
+    if (on_one <= 0)
+      on_one = 0, on_other = max(by_other, 0.0);
+    else if (on_other <= 0)
+      on_one = max(by_one, 0.0), on_other = 0;
+    const auto resists = [&](const SceneHit& hit) {
+      const Surface on = surface(hit);
+      return on.rolling_resistance > 0 ? on.rolling_resistance : on.friction;
+    };
+    const double resistance = resists(one) * on_one + resists(other) * on_other;
+    const Vec3d up = one.normal, on_it = -up;  // of pressure 1
+    const Pull along_it{line * dot(pull.moving, line) + on_it, line * dot(pull.at_rest, line) + on_it};
+    return point_way({velocity, {}}, over, along_it, up, {0, resistance, 0}, time);
   }
 
   // ------------------------------------------------------------------------------------------- into and through

@@ -127,4 +127,75 @@ TEST(Friction, flights_slide_as_worlds_do) {
   }
 }
 
+/// Two planes that rise by an angle to both sides of the x axis.
+Scene groove(double angle, double friction) {
+  Scene scene;
+  const ShapeId half = *scene.add_shape(PlaneShape{});
+  const MaterialId material = *scene.add_material({.restitution = 0, .friction = friction});
+  for (const double side : {angle, -angle})
+    EXPECT_TRUE(scene.add({.shape = half,
+                           .transform = {.rotation = {std::cos(side / 2), std::sin(side / 2), 0, 0}},
+                           .material = material}));
+  return scene;
+}
+
+/// Both walls of a groove press with g / (2 cos b): a point stops after v^2 cos b / (2 mu g), however steep they are,
+/// and without friction nothing stops it.
+TEST(Friction, a_point_slides_in_a_groove) {
+  for (const double angle : {0.3, 0.7, 1.0, 1.4})
+    for (const double rate : kRates) {
+      World world = make_world(space(), groove(angle, 1));
+      const Launch launch{.position = {0, 1e-9, 0}, .velocity = Vec3d{2, 0, 0}};
+      const ProjectileId id = *world.spawn(puck(), launch, sliding(0.2));
+      run_for(world, 2, 1 / rate);
+      EXPECT_NEAR(world[id].position().x, 4 * std::cos(angle) / (2 * 0.2 * kG), 1e-3) << angle << ' ' << rate;
+      EXPECT_EQ(world[id].velocity().x, 0) << angle << ' ' << rate;
+      World smooth = make_world(space(), groove(angle, 0));
+      const ProjectileId free = *smooth.spawn(puck(), launch, sliding(1));
+      run_for(smooth, 2, 1 / rate);
+      EXPECT_NEAR(smooth[free].position().x, 4, 1e-6) << angle << ' ' << rate;
+    }
+}
+
+/// A ball that rolls down a rough gutter of slope t is pulled by g sin t / (1 + 0.4 / cos^2 b).
+TEST(Friction, a_ball_rolls_down_a_gutter) {
+  const double angle = 0.7, slope = 0.2, radius = 0.05;
+  for (const double rate : kRates) {
+    WorldDef def = space();
+    def.environment.gravity = {.model = GravityModel::constant};
+    Scene scene = groove(angle, 1);
+    World world = make_world(def, std::move(scene));
+    BodyDef body = sliding(1, radius);
+    body.frozen_rotation = Axes::none;
+    const ProjectileId id =
+        *world.spawn(puck(), {.position = {0, radius / std::cos(angle) + 1e-9, 0}, .speed = 0}, body);
+    must(world.add_force(
+        {.law = ConstantAcceleration{{kG * std::sin(slope), 0, 0}}, .target = ForceTarget::everything()}));
+    run_for(world, 2, 1 / rate);
+    const double c = std::cos(angle), right = 2 * kG * std::sin(slope) / (1 + 0.4 / (c * c));
+    EXPECT_NEAR(world[id].velocity().x, right, 1e-3 * right) << rate;
+    EXPECT_NEAR(world[id].angular_velocity().z, -right / (radius * c), 2e-3 * right / (radius * c)) << rate;
+  }
+}
+
+/// A ball that comes to a smooth wall beside its way goes on along it as on the floor alone: it slides, then rolls with
+/// 5/7 of its speed.
+TEST(Friction, a_ball_that_only_grazes_a_wall_keeps_its_friction) {
+  for (const double rate : kRates) {
+    Scene scene;
+    const MaterialId ice = *scene.add_material({.restitution = 0, .friction = 0});
+    const MaterialId cloth = *scene.add_material({.restitution = 0, .friction = 0.3});
+    EXPECT_TRUE(scene.add({.shape = *scene.add_shape(PlaneShape{}), .material = cloth}));
+    EXPECT_TRUE(scene.add(
+        {.shape = *scene.add_shape(BoxShape{{50, 1, 0.5}}), .transform = {.position = {0, 0, -0.5}}, .material = ice}));
+    World world = make_world(space(), std::move(scene));
+    BodyDef body = sliding(1, 0.05);
+    body.frozen_rotation = Axes::none;
+    const ProjectileId id = *world.spawn(puck(), {.position = {0, 0.05, 0.051}, .velocity = Vec3d{2, 0, -0.5}}, body);
+    run_for(world, 3, 1 / rate);
+    EXPECT_NEAR(world[id].velocity().x, 2 / 1.4, 1e-3) << rate;
+    EXPECT_NEAR(world[id].position().x, 4.3412, 5e-3) << rate;  // slip and spin integrated in steps of 20 us
+  }
+}
+
 }  // namespace physim::world_friction_test
