@@ -9,7 +9,9 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from . import _core
+from ._errors import Error
 from ._table import Columns, Record, _text
+from ._values import Quantity, quantity, whole
 
 if TYPE_CHECKING:
     from ._scenario import Shot
@@ -109,6 +111,8 @@ def events_of(columns: dict[str, Any]) -> Columns:
 class Flight:
     """A computed trajectory. Every question is answered from it, without flying again."""
 
+    __slots__ = ("__weakref__", "_flight", "_shot")
+
     def __init__(self, flight: _core.Flight, shot: Shot) -> None:
         self._flight = flight
         self._shot = shot
@@ -133,7 +137,7 @@ class Flight:
 
     @property
     def elevation(self) -> float:
-        """Of the bore above the horizon, as given or as found for the zero range [rad]."""
+        """Of the bore above the horizon before cant, as given or found for the zero range, or of the velocity [rad]."""
         return self._flight.elevation
 
     @property
@@ -160,20 +164,20 @@ class Flight:
         way = self.end.position - self.start.position
         return float(np.hypot(way[0], way[2]))
 
-    def at_time(self, time: float) -> Sample:
+    def at_time(self, time: Quantity) -> Sample:
         """The state at a time since launch [s]; outside of the flight that of the nearer end."""
-        return Sample(self._flight.at(_number(time, "time")))
+        return Sample(self._flight.at(quantity(time, "time", "s")))
 
-    def at_range(self, range: float | str) -> Sample:
+    def at_range(self, range: Quantity) -> Sample:
         """The state where it first crosses a range along the line of sight [m]."""
-        return Sample(self._flight.at_range(_number(range, "until.range")))
+        return Sample(self._flight.at_range(quantity(range, "range", "m")))
 
-    def at_height(self, height: float | str, direction: str = "any") -> Sample:
+    def at_height(self, height: Quantity, direction: str = "any") -> Sample:
         """The state where it first goes through a height [m]; direction: "any", "rising" or "falling"."""
-        return Sample(self._flight.at_height(_number(height, "until.ground"), direction))
+        return Sample(self._flight.at_height(quantity(height, "height", "m"), direction))
 
     def at_times(self, times: ArrayLike) -> Columns:
-        """Columns of the states at times [s]."""
+        """Columns of the states at times [s]; NaN at a time that is NaN."""
         return Columns(self._flight.at_times(numbers(times, "times")), UNITS)
 
     def at_ranges(self, ranges: ArrayLike) -> Columns:
@@ -182,7 +186,7 @@ class Flight:
 
     def samples(self, n: int = 200) -> Columns:
         """Columns of `n` states at equal times from launch to end: time, x, y, z, vx, ..., mach, energy, drop."""
-        return self.at_times(np.linspace(0.0, self.duration, int(n)))
+        return self.at_times(np.linspace(0.0, self.duration, whole(n, "n")))
 
     @property
     def events(self) -> list[Event]:
@@ -192,7 +196,7 @@ class Flight:
     @property
     def notes(self) -> list[str]:
         """Differences of the fidelity granted from what was asked for, with reasons."""
-        return [f"{n['effect']}: {n['granted']} instead of {n['asked']}: {n['reason']}" for n in self._flight.notes()]
+        return [_note(each) for each in self._flight.notes()]
 
     @property
     def cost(self) -> dict[str, int]:
@@ -204,26 +208,26 @@ class Flight:
         """Times of the steps taken [s]."""
         return np.asarray(self._flight.step_times())
 
-    def accelerations(self, time: float) -> dict[str, NDArray[np.float64]]:
+    def accelerations(self, time: Quantity) -> dict[str, NDArray[np.float64]]:
         """Acceleration by effect at a time [m/s^2]."""
-        return self._flight.accelerations(_number(time, "time"))
+        return self._flight.accelerations(quantity(time, "time", "s"))
 
-    def jerk(self, time: float) -> NDArray[np.float64]:
+    def jerk(self, time: Quantity) -> NDArray[np.float64]:
         """Jerk: the change of acceleration along the path at a time [m/s^3]."""
-        return np.asarray(self._flight.jerk(_number(time, "time")))
+        return np.asarray(self._flight.jerk(quantity(time, "time", "s")))
 
-    def stability(self, time: float = 0.0) -> tuple[float, float] | None:
+    def stability(self, time: Quantity = 0.0) -> tuple[float, float] | None:
         """Gyroscopic and dynamic stability of a rigid body at a time; None where rotation is not flown."""
-        both: tuple[float, float] | None = self._flight.stability(_number(time, "time"))
+        both: tuple[float, float] | None = self._flight.stability(quantity(time, "time", "s"))
         return both
 
-    def geodetic(self, time: float) -> tuple[float, float, float]:
+    def geodetic(self, time: Quantity) -> tuple[float, float, float]:
         """Latitude [rad], longitude [rad] and height [m] at a time."""
-        return self._flight.geodetic(_number(time, "time"))
+        return self._flight.geodetic(quantity(time, "time", "s"))
 
-    def danger_space(self, range: float | str, height: float | str) -> tuple[float, float]:
+    def danger_space(self, range: Quantity, height: Quantity) -> tuple[float, float]:
         """Ranges [m] between which a target of a height, aimed at in its middle, is hit as it is at `range`."""
-        return self._flight.danger_space(_number(range, "until.range"), _number(height, "until.ground"))
+        return self._flight.danger_space(quantity(range, "range", "m"), quantity(height, "height", "m"))
 
     def plot(self, figure: Any = None) -> Any:
         """A Matplotlib figure: height over distance, and speed, place, velocity and acceleration over time."""
@@ -253,21 +257,14 @@ def _flown_again(shot: Shot) -> Flight:
     return shot.fly()
 
 
-def _number(value: Any, path: str) -> float:
-    """A number in SI, or a text with a unit of the quantity of a setting."""
-    if isinstance(value, str):
-        return _core.parse_quantity(value, path if "." in path else "until.time")
-    if hasattr(value, "to") and hasattr(value, "magnitude"):
-        units = _core.units_of(path if "." in path else "until.time")
-        return float(value.to(units[0]).magnitude)
-    return float(value)
+def _note(note: dict[str, str]) -> str:
+    instead = "" if note["granted"] == note["asked"] else f" instead of {note['asked']}"
+    return f"{note['effect']}: {note['granted']}{instead}: {note['reason']}"
 
 
 def numbers(values: ArrayLike, name: str) -> NDArray[np.float64]:
     """A column of float64 side by side: the array itself where it is one already, else a copy. Refuses what is no
     column of real numbers."""
-    from ._errors import Error  # noqa: PLC0415
-
     if np.ma.is_masked(values):
         raise Error("has masked numbers", name, "leave those rows out, or fill them")
     array = np.asarray(values)

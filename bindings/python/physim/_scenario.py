@@ -12,9 +12,10 @@ from numpy.typing import ArrayLike, NDArray
 
 from . import _core
 from ._errors import Error
-from ._flight import UNITS, Event, Flight, _number, numbers
+from ._flight import UNITS, Event, Flight, numbers
 from ._settings import keyword_docs, path_of
 from ._table import Columns, Record, html_table
+from ._values import Quantity, Vector, bits, expect, in_si, quantity, vector
 
 if TYPE_CHECKING:
     from ._study import Study
@@ -38,6 +39,7 @@ _COLUMN_PATHS = {
 class _Settled:
     """Base of shots and scenarios: settings are read by path, and a copy with others is made by keywords."""
 
+    __slots__ = ("__weakref__", "_setup")
     _setup: _core.Setup
 
     def __init__(self, setup: _core.Setup) -> None:
@@ -250,6 +252,8 @@ class Shot(_Settled):
         force_field: a function (time, position, velocity, mass) -> force [N] over arrays of projectiles
     """
 
+    __slots__ = ()
+
     def __init__(
         self,
         base: _Settled | None = None,
@@ -310,22 +314,25 @@ class Shot(_Settled):
         outputs = dict(into) if isinstance(into, Mapping) else {name: np.empty(count) for name in into}
         _check_apart(inputs, outputs)
         codes = np.empty(count, dtype=np.uint8)
-        answer = _core.fly_columns(self._setup, "", inputs, outputs, codes, moves_profile, threads)
+        answer = _core.fly_columns(self._setup, "", inputs, outputs, codes, moves_profile, bits(threads, "threads"))
         batch = Batch(outputs, codes, answer)
         if batch.error is not None and (errors == "raise" or batch.refused == 0):
             raise batch.error
+        if batch.size > batch.refused:
+            _warn_of_unread(self._setup, inputs, answer)
         return batch
 
     # ----------------------------------------------------------------------------------------------------- questions
     def table(
         self,
-        ranges: ArrayLike | None = None,
+        ranges: ArrayLike | str | None = None,
         *,
-        winds: Iterable[float | str] = (),
+        winds: Iterable[Quantity] = (),
         units: str = "metric",
         angle: str | None = None,
     ) -> Columns:
-        """A range card: drop, windage, angles, time, speed, energy at ranges [m], as `physim table` has it.
+        """A range card: drop, windage, angles, time, speed, energy at ranges [m], as `physim table` has it. Ranges may
+        be a text: "100 yd .. 300 yd step 100 yd".
 
         winds: cross winds from the right, a column each; units: "metric" or "customary" (yd, in, ft/s); angle: "mil"
         (milliradians) or "moa", of which None takes that of the units: mil beside metres, MOA beside yards.
@@ -334,38 +341,53 @@ class Shot(_Settled):
             raise Error(f'unknown units "{units}"', "units", 'known are "metric", "customary"')
         if angle not in (None, "mil", "moa"):
             raise Error(f'unknown angle "{angle}"', "angle", 'known are "mil", "moa"')
-        wanted = [] if ranges is None else _ranges(ranges)
+        wanted = [] if ranges is None else self._ranges(ranges)
         if ranges is None and not self._setup.ranges:
             raise Error("the shot has no range to show", "ranges", "give ranges=[100, 200, 300]")
-        blown = list(winds)
+        blown = [winds] if isinstance(winds, str) else list(winds)
         labels = [wind if isinstance(wind, str) else f"{wind} m/s" for wind in blown]
-        speeds = [_number(wind, "environment.wind.velocity") for wind in blown]
+        speeds = [quantity(wind, "winds", "m/s") for wind in blown]
         customary = units == "customary"
         in_moa = customary if angle is None else angle == "moa"
         return Columns(_core.range_card(self._setup, "", wanted, labels, speeds, customary, in_moa))
 
+    def _ranges(self, ranges: Any) -> list[float]:
+        """Ranges as those of a scenario's card are read."""
+        if not isinstance(ranges, str) and not hasattr(ranges, "magnitude"):
+            ranges = list(ranges) if isinstance(ranges, Iterable) else [ranges]
+            ranges = [quantity(each, "ranges", "m") for each in ranges]
+        try:
+            return self._setup.with_settings({"output.ranges": ranges}).ranges
+        except Error as error:
+            raise Error(error.message.removeprefix("output.ranges: "), "ranges", error.hint) from None
+
     def aim(
         self,
-        position: Sequence[float],
+        position: Vector,
         *,
-        velocity: Sequence[float] = (0, 0, 0),
-        acceleration: Sequence[float] = (0, 0, 0),
+        velocity: Vector = (0, 0, 0),
+        acceleration: Vector = (0, 0, 0),
         arc: str = "both",
-        tolerance: float = 0.01,
-        ground: float | None = None,
-        time: float = 600.0,
+        tolerance: Quantity = 0.01,
+        ground: Quantity | None = None,
+        time: Quantity = 600.0,
     ) -> Aim:
         """Finds the elevations and azimuths with which it hits a target: a point [m], standing or moving.
 
         arc: "low", "high" or "both"; tolerance: a path that passes so near hits it [m]; ground: height of ground that
         stops the shot [m]; time: longest time of flight [s].
         """
-        target, moving, turning = ([float(each) for each in v] for v in (position, velocity, acceleration))
-        return Aim(_core.aim(self._setup, "", target, moving, turning, arc, tolerance, ground, time), self)
+        target, moving = vector(position, "position", "m"), vector(velocity, "velocity", "m/s")
+        turning = vector(acceleration, "acceleration", "m/s^2")
+        within, longest = quantity(tolerance, "tolerance", "m"), quantity(time, "time", "s")
+        height = _or_none(ground, "ground", "m")
+        return Aim(_core.aim(self._setup, "", target, moving, turning, arc, within, height, longest), self)
 
-    def max_range(self, *, ground: float = 0.0, slope: float = 0.0, time: float = 3600.0) -> Record:
-        """The bore elevation that carries farthest: elevation [rad], range [m], time [s], position, velocity."""
-        return Record(_core.max_range(self._setup, "", ground, slope, time))
+    def max_range(self, *, ground: Quantity = 0.0, slope: Quantity = 0.0, time: Quantity = 3600.0) -> Record:
+        """The bore elevation that carries farthest: elevation [rad], range [m], time [s], position, velocity. The ground
+        is at a height [m], and rises by a slope [rad]; time: longest time of flight [s]."""
+        given = quantity(ground, "ground", "m"), quantity(slope, "slope", "rad"), quantity(time, "time", "s")
+        return Record(_core.max_range(self._setup, "", *given))
 
     def fit(
         self,
@@ -375,9 +397,9 @@ class Shot(_Settled):
         drop: ArrayLike | None = None,
         time: ArrayLike | None = None,
         muzzle_speed: bool = False,
-        speed_error: float = 1.0,
-        drop_error: float = 0.01,
-        time_error: float = 1e-3,
+        speed_error: Quantity = 1.0,
+        drop_error: Quantity = 0.01,
+        time_error: Quantity = 1e-3,
     ) -> Fit:
         """Fits its drag, and its muzzle speed too where asked, to what was measured at ranges [m]: speed [m/s], drop
         (above the line of sight, below it negative) [m], time of flight [s]. NaN: not measured there."""
@@ -389,7 +411,8 @@ class Shot(_Settled):
                 raise Error(f"found {len(column)} numbers", name, f"expected {len(at)}, one for each range")
         answer, setup = _core.fit(
             self._setup, "", at, figures["speed"], figures["drop"], figures["time"],
-            muzzle_speed, speed_error, drop_error, time_error,
+            muzzle_speed, quantity(speed_error, "speed_error", "m/s"), quantity(drop_error, "drop_error", "m"),
+            quantity(time_error, "time_error", "s"),
         )  # fmt: skip
         names = ("measurement", "quantity", "measured", "computed")
         rows = answer.pop("residuals")
@@ -402,27 +425,28 @@ class Shot(_Settled):
         return Comparison(names, _core.compare(self._setup, "", names), self)
 
     def cheapest_within(
-        self, error: float = 0.01, *, time: float = 2.0, step: float = 1.0 / 60, ground: float | None = None
+        self, error: Quantity = 0.01, *, time: Quantity = 2.0, step: Quantity = 1.0 / 60, ground: Quantity | None = None
     ) -> Record:
         """The cheapest fidelity that stays within an error [m] of the truth over a time of flight [s]."""
-        return Record(_core.cheapest_within(self._setup, "", error, time, step, ground))
+        given = quantity(error, "error", "m"), quantity(time, "time", "s"), quantity(step, "step", "s")
+        return Record(_core.cheapest_within(self._setup, "", *given, _or_none(ground, "ground", "m")))
 
-    def time_to_range(self, range: float | str) -> float:
+    def time_to_range(self, range: Quantity) -> float:
         """Time of flight to a range along the line of sight [s]."""
-        return _core.time_to_range(self._setup, "", _number(range, "until.range"))
+        return _core.time_to_range(self._setup, "", quantity(range, "range", "m"))
 
-    def zero_elevation(self, range: float | str) -> float:
+    def zero_elevation(self, range: Quantity) -> float:
         """The bore elevation that hits the line of sight at a range [rad]."""
-        return _core.zero_elevation(self._setup, "", _number(range, "until.range"))
+        return _core.zero_elevation(self._setup, "", quantity(range, "range", "m"))
 
     def stability_factor(self) -> float | None:
         """Miller's gyroscopic stability factor at the muzzle; None without a twist, a length or air."""
         return _core.stability_factor(self._setup, "")
 
-    def air(self, altitude: float) -> Record:
+    def air(self, altitude: Quantity) -> Record:
         """The air of its environment at an altitude above sea level [m]: temperature, pressure, density,
         sound_speed, viscosity."""
-        return Record(_core.air_at(self._setup, altitude))
+        return Record(_core.air_at(self._setup, quantity(altitude, "altitude", "m")))
 
     def study(self, **options: Any) -> Study:
         """A study of it: uncertain numbers in, probabilities out. See `physim.Study`."""
@@ -441,6 +465,8 @@ Shot.__doc__ = (Shot.__doc__ or "") + "\n    Settings:\n\n" + keyword_docs() + "
 
 class Scenario(_Settled):
     """A whole scenario: shots, an environment, a world, things, emitters, a study. As a file has it."""
+
+    __slots__ = ()
 
     def __init__(self, *, wind_field: Function | None = None, force_field: Function | None = None, **tables: Any) -> None:
         """Tables by name, as in a file: Scenario(shot=[{...}], world={...}, emitter=[{...}])."""
@@ -525,6 +551,7 @@ def _setup_of(base: _Settled | None, settings: dict[str, Any], wind_field: Any, 
     """Settings and functions of one shot: those of a base with what is given changed."""
     if base is None:
         return _core.Setup.from_settings(settings, wind_field, force_field)
+    expect(base, _Settled, "base", 'give settings by keyword, as mass="168 gr", behind a Shot or a Scenario')
     setup = base._setup if isinstance(base, Shot) else base._setup.only_shot("")
     if settings:
         setup = setup.with_settings(settings, True)
@@ -535,15 +562,21 @@ def _setup_of(base: _Settled | None, settings: dict[str, Any], wind_field: Any, 
 
 def suvat(
     *,
-    s: float | None = None,
-    u: float | None = None,
-    v: float | None = None,
-    a: float | None = None,
-    t: float | None = None,
+    s: Quantity | None = None,
+    u: Quantity | None = None,
+    v: Quantity | None = None,
+    a: Quantity | None = None,
+    t: Quantity | None = None,
 ) -> list[Record]:
     """Motions in a straight line under constant acceleration that have three of five quantities: displacement s,
     velocities u and v, acceleration a, time t."""
-    return [Record(each) for each in _core.suvat(s, u, v, a, t)]
+    units = {"s": "m", "u": "m/s", "v": "m/s", "a": "m/s^2", "t": "s"}
+    given = [_or_none(each, name, unit) for each, (name, unit) in zip((s, u, v, a, t), units.items())]
+    return [Record(each) for each in _core.suvat(*given)]
+
+
+def _or_none(value: Any, name: str, unit: str) -> float | None:
+    return None if value is None else quantity(value, name, unit)
 
 
 def _column(value: Any, name: str) -> NDArray[np.float64]:
@@ -553,8 +586,7 @@ def _column(value: Any, name: str) -> NDArray[np.float64]:
     if isinstance(value, str):
         return np.asarray(_core.parse_quantity(value, _COLUMN_PATHS[name]))
     if hasattr(value, "to") and hasattr(value, "magnitude"):
-        unit = _core.units_of(_COLUMN_PATHS[name])[0] or "dimensionless"
-        value = value.to(unit).magnitude
+        value = in_si(value, name, _core.units_of(_COLUMN_PATHS[name])[0])
     array = np.asarray(value)
     return numbers(array.reshape(1), name)[0:1].reshape(()) if array.ndim == 0 else numbers(value, name)
 
@@ -571,10 +603,19 @@ def _check_apart(inputs: Mapping[str, Any], outputs: Mapping[str, Any]) -> None:
         seen.append((name, column))
 
 
-def _ranges(ranges: Any) -> list[float]:
-    if isinstance(ranges, str) or not isinstance(ranges, Iterable):
-        ranges = [ranges]
-    return [_number(each, "until.range") for each in ranges]
+def _warn_of_unread(setup: _core.Setup, columns: Iterable[str], answer: Mapping[str, Any]) -> None:
+    """Says which columns the fidelity that was flown does not read."""
+    air, wind = answer["air"], answer["wind"]
+    for name in columns:
+        if name.startswith("wind_") and wind == "off":
+            why = "the flights have no wind; ask for a fidelity with one"
+        elif name == "density" and air == "isa":
+            why = "density is for constant and exponential air, and this is isa; give temperature, pressure and humidity"
+        elif name in ("temperature", "pressure", "humidity", "density") and air == "vacuum":
+            why = "the flights have no air"
+        else:
+            continue
+        warnings.warn(f"{name} has no effect: {why}", stacklevel=3)
 
 
 def _warn(notes: Iterable[str]) -> None:

@@ -12,6 +12,7 @@ from ._errors import Error
 from ._scenario import Scenario, Shot
 from ._settings import _paths, path_of
 from ._table import Columns, Record, html_table
+from ._values import Quantity, bits, expect, quantity, whole
 
 _BARS = 60  # of histograms
 
@@ -93,13 +94,15 @@ class Study:
         until_width: ends it when the first target's hit probability, or the first mean, is known to this width
     """
 
+    __slots__ = ("__weakref__", "_core", "_setup", "_shot", "_until_width", "so_far")
+
     def __init__(
         self,
         of: Shot | Scenario,
         *,
         shot: str = "",
-        range: float | str | None = None,
-        until_width: float = 0.0,
+        range: Quantity | None = None,
+        until_width: Quantity = 0.0,
         inputs: Mapping[str, str] | Sequence[str] | None = None,
         targets: Mapping[str, str] | Sequence[str] | None = None,
         **options: Any,
@@ -115,12 +118,15 @@ class Study:
             changes["study.targets"] = [f"{name}: {target}" for name, target in named] or list(targets)
         if range is not None:
             changes["until.range"] = range
-        setup = of._setup
+        setup = expect(of, (Shot, Scenario), "of", "give a Shot or a Scenario")._setup
         if inputs is not None:
             changes["study.inputs"] = [*setup.inputs_given, *_inputs(inputs)]
         self._setup = setup.with_settings(changes) if changes else setup
-        self._shot, self._until_width = shot, until_width
-        self._core = _core.Study.make(self._setup, shot, until_width)
+        self._shot, self._until_width = shot, 0.0
+        self._core = _core.Study.make(self._setup, shot, 0.0)
+        if until_width:
+            self._until_width = quantity(until_width, "until_width", "" if self._core.targets else self._core.units[0])
+            self._core = _core.Study.make(self._setup, shot, self._until_width)
         self.so_far = b""
         """Shards that were flown, as bytes: `run()` goes on from there, also after an executor failed."""
 
@@ -151,7 +157,7 @@ class Study:
         so_far: bytes = b"",
         progress: Callable[[int, int], object] | None = None,
         shards_per_task: int | None = None,
-        seconds: float | None = None,
+        seconds: Quantity | None = None,
     ) -> StudyResult:
         """Flies what is missing and returns the result. Its bits depend neither on threads nor on the executor.
 
@@ -164,18 +170,19 @@ class Study:
             seconds: it ends then, with the shards that are under way; the result says `time_was_up`. On threads only
         """
         self.so_far = so_far or self.so_far
+        seconds = None if seconds is None else quantity(seconds, "seconds", "s")
         if seconds is not None and not (seconds > 0 and executor is None):
             raise Error("is no time that a study on threads ends by", "seconds", "an executor flies all of it")
         if executor is not None:
             return self._run_on(executor, progress, shards_per_task)
         after = None if progress is None else (lambda done: progress(done, self.shards) is not False)
-        answer, self.so_far = self._core.run_all(self.so_far, threads, after, _BARS, seconds)
+        answer, self.so_far = self._core.run_all(self.so_far, bits(threads, "threads"), after, _BARS, seconds)
         return StudyResult(answer, self, self.so_far)
 
     def _run_on(self, executor: Executor, progress: Callable[[int, int], object] | None, size: int | None) -> StudyResult:
         if self._until_width:
             raise Error("ends by the width of a figure", "until_width", "run it on threads, or give shots")
-        size = size or max(1, self.shards // 100)
+        size = whole(size, "shards_per_task") if size else max(1, self.shards // 100)
         missing = [i for i in range(self.shards) if not _core.has_shard(self.so_far, i)]
         tasks: list[Future[bytes]] = []
         key = (self._setup.text(), self._setup.file, self._setup.wind_field, self._setup.force_field, self._shot)
@@ -195,12 +202,12 @@ class Study:
             raise
         for task in tasks:
             task.cancel()
-        whole = next((i for i in range(self.shards) if not _core.has_shard(self.so_far, i)), self.shards)
-        return StudyResult(self._core.result(self.so_far, whole, _BARS), self, self.so_far)
+        flown = next((i for i in range(self.shards) if not _core.has_shard(self.so_far, i)), self.shards)
+        return StudyResult(self._core.result(self.so_far, flown, _BARS), self, self.so_far)
 
     def fly_shards(self, first: int, count: int = 1, *, threads: int = 1) -> bytes:
         """Flies some shards, as bytes: for schedulers that are no executors. `merge()` joins them."""
-        return self._core.run_part(first, count, b"", threads, None)
+        return self._core.run_part(whole(first, "first"), whole(count, "count"), b"", bits(threads, "threads"), None)
 
     def merge(self, parts: Iterable[bytes]) -> StudyResult:
         """The result of parts that `fly_shards()` made, in any order; all shards from the first on must be there."""
@@ -210,7 +217,7 @@ class Study:
 
     def samples(self, shard: int = 0) -> Columns:
         """Shots of a shard one by one: what they drew, and where they ended."""
-        return Columns(self._core.shots(shard))
+        return Columns(self._core.shots(whole(shard, "shard")))
 
     def linear(self) -> Record | None:
         """Covariances by slopes, without sampling: what a deviation of each input does."""

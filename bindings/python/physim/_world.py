@@ -15,6 +15,7 @@ from ._flight import Flight, events_of, numbers
 from ._scenario import Scenario, Shot, _column
 from ._settings import by_path
 from ._table import Columns, Record
+from ._values import Quantity, Vector, bits, expect, handle, not_negative, quantity, vector, whole
 
 Ids = NDArray[np.uint64]
 Engine = Callable[[Columns, int], tuple[ArrayLike, ...] | None]
@@ -55,6 +56,8 @@ def nested(settings: Mapping[str, Any]) -> dict[str, Any]:
 class Snapshot:
     """A frozen moment of a world; cheap to keep."""
 
+    __slots__ = ("__weakref__", "_snapshot")
+
     def __init__(self, snapshot: _core.Snapshot) -> None:
         self._snapshot = snapshot
 
@@ -70,8 +73,10 @@ class Snapshot:
 class Projectile:
     """A projectile of a world: `world[id]`. It is read and changed where it flies."""
 
+    __slots__ = ("__weakref__", "_world", "id")
+
     def __init__(self, world: World, id: int) -> None:
-        self._world, self.id = world, int(id)
+        self._world, self.id = world, handle(id, "id")
 
     def _value(self, what: str) -> Any:
         return self._world._core.value(self.id, what)
@@ -91,8 +96,8 @@ class Projectile:
         return np.asarray(self._value("position"))
 
     @position.setter
-    def position(self, to: Sequence[float]) -> None:
-        self._world._core.change(self.id, "position", _vector(to))
+    def position(self, to: Vector) -> None:
+        self._world._core.change(self.id, "position", vector(to, "position", "m"))
 
     @property
     def velocity(self) -> NDArray[np.float64]:
@@ -100,8 +105,8 @@ class Projectile:
         return np.asarray(self._value("velocity"))
 
     @velocity.setter
-    def velocity(self, to: Sequence[float]) -> None:
-        self._world._core.change(self.id, "velocity", _vector(to))
+    def velocity(self, to: Vector) -> None:
+        self._world._core.change(self.id, "velocity", vector(to, "velocity", "m/s"))
 
     @property
     def age(self) -> float:
@@ -129,7 +134,7 @@ class Projectile:
 
     @label.setter
     def label(self, text: str) -> None:
-        self._world._core.change(self.id, "label", text)
+        self._world._core.change(self.id, "label", expect(text, str, "label", "give a text"))
 
     @property
     def user_data(self) -> int:
@@ -138,11 +143,11 @@ class Projectile:
 
     @user_data.setter
     def user_data(self, number: int) -> None:
-        self._world._core.change(self.id, "user_data", number)
+        self._world._core.change(self.id, "user_data", handle(number, "user_data"))
 
     def push(self, impulse: Sequence[float]) -> None:
         """Adds an impulse [N s]."""
-        self._world._core.change(self.id, "impulse", _vector(impulse))
+        self._world._core.change(self.id, "impulse", vector(impulse, "impulse", "N s"))
 
     def set(self, **settings: Any) -> None:
         """Changes settings in flight: those that `physim.settings()` marks as live, and its fidelity."""
@@ -158,9 +163,10 @@ class Projectile:
         """Takes it out of the world."""
         self._world._core.change(self.id, "despawn", None)
 
-    def predict(self, time: float | None = None, *, step: float = 0.0) -> Flight:
+    def predict(self, time: Quantity | None = None, *, step: Quantity = 0.0) -> Flight:
         """Its flight from now on, until the ground or for a time [s], by the steps of the world or by `step` [s]."""
-        flight = self._world._core.predict(self.id, time, None, step)
+        until = None if time is None else quantity(time, "time", "s")
+        flight = self._world._core.predict(self.id, until, None, quantity(step, "step", "s"))
         return Flight(flight, Shot(name=self.label or f"projectile-{self.id & 0xFFFFFFFF}"))
 
     def as_dict(self) -> dict[str, Any]:
@@ -179,6 +185,8 @@ class Projectile:
 class Scene:
     """Things that stand and move, to be asked for hits: `scenario.scene()`, or `physim.Scene(shape=..., thing=...)`."""
 
+    __slots__ = ("__weakref__", "_scene")
+
     def __init__(self, scene: _core.Scene | None = None, **tables: Any) -> None:
         if scene is None:
             scene = _core.Scene(_core.Setup.from_tree({"physim": 1, "shot": [{}], **_as_lists(tables)}))
@@ -189,36 +197,40 @@ class Scene:
         starts: ArrayLike,
         ends: ArrayLike,
         *,
-        radius: float = 0.0,
-        time: float = 0.0,
-        duration: float = 0.0,
+        radius: Quantity = 0.0,
+        time: Quantity = 0.0,
+        duration: Quantity = 0.0,
         layers: int = 0xFFFFFFFF,
         sensors: bool = True,
         threads: int = 0,
     ) -> Columns:
         """The first hit of each of many segments between rows of places [m]: part, position, normal, time, velocity of
         the surface, instance (0: nothing was met), primitive, material, entering, inside."""
-        given = (radius, time, duration, layers, sensors, threads)
+        ball, moment, lasts = (quantity(radius, "radius", "m"), *_times(time, duration))
+        given = (ball, moment, lasts, bits(layers, "layers"), sensors, bits(threads, "threads"))
         return Columns(self._scene.first_hits(_rows(starts, "starts"), _rows(ends, "ends"), *given), _UNITS)
 
-    def all_hits(self, start: Sequence[float], end: Sequence[float], *, time: float = 0.0, duration: float = 0.0) -> Columns:
+    def all_hits(self, start: Vector, end: Vector, *, time: Quantity = 0.0, duration: Quantity = 0.0) -> Columns:
         """All that a segment meets: entries and exits."""
-        return Columns(self._scene.all_hits(_vector(start), _vector(end), time, duration), _UNITS)
+        ends = vector(start, "start", "m"), vector(end, "end", "m")
+        return Columns(self._scene.all_hits(*ends, *_times(time, duration)), _UNITS)
 
-    def nearest(self, point: Sequence[float], *, within: float = float("inf"), time: float = 0.0) -> Record:
+    def nearest(self, point: Vector, *, within: Quantity = float("inf"), time: Quantity = 0.0) -> Record:
         """The surface nearest to a point: distance [m], position, instance, away."""
-        return Record(self._scene.nearest(_vector(point), within, time))
+        given = vector(point, "point", "m"), quantity(within, "within", "m"), quantity(time, "time", "s")
+        return Record(self._scene.nearest(*given))
 
-    def overlaps(self, middle: Sequence[float], radius: float, *, time: float = 0.0) -> Ids:
+    def overlaps(self, middle: Vector, radius: Quantity, *, time: Quantity = 0.0) -> Ids:
         """Ids of the things that a sphere touches."""
-        return np.asarray(self._scene.overlaps(_vector(middle), radius, time))
+        given = vector(middle, "middle", "m"), quantity(radius, "radius", "m"), quantity(time, "time", "s")
+        return np.asarray(self._scene.overlaps(*given))
 
-    def set_engine(self, engine: Engine | None, *, skin: float = 1e-3) -> None:
+    def set_engine(self, engine: Engine | None, *, skin: Quantity = 1e-3) -> None:
         """Lets things of an engine's own answer beside these. `engine` is asked with columns start, end, radius, time and
         duration of segments, and with the layers that count; it returns for each segment the part of it (0 to 1; NaN:
         nothing is met) at which it meets something, rows of normals, and numbers of the things (above 0, else 1); or
         None: nothing is met at all. skin: things are met this far outside of their surfaces [m]."""
-        self._scene.set_engine(None if engine is None else _EngineFunction(engine), skin)
+        self._scene.set_engine(None if engine is None else _EngineFunction(engine), quantity(skin, "skin", "m"))
 
     def __len__(self) -> int:
         return self._scene.size
@@ -270,19 +282,18 @@ class World:
         return cls._of(scenario._setup, _core.World.run(scenario._setup, os.fspath(recording)))
 
     # ---------------------------------------------------------------------------------------------------------- time
-    def step(self, count: int = 1, *, dt: float | None = None) -> Columns:
+    def step(self, count: int = 1, *, dt: Quantity | None = None) -> Columns:
         """Takes steps of `dt` [s], by default of the world's own; returns their events.
 
         What a function of yours raises comes out of here; the step that it was in is taken without its answer.
         """
-        if count < 0:
-            raise Error("must not be negative", "count")
+        count, length = whole(count, "count"), None if dt is None else quantity(dt, "dt", "s")
         if self._trace is None:
-            self._core.step(int(count), dt)
+            self._core.step(count, length)
             return self.events
         parts = []
-        for _ in range(int(count)):
-            self._core.step(1, dt)
+        for _ in range(count):
+            self._core.step(1, length)
             self._note()
             parts.append(self.events)
         return _joined(parts) if parts else self.events
@@ -293,9 +304,9 @@ class World:
         self.step(max(0, self._core.steps - taken))
         return self
 
-    def advance(self, real_dt: float) -> int:
+    def advance(self, real_dt: Quantity) -> int:
         """Real time has passed [s]: takes as many fixed steps as fit; returns how many."""
-        return self._core.advance(real_dt)
+        return self._core.advance(not_negative(real_dt, "real_dt", "s"))
 
     @property
     def time(self) -> float:
@@ -313,7 +324,7 @@ class World:
         shot: Shot | Scenario,
         count: int | None = None,
         *,
-        delay: float = 0.0,
+        delay: Quantity = 0.0,
         asks: bool = False,
         errors: str = "raise",
         **columns: Any,
@@ -325,17 +336,16 @@ class World:
         """
         if errors not in ("raise", "null"):
             raise Error(f'unknown value "{errors}"', "errors", 'known are "raise", "null"')
+        setup = expect(shot, (Shot, Scenario), "shot", "give a Shot or a Scenario")._setup
         given = {name: _column(value, name) for name, value in columns.items()}
         lengths = {len(column) for column in given.values() if column.ndim == 1}
         if count is not None:
-            lengths.add(count)
+            lengths.add(whole(count, "count"))
         if len(lengths) > 1:
             raise Error(f"columns of different lengths: {sorted(lengths)}", "columns", "give one length")
         n = lengths.pop() if lengths else 1
-        if n < 0:
-            raise Error("must not be negative", "count")
         inputs = {name: np.full(n, column) if column.ndim == 0 else column for name, column in given.items()}
-        return np.asarray(self._core.spawn(shot._setup, "", inputs, n, delay, errors == "raise", asks))
+        return np.asarray(self._core.spawn(setup, "", inputs, n, quantity(delay, "delay", "s"), errors == "raise", asks))
 
     def despawn(self, ids: ArrayLike | None = None) -> int:
         """Takes projectiles out, all without ids; returns how many were there."""
@@ -351,6 +361,11 @@ class World:
 
     def __bool__(self) -> bool:
         return True
+
+    def __setattr__(self, name: str, value: Any) -> None:
+        if not name.startswith("_") and (hasattr(type(self), name) or name in _world_keywords()):
+            raise AttributeError(f"{name} of a world cannot be assigned: give settings when it is made")
+        super().__setattr__(name, value)
 
     def __getitem__(self, id: int) -> Projectile:
         return Projectile(self, id)
@@ -425,8 +440,8 @@ class World:
         ids: ArrayLike | None = None,
         layers: int = 0xFFFFFFFF,
         other: int = 0,
-        delay: float = 0.0,
-        duration: float = float("inf"),
+        delay: Quantity = 0.0,
+        duration: Quantity = float("inf"),
         **law: Any,
     ) -> int:
         """A force on all projectiles, on some, or on layers: a law of the list of settings, or a function of yours.
@@ -440,7 +455,8 @@ class World:
         if (force is None) == (not law):
             raise Error("give a function or a law, one of them", "force")
         if force is not None:
-            made = self._core.add_function(force, _ids(ids), layers, delay, duration)
+            lasts = quantity(delay, "delay", "s"), quantity(duration, "duration", "s")
+            made = self._core.add_function(force, _ids(ids), bits(layers, "layers"), *lasts)
             self._functions.append(force)
             return made
         settings: dict[str, Any] = {"delay": delay, "duration": duration, **law}
@@ -448,36 +464,37 @@ class World:
         for name, inner in law.items():
             if name in ("spring", "bungee") and other:
                 settings[name] = {**inner, "other": "shot"}
-        return self._core.add_law(_one("force", settings, **others), _ids(ids), layers, other)
+        return self._core.add_law(_one("force", settings, **others), _ids(ids), bits(layers, "layers"), handle(other, "other"))
 
     def remove_force(self, force: int) -> None:
-        self._core.remove_force(force)
+        self._core.remove_force(handle(force, "force"))
 
     def felt_by(self, force: int) -> int:
         """Number of projectiles that feel a force."""
-        return self._core.felt_by(force)
+        return self._core.felt_by(handle(force, "force"))
 
     def add_joint(self, a: int, b: int = 0, *, thing: int = 0, **joint: Any) -> int:
         """A rod, cable, spring, hinge or slider between two projectiles, or one and a point: kind="rod", length,
         point=(x, y, z), break_force. `thing`: one of the scene that takes the point along."""
         shots = [{"name": "a"}, {"name": "b"}]
         settings = {"a": "a", **joint} if not b else {"a": "a", "b": "b", **joint}
-        return self._core.add_joint(_one("joint", settings, shot=shots), a, b, thing)
+        return self._core.add_joint(_one("joint", settings, shot=shots), handle(a, "a"), handle(b, "b"), handle(thing, "thing"))
 
-    def move_joint(self, joint: int, position: Sequence[float], velocity: Sequence[float] = (0, 0, 0)) -> None:
+    def move_joint(self, joint: int, position: Vector, velocity: Vector = (0, 0, 0)) -> None:
         """Puts its point at a place now; from there it goes on at a velocity."""
-        self._core.move_joint(joint, _vector(position), _vector(velocity))
+        to = vector(position, "position", "m"), vector(velocity, "velocity", "m/s")
+        self._core.move_joint(handle(joint, "joint"), *to)
 
     def remove_joint(self, joint: int) -> None:
-        self._core.remove_joint(joint)
+        self._core.remove_joint(handle(joint, "joint"))
 
     def joint_state(self, joint: int) -> tuple[float, float, bool]:
         """Length [m], tension [N] and whether it is taut."""
-        return self._core.joint_state(joint)
+        return self._core.joint_state(handle(joint, "joint"))
 
     def joint_motion(self, joint: int) -> tuple[float, float, float]:
         """Angle of a hinge [rad], way of a slider [m] and the force on its ends [N]."""
-        return self._core.joint_motion(joint)
+        return self._core.joint_motion(handle(joint, "joint"))
 
     # ------------------------------------------------------------------------------------------------------ emitters
     def add_emitter(self, shot: Shot, *, follows: int = 0, **emitter: Any) -> int:
@@ -493,7 +510,8 @@ class World:
             {"physim": 1, "world": {}, "shot": [{"name": "shot"}], "emitter": [*known, table]}
         )
         ids = {before: id for before, (_, id) in self._emitters.items()}
-        made = self._core.add_emitter(setup, shot._setup, ids, follows)
+        of = expect(shot, (Shot, Scenario), "shot", "give a Shot")._setup
+        made = self._core.add_emitter(setup, of, ids, handle(follows, "follows"))
         self._emitters[name] = (table, made)
         return made
 
@@ -506,35 +524,36 @@ class World:
         raise Error(f'no emitter is named "{name}"', "emitter")
 
     def remove_emitter(self, emitter: int) -> None:
-        self._core.remove_emitter(emitter)
+        self._core.remove_emitter(handle(emitter, "emitter"))
 
     def play_emitter(self, emitter: int) -> None:
-        self._core.play_emitter(emitter)
+        self._core.play_emitter(handle(emitter, "emitter"))
 
     def stop_emitter(self, emitter: int) -> None:
-        self._core.stop_emitter(emitter)
+        self._core.stop_emitter(handle(emitter, "emitter"))
 
-    def move_emitter(self, emitter: int, position: Sequence[float], rotation: Sequence[float] = (1, 0, 0, 0)) -> None:
+    def move_emitter(self, emitter: int, position: Vector, rotation: Vector = (1, 0, 0, 0)) -> None:
         """In the course of the next step it goes there; rotation: a quaternion w, x, y, z."""
-        self._core.move_emitter(emitter, _vector(position), [float(each) for each in rotation])
+        self._core.move_emitter(handle(emitter, "emitter"), vector(position, "position", "m"), _turn(rotation))
 
     def emit(self, emitter: int, count: int) -> int:
         """It fires so many now, besides what it fires on its own; returns how many were emitted."""
-        return self._core.emit(emitter, count)
+        return self._core.emit(handle(emitter, "emitter"), whole(count, "count"))
 
     def emitter_counts(self, emitter: int) -> dict[str, int]:
         """born, refused, aged, landed, expired, replaced, taken, cut, alive."""
-        return self._core.emitter_counts(emitter)
+        return self._core.emitter_counts(handle(emitter, "emitter"))
 
-    def particles(self, emitter: int, *, eye: Sequence[float] | None = None) -> Columns:
+    def particles(self, emitter: int, *, eye: Vector | None = None) -> Columns:
         """Its particles, for a renderer: id, position, previous, velocity, size, rotation, colour, age, number; from far
         to near of `eye`."""
-        return Columns(self._core.particles(emitter, None if eye is None else _vector(eye)), _UNITS)
+        seen_from = None if eye is None else vector(eye, "eye", "m")
+        return Columns(self._core.particles(handle(emitter, "emitter"), seen_from), _UNITS)
 
     def trails(self, emitter: int) -> Record:
         """Past places of its particles (trail={"points": 20}): id, first and count of each particle, position and time
         of each place; particle i was at position[first[i] : first[i] + count[i]], the oldest place first."""
-        return Record(self._core.trails(emitter))
+        return Record(self._core.trails(handle(emitter, "emitter")))
 
     # --------------------------------------------------------------------------------------------------------- scene
     def set_scene(
@@ -542,7 +561,7 @@ class World:
         scene: Scenario | None = None,
         *,
         engine: Engine | None = None,
-        skin: float = 1e-3,
+        skin: Quantity = 1e-3,
         **tables: Any,
     ) -> None:
         """Sets the things that projectiles meet from now on, as their body_collision_on_hit says: material=[...], shape=[...],
@@ -551,10 +570,11 @@ class World:
         if scene is None:
             tree = {"physim": 1, "world": {}, "shot": [{}], **_as_lists(tables)}
             scene = Scenario._of(_core.Setup.from_tree(tree))
+        setup = expect(scene, Scenario, "scene", "give a Scenario, or tables: shape=[...], thing=[...]")._setup
         asked = None if engine is None else _EngineFunction(engine)
-        self._core.set_scene(scene._setup, asked, skin)
+        self._core.set_scene(setup, asked, quantity(skin, "skin", "m"))
         self._engine = engine
-        self._setup_of_things = scene._setup
+        self._setup_of_things = setup
 
     @property
     def things(self) -> dict[str, int]:
@@ -562,41 +582,52 @@ class World:
         return _core.things(getattr(self, "_setup_of_things", self._setup))
 
     def move_thing(
-        self, thing: int | str, position: Sequence[float], rotation: Sequence[float] = (1, 0, 0, 0), scale: float = 1.0
+        self, thing: int | str, position: Vector, rotation: Vector = (1, 0, 0, 0), scale: float = 1.0
     ) -> None:
         """Moves a thing to another place, by its id or name; rotation: a quaternion w, x, y, z."""
-        id = self.things[thing] if isinstance(thing, str) else thing
-        self._core.move_thing(id, _vector(position), [float(each) for each in rotation], scale)
+        to = vector(position, "position", "m"), _turn(rotation), quantity(scale, "scale", "")
+        self._core.move_thing(self._thing(thing), *to)
 
-    def in_ball(self, middle: Sequence[float], radius: float, *, layers: int = 0xFFFFFFFF) -> Ids:
+    def _thing(self, thing: int | str) -> int:
+        """The id of a thing by its name, or the id itself."""
+        if not isinstance(thing, str):
+            return handle(thing, "thing")
+        known = self.things
+        if thing not in known:
+            raise Error(f'no thing is named "{thing}"', "thing", "things are " + ", ".join(known) if known else "there is none")
+        return known[thing]
+
+    def in_ball(self, middle: Vector, radius: Quantity, *, layers: int = 0xFFFFFFFF) -> Ids:
         """Ids of the projectiles that a ball touches, each as a ball of its body_collision_radius."""
-        return np.asarray(self._core.in_ball(_vector(middle), radius, layers))
+        ball = vector(middle, "middle", "m"), quantity(radius, "radius", "m")
+        return np.asarray(self._core.in_ball(*ball, bits(layers, "layers")))
 
     def in_box(
         self,
-        middle: Sequence[float],
-        half: Sequence[float],
+        middle: Vector,
+        half: Vector,
         *,
-        rotation: Sequence[float] = (1, 0, 0, 0),
+        rotation: Vector = (1, 0, 0, 0),
         layers: int = 0xFFFFFFFF,
     ) -> Ids:
         """Ids of the projectiles that a box touches; half: half of its edges [m]; rotation: a quaternion w, x, y, z."""
-        turn = [float(each) for each in rotation]
-        return np.asarray(self._core.in_box(_vector(middle), _vector(half), turn, layers))
+        box = vector(middle, "middle", "m"), vector(half, "half", "m"), _turn(rotation)
+        return np.asarray(self._core.in_box(*box, bits(layers, "layers")))
 
     def cast(
-        self, start: Sequence[float], end: Sequence[float], *, radius: float = 0.0, layers: int = 0xFFFFFFFF
+        self, start: Vector, end: Vector, *, radius: Quantity = 0.0, layers: int = 0xFFFFFFFF
     ) -> Columns:
         """The projectiles that a ray, or a ball on a straight way, touches, in order: id, part of the way (0 to 1),
         position of what is cast, normal. Points (body_collision_radius of 0) are touched by a ball only."""
-        return Columns(self._core.cast(_vector(start), _vector(end), radius, layers), _UNITS)
+        way = vector(start, "start", "m"), vector(end, "end", "m"), quantity(radius, "radius", "m")
+        return Columns(self._core.cast(*way, bits(layers, "layers")), _UNITS)
 
-    def set_conveyor(self, thing: int | str, velocity: Sequence[float]) -> None:
+    def set_conveyor(self, thing: int | str, velocity: Vector) -> None:
         """Lets the surface of a thing run as a conveyor's, in the thing's own frame [m/s]; zeros: it stands."""
-        self._core.set_conveyor(self.things[thing] if isinstance(thing, str) else thing, _vector(velocity))
+        self._core.set_conveyor(self._thing(thing), vector(velocity, "velocity", "m/s"))
 
     def remove_thing(self, thing: int | str) -> None:
-        self._core.remove_thing(self.things[thing] if isinstance(thing, str) else thing)
+        self._core.remove_thing(self._thing(thing))
 
     def on_hit(self, function: Callable[[Columns], Any]) -> None:
         """The function that decides hits of what was spawned with asks=True, called with columns of all hits of
@@ -614,7 +645,7 @@ class World:
 
     def restore(self, snapshot: Snapshot) -> None:
         """Back to a moment of this world, bit for bit."""
-        self._core.restore(snapshot._snapshot)
+        self._core.restore(expect(snapshot, Snapshot, "snapshot", "give what snapshot() returned")._snapshot)
 
     def save(self) -> bytes:
         """All of it as bytes; `World.load()` makes a world of them that continues with the same hash and ids."""
@@ -632,7 +663,12 @@ class World:
     ) -> World:
         """The world of a save. `of`: for the world of a scenario that scenario; for others a world with the same
         functions of place. Functions are no data: custom forces are given again, in their order."""
-        setup = of._setup if of is not None else _core.Setup.from_tree({"physim": 1, "world": {}, "shot": [{}]})
+        save = expect(save, bytes, "save", "give the bytes that save() returned")
+        if of is None:
+            setup = _core.Setup.from_tree({"physim": 1, "world": {}, "shot": [{}]})
+        else:
+            expect(of, (World, Scenario), "of", "give a World or a Scenario")
+            setup = of._setup
         is_run = isinstance(of, Scenario) or (isinstance(of, World) and of._core.is_run)
         answer = _HitFunction(on_hit) if on_hit is not None else None
         asked = _EngineFunction(engine) if engine is not None else None
@@ -766,7 +802,7 @@ class Replay(World):
     def seek(self, steps: int) -> bool:
         """Goes behind the call that took this step of the recording, back or forwards; 0: to the beginning. False if the
         recording ends or differs before."""
-        there: bool = self._core.seek(steps)
+        there: bool = self._core.seek(whole(steps, "steps"))
         return there
 
     def __iter__(self) -> Iterator[Replay]:  # type: ignore[override]
@@ -793,8 +829,12 @@ def _as_lists(tables: Mapping[str, Any]) -> dict[str, Any]:
     return {name: [dict(table)] if isinstance(table, Mapping) else list(table) for name, table in tables.items()}
 
 
-def _vector(vector: Any) -> list[float]:
-    return [float(each) for each in vector]
+def _turn(rotation: Any) -> list[float]:
+    return vector(rotation, "rotation", "", 4)
+
+
+def _times(time: Any, duration: Any) -> tuple[float, float]:
+    return quantity(time, "time", "s"), quantity(duration, "duration", "s")
 
 
 def _rows(rows: Any, name: str) -> NDArray[np.float64]:

@@ -130,11 +130,34 @@ nb::dict sample_columns(const std::vector<Sample>& all, bool turning) {
   return out;
 }
 
+/// The row of a place that a flight does not get to.
+Sample nowhere(double range) {
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  const Vec3d none{nan, nan, nan};
+  return {.time = nan,
+          .position = none,
+          .velocity = none,
+          .acceleration = none,
+          .speed = nan,
+          .mach = nan,
+          .energy = nan,
+          .mass = nan,
+          .thrust = nan,
+          .range = range,
+          .drop = nan,
+          .windage = nan,
+          .angular_velocity = none,
+          .angle_of_attack = nan};
+}
+
 nb::dict at_times(const Flight& flight, const Numbers& times) {
   std::vector<Sample> all(times.size());
   {
     const Released free;
-    for (std::size_t i = 0; i < all.size(); ++i) all[i] = flight.at(times.data()[i]);
+    for (std::size_t i = 0; i < all.size(); ++i) {
+      const double time = times.data()[i];
+      all[i] = time == time ? flight.at(time) : nowhere(time);
+    }
   }
   return sample_columns(all, turns(flight.fidelity_in_use().fidelity));
 }
@@ -155,28 +178,12 @@ nb::dict drawn_samples(const Flight& flight, std::size_t count) {
 }
 
 nb::dict at_ranges(const Flight& flight, const Numbers& ranges) {
-  const double nan = std::numeric_limits<double>::quiet_NaN();
   std::vector<Sample> all(ranges.size());
   {
     const Released free;
-    const Vec3d none{nan, nan, nan};
     for (std::size_t i = 0; i < all.size(); ++i) {
       const Result<Sample> found = flight.at_range(ranges.data()[i]);
-      all[i] = found ? *found
-                     : Sample{.time = nan,
-                              .position = none,
-                              .velocity = none,
-                              .acceleration = none,
-                              .speed = nan,
-                              .mach = nan,
-                              .energy = nan,
-                              .mass = nan,
-                              .thrust = nan,
-                              .range = ranges.data()[i],
-                              .drop = nan,
-                              .windage = nan,
-                              .angular_velocity = none,
-                              .angle_of_attack = nan};
+      all[i] = found ? *found : nowhere(ranges.data()[i]);
     }
   }
   return sample_columns(all, turns(flight.fidelity_in_use().fidelity));
@@ -305,6 +312,8 @@ nb::dict fly_batch_columns(const Setup& setup, const std::string& name, const nb
   out["refused"] = result.refused;
   out["kernel"] = result.kernel;
   out["notes"] = notes_table(result.fidelity_in_use);
+  out["air"] = std::string(physim::name(result.fidelity_in_use.fidelity.air));
+  out["wind"] = std::string(physim::name(result.fidelity_in_use.fidelity.wind));
   out["error"] = nb::none();
   if (result.error) out["error"] = nb::make_tuple(result.error->message, result.error->place, result.error->hint);
   return out;
@@ -369,7 +378,7 @@ void add_flight(nb::module_& m) {
       .def_prop_ro(
           "outcome", [](const Flight& f) { return std::string(name(f.outcome())); }, "How it ended.")
       .def_prop_ro("duration", &Flight::duration, "Time of flight [s].")
-      .def_prop_ro("elevation", &Flight::elevation, "Of the bore above the horizon, as given or found [rad].")
+      .def_prop_ro("elevation", &Flight::elevation, "Of the bore above the horizon, before cant [rad].")
       .def_prop_ro("step", &Flight::step, "Fixed step in use; 0 of adaptive integrators [s].")
       .def_prop_ro(
           "kinds_of_rotation", [](const Flight& f) { return turns(f.fidelity_in_use().fidelity); },

@@ -461,6 +461,14 @@ void add_setup(nb::module_& m) {
       },
       "text"_a, "path"_a, "A text with a unit as a number in SI, by the quantity of a setting.");
   m.def(
+      "parse_number",
+      [](const std::string& text, const std::string& unit, const std::string& place) {
+        Result<double> number = parse_quantity(text, quantity_of_si_unit(unit));
+        if (!number) fail(number.error().message, place, number.error().hint);
+        return *number;
+      },
+      "text"_a, "unit"_a, "place"_a, "A text with a unit as a number in SI, by the SI unit of its quantity.");
+  m.def(
       "units_of",
       [](const std::string& path) {
         const SchemaNode* node = find_node(path);
