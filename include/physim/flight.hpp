@@ -204,7 +204,7 @@ class Flight {
   [[nodiscard]] std::vector<double> step_times() const;
   [[nodiscard]] const FidelityInUse& fidelity_in_use() const;
   [[nodiscard]] const FlightCost& cost() const;
-  /// Bore elevation above the horizon, as given or as found for the zero range [rad].
+  /// Bore elevation above the horizon before cant: as given, found for the zero range, or of the velocity [rad].
   [[nodiscard]] double elevation() const;
   /// Fixed step in use, 0 for adaptive integrators [s].
   [[nodiscard]] double step() const;

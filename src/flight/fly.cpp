@@ -169,6 +169,7 @@ std::shared_ptr<FlightRecord> record_flight(const ProjectileDef& projectile, con
     return refuse(status.error(), record);
   if (const Status status = choose_step(*record, projectile, launch, environment, tolerance, until); !status)
     return refuse(status.error(), record);
+  if (launch.velocity && length(*launch.velocity) > 0) record->elevation = elevation_of(*launch.velocity);
   fly_record(*record, tolerance, until);
   return record;
 }

@@ -146,6 +146,10 @@ Result<double> elevation_of(const ProjectileDef& projectile, const Launch& launc
   return launch.sight.look_angle + *zeroed + launch.sight.dial;
 }
 
+double elevation_of(const Vec3d& velocity) {
+  return atan2(velocity.y, sqrt(velocity.x * velocity.x + velocity.z * velocity.z));
+}
+
 Result<Launch> aimed_launch(const ProjectileDef& projectile, Launch launch, const Environment& environment,
                             const Fidelity& fidelity) {
   const auto elevation = elevation_of(projectile, launch, environment, fidelity);

@@ -9,6 +9,9 @@ namespace physim {
 [[nodiscard]] Result<double> elevation_of(const ProjectileDef& projectile, const Launch& launch,
                                           const Environment& environment, const Fidelity& fidelity);
 
+/// The elevation of a velocity above the horizon [rad].
+[[nodiscard]] double elevation_of(const Vec3d& velocity);
+
 /// A launch with its bore where its zero range, if it has one, puts it: no search is left.
 [[nodiscard]] Result<Launch> aimed_launch(const ProjectileDef& projectile, Launch launch,
                                           const Environment& environment, const Fidelity& fidelity);

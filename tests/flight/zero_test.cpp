@@ -97,6 +97,15 @@ TEST(Zero, is_shot_upright_and_cant_comes_afterwards) {
   EXPECT_LT(canted.end().drop, upright.end().drop) << "and low";
 }
 
+TEST(Elevation, of_a_given_velocity_is_its_own) {
+  const auto elevation_of = [](const Launch& launch) {
+    return fly({}, launch, constant_gravity(), vacuum(), {}, {.time = 0.1}).elevation();
+  };
+  EXPECT_NEAR(elevation_of({.velocity = Vec3d{30, 30, 0}}), 45 * kDegree, 1e-15);
+  EXPECT_NEAR(elevation_of({.velocity = Vec3d{-3, -4, 4}}), -std::atan2(4.0, 5.0), 1e-15);
+  EXPECT_EQ(elevation_of({.elevation = 0.3, .velocity = Vec3d{}}), 0.3) << "what rests points where the launcher does";
+}
+
 TEST(Zero, in_calm_air_or_in_the_wind_as_asked) {
   Environment headwind{.wind = {.velocity = {-20, 0, 0}}};
   Launch launch{.speed = 400, .sight = {.zero_range = 300, .zero_in_calm_air = true}};

@@ -6,6 +6,7 @@
 #include "base/ieee_mode.hpp"
 #include "base/restored.hpp"
 #include "flight/under_way.hpp"
+#include "flight/zero.hpp"
 #include "math/elementary.hpp"
 #include "model/sight.hpp"
 #include "prepare/check.hpp"
@@ -164,7 +165,7 @@ void fill(FlightRecord& record, const WorldImpl& w, ProjectileId id, const Frame
     record.rotor = rows.rotor(slot.row);
     record.rotor.launch = start.turn;
   }
-  record.elevation = atan2(start.now.v.y, sqrt(start.now.v.x * start.now.v.x + start.now.v.z * start.now.v.z));
+  record.elevation = elevation_of(start.now.v);
   record.step = steps_itself(cohort.key.fidelity) ? 0 : start.dt;
   record.is_framed = true;
   if (start.is_clocked) record.clock = w.placement.clock_of(slot);
