@@ -36,7 +36,7 @@ Result<Scenario> load(const ScenarioInput& input) {
   const auto by_option = [&](std::string& text) {
     if (!input.ranges.empty()) replace_all(text, "--set " + ranges, "--ranges");
   };
-  Result<Scenario> scenario = load_scenario(input.file, overrides);
+  Result<Scenario> scenario = load_scenario(input.file, overrides, input.has_complete_study);
   if (!scenario) {
     Error error = scenario.error();
     for (std::string* text : {&error.place, &error.message, &error.hint}) by_option(*text);  // there may be several

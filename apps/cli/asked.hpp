@@ -12,7 +12,8 @@ using namespace report;
 struct ScenarioInput {
   std::string file;
   std::vector<std::string> overrides;
-  std::string ranges;  // of --ranges, instead of output.ranges
+  std::string ranges;              // of --ranges, instead of output.ranges
+  bool has_complete_study = true;  // no option adds to it
 };
 void add_scenario_options(Command& command, ScenarioInput& input);
 

@@ -224,7 +224,9 @@ Error about_study(const StudyCommand& command, const AskedShot& asked, const Err
                                          {"--ranges", !command.ranges.empty(), "until.range"}});
   if (option != nullptr) return {error.message, option, error.hint};
   Error in_text = in_study(asked.scenario, asked.shot(), error);
-  return in_text.place == error.place ? about(asked, error) : in_text;
+  if (in_text.place != error.place) return in_text;
+  in_text.place = setting_of_study(error.place);
+  return about(asked, in_text);
 }
 
 /// Inputs of another shot are those of another study.
@@ -244,6 +246,7 @@ struct AskedStudy {
 Result<AskedStudy> ask_study(const StudyCommand& command) {
   Question question = command.question;
   question.input.ranges = command.ranges;
+  question.input.has_complete_study = command.vary.empty();
   Result<AskedShot> asked = ask(question);
   if (!asked) return asked.error();
   warn_of_fidelity(asked->shot(), "a study");
@@ -321,7 +324,26 @@ void warn_of_what_ranges_leave_out(const ScenarioStudy& texts) {
       print_warning(given.place + ": study." + given.path + ": has no effect with --ranges");
 }
 
-/// The study at each range. A shot that is zeroed is zeroed there, as a shooter does who knows the range.
+/// The study at a range. A shot that is zeroed is zeroed there, as a shooter does who knows the range.
+Result<StudyAtRange> fly_to(double range, Study study, const ScenarioStudy& texts, TaskRunner& threads, Ranks& ranks,
+                            const StudyCommand& command) {
+  PlanePoint held;
+  if (study.launch.sight.zero_range > 0) {
+    study.launch.sight.zero_range = range;
+    study.launch.sight.dial = 0;  // it is that of one range
+    const auto known = hold(study);
+    if (!known) return known.error();
+    held = *known;
+  }
+  auto flown = fly_study(study, texts, threads, ranks, command);
+  if (!flown) return flown.error();
+  return StudyAtRange{range, std::move(flown->result), held};
+}
+
+/// True of an error that says that a shot does not get so far, by its flight or by its zero.
+bool is_out_of_reach(const Error& error) { return error.place == "until" || error.place == "launch.sight.zero_range"; }
+
+/// The study at each range, and "not reached" for those that no shot comes to.
 Result<int> run_over_ranges(const StudyCommand& command, const AskedShot& asked, Study study, TaskRunner& threads,
                             Ranks& ranks) {
   if (!study.at.empty())
@@ -338,36 +360,36 @@ Result<int> run_over_ranges(const StudyCommand& command, const AskedShot& asked,
     return Error{"a study is flown to ranges above 0", "--ranges", "as in \"100 m .. 1000 m step 100 m\""};
   warn_of_what_ranges_leave_out(asked.scenario.study);
   std::vector<StudyAtRange> list;
+  std::vector<double> missed;
+  std::optional<Error> out_of_reach;  // the first
   StudyCommand alone;
   alone.log_seconds = command.log_seconds;
   bool misses = false;
   for (const double range : asked.scenario.ranges) {
     study.until.range = range;
-    Study there = study;
-    PlanePoint held;
-    if (study.launch.sight.zero_range > 0) {
-      there.launch.sight.zero_range = range;
-      there.launch.sight.dial = 0;  // it is that of one range
-      const auto known = hold(there);
-      if (!known) return about_study(command, asked, known.error());
-      held = *known;
+    auto at = fly_to(range, study, asked.scenario.study, threads, ranks, alone);
+    if (!at && is_out_of_reach(at.error())) {
+      missed.push_back(range);
+      const std::string place = place_text(EventSpec{.kind = EventKind::range, .value = range});
+      if (!out_of_reach) out_of_reach = Error{place + ": " + at.error().message, "--ranges", at.error().hint};
+      continue;
     }
-    auto flown = fly_study(there, asked.scenario.study, threads, ranks, alone);
-    if (!flown) return about_study(command, asked, flown.error());
-    misses = misses || misses_width(there, flown->result);
-    list.push_back({range, std::move(flown->result), held});
+    if (!at) return about_study(command, asked, at.error());
+    misses = misses || misses_width(study, at->result);
+    list.push_back(*std::move(at));
   }
+  if (list.empty()) return *out_of_reach;
   if (misses) warn_of_width();
   const std::string title = title_of_shot(asked);
   if (!command.plot.empty())
     if (Status status = draw(command.plot, ranges_picture(title, list)); !status) return status.error();
   if (command.csv != "-")
     if (Status status = print(style_of(stdout).bold(title) + "\n" +
-                              over_range_text(list, last_unit(command.ranges, Quantity::length)));
+                              over_range_text(list, last_unit(command.ranges, Quantity::length), missed));
         !status)
       return status.error();
-  return done(command.csv.empty() ? Status() : write_output(command.csv, csv_text(records_of(list))),
-              misses ? kExitCheckMissed : kExitOk);
+  return done(command.csv.empty() ? Status() : write_output(command.csv, csv_text(records_of(list, missed))),
+              misses || !missed.empty() ? kExitCheckMissed : kExitOk);
 }
 
 Status check_command(const StudyCommand& command) {

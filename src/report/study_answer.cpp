@@ -26,8 +26,10 @@ const Unit* unit_of_text(const StudyInput& input, std::span<const std::string> t
       return last_unit(text, quantity_of_si_unit(unit_of(input)));
   return nullptr;
 }
+/// The unit behind a number; a plain one has none.
 std::string name_of(const Unit* unit, const StudyInput& input) {
-  return unit != nullptr ? std::string(unit->name) : unit_of(input);
+  const std::string name = unit != nullptr ? std::string(unit->name) : unit_of(input);
+  return name == "-" ? "" : name;
 }
 /// A difference of SI numbers, in a unit.
 double in_unit(double difference, const Unit* unit) {
@@ -404,7 +406,7 @@ std::vector<StudyAtRange> ranges_of(const FlownStudy& flown) {
   return list;
 }
 
-std::string over_range_text(std::span<const StudyAtRange> list, const Unit* of_ranges) {
+std::string over_range_text(std::span<const StudyAtRange> list, const Unit* of_ranges, std::span<const double> missed) {
   PHYSIM_ASSERT(!list.empty());
   const std::string_view of_range = of_ranges != nullptr ? of_ranges->name : "m";
   const bool customary = of_range == "yd" || of_range == "ft" || of_range == "mi";
@@ -428,17 +430,18 @@ std::string over_range_text(std::span<const StudyAtRange> list, const Unit* of_r
     for (const HitResult& hit : r.hits) cells.push_back(percent(hit.probability.value));
     table.add_row(std::move(cells));
   }
+  for (const double range : missed) table.add_row({significant(in_unit(range, of_ranges), 12), "not reached"});
   return table.text(2);
 }
 
-Records records_of(std::span<const StudyAtRange> list) {
+Records records_of(std::span<const StudyAtRange> list, std::span<const double> missed) {
   PHYSIM_ASSERT(!list.empty());
   Records records{
       {"range [m]", "right.deviation [m]", "up.deviation [m]", "cep [m]", "r95 [m]", "held.right [m]", "held.up [m]"},
       {}};
   for (const HitResult& hit : list.front().result.hits)
     for (const char* what : {"", ".low", ".high"}) records.columns.push_back("hit." + hit.name + what);
-  records.rows = [list](const std::function<void(Row)>& take) {
+  records.rows = [list, missed, count = records.columns.size()](const std::function<void(Row)>& take) {
     for (const auto& [range, r, held] : list) {
       std::vector<Cell> cells = {range,
                                  r.quantities[0].deviation,
@@ -448,6 +451,11 @@ Records records_of(std::span<const StudyAtRange> list) {
                                  held.right,
                                  held.up};
       for (const HitResult& hit : r.hits) cells.insert(cells.end(), {hit.probability.value, hit.low, hit.high});
+      take(cells);
+    }
+    for (const double range : missed) {
+      std::vector<Cell> cells(count);
+      cells.front() = range;
       take(cells);
     }
   };

@@ -62,10 +62,12 @@ struct StudyAtRange {
 /// the line of sight.
 [[nodiscard]] std::vector<StudyAtRange> ranges_of(const FlownStudy& flown);
 /// A line for each range: how far shots scatter, and how likely each target is hit. Ranges have a unit of lengths,
-/// null: metres. Beside yards, feet and miles other lengths are in inches, else in metres.
-[[nodiscard]] std::string over_range_text(std::span<const StudyAtRange> list, const Unit* of_ranges = nullptr);
-/// ... as records, which read the list.
-[[nodiscard]] Records records_of(std::span<const StudyAtRange> list);
+/// null: metres. Beside yards, feet and miles other lengths are in inches, else in metres. Ranges that were missed come
+/// behind, without figures.
+[[nodiscard]] std::string over_range_text(std::span<const StudyAtRange> list, const Unit* of_ranges = nullptr,
+                                          std::span<const double> missed = {});
+/// ... as records, which read the lists.
+[[nodiscard]] Records records_of(std::span<const StudyAtRange> list, std::span<const double> missed = {});
 struct Figure {
   std::string name;
   double value, error;  // NaN: not known

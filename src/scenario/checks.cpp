@@ -7,6 +7,7 @@
 #include "prepare/grant.hpp"
 #include "scenario/expectation.hpp"
 #include "scenario/mistakes.hpp"
+#include "scenario/schema.hpp"
 #include "scenario/study_text.hpp"
 #include "scenario/suggest.hpp"
 #include "scenario/units.hpp"
@@ -42,7 +43,7 @@ Status check_bands(const DragDef& drag, const Value& shot) {
   for (std::size_t i = 0; i < drag.bands.size(); ++i)
     for (std::size_t j = 0; j < i; ++j)
       if (drag.bands[i].above == drag.bands[j].above)
-        return Error{"shot.drag.bands: two bands from " + quantity_text(drag.bands[i].above, Quantity::speed),
+        return Error{"shot.drag.bands: two bands from " + quantity_in_words(drag.bands[i].above, Quantity::speed),
                      place_of(element(*table, "bands", i), "above"), "each band needs its own speed"};
   return {};
 }
@@ -218,6 +219,11 @@ void note_study_places(ScenarioStudy& study, const Value& document) {
   }
 }
 
+std::string setting_of_study(const std::string& place) {
+  const std::string path = std::string(kOfStudy) + place;
+  return find_node(path) != nullptr ? path : place;
+}
+
 Error in_study(const Scenario& scenario, const ScenarioShot& shot, Error error) {
   const ScenarioStudy& study = scenario.study;
   if (!error.place.starts_with(kOfStudy)) error = by_texts(scenario, shot, std::move(error));
@@ -234,7 +240,7 @@ Error in_study(const Scenario& scenario, const ScenarioShot& shot, Error error) 
 
 void check_study(const Scenario& scenario, const Value& document, Mistakes& mistakes) {
   const Value* table = document.find("study");
-  if (table == nullptr || scenario.world.given) return;  // a study flies shots alone
+  if (table == nullptr || scenario.world.given || !scenario.study.is_complete) return;  // a study flies shots alone
   std::vector<Error> first;
   const ScenarioShot* of = nullptr;
   for (const ScenarioShot& shot : scenario.shots) {
@@ -244,7 +250,8 @@ void check_study(const Scenario& scenario, const Value& document, Mistakes& mist
   }
   for (const Error& each : first) {
     Error error = in_study(scenario, *of, each);
-    if (error.place == each.place) error = {each.place + ": " + each.message, table->place.text(), each.hint};
+    if (error.place == each.place)
+      error = {setting_of_study(each.place) + ": " + error.message, table->place.text(), error.hint};
     mistakes.take(error);
   }
 }

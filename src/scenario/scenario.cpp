@@ -88,12 +88,13 @@ Status read_plain(const Value& document, const std::string& file, Checks checks,
   const FilesInUse in_use;
   const Value* shots = document.find("shot");
   const Array* array = shots ? shots->get<Array>() : nullptr;
-  if (shots == nullptr || (array != nullptr && array->empty()))
-    return Error{"the scenario has no shot", shots ? shots->place.text() : file + ":1:1", "add a [[shot]]"};
+  const Error no_shot{"the scenario has no shot", shots ? shots->place.text() : file + ":1:1", "add a [[shot]]"};
+  if (array != nullptr && array->empty()) return no_shot;
   scenario.file = file;
   std::int64_t format = kFormat;
   const Scope scope{.format = &format, .scenario = &scenario};
   if (Status status = read_table(schema(), scope, document, checks); !status) return status;
+  if (shots == nullptr) return no_shot;  // unknown keys, of which one may be a misspelling, come first
   PHYSIM_ASSERT(format == kFormat);
   PHYSIM_ASSERT(scenario.shots.size() == array->size());
   complete(scenario, document);
@@ -142,17 +143,36 @@ const ScenarioEmitter* emitter_alone_of(const Scenario& scenario, std::string_vi
   return emitter == scenario.emitters.end() ? nullptr : &*emitter;
 }
 
-Result<Scenario> parse_scenario(const std::string& text, const std::string& file,
-                                std::span<const std::string> overrides) {
+namespace {
+
+Result<Scenario> parse_with(const std::string& text, const std::string& file, std::span<const std::string> overrides,
+                            bool has_complete_study) {
   const IeeeMode mode;
   Result<Value> document = parse_document(text, file);
   if (!document) return document.error();
   Mistakes mistakes;
   for (const std::string& override_text : overrides) mistakes.take(apply_override(*document, override_text));
   Scenario scenario;
+  scenario.study.is_complete = has_complete_study;
   mistakes.take(read_scenario(*document, file, Checks::all, scenario));
   if (mistakes.empty()) return scenario;
   return mistakes.status().error();
+}
+
+Result<Scenario> parse_file(const std::string& text, const std::string& file, std::span<const std::string> overrides,
+                            bool has_complete_study) {
+  const FilesInUse in_use;
+  if (Status begun = begin_reading(file, "scenario"); !begun) return begun.error();
+  Result<Scenario> scenario = parse_with(text, file, overrides, has_complete_study);
+  if (scenario) scenario->files = in_use.inputs();
+  return scenario;
+}
+
+}  // namespace
+
+Result<Scenario> parse_scenario(const std::string& text, const std::string& file,
+                                std::span<const std::string> overrides) {
+  return parse_with(text, file, overrides, true);
 }
 
 Result<std::string> read_scenario_text(const std::string& file) {
@@ -163,17 +183,14 @@ Result<std::string> read_scenario_text(const std::string& file) {
 
 Result<Scenario> parse_scenario_file(const std::string& text, const std::string& file,
                                      std::span<const std::string> overrides) {
-  const FilesInUse in_use;
-  if (Status begun = begin_reading(file, "scenario"); !begun) return begun.error();
-  Result<Scenario> scenario = parse_scenario(text, file, overrides);
-  if (scenario) scenario->files = in_use.inputs();
-  return scenario;
+  return parse_file(text, file, overrides, true);
 }
 
-Result<Scenario> load_scenario(const std::string& file, std::span<const std::string> overrides) {
+Result<Scenario> load_scenario(const std::string& file, std::span<const std::string> overrides,
+                               bool has_complete_study) {
   const Result<std::string> text = read_scenario_text(file);
   if (!text) return text.error();
-  return parse_scenario_file(*text, file, overrides);
+  return parse_file(*text, file, overrides, has_complete_study);
 }
 
 }  // namespace physim

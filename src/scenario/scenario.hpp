@@ -147,11 +147,15 @@ struct ScenarioStudy {
   std::int64_t over_inputs = 0;           ///< parts of each input over which hits are reported; 0: not reported [-]
   std::int64_t histograms = 0;            ///< bars of histograms; 0: not reported [-]
   std::vector<GivenSetting> places{};     ///< of those that are given [-]
+  bool is_complete = true;                ///< options add nothing: it is checked with the file [-]
 };
 
 /// An error of the study of a shot in the place of the text that it is about; as it was where it is about none. What is
 /// called "study.inputs[1]" is the text of that number; "inputs[1]" is an input that the study of the shot has.
 [[nodiscard]] Error in_study(const Scenario& scenario, const ScenarioShot& shot, Error error);
+
+/// "study.rounds" of what an error about a study calls "rounds"; as it was where it is no setting of a study.
+[[nodiscard]] std::string setting_of_study(const std::string& place);
 
 /// A number and its distribution from a text, PATH = DISTRIBUTION:
 ///   800 m/s +- 3 m/s                     normal
@@ -334,8 +338,10 @@ struct Scenario {
 
 /// Reads a scenario file. Each override is "path=value" as on the command line: "environment.gravity.model=off",
 /// "shot.mass=170 gr" for every shot, "shot.NAME.mass=170 gr" for one. Overrides replace what the file says before it
-/// is checked; later ones win. Errors carry file:line:col, or "--set path=value".
-[[nodiscard]] Result<Scenario> load_scenario(const std::string& file, std::span<const std::string> overrides = {});
+/// is checked; later ones win. Errors carry file:line:col, or "--set path=value". A study that is not complete is
+/// left for read_study() to check.
+[[nodiscard]] Result<Scenario> load_scenario(const std::string& file, std::span<const std::string> overrides = {},
+                                             bool has_complete_study = true);
 /// The text of a scenario file, and a scenario from a text that was read from `file`.
 [[nodiscard]] Result<std::string> read_scenario_text(const std::string& file);
 [[nodiscard]] Result<Scenario> parse_scenario_file(const std::string& text, const std::string& file,

@@ -48,7 +48,7 @@ Quantity quantity_of_expectation(const Scope& scope) {
 #define PHYSIM_EXPECT(...) PHYSIM_ROW("expect", expect, __VA_ARGS__)
 
 constexpr Entry kFileSettings[] = {
-    setting("physim", PHYSIM_FIELD(format[0]), "format version of the file", between(1, 1)),
+    setting("physim", PHYSIM_FIELD(format[0]), "format version of the file", between(1, 1), kRequired),
     PHYSIM_SCENARIO(title, "what the scenario shows"),
     PHYSIM_SCENARIO(source, "where its figures come from"),
 };

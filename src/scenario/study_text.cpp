@@ -17,7 +17,7 @@ namespace physim {
 namespace {
 
 constexpr const char* kInputHint =
-    "write it as \"shot.speed = 800 m/s +- 3 m/s\", \"shot.speed = +- 3 m/s\", \"PATH = -2 m/s .. 2 m/s\" \"PATH = "
+    "write it as \"shot.speed = 800 m/s +- 3 m/s\", \"shot.speed = +- 3 m/s\", \"PATH = -2 m/s .. 2 m/s\", \"PATH = "
     "one of 1 m/s, 2 m/s\" or \"PATH = column NAME of FILE.csv\"";
 constexpr const char* kTargetHint =
     "write it as \"circle 10 cm at 0 m, 1 m\", \"NAME: rectangle 30 cm x 50 cm\" or \"polygon 0 m, 0 m; 1 m, 0 m; 0 m, "

@@ -115,7 +115,7 @@ void check_inputs(Checker& c, const Study& study, bool of_flights) {
     c.require(static_cast<unsigned>(study.inputs[i].drawn_for) <= 1, numbered("inputs", i) + ".drawn_for",
               "is none of the named values");
     c.require(study.inputs[i].drawn_for != DrawnFor::occasion || study.rounds > 1, "rounds",
-              "is one shot, and " + numbered("inputs", i) + " is drawn once for all shots of an occasion",
+              "an occasion has one shot, and " + numbered("inputs", i) + " is drawn once for all shots of an occasion",
               "say how many shots an occasion has");
     if (of_flights) c.also(check_path(study, i));
   }

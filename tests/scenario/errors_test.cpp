@@ -28,6 +28,8 @@ INSTANTIATE_TEST_SUITE_P(
         Bad{"physim = 2", "f.toml:1:10: error: physim: unknown format version 2; this program reads version 1"},
         Bad{"physim = \"1\"", "f.toml:1:10: error: physim: unknown format version \"1\"; this program reads version 1"},
         Bad{"physim = 1", "f.toml:1:1: error: the scenario has no shot; add a [[shot]]"},
+        Bad{"physim = 1\n[[shots]]\nmass = 1",
+            "f.toml:2:3: error: unknown key \"shots\" in the file; did you mean \"shot\"?"},
         Bad{"physim = 1\nshot = []", "f.toml:2:8: error: the scenario has no shot; add a [[shot]]"},
         Bad{"physim = 1\nphysim = 1",
             "f.toml:2:10: error: not valid TOML (key-value pair): cannot redefine existing integer 'physim'; a name "

@@ -32,7 +32,7 @@ TEST(StudyErrors, inputs_have_their_places) {
   expect_begins(error_of("[study]\ninputs = [\"shot.speed = 8 m/s +- 3 m/s\", \"shot.speed = 8 m/s +- 1 m/s\"]\n"),
                 "f.toml:10:42: error: study.inputs[1].path: shot.speed is drawn by inputs[0] already");
   expect_begins(error_of("[study]\ninputs = [\"shot.speed = 800 m/s +- 3 m/s per occasion\"]\n"),
-                "f.toml:9:1: error: rounds: is one shot, and inputs[0] is drawn once");
+                "f.toml:9:1: error: study.rounds: an occasion has one shot, and inputs[0] is drawn once");
 }
 
 TEST(StudyErrors, the_other_lists_have_theirs) {
