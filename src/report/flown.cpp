@@ -78,8 +78,8 @@ void note_unlit(const Scenario& scenario, const FlownShot& shot, std::vector<std
   const double end = shot.flight.duration();
   if (motor.ignition_delay <= end || motor.ignition_delay >= scenario.until.time) return;
   notes.push_back("the motor of shot " + in_quotes(shot.name) + " never burns: the flight ends after " +
-                  quantity_text(end, Quantity::time) + ", and shot.motor.ignition_delay is " +
-                  quantity_text(motor.ignition_delay, Quantity::time));
+                  quantity_in_words(end, Quantity::time) + ", and shot.motor.ignition_delay is " +
+                  quantity_in_words(motor.ignition_delay, Quantity::time));
 }
 }  // namespace
 

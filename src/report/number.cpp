@@ -49,6 +49,18 @@ std::string readable(double value, int digits) {
   return magnitude < -kMostDecimals ? "0" : fixed(value, std::clamp(digits - 1 - magnitude, 0, kMostDecimals));
 }
 
+std::string sized(double value, int digits) {
+  const double size = std::abs(value);
+  return size != 0 && (size < 1e-4 || size >= 1e9) ? significant(value, digits) : readable(value, digits);
+}
+
+double rounded(double value, int digits) {
+  const std::string text = significant(value, digits);
+  double number = value;
+  std::from_chars(text.data(), text.data() + text.size(), number);
+  return number;
+}
+
 std::string hex(std::uint64_t value) {
   char text[19];
   std::snprintf(text, sizeof text, "0x%016llx", static_cast<unsigned long long>(value));

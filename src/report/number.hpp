@@ -18,6 +18,10 @@ namespace physim::report {
 [[nodiscard]] std::string as_typed(double value);
 /// As many decimals as give `digits` significant ones, without an exponent: "1234", "12.3", "0.0123"; six at most.
 [[nodiscard]] std::string readable(double value, int digits);
+/// As readable(), with an exponent where six decimals or nine digits show a number poorly: "5e-08", "2.001e+17".
+[[nodiscard]] std::string sized(double value, int digits);
+/// The number of so many significant digits.
+[[nodiscard]] double rounded(double value, int digits);
 /// "0x00000000000000ff", as hashes are shown.
 [[nodiscard]] std::string hex(std::uint64_t value);
 

@@ -13,6 +13,13 @@ namespace {
 struct CardColumn {
   std::string header;
   int decimals;
+  bool is_size = false;  // of any order of magnitude, and not of the rounding of others
+
+  [[nodiscard]] std::string text(double figure) const {
+    constexpr int kDigits = 4;
+    const bool loses_digits = figure < std::pow(10, 1 - decimals) || figure >= 1e9;
+    return is_size && loses_digits ? sized(figure, kDigits) : fixed(figure, decimals);
+  }
 };
 
 /// The figures of a card, in its units; none where a figure has no meaning.
@@ -47,6 +54,7 @@ void add_columns(const Card& card, const std::vector<CrossWind>& shifts, CardFig
   out.add_column("speed", u.speed);
   out.add_column("mach", {"-", 1, 3});
   out.add_column("energy", u.energy);
+  out.columns.back().is_size = true;
   out.add_column("time", {"s", 1, 3});
 }
 
@@ -129,7 +137,7 @@ Table table_of(const Card& card) {
   for (const auto& figures_of_row : figures.rows) {
     std::vector<std::string> row = {as_typed(*figures_of_row.front())};
     for (std::size_t i = 1; i < figures_of_row.size(); ++i)
-      row.push_back(figures_of_row[i] ? fixed(*figures_of_row[i], figures.columns[i].decimals) : "-");
+      row.push_back(figures_of_row[i] ? figures.columns[i].text(*figures_of_row[i]) : "-");
     const ShownUnit& unit = card.units.range;
     if (row.size() == 1) row.push_back(not_reached(card.flight, *figures_of_row.front(), unit.name, unit.size));
     table.add_row(std::move(row));

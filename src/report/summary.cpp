@@ -13,6 +13,7 @@
 #include "report/number.hpp"
 #include "report/table.hpp"
 #include "report/world_hits.hpp"
+#include "scenario/units.hpp"
 
 namespace physim::report {
 namespace {
@@ -51,8 +52,7 @@ std::string range_card(const FlownShot& flown, const std::vector<double>& ranges
     const Sample& s = *found;
     std::vector<std::string> row = {as_typed(range), fixed(with_drop ? s.drop : s.position.y, 3), fixed(s.windage, 3)};
     if (with_holds) row.insert(row.end(), {hold(s.drop, range), hold(s.windage, range)});
-    row.insert(row.end(),
-               {time_text(s.time, flown.flight), fixed(s.speed, 2), fixed(s.mach, 3), readable(s.energy, 4)});
+    row.insert(row.end(), {time_text(s.time, flown.flight), fixed(s.speed, 2), fixed(s.mach, 3), sized(s.energy, 4)});
     table.add_row(std::move(row));
   }
   return table.empty() ? "" : "\n" + table.text(kIndent) + "\n";
@@ -76,7 +76,7 @@ std::string end_text(const Flight& flight) {
   std::string text = time_text(s.time, flight) + " s: " + place_text(flight, s.position, s.range) + ", windage " +
                      readable(s.windage, 4) + " m; " + speed + " m/s";
   if (s.mach > 0) text += " (Mach " + fixed(s.mach, 3) + ")";
-  text += ", " + readable(s.energy, 4) + " J";
+  text += ", " + (speed == "0" ? readable(s.energy, 4) : sized(s.energy, 4)) + " J";
   if (speed == "0") return text;  // a direction would be that of a rounding
   return text + ", " + fixed(std::abs(angle), 2) + " deg " + (angle < 0 ? "down" : "up");
 }
@@ -96,14 +96,30 @@ std::string stability_in_flight(const Flight& flight) {
 
 std::string motor_text(const MotorDef& motor) {
   const std::string named = motor.name.empty() ? "" : one_line(motor.name) + ": ";
-  return named + readable(total_impulse(motor), 4) + " N s in " + readable(burn_time(motor), 4) +
-         " s, specific impulse " + readable(specific_impulse(motor), 4) + " s";
+  const std::string burn =
+      named + readable(total_impulse(motor), 4) + " N s in " + readable(burn_time(motor), 4) + " s, ";
+  if (!(motor.propellant_mass > 0)) return burn + "without propellant: the mass stays";
+  return burn + "specific impulse " + readable(specific_impulse(motor), 4) + " s";
 }
 
 /// Ignition, burnout or the end of the rail.
 std::string stop_text(const Flight& flight, const Event& stop) {
   return time_text(stop.time, flight) + " s: height " + readable(stop.position.y, 5) + " m, " +
          readable(length(stop.velocity), 5) + " m/s, " + readable(flight.at(stop.time).mass, 4) + " kg";
+}
+
+/// True of a value that until.events asks for: the end at the ground or at a range is another line.
+bool is_asked_for(const Event& event, const std::vector<EventSpec>& asked) {
+  return row_of(event.kind).waits_for_value && std::ranges::any_of(asked, [&](const EventSpec& spec) {
+           return spec.kind == event.kind && spec.value == event.value &&
+                  (spec.direction == Crossing::any || spec.direction == event.direction);
+         });
+}
+
+std::string crossing_text(const Flight& flight, const Event& event) {
+  return quantity_in_words(event.value, quantity_of_value(event.kind)) + " " + std::string(name(event.direction)) +
+         " at " + time_text(event.time, flight) +
+         " s: " + place_text(flight, event.position, flight.at(event.time).range);
 }
 
 /// The part of a flight on one side of its own drag curve.
@@ -156,6 +172,8 @@ std::string shot_text(const FlownShot& flown, const Scenario& scenario, const St
     if (event.kind == EventKind::apex)
       out += line("apex", "at " + time_text(event.time, flight) +
                               " s: " + place_text(flight, event.position, flight.at(event.time).range));
+    if (is_asked_for(event, scenario.until.events))
+      out += line(std::string(name(event.kind)), crossing_text(flight, event));
     if (is_of_motor_or_rail(event.kind)) out += line(std::string(name(event.kind)), "at " + stop_text(flight, event));
   }
   if (const std::string text = stability_text(*flown.shot, flight, scenario.environment); !text.empty())

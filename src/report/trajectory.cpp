@@ -26,11 +26,12 @@ double round_down(double value) {
   return power;
 }
 
-// The k-th multiple of an interval; 3 times 0.1 is 0.3.
+// The k-th multiple of an interval; 3 times 0.1 is 0.3, and 3 times 0.7 is 2.1.
 double multiple(double interval, std::size_t k) {
+  constexpr int kDigits = 15;  // that are those of a decimal product
   const double rate = std::round(1 / interval);
   const bool is_whole_rate = std::abs(rate * interval - 1) < 1e-12;
-  return is_whole_rate ? static_cast<double>(k) / rate : static_cast<double>(k) * interval;
+  return is_whole_rate ? static_cast<double>(k) / rate : rounded(static_cast<double>(k) * interval, kDigits);
 }
 
 Times times_of(double duration, double interval) {

@@ -194,7 +194,7 @@ Result<Sample> sample_at(const Flight& flight, const Expectation& expectation) {
       // A flight that ends at until.time = 10 s may last 9.999999999999998 s: its end is found in its last step.
       constexpr double kRounding = 1e-12;
       if (expectation.at_value <= flight.duration() * (1 + kRounding)) return flight.at(expectation.at_value);
-      return Error{"the flight ends after " + quantity_text(flight.duration(), Quantity::time), "", ""};
+      return Error{"the flight ends after " + quantity_in_words(flight.duration(), Quantity::time), "", ""};
     }
     case ExpectAt::range: return flight.at_range(expectation.at_value);
     case ExpectAt::height: return flight.at_height(expectation.at_value);

@@ -118,7 +118,7 @@ class JointNet {
     double beside = 0;  // the axis of a slider, or the plane of a hinge
   };
 
-  static std::string text(double metres) { return quantity_text(metres, Quantity::length); }
+  static std::string text(double metres) { return quantity_in_words(metres, Quantity::length); }
 
   std::size_t add(const Vec3d& place, bool is_point) {
     places_.push_back(place);

@@ -164,6 +164,18 @@ Result<MotorFileEntry> sound_only(const MotorFileEntry& entry) {
 
 std::string with_maker(const MotorFileEntry& entry) { return entry.manufacturer + " " + entry.motor.name; }
 
+/// Names that say which motor is meant: the maker stands before one that several have.
+std::vector<std::string> telling_names(const std::vector<MotorFileEntry>& motors) {
+  std::vector<std::string> names;
+  for (const MotorFileEntry& entry : motors) {
+    const bool is_one_of = std::ranges::any_of(motors, [&](const MotorFileEntry& other) {
+      return other.motor.name == entry.motor.name && other.manufacturer != entry.manufacturer;
+    });
+    names.push_back(is_one_of ? with_maker(entry) : entry.motor.name);
+  }
+  return names;
+}
+
 /// Copies of one motor are no two.
 bool is_copy(const MotorFileEntry& a, const MotorFileEntry& b) {
   return a.motor == b.motor && a.manufacturer == b.manufacturer && a.mass == b.mass && !a.fault && !b.fault;
@@ -185,8 +197,8 @@ Error named_twice(const MotorFileEntry& first, const MotorFileEntry& other, cons
 Result<MotorFileEntry> pick_motor(const std::vector<MotorFileEntry>& motors, const std::string& name,
                                   const std::string& file) {
   if (name.empty() && motors.size() == 1) return sound_only(motors.front());
-  std::vector<std::string_view> names;
-  for (const MotorFileEntry& entry : motors) names.push_back(entry.motor.name);
+  const std::vector<std::string> own = telling_names(motors);
+  const std::vector<std::string_view> names(own.begin(), own.end());
   const MotorFileEntry* found = nullptr;
   for (const MotorFileEntry& entry : motors) {
     if (entry.motor.name != name && with_maker(entry) != name) continue;

@@ -59,7 +59,7 @@ class Notes {
                           e.gravity.acceleration < kMostGravity;
     const double pressure = e.atmosphere.pressure.value_or(101325), altitude = e.altitude;
     if (on_earth && (pressure < 1e4 || pressure > 1.2e5))
-      unusual(document_, "", "environment.atmosphere.pressure", quantity_text(pressure, Quantity::pressure),
+      unusual(document_, "", "environment.atmosphere.pressure", quantity_in_words(pressure, Quantity::pressure),
               "air on the ground has 50 to 108 kPa, as \"1013 hPa\"");
     if (!e.atmosphere.profile.empty() && e.atmosphere.profile[0].pressure) {
       const AirPoint& first = e.atmosphere.profile[0];
@@ -67,12 +67,12 @@ class Notes {
       const double part = standard ? *first.pressure / standard->pressure : 1;
       if (on_earth && (part < 0.7 || part > 1.3))
         unusual(document_, "", "environment.atmosphere.profile",
-                "a pressure of " + quantity_text(*first.pressure, Quantity::pressure) + " at " +
-                    quantity_text(first.altitude, Quantity::length),
-                "the standard has " + quantity_text(standard->pressure, Quantity::pressure) + " there");
+                "a pressure of " + quantity_in_words(*first.pressure, Quantity::pressure) + " at " +
+                    quantity_in_words(first.altitude, Quantity::length),
+                "the standard has " + quantity_in_words(standard->pressure, Quantity::pressure) + " there");
     }
     if (altitude < -5e3 || altitude > 1e6)
-      unusual(document_, "", "environment.altitude", quantity_text(altitude, Quantity::length),
+      unusual(document_, "", "environment.altitude", quantity_in_words(altitude, Quantity::length),
               "it is a height above the sea, from -400 m to 1000 km");
     if (const double relative = scenario_.tolerance.relative.value_or(0); relative > 1e-2)
       unusual(document_, "", "tolerance.relative", number_text(relative), "errors of a step are from 1e-12 to 1e-4");
@@ -90,7 +90,7 @@ class Notes {
   }
 
   static std::string begins_below(double height) {
-    return "it begins at a height of " + quantity_text(height, Quantity::length) + ", below ";
+    return "it begins at a height of " + quantity_in_words(height, Quantity::length) + ", below ";
   }
 
   /// Adds a note if a shot begins below the ground that ends its flight. The ground stops what sinks.
@@ -110,7 +110,7 @@ class Notes {
     if (!(climb > 0) && may_rise) what = "and lands at once unless it rises";
     note(table, "shot", "",
          begins_below(launch.position.y) + (is_world ? "world.ground.height = " : "until.ground = ") +
-             quantity_text(*level, Quantity::length) + ", " + what);
+             quantity_in_words(*level, Quantity::length) + ", " + what);
   }
 
   /// Adds a note if a shot of a world ends at once by a rule of despawning.
@@ -119,12 +119,12 @@ class Notes {
     const double height = shot.launch.position.y, speed = launch_speed(shot.launch);
     if (height < rules.below)
       note(table, "shot", "",
-           begins_below(height) + "shot.body.despawn.below = " + quantity_text(rules.below, Quantity::length) +
+           begins_below(height) + "shot.body.despawn.below = " + quantity_in_words(rules.below, Quantity::length) +
                ", and leaves at once");
     if (speed < rules.slower)
       note(table, "shot", "",
-           "it begins with " + quantity_text(speed, Quantity::speed) + ", below shot.body.despawn.slower = " +
-               quantity_text(rules.slower, Quantity::speed) + ", and leaves unless it speeds up at once");
+           "it begins with " + quantity_in_words(speed, Quantity::speed) + ", below shot.body.despawn.slower = " +
+               quantity_in_words(rules.slower, Quantity::speed) + ", and leaves unless it speeds up at once");
   }
 
   /// Adds a note if the thrust never exceeds the weight along the rail, even at the mass after burnout.
@@ -138,8 +138,8 @@ class Notes {
     const double held = weight * sincos(shot.launch.elevation).sin;
     if (most < held)
       note(table, "shot", "motor",
-           "its thrust never exceeds the weight along the rail: " + quantity_text(most, Quantity::force) + " of " +
-               quantity_text(held, Quantity::force) + "; the rocket stays where it is");
+           "its thrust never exceeds the weight along the rail: " + quantity_in_words(most, Quantity::force) + " of " +
+               quantity_in_words(held, Quantity::force) + "; the rocket stays where it is");
   }
 
   /// Adds a note if the run ends before a motor burns.
@@ -153,15 +153,16 @@ class Notes {
     if (!std::isfinite(launched)) launched = 0;
     if (motor.thrust.empty() || launched + motor.ignition_delay < end) return;
     note(table, "shot", "motor.ignition_delay",
-         quantity_text(motor.ignition_delay, Quantity::time) + ", and " + (is_world ? "world.duration" : "until.time") +
-             " = " + quantity_text(end, Quantity::time) + ": the motor never burns");
+         quantity_in_words(motor.ignition_delay, Quantity::time) + ", and " +
+             (is_world ? "world.duration" : "until.time") + " = " + quantity_in_words(end, Quantity::time) +
+             ": the motor never burns");
   }
 
   /// Adds notes on what is due when the run has ended.
   void of_end() {
     for (std::size_t i = 0; i < scenario_.volleys.size(); ++i)
       if (const double start = scenario_.volleys[i].start; start >= scenario_.world.duration)
-        too_late(element(document_, "volley", i), "volley", "start", quantity_text(start, Quantity::time),
+        too_late(element(document_, "volley", i), "volley", "start", quantity_in_words(start, Quantity::time),
                  "it never fires");
     const std::set<std::string_view> firing = emitters_that_fire();
     for (std::size_t i = 0; i < scenario_.emitters.size(); ++i) {
@@ -177,7 +178,7 @@ class Notes {
     }
     for (std::size_t i = 0; i < scenario_.forces.size(); ++i)
       if (const double delay = scenario_.forces[i].delay; delay >= scenario_.world.duration)
-        too_late(element(document_, "force", i), "force", "delay", quantity_text(delay, Quantity::time),
+        too_late(element(document_, "force", i), "force", "delay", quantity_in_words(delay, Quantity::time),
                  "it never acts");
   }
   /// Names of emitters that fire by themselves, and of their subs.
@@ -201,7 +202,7 @@ class Notes {
   void too_late(const Value& table, const std::string& head, const std::string& path, const std::string& due,
                 const std::string& so) {
     note(table, head, path,
-         due + ", and world.duration = " + quantity_text(scenario_.world.duration, Quantity::time) + ": " + so);
+         due + ", and world.duration = " + quantity_in_words(scenario_.world.duration, Quantity::time) + ": " + so);
   }
   void of_births(const EmitterDef& def, const Value& table) {
     const EmitterCycle& cycle = def.cycle;
@@ -209,12 +210,12 @@ class Notes {
     const double least = std::min(cycle.delay.value, cycle.delay.to.value_or(kInfinity));
     const double end = scenario_.world.duration, delay = std::min(least, least / cycle.rate);
     if (delay >= end && def.bursts.empty())
-      return too_late(table, "emitter", "cycle.delay", quantity_text(delay, Quantity::time), "it fires nothing");
+      return too_late(table, "emitter", "cycle.delay", quantity_in_words(delay, Quantity::time), "it fires nothing");
     for (std::size_t i = 0; i < def.bursts.size(); ++i) {
       const double time = def.bursts[i].time, due = delay + time / cycle.rate;
       if (due > end && time < cycle.duration)
         too_late(table, "emitter", "bursts",
-                 "burst " + std::to_string(i + 1) + " is due at " + quantity_text(due, Quantity::time),
+                 "burst " + std::to_string(i + 1) + " is due at " + quantity_in_words(due, Quantity::time),
                  "it never comes");
     }
   }
@@ -223,7 +224,7 @@ class Notes {
     constexpr double kHighest = 1;  // above a bore [m]
     const double height = shot.launch.sight.height;
     if (std::abs(height) > kHighest)
-      unusual(table, "shot", "sight.height", quantity_text(height, Quantity::length),
+      unusual(table, "shot", "sight.height", quantity_in_words(height, Quantity::length),
               "sights of rifles stand 3 to 10 cm above the bore, as \"1.5 in\"");
   }
 
@@ -235,7 +236,7 @@ class Notes {
       constexpr double kHigh = 1406, kLeastFactor = 0.3, kMostFactor = 30;  // 2 lb/in^2 [kg/m^2]; of shapes [-]
       const double factor = sectional_density / coefficient;
       if ((coefficient > kHigh && factor < kLeastFactor) || factor > kMostFactor)
-        unusual(table, "shot", path, quantity_text(coefficient, Quantity::ballistic_coefficient),
+        unusual(table, "shot", path, quantity_in_words(coefficient, Quantity::ballistic_coefficient),
                 "with this mass and diameter the form factor is " + number_text(std::round(1e4 * factor) / 1e4) +
                     ", and bullets have 0.8 to 2; as \"0.223 lb/in^2\"");
     };
@@ -252,21 +253,21 @@ class Notes {
     for (const char* key : {"speed", "velocity"}) {
       const double speed = shot.launch.velocity ? length(*shot.launch.velocity) : shot.launch.speed;
       if (speed > kFastest)
-        unusual(table, "shot", key, quantity_text(speed, Quantity::speed),
+        unusual(table, "shot", key, quantity_in_words(speed, Quantity::speed),
                 "guns reach 3 km/s and meteors 72 km/s, and there is no relativity here");
       else if (speed > kFastestBullet && is_bullet)
-        unusual(table, "shot", key, quantity_text(speed, Quantity::speed),
+        unusual(table, "shot", key, quantity_in_words(speed, Quantity::speed),
                 "bullets of rifles have 300 to 1400 m/s, as \"2600 ft/s\"");
     }
     // A cylinder of lead of this mass and diameter would be so many calibres long.
     constexpr double kLead = 11340, kLongest = 60;
     const double calibres = p.mass / (kLead * 0.25 * kPi * p.diameter * p.diameter * p.diameter);
     if (p.diameter > 0 && calibres > kLongest && follow(table, "diameter").is_there)
-      unusual(table, "shot", "mass", quantity_text(p.mass, Quantity::mass),
+      unusual(table, "shot", "mass", quantity_in_words(p.mass, Quantity::mass),
               "with this diameter it is a rod of lead " + number_text(std::round(calibres)) + " calibres long");
     const auto stability = stability_factor(p, shot.launch, scenario_.environment);
     if (stability && (*stability < 1 || *stability > 20))
-      unusual(table, "shot", "twist", quantity_text(p.twist, Quantity::length),
+      unusual(table, "shot", "twist", quantity_in_words(p.twist, Quantity::length),
               "it gives a stability factor of " + number_text(std::round(100 * *stability) / 100) +
                   ", and bullets that fly straight have 1.3 to 5");
   }
@@ -331,19 +332,19 @@ class Notes {
   void of_shape(const ScenarioShape& shape, const Value& table) {
     if (shape.impossible > 0)
       note(table, "shape", "mesh.missing",
-           "it replaces a height of " + quantity_text(shape.impossible_height, Quantity::length) +
+           "it replaces a height of " + quantity_in_words(shape.impossible_height, Quantity::length) +
                ", which no ground has" +
                (shape.impossible == 1 ? "" : ", and " + std::to_string(shape.impossible - 1) + " more such heights"));
     if (std::isfinite(shape.reached))
       note(table, "shape", "mesh.reach",
-           quantity_text(shape.cut.reach, Quantity::length) + ", and on one side the file ends " +
-               quantity_text(std::round(shape.reached), Quantity::length) +
+           quantity_in_words(shape.cut.reach, Quantity::length) + ", and on one side the file ends " +
+               quantity_in_words(std::round(shape.reached), Quantity::length) +
                " from environment.earth.latitude and longitude; there is no ground beyond");
     const bool is_picture = std::holds_alternative<HeightFieldShape>(shape.shape) && !shape.file.empty();
     if (is_picture && shape.low >= shape.high)
       note(table, "shape", "height_field.low",
-           quantity_text(shape.low, Quantity::length) +
-               " is not below shape.height_field.high = " + quantity_text(shape.high, Quantity::length) + ": " +
+           quantity_in_words(shape.low, Quantity::length) +
+               " is not below shape.height_field.high = " + quantity_in_words(shape.high, Quantity::length) + ": " +
                (shape.low == shape.high ? "the field is flat" : "black is high ground and white is low"));
   }
 

@@ -52,8 +52,8 @@ ValueRef file_slot(const Scope& scope) {
     const auto picked = pick_motor(*motors, motor.name, file);
     if (!picked) return picked.error();
     if (const double mass = scope.shot->projectile.mass; mass < picked->mass)
-      return Error{"the motor alone weighs " + quantity_text(picked->mass, Quantity::mass) +
-                       ", and with it shot.mass is " + quantity_text(mass, Quantity::mass),
+      return Error{"the motor alone weighs " + quantity_in_words(picked->mass, Quantity::mass) +
+                       ", and with it shot.mass is " + quantity_in_words(mass, Quantity::mass),
                    "", "shot.mass is that of the loaded rocket"};
     motor = picked->motor;
     return {};

@@ -83,9 +83,9 @@ constexpr UnreadRule kEmitterRules[] = {
     {"emitter.bursts.time", [](R r) { return r.scope.burst->time < def(r).cycle.duration; }, ": burst ",
      [](R r) {
        return std::to_string(r.scope.burst - def(r).bursts.data() + 1) + " is due at " +
-              quantity_text(r.scope.burst->time, Quantity::time) +
+              quantity_in_words(r.scope.burst->time, Quantity::time) +
               ", and the cycle ends before, see emitter.cycle.duration = " +
-              quantity_text(def(r).cycle.duration, Quantity::time);
+              quantity_in_words(def(r).cycle.duration, Quantity::time);
      }},
 
     // --------------------------------------------------------------------------------------------------- gun and rain

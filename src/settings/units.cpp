@@ -135,4 +135,13 @@ std::string quantity_text(double value, Quantity quantity) {
   return unit.empty() ? number_text(value) : number_text(value) + " " + std::string(unit);
 }
 
+std::string quantity_in_words(double value, Quantity quantity) {
+  constexpr int kDigits = 9;
+  char buffer[64];
+  const auto done = std::to_chars(buffer, std::end(buffer), value, std::chars_format::general, kDigits);
+  double rounded = value;
+  std::from_chars(buffer, done.ptr, rounded);
+  return quantity_text(rounded, quantity);
+}
+
 }  // namespace physim

@@ -39,5 +39,7 @@ struct QuantityInfo {
 [[nodiscard]] std::string number_text(double value);
 /// The shortest text that reads back as the same quantity, with the SI unit: "0.0109 kg".
 [[nodiscard]] std::string quantity_text(double value, Quantity quantity);
+/// As quantity_text(), for sentences: without the rounding errors of conversions into SI, "0.3048 m" of 12 in.
+[[nodiscard]] std::string quantity_in_words(double value, Quantity quantity);
 
 }  // namespace physim

@@ -160,6 +160,15 @@ TEST(MotorFile, one_of_several_is_asked_for_by_name) {
   EXPECT_NE(pick_motor(*motors, "C5", "two.eng").error().text().find("A8, C6"), std::string::npos);
 }
 
+TEST(MotorFile, names_that_several_makers_use_are_told_with_them) {
+  const std::string points = " 0.1 5\n 2 0\n";
+  const auto motors = must(parse_motor_file(
+      "A 18 70 0 0.01 0.02 X\n" + points + "A 18 70 0 0.01 0.03 Y\n" + points + "C 18 70 0 0.01 0.03 Y\n" + points,
+      "f.eng"));
+  EXPECT_NE(pick_motor(motors, "B", "f.eng").error().text().find("motors: X A, Y A, C"), std::string::npos)
+      << pick_motor(motors, "B", "f.eng").error().text();
+}
+
 TEST(MotorFile, two_of_one_name_are_told_apart_by_their_makers) {
   const std::string estes = "C6 18 70 5 0.0108 0.0231 Estes\n0.2 14\n1.9 0\n",
                     quest = "; other\nC6 18 70 5 0.0120 0.0226 Quest\n0.2 30\n1.9 0\n";

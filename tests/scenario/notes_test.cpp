@@ -54,6 +54,7 @@ TEST(Notes, numbers_far_from_what_is_usual) {
   const std::string bullet = "[[shot]]\nmass = \"168 gr\"\ndiameter = \"0.308 in\"\nlength = \"1.22 in\"\n";
   expect_note(bullet + "speed = \"2600 ft/s\"\ntwist = \"50 cm\"\n", "f.toml:7:9", "stability factor of 0.");
   EXPECT_TRUE(notes_of(bullet + "speed = \"2600 ft/s\"\ntwist = \"12 in\"\n").empty());
+  expect_note(bullet + "speed = \"2600 ft/s\"\ntwist = \"24 in\"\n", "f.toml:7:9", "shot.twist: 0.6096 m is unusual");
   EXPECT_TRUE(notes_of("[environment]\ngravity = { model = \"constant\", acceleration = 3.7 }\n"
                        "atmosphere = { pressure = 636 }\n[[shot]]")
                   .empty())
