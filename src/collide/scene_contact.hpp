@@ -333,12 +333,12 @@ class SceneContacts : private ContactView {
     const double pressure = -dot(r_.acceleration_at(s, passed), hit.normal), fell = 0.2 * scene_->skin();
     return pressure > 0 && dot(s.v - hit.velocity, hit.normal) >= -std::sqrt(2 * pressure * fell);
   }
-  /// True if the projectile touched the thing when the step began, and comes back to it no faster than it is pressed
-  /// on.
+  /// True if the projectile touched the thing when the step began, and comes back to it no faster than twice what
+  /// pulls at it brings it there in a step: forces press it on, and friction of a belt that it lies on.
   [[nodiscard]] bool is_touched(const State<double>& s, const SceneHit& hit, double passed) const {
-    const double pressure = std::max(-dot(r_.acceleration_at(s, passed), hit.normal), 0.0);
+    const double fastest = 2 * length(r_.acceleration_at(s, passed)) * frame() + 1e-9 * length(s.v);
     return std::ranges::find(touched_, hit.instance) != touched_.end() &&
-           dot(s.v - hit.velocity, hit.normal) >= -pressure * frame() - 1e-9 * length(s.v);
+           dot(s.v - hit.velocity, hit.normal) >= -fastest;
   }
 
   /// Whether something stands in a way at once: it is as near as what is put beside a surface lies off it.

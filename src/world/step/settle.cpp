@@ -269,6 +269,7 @@ class Settling {
   [[nodiscard]] bool meets_on(const State<double>& from, const State<double>& to, double passed, double time) {
     const auto met = scene_ ? scene_.meeting_on(from, to, passed, time) : std::nullopt;
     if (!met) return false;
+    scene_.note_touched(from, passed);
     const State<double> s{met->hit.position, met->at.state.v};
     const double at = std::min(passed + met->at.time, r_.step_length());
     put(s, at);

@@ -198,4 +198,33 @@ TEST(Friction, a_ball_that_only_grazes_a_wall_keeps_its_friction) {
   }
 }
 
+/// What a force, or the belt that it lies on, presses to a wall meets it once, whatever it lies on.
+TEST(Friction, what_is_pressed_to_a_wall_has_one_hit) {
+  for (const bool on_ground : {false, true})
+    for (const bool on_belt : {false, true}) {
+      const ConveyorDef belt{.velocity = {on_belt ? 1.0 : 0.0, 0, 0}};
+      Scene scene;
+      const MaterialId dull = *scene.add_material({.restitution = 0, .friction = 1});
+      EXPECT_TRUE(scene.add({.shape = *scene.add_shape(BoxShape{{0.5, 1, 1}}),
+                             .transform = {.position = {1.5, 0, 0}},
+                             .material = dull}));
+      const ShapeId half = *scene.add_shape(PlaneShape{});
+      const bool is_there = on_ground || scene.add({.shape = half, .material = dull, .conveyor = belt});
+      EXPECT_TRUE(is_there);
+      WorldDef def = space();
+      if (on_ground) def.ground = {.mode = GroundMode::bounce, .restitution = 0, .friction = 1, .conveyor = belt};
+      World world = make_world(def, std::move(scene));
+      const ProjectileId id = *world.spawn(puck(), {.position = {0.8, 0, 0}}, sliding(on_belt ? 0.5 : 0));
+      if (!on_belt)
+        must(world.add_force({.law = ConstantAcceleration{{3, 0, 0}}, .target = ForceTarget::everything()}));
+      int hits = 0;
+      for (int i = 0; i < 240; ++i) {
+        world.step(1.0 / 60);
+        for (const Event& event : world.events()) hits += event.kind == EventKind::hit && event.position.x > 0.99;
+      }
+      EXPECT_EQ(hits, 1) << on_ground << ' ' << on_belt;
+      EXPECT_NEAR(world[id].position().x, 1, 1e-6) << on_ground << ' ' << on_belt;
+    }
+}
+
 }  // namespace physim::world_friction_test
