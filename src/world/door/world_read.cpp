@@ -7,8 +7,8 @@
 #include "model/jerk.hpp"
 #include "model/magnus.hpp"
 #include "solve/watch.hpp"
+#include "world/couple/surface_motion.hpp"
 #include "world/couple/world_impl.hpp"
-#include "world/door/surface_motion.hpp"
 
 namespace physim {
 
@@ -149,27 +149,15 @@ Accelerations ProjectileView::accelerations() const {
   const IeeeMode mode;
   const Slot* slot = world_->find(id_);
   if (!slot || slot->is(kInfiniteMass)) return {};
-  const WorldCohort& cohort = world_->registry.cohort(slot->cohort);
-  const Conditions<double>& c = cohort.conditions;
-  const double t = world_->placement.clock_of(*slot);
-  Body<double> b = world_->placement.body_of(*slot);
-  if (cohort.key.forced)
-    add_push(c, {t, t}, t,
-             world_->generator_force(id_.index, state()) * inverse_mass() + world_->emitter_push(id_.index),
-             cohort.key.features.has_applied, b);
+  const FreeMotion free(*world_, *slot);
   const BodyState now = world_->state.state_of(*slot);
   const Rows& rows = world_->state.rows_of(*slot);
-  const bool turning = rows.layout().turning;
-  const auto in_state = [&](const State<double>& s) {
-    return accelerations_of(c, b, turning ? rows.rotor(slot->row) : Rotor<double>{}, t, s,
-                            turning ? rows.turn(slot->row) : Turn<double>{});
-  };
-  Accelerations a = in_state({now.position, now.velocity});
+  Accelerations a = free({now.position, now.velocity});
   std::optional<Vec3d> on;  // a surface, or where it rests
   if (slot->is(kAsleep | kStuck))
     on = Vec3d{};
-  else if (!slot->is(kStill) && !world_->state.joints.of_slot(id_.index))
-    on = acceleration_on_surface(*world_, *slot, b, [&](const State<double>& s) { return in_state(s).total; });
+  else if (!slot->is(kStill) && !world_->is_closed() && !world_->state.joints.of_slot(id_.index))
+    on = acceleration_on_surface(*world_, *slot, free.body(), [&](const State<double>& s) { return free(s).total; });
   if (on)
     a.constraint += *on - a.total, a.total = *on;
   else if (rows.layout().carried)  // the original's register, as in Flight

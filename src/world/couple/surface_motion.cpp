@@ -1,4 +1,4 @@
-#include "world/door/surface_motion.hpp"
+#include "world/couple/surface_motion.hpp"
 
 #include <utility>
 
@@ -90,9 +90,26 @@ class SeenRow final : public ContactHost {
 
 }  // namespace
 
+FreeMotion::FreeMotion(const WorldImpl& world, const Slot& slot)
+    : conditions_(world.registry.cohort(slot.cohort).conditions),
+      clock_(world.placement.clock_of(slot)),
+      body_(world.placement.body_of(slot)) {
+  const CohortKey& key = world.registry.cohort(slot.cohort).key;
+  const std::uint32_t index = world.state.slots.index_of(slot);
+  const Rows& rows = world.state.rows_of(slot);
+  if (rows.layout().turning) rotor_ = rows.rotor(slot.row), turn_ = rows.turn(slot.row);
+  if (!key.forced) return;
+  const double inverse_mass = 1 / mass_of(world.registry, world.state, slot);
+  const Vec3d force = world.generator_force(index, world.state.state_of(slot));
+  add_push(conditions_, {clock_, clock_}, clock_, force * inverse_mass + world.emitter_push(index),
+           key.features.has_applied, body_);
+}
+Accelerations FreeMotion::operator()(const State<double>& s) const {
+  return accelerations_of(conditions_, body_, rotor_, clock_, s, turn_);
+}
+
 std::optional<Vec3d> acceleration_on_surface(const WorldImpl& world, const Slot& slot, const Body<double>& body,
                                              const FreeAcceleration& free) {
-  if (world.is_closed()) return std::nullopt;
   const Restored<const Gate*> asking(Gate::in_question, &world);  // an engine may be asked
   // What velocities are rounded to counts less over a longer time; what comes to a wall in it takes a shorter one.
   const bool is_float32 = world.registry.cohort(slot.cohort).key.fidelity.precision == Precision::float32;
