@@ -77,7 +77,7 @@ void WorldImpl::move_scene(double dt) {
   each_sleeper([&](std::uint32_t slot) {
     const CollisionDef& collision = registry.kind(state.slots[slot].kind).body.collision;
     const Vec3d x = state.state_of(state.slots[slot]).position;
-    const SceneFilter filter{.layers = collision.layers, .sensors = false};
+    const SceneFilter filter{.layers = collision.layers};
     if (state.scene->is_reached(x, collision.radius + kNear, filter, now, now + dt)) struck.push_back(slot);
   });
   std::ranges::sort(struck);

@@ -202,6 +202,33 @@ TEST(SceneMoments, what_comes_by_wakes_who_sleeps) {
   }
 }
 
+/// A gate of 1 m that comes with 2 m/s from 3 m away is entered after 1.25 s and left after 1.75 s, by who sleeps too.
+TEST(SceneMoments, a_sensor_in_motion_tells_of_who_sleeps) {
+  for (const bool sleeps : {true, false})
+    for (const double radius : {0.0, 0.05}) {
+      Scene scene;
+      const ShapeId gate = *scene.add_shape(BoxShape{{0.5, 0.5, 0.5}});
+      ASSERT_TRUE(scene.add({.shape = gate,
+                             .transform = {.position = {-3, 0, 0}},
+                             .sensor = true,
+                             .motion = SteadyMotion{.velocity = {2, 0, 0}}}));
+      World world = make_world({.ground = {.mode = GroundMode::bounce}}, scene);
+      BodyDef body{.can_sleep = sleeps, .sleep_time = 0.1, .collision = {.on_hit = OnHit::bounce, .radius = radius}};
+      const ProjectileId id = *world.spawn(stone(), {}, body);
+      run_for(world, 0.9, 1.0 / 60);
+      ASSERT_EQ(world[id].is_asleep(), sleeps);
+      std::vector<Event> told = run_for(world, 1.1, 1.0 / 60);
+      std::erase_if(told, [](const Event& e) { return e.kind != EventKind::sensed && e.kind != EventKind::left; });
+      ASSERT_EQ(told.size(), 2u) << radius;
+      EXPECT_EQ(told[0].kind, EventKind::sensed);
+      EXPECT_NEAR(told[0].time, 1.25, 1e-9);
+      EXPECT_EQ(told[1].kind, EventKind::left);
+      EXPECT_NEAR(told[1].time, 1.75, 1e-9);
+      run_for(world, 1, 1.0 / 60);
+      EXPECT_EQ(world[id].is_asleep(), sleeps) << "it sleeps again when the gate has passed";
+    }
+}
+
 TEST(SceneMoments, the_hash_sees_the_scene) {
   World world = trough();
   const std::uint64_t before = world.hash();
