@@ -10,6 +10,7 @@
 
 #include "base/assert.hpp"
 #include "base/hash.hpp"
+#include "physim/event.hpp"
 #include "physim/result.hpp"
 #include "physim/world.hpp"
 #include "world/core/joint_solver.hpp"
@@ -114,6 +115,7 @@ struct JointScratch {
   std::vector<HeldBounce> bounces;               // in order of those held, then of time
   std::vector<std::vector<std::uint32_t>> nets;  // joints that hold together, neighbours near each other
   std::vector<std::uint32_t> broken;             // joints that pulled or pushed with more than their break_force
+  std::vector<Event> apexes;                     // of those held
 };
 
 struct WorldImpl;

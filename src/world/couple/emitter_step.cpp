@@ -714,7 +714,9 @@ void watch_for_emitters(WorldImpl& world, const SettleContext& context) {
 void fire_emitters(WorldImpl& world, const SettleContext& context) {
   if (world.state.emitters.empty()) return;
   const SettleContext own = alone(context);
-  EmitterBirths(world, own, world.state.clock.time()).fire();
+  EmitterBirths step(world, own, world.state.clock.time());
+  for (const Event& apex : world.jointed.apexes) step.watch().watch(apex);
+  step.fire();
 }
 
 void fire_past(WorldImpl& world, std::uint32_t index) {

@@ -20,6 +20,7 @@ class EmitterWatch {
 
   // ------------------------------------------------------------------------------------------- after it
   void watch(const Chunk& chunk);
+  void watch(const Event& event);
   /// One was launched inside the step: emitters that follow it stood until then.
   void begin_following(std::uint32_t slot, double time);
   void follow_to_end();
@@ -44,7 +45,6 @@ class EmitterWatch {
  private:
   [[nodiscard]] bool is_known(std::uint32_t slot) const;
   [[nodiscard]] bool follows(const Emitter& e, std::uint32_t slot) const;
-  void watch(const Event& event);
   [[nodiscard]] BodyState followed_state(const Slot& slot) const;
   std::optional<LedByLaunch> launch_of_followed(Emitter& e, const Slot& slot);
   void turn_followed(const Event& event);

@@ -10,6 +10,7 @@
 #include "math/elementary.hpp"
 #include "math/quat.hpp"
 #include "model/turning.hpp"
+#include "world/core/apex.hpp"
 #include "world/core/joints.hpp"
 #include "world/couple/joint_contacts.hpp"
 #include "world/couple/world_impl.hpp"
@@ -462,10 +463,28 @@ void note_bounces(WorldImpl& world) {
   });
 }
 
+/// Tells which held projectiles climbed when the step began and do not at its end. Their flights alone tell none.
+void tell_apexes(WorldImpl& world, double dt) {
+  JointScratch& s = world.jointed;
+  for (const HeldBody& held : s.held) {
+    const Slot* slot = world.find(held.id);
+    if (!slot) continue;
+    const BodyState now = world.state.state_of(*slot);
+    const State<double> start{held.start.position, held.start.velocity}, end{now.position, now.velocity};
+    const auto& c = world.registry.cohort(slot->cohort).conditions;
+    const auto apex = apex_between(c, start, end, dt);
+    if (!apex) continue;
+    Event& event = s.apexes.emplace_back();
+    put_plain({EventKind::apex, Reason::none, held.id, 0, s.began + apex->passed, apex->at.x, apex->at.v}, event);
+    world.keep_event(event);
+  }
+}
+
 }  // namespace
 
 void begin_joints(WorldImpl& world, double dt) {
   JointScratch& s = world.jointed;
+  s.apexes.clear();
   s.began = world.state.clock.time();
   s.held.clear();
   s.nets.clear();
@@ -491,6 +510,7 @@ void hold_joints(WorldImpl& world, double dt) {
   broken.clear();
   if (!world.jointed.held.empty()) note_bounces(world);
   for (const std::vector<std::uint32_t>& net : world.jointed.nets) NetStep(world, net, dt).run();
+  if (world.def.apex_events) tell_apexes(world, dt);
   std::ranges::sort(broken);
   for (const std::uint32_t index : broken) break_joint(world, index);
   Joints& joints = world.state.joints;

@@ -194,7 +194,10 @@ class Settling {
       const Watched& watched = course_.watch.item[crossings.found[i].index];
       if (watched.outcome == Outcome::landed) return land(at.moving_at_time(t, ground_.up_at(s.x)), t, clock), true;
       if (watched.outcome == Outcome::left_domain) return r_.retire(Reason::left_domain), true;
-      r_.tell(watched.spec.kind, Reason::none, t + clock, s);
+      if (watched.spec.kind == EventKind::apex)
+        r_.tell_apex(t + clock, s);
+      else
+        r_.tell(watched.spec.kind, Reason::none, t + clock, s);
     }
     if (met) strike(*met, clock);
     return met.has_value();
@@ -311,6 +314,7 @@ class Settling {
 
   // ------------------------------------------------------------------------------------------- what follows
   void go_on(const State<double>& s, double passed) {
+    r_.end_hop();
     put(s, passed);
     parts_.go_on(passed);
   }

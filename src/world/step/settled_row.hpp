@@ -1,6 +1,7 @@
 // One row of a cohort, taken out of its columns to be stepped by itself, and put back. S is the cohort's number type.
 #pragma once
 
+#include <algorithm>
 #include <bit>
 #include <cmath>
 #include <optional>
@@ -14,6 +15,7 @@
 #include "solve/judge.hpp"
 #include "solve/lane_motion.hpp"
 #include "solve/stages.hpp"
+#include "world/core/apex.hpp"
 #include "world/step/drive.hpp"
 #include "world/step/ground_contact.hpp"
 #include "world/step/settle.hpp"
@@ -70,6 +72,7 @@ class SettledRow final : public ContactHost {
   [[nodiscard]] S t_start() const { return t_start_; }
   [[nodiscard]] S t_end() const { return t_end_; }
   [[nodiscard]] std::uint32_t row() const { return row_; }
+  [[nodiscard]] bool is_held() const { return context_.state->joints.of_slot(slot_index_) != nullptr; }
   [[nodiscard]] bool meets() const { return rows_.layout().meeting; }
 
   // ------------------------------------------------------------------------------------------- as SceneContacts asks
@@ -293,7 +296,18 @@ class SettledRow final : public ContactHost {
     if (!(end > begin)) return;
     trace(begin, from);
     trace(end, to);
+    if (!context_.def->apex_events || is_held()) return;
+    if (climb_rate(conditions(), from) > 0) drop_hop();
+    if (const auto apex = apex_between(conditions(), from, to, end - begin))
+      tell(EventKind::apex, Reason::none, begin + apex->passed, apex->at);
   }
+  /// The apex of a flight: where it comes down in the same step to what it slides up, it only hopped on its way.
+  void tell_apex(double passed, const State<double>& s) {
+    if (is_held()) return;  // its net tells it
+    hop_ = chunk_.events.size();
+    tell(EventKind::apex, Reason::none, passed, s);
+  }
+  void end_hop() { hop_.reset(); }
   /// The moment at which an accepted step ended, with the velocity that it moves with.
   void trace_moving(double passed) {
     trace(passed, here());
@@ -341,6 +355,15 @@ class SettledRow final : public ContactHost {
   }
 
  private:
+  void drop_hop() {
+    if (!hop_) return;
+    auto& events = chunk_.events;
+    PHYSIM_ASSERT(*hop_ >= told_.events && events[*hop_].kind == EventKind::apex);
+    std::move(events.begin() + static_cast<std::ptrdiff_t>(*hop_) + 1, events.end(),
+              events.begin() + static_cast<std::ptrdiff_t>(*hop_));
+    events.resize(events.size() - 1);
+    hop_.reset();
+  }
   static const TakenStep<S>* taken_of(const SettleContext& context, const WorldCohort& cohort) {
     static const TakenStep<S> kNothingHeld{};
     if (context.taken) return static_cast<const TakenStep<S>*>(context.taken);
@@ -473,7 +496,8 @@ class SettledRow final : public ContactHost {
   bool gone_ = false;
   bool relaunched_ = false;
   bool respun_ = false;
-  std::optional<Vec3d> shown_;  // the spin that a contact gave to what only shows it [rad/s]
+  std::optional<std::size_t> hop_;  // the event of its last apex since a contact, in this step
+  std::optional<Vec3d> shown_;      // the spin that a contact gave to what only shows it [rad/s]
 
  public:
   March<S> march;
