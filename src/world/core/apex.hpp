@@ -24,8 +24,7 @@ struct Apex {
   const double before = climb_rate(c, from), after = climb_rate(c, to);
   if (!(before > 0 && after <= 0)) return std::nullopt;
   const double t = before / (before - after), u = 1 - t;
-  const Vec3d place =
-      from.x + (to.x - from.x) * (t * t * (3 - 2 * t)) + (from.v * u - to.v * t) * (h * t * u);
+  const Vec3d place = from.x + (to.x - from.x) * (t * t * (3 - 2 * t)) + (from.v * u - to.v * t) * (h * t * u);
   return Apex{h * t, {place, from.v + (to.v - from.v) * t}};
 }
 
