@@ -3,6 +3,8 @@
 #pragma once
 
 #include <string>
+#include <string_view>
+#include <unordered_set>
 
 #include "scenario/document.hpp"
 #include "scenario/names.hpp"
@@ -88,6 +90,19 @@ template <class List>
 void name_each(List& list, std::string_view kind) {
   for (std::size_t i = 0; i < list.size(); ++i)
     if (list[i].name.empty()) list[i].name = std::string(kind) + "-" + std::to_string(i + 1);
+}
+
+/// Error if two elements of a list are given one name: a name that is made up is none.
+template <class List>
+[[nodiscard]] Status check_given_names(const List& list, const std::string& kind, const Value& document) {
+  std::unordered_set<std::string_view> given;
+  for (std::size_t i = 0; i < list.size(); ++i) {
+    const Value& table = element(document, kind, i);
+    if (table.find("name") && !given.insert(list[i].name).second)
+      return error_at(table, kind + ".name", "another " + kind + " is named " + in_quotes(list[i].name),
+                      "give it a name of its own");
+  }
+  return {};
 }
 
 /// Error if no part has that name; `kind`: "shot".

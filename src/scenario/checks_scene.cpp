@@ -225,6 +225,7 @@ Status check_scene(const Scenario& scenario, const Value& document) {
     if (Status status = check_material(element(document, "material", i)); !status) return status;
   for (std::size_t i = 0; i < scenario.shapes.size(); ++i)
     if (Status status = check_shape(scenario.shapes[i], element(document, "shape", i)); !status) return status;
+  if (Status status = check_given_names(scenario.things, "thing", document); !status) return status;
   for (std::size_t i = 0; i < scenario.things.size(); ++i) {
     const ScenarioThing& thing = scenario.things[i];
     const Value& table = element(document, "thing", i);

@@ -225,6 +225,7 @@ void check_world(const Scenario& scenario, const ScenarioNames& names, const Val
   mistakes.take(check_volleys(scenario, names, document));
   for (std::size_t i = 0; i < scenario.forces.size() && !mistakes.is_full(); ++i)
     mistakes.take(check_force(names, scenario.forces[i], element(document, "force", i)));
+  mistakes.take(check_given_names(scenario.forces, "force", document));
   mistakes.take(check_joints(scenario, names, document));
   mistakes.take(check_emitters(scenario, names, document));
   for (std::size_t i = 0; i < scenario.expect.size() && !mistakes.is_full(); ++i)

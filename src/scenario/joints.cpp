@@ -172,6 +172,15 @@ class JointNet {
   std::vector<Held> joints_;
 };
 
+/// What a world objects to in a joint: where the file has the key, or else the joint.
+Error joint_error(const Scenario& scenario, std::size_t index, const Error& error) {
+  if (index >= scenario.joint_places.size())  // a program's scenario
+    return with_place(error, scenario.file + ": joint " + in_quotes(scenario.joints[index].name));
+  const auto& places = scenario.joint_places[index];
+  const auto of_key = places.find(error.place);
+  return {error.place + ": " + error.message, (of_key != places.end() ? of_key : places.find(""))->second, error.hint};
+}
+
 }  // namespace
 
 std::vector<JointRemark> joint_remarks(const Scenario& scenario) { return JointNet(scenario).remarks(); }
@@ -179,17 +188,18 @@ std::vector<JointRemark> joint_remarks(const Scenario& scenario) { return JointN
 Status check_joints(const Scenario& scenario, const ScenarioNames& names, const Value& document) {
   for (std::size_t i = 0; i < scenario.joints.size(); ++i)
     if (Status status = check_joint(names, scenario.joints[i], element(document, "joint", i)); !status) return status;
-  return {};
+  return check_given_names(scenario.joints, "joint", document);
 }
 
 Status WorldRun::Impl::add_joints() {
-  for (const ScenarioJoint& joint : scenario.joints) {
+  for (std::size_t i = 0; i < scenario.joints.size(); ++i) {
+    const ScenarioJoint& joint = scenario.joints[i];
     Joint def = joint.def;
     def.a = lone[index_of_shot(joint.a)];
     if (!joint.b.empty()) def.b = lone[index_of_shot(joint.b)];
     if (!joint.thing.empty()) def.thing = things[*names.things.find(joint.thing)];
     const Result<JointId> added = world.add_joint(def);
-    if (!added) return with_place(added.error(), scenario.file + ": joint " + in_quotes(joint.name));
+    if (!added) return joint_error(scenario, i, added.error());
     joints.push_back(*added);
   }
   return {};

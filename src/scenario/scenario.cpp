@@ -33,6 +33,16 @@ Status check_format(const Value& document, const std::string& file) {
 }
 
 /// What a table cannot say about itself: default names, and where expectations stand.
+/// A world objects to some joints only when it gets them.
+void note_joint_places(Scenario& scenario, const Value& document) {
+  for (std::size_t i = 0; i < scenario.joints.size(); ++i) {
+    const Value& table = element(document, "joint", i);
+    auto& places = scenario.joint_places.emplace_back();
+    places[""] = table.place.text();
+    for (const Member& member : *table.get<Table>()) places["joint." + member.key] = member.value.place.text();
+  }
+}
+
 void complete(Scenario& scenario, const Value& document) {
   for (std::size_t i = 0; i < scenario.shots.size(); ++i) {
     const Value& shot = element(document, "shot", i);
@@ -43,6 +53,7 @@ void complete(Scenario& scenario, const Value& document) {
   complete_world(scenario, document);
   for (std::size_t i = 0; i < scenario.expect.size(); ++i)
     scenario.expect[i].place = element(document, "expect", i).place.text();
+  note_joint_places(scenario, document);
 }
 
 /// The values in a table, but for those in lists of tables.

@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <map>
 #include <optional>
 #include <span>
 #include <string>
@@ -329,6 +330,8 @@ struct Scenario {
   std::vector<Expectation> expect{};        ///< [-]
   ScenarioStudy study{};                    ///< [-]
   std::vector<std::string> notes{};         ///< remarks about the file, with their place: former names [-]
+  /// Places of the keys of each joint, such as "joint.length", and under "" of the joint: file:line:col [-]
+  std::vector<std::map<std::string, std::string>> joint_places{};
   /// What the file and overrides give of shots and of all that is no list, in the order of paths [-]
   std::vector<GivenSetting> given{};
 };

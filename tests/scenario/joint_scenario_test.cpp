@@ -207,11 +207,26 @@ TEST(JointScenario, bad_joints_are_refused_where_they_stand) {
       parse_scenario("physim = 1\n[[shot]]\nname = \"a\"\n[[joint]]\na = \"a\"\n", "f.toml");
   ASSERT_FALSE(no_world);
   EXPECT_EQ(no_world.error().place, "f.toml:4:1");
-  // Ends at one place are found when the run begins.
+  EXPECT_EQ(error("a = \"a\"\nname = \"arm\"\n[[joint]]\na = \"a\"\nname = \"arm\"\n"),
+            "f.toml:14:8: error: joint.name: another joint is named \"arm\"; give it a name of its own");
+  // What needs the places of its ends is found when the run begins.
   auto scenario = must(parse_scenario("physim = 1\n[world]\n[[shot]]\nname = \"a\"\n[[joint]]\na = \"a\"\n", "f.toml"));
   const auto run = WorldRun::create(scenario);
   ASSERT_FALSE(run);
-  EXPECT_EQ(run.error().place, "f.toml: joint \"joint-1\": joint.length");
+  EXPECT_EQ(run.error().text(), "f.toml:5:1: error: joint.length: its ends are at one place; say how long it is");
+  const auto refused = [&](const std::string& joint) {
+    const std::string text = "physim = 1\n[world]\n[[shot]]\nname = \"a\"\nposition = [0, 1, 0]\n" + joint;
+    return WorldRun::create(must(parse_scenario(text, "f.toml"))).error().text();
+  };
+  const std::string none = " has no direction across the axis; a stands on the axis, or it is along it";
+  EXPECT_EQ(refused("[[joint]]\nkind = \"hinge\"\na = \"a\"\naxis = [0, 1, 0]\n"),
+            "f.toml:6:1: error: joint.reference:" + none);
+  EXPECT_EQ(refused("[[joint]]\nkind = \"hinge\"\na = \"a\"\naxis = [0, 0, 1]\nreference = [0, 0, 2]\n"),
+            "f.toml:10:13: error: joint.reference:" + none);
+  std::string many;
+  for (int i = 0; i < 65; ++i) many += "[[joint]]\na = \"a\"\n";
+  EXPECT_EQ(refused(many),
+            "f.toml:135:5: error: joint.a: is held by 64 joints already; spread them over several projectiles");
 }
 
 }  // namespace physim::scenario_joint_scenario_test

@@ -28,6 +28,13 @@ INSTANTIATE_TEST_SUITE_P(
             "f.toml:5:1: error: unknown key \"shots\" in [volley]; did you mean \"shot\"?"},
         Bad{"[[shot]]\n[world]\n[[volley]]\ncount = 3",
             "f.toml:4:1: error: missing key \"shot\" in [volley]; name of the shot"},
+        Bad{"[[shot]]\n[world]\n[[force]]\nname = \"f\"\ngravity_force = {}\n[[force]]\nname = \"f\"\ngravity_force = "
+            "{}",
+            "f.toml:8:8: error: force.name: another force is named \"f\"; give it a name of its own"},
+        Bad{"[[shot]]\n[world]\n[[shape]]\nname = \"s\"\nsphere = 1\n[[thing]]\nname = \"t\"\nshape = "
+            "\"s\"\n[[thing]]\n"
+            "name = \"t\"\nshape = \"s\"",
+            "f.toml:11:8: error: thing.name: another thing is named \"t\"; give it a name of its own"},
         Bad{"[[shot]]\n[world]\n[[force]]\nwind_zne = {}",
             "f.toml:5:1: error: unknown key \"wind_zne\" in [force]; did you mean \"wind_zone\"?"},
         Bad{"[[shot]]\n[world]\n[[force]]\nspring = { stiffness = 3 }",
