@@ -61,6 +61,8 @@ class Notes {
     if (on_earth && (pressure < 1e4 || pressure > 1.2e5))
       unusual(document_, "", "environment.atmosphere.pressure", quantity_in_words(pressure, Quantity::pressure),
               "air on the ground has 50 to 108 kPa, as \"1013 hPa\"");
+    else if (on_earth)
+      of_station(pressure, altitude);
     if (!e.atmosphere.profile.empty() && e.atmosphere.profile[0].pressure) {
       const AirPoint& first = e.atmosphere.profile[0];
       const Result<AirSample> standard = air_at({}, first.altitude);
@@ -76,6 +78,20 @@ class Notes {
               "it is a height above the sea, from -400 m to 1000 km");
     if (const double relative = scenario_.tolerance.relative.value_or(0); relative > 1e-2)
       unusual(document_, "", "tolerance.relative", number_text(relative), "errors of a step are from 1e-12 to 1e-4");
+  }
+
+  /// A pressure that the standard's share of it at the station takes to the sea beyond the records there.
+  void of_station(double pressure, double altitude) {
+    constexpr double kHighest = 5000;                 // no ground where people live is higher [m]
+    constexpr double kLeast = 87000, kMost = 108500;  // Typhoon Tip 1979, Tosontsengel 2001 (WMO) [Pa]
+    const Result<AirSample> standard = air_at({}, altitude);
+    if (!standard || altitude > kHighest) return;
+    const double at_sea = pressure / standard->pressure * 101325;
+    if (at_sea >= kLeast && at_sea <= kMost) return;
+    unusual(document_, "", "environment.atmosphere.pressure",
+            quantity_text(pressure, Quantity::pressure) + " at " + quantity_text(altitude, Quantity::length),
+            "it is that of the station, not reduced to the sea; the standard has " +
+                quantity_text(standard->pressure, Quantity::pressure) + " there");
   }
 
   void of_shot(const ScenarioShot& shot, const Value& table) {

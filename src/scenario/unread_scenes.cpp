@@ -93,6 +93,8 @@ constexpr UnreadRule kSceneRules[] = {
        return r.scope.thing->layers == 0 || !std::ranges::all_of(r.scenario.shots, takes_all);
      },
      ": shots meet things of all layers"},
+    {"thing.layers", [](R r) { return r.scope.thing->layers != 0; }, " but that no shot meets it"},
+    {"thing.conveyor", [](R r) { return !r.scope.thing->sensor; }, " beside thing.sensor = true"},
     {"thing.curve", [](R r) { return !r.scope.thing->keys.empty(); }, " without thing.keys"},
     {"thing.keys.velocity", [](R r) { return r.scope.thing->curve == MotionCurve::smooth; },
      " without thing.curve = \"smooth\""},
@@ -107,6 +109,13 @@ constexpr UnreadRule kSceneRules[] = {
      [](R r) { return has_things(r) || collision(r).others != 0; },
      " without a [[thing]] or shot.body.collision.others"},
     {"shot.body.collision.layers", has_things, " without a [[thing]]"},
+    {"shot.body.collision.layers",
+     [](R r) {
+       const std::uint32_t layers = collision(r).layers;
+       const auto has_one = [&](const ScenarioThing& thing) { return (thing.layers & layers) != 0; };
+       return layers == 0 || std::ranges::any_of(r.scenario.things, has_one);
+     },
+     " but that it meets no thing: no thing.layers has one of them"},
     {"shot.body.collision.inertia", may_be_turned,
      " without shot.body.collision.radius and something that turns a ball"},
 };

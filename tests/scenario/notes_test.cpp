@@ -59,6 +59,15 @@ TEST(Notes, numbers_far_from_what_is_usual) {
                        "atmosphere = { pressure = 636 }\n[[shot]]")
                   .empty())
       << "Mars";
+  // Pressures of the sea that are given for a high station: records of the sea are 870 and 1085 hPa.
+  const auto station = [](const std::string& altitude, const std::string& pressure) {
+    return "[environment]\naltitude = \"" + altitude + "\"\natmosphere = { pressure = \"" + pressure + "\" }\n[[shot]]";
+  };
+  expect_note(station("1600 m", "29.92 inHg"), "f.toml:4:27", "not reduced to the sea");
+  expect_note(station("4000 m", "1013 hPa"), "f.toml:4:27", "not reduced to the sea");
+  expect_note(station("0 m", "865 hPa"), "f.toml:4:27", "not reduced to the sea");
+  for (const auto& [altitude, pressure] : {std::pair{"1600 m", "835 hPa"}, {"4000 m", "630 hPa"}, {"0 m", "875 hPa"}})
+    EXPECT_TRUE(notes_of(station(altitude, pressure)).empty()) << altitude;
 }
 
 TEST(Notes, shots_that_begin_below_the_ground) {

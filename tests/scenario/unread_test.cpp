@@ -357,6 +357,18 @@ TEST(Unread, things_and_materials_that_nothing_has) {
   expect_unread(
       "material.poncelet", ": only shots with on_hit \"impact\"", wood + hard + thing,
       kShot + "body = { collision = { on_hit = \"impact\" } }\n[[material]]\nname = \"wood\"\n" + hard + thing);
+  const std::string bouncy =
+      kShot + "body = { collision = { on_hit = \"bounce\" } }\n" + slab + "[[thing]]\nshape = \"slab\"\n";
+  expect_unread("thing.layers", " but that no shot meets it", wood + thing + "layers = 0\n", wood + thing);
+  expect_unread("thing.conveyor", " beside thing.sensor = true",
+                bouncy + "sensor = true\nconveyor = { velocity = [1, 0, 0] }\n",
+                bouncy + "conveyor = { velocity = [1, 0, 0] }\n");
+  const auto meets = [&](const std::string& layers) {
+    return kShot + "body = { collision = { layers = 2 } }\n[[material]]\nname = \"wood\"\n" + thing +
+           "layers = " + layers;
+  };
+  expect_unread("shot.body.collision.layers", " but that it meets no thing: no thing.layers has one of them",
+                meets("1"), meets("6"));
   expect_unread(
       "thing.layers", ": shots meet things of all layers", wood + thing + "layers = 2\n",
       kShot + "body = { collision = { layers = 2 } }\n[[material]]\nname = \"wood\"\n" + thing + "layers = 2\n");
