@@ -71,7 +71,7 @@ struct BodyDef {
   bool use_gravity = true;            ///< (live) false is a gravity_scale of 0 [-]
   double drag_scale = 1;              ///< times every drag; 0: none [-]
   double angular_drag = 0;            ///< rate at which turning dies away: d omega / dt = -angular_drag omega [1/s]
-  Vec3d angular_velocity{};           ///< at launch, in W; shown only: it moves nothing [rad/s]
+  Vec3d angular_velocity{};           ///< at launch, in W; moves nothing but in contacts of a ball [rad/s]
   bool kinematic = false;             ///< (live) moves only as calls set it [-]
   bool infinite_mass = false;         ///< inverse mass 0: nothing ever moves it [-]
   Axes frozen = Axes::none;           ///< (live) axes of the world along which it does not move [-]

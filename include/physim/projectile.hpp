@@ -256,7 +256,7 @@ struct LaunchAttitude {
 struct LaunchSpin {
   double backspin = 0;  ///< lifts it; negative: topspin [rad/s]
   double sidespin = 0;  ///< turns its path to the right [rad/s]
-  double gyrospin = 0;  ///< about its path, clockwise seen from behind; lifts nothing [rad/s]
+  double gyrospin = 0;  ///< about its path, clockwise seen from behind; its axis stays, see magnus.md [rad/s]
 
   bool operator==(const LaunchSpin&) const = default;
 };

@@ -167,7 +167,9 @@ inline constexpr auto kSightRows = std::tuple{
                    kUncertain),
     PHYSIM_SETTING(spin.sidespin, "of a ball at launch: turns its path to the right", Quantity::angular_rate,
                    kUncertain),
-    PHYSIM_SETTING(spin.gyrospin, "of a ball at launch, about its path, clockwise seen from behind; lifts nothing",
+    PHYSIM_SETTING(spin.gyrospin,
+                   "of a ball at launch, about its path, clockwise seen from behind; its axis stays, and lifts as the "
+                   "path bends away from it",
                    Quantity::angular_rate, kUncertain),
 };
 
