@@ -34,6 +34,12 @@ void widen(CountedCells& cells, std::int64_t low, std::int64_t high) {
   cells.counts.resize(static_cast<std::size_t>(last - cells.first + 1));
 }
 
+/// Between which the numbers of a cell lie.
+std::pair<double, double> ends_of(const CountedCells& cells, std::size_t i) {
+  const double low = cells.edge(i), high = cells.edge(i + 1);
+  return {std::clamp(cells.least, low, high), std::clamp(cells.most, low, high)};
+}
+
 /// Before what they are the ends of is counted.
 void take_ends(CountedCells& cells, double least, double most) {
   const bool some = !cells.counts.empty();
@@ -101,8 +107,8 @@ double CountedCells::quantile(double p) const {
     last = i;
     const auto inside = static_cast<double>(counts[i]);
     if (below + inside >= wanted) {
-      const double x = edge(i) + (edge(i + 1) - edge(i)) * std::max(0.0, (wanted - below) / inside);
-      return std::min(std::max(x, least), most);
+      const auto [low, high] = ends_of(*this, i);
+      return low + (high - low) * std::max(0.0, (wanted - below) / inside);
     }
     below += inside;
   }
@@ -113,7 +119,7 @@ double CountedCells::part_below(double x) const {
   const IeeeMode mode;
   double below = 0;
   for (std::size_t i = 0; i < counts.size(); ++i) {
-    const double low = edge(i), high = edge(i + 1);
+    const auto [low, high] = ends_of(*this, i);
     if (x <= low) break;
     below += static_cast<double>(counts[i]) * (x >= high ? 1 : (x - low) / (high - low));
   }
