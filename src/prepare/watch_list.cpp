@@ -65,6 +65,7 @@ bool has_lowest_altitude(const Fidelity& f) { return f.air == AirModel::isa && f
 
 WatchList prepare_watch(const Until& until, const Conditions<double>& c, Watcher watcher) {
   WatchList watch;
+  watch.lands = watcher == Watcher::flight || watcher == Watcher::batch;
   const auto add = [&](const EventSpec& spec, Outcome outcome) {
     PHYSIM_ASSERT(watch.count < kMaxWatched);
     PHYSIM_ASSERT(row_of(spec.kind).watch != Watch::none);
@@ -99,7 +100,9 @@ bool ends_at_once(const Conditions<double>& c, const Body<double>& b, const Unti
   if (b.rail_phase < kOffRail && b.rail.y >= 0) return false;  // its rail stands on the ground
   const double climb = climb_rate(c, b.launch);
   if (climb != 0) return climb < 0;
-  if (height(c, b.launch.x) == *until.ground) return false;  // the first step shows whether something lifts it
+  // Level on the ground: the first step shows whether the air lifts it, or else weight against what lifts it decides.
+  const bool air_may_lift = c.fidelity.rotation != RotationModel::none || c.fidelity.wind != WindModel::off;
+  if (air_may_lift && height(c, b.launch.x) == *until.ground) return false;
   Sum<double> sum;
   sum_effects(c, b, 0.0, b.launch, PointInVacuum{}, sum);
   return climb_rate(c, State<double>{b.launch.x, sum.total}) < 0;

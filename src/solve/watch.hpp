@@ -41,6 +41,7 @@ struct WatchList {
     Watched item[kMaxWatched];
   };
   int count = 0;
+  bool lands = false;        // of a flight: what drops from the ground has landed
   bool without_air = false;  // judging a step reads no air of a body: neither what is watched nor the dense output
 };
 
@@ -181,13 +182,12 @@ PHYSIM_INLINE MaskOf<R> may_cross_twice(const R& from, const R& to, const R& rat
   return MaskOf<R>(side_may_change_twice(Side{from}, Side{to}, Side{rate_from}, Side{rate_to}));
 }
 
-/// A step that begins on the ground, level, and ends below it: a level launch that nothing lifts, or the end of a level
-/// rail. The flight lands where the step begins.
+/// A step that begins on the ground, not upwards, and ends below it: a level launch that nothing lifts, or the end of a
+/// level rail. The flight lands where the step begins.
 template <class Side>
 PHYSIM_INLINE auto side_drops(const Side& from, const Side& to, const Side& rate_from) {
-  return from.not_below() & from.not_above() & rate_from.not_below() & rate_from.not_above() & to.below();
+  return from.not_below() & from.not_above() & rate_from.not_above() & to.below();
 }
-PHYSIM_INLINE bool lands(const EventSpec& spec) { return spec.kind == EventKind::ground && spec.terminal; }
 
 /// Where lanes stand with one watched quantity at an end of a step: the sides of its value, and of its rate where it
 /// may turn. What stands at the end of a step that is accepted stands at the start of the next.
@@ -243,10 +243,10 @@ struct Detected {
   unsigned maybe_terminal = 0;   // ... or may be crossed twice
 
   /// Looks at one watched quantity.
-  PHYSIM_INLINE void add(const EventSpec& spec, const Standing& from, const Standing& to) {
+  PHYSIM_INLINE void add(const EventSpec& spec, const Standing& from, const Standing& to, bool lands) {
     const unsigned twice = side_may_change_twice(from.value(), to.value(), from.rate(), to.rate());
     unsigned once = side_changes(spec.direction, from.value(), to.value());
-    if (lands(spec)) once |= side_drops(from.value(), to.value(), from.rate());
+    if (lands && spec.kind == EventKind::ground) once |= side_drops(from.value(), to.value(), from.rate());
     some |= once | twice;
     if (!spec.terminal) return;
     surely_terminal |= once & ~twice;
@@ -264,7 +264,7 @@ PHYSIM_INLINE Detected detect(const Conditions<S>& c, const Body<R>& b, const Wa
   for (int i = 0; i < watch.count; ++i) {
     if (!contains(items, i)) continue;
     const EventSpec& spec = watch.item[i].spec;
-    d.add(spec, standing(c, b, spec, s.t, s.start, a_start), standing(c, b, spec, s.t_end, s.end, a_end));
+    d.add(spec, standing(c, b, spec, s.t, s.start, a_start), standing(c, b, spec, s.t_end, s.end, a_end), watch.lands);
   }
   return d;
 }
@@ -290,7 +290,7 @@ class StandingWatch {
     for (int i = 0; i < count_; ++i) {
       const EventSpec& spec = watch.item[i].spec;
       const Standing end = standing(c, l.body, spec, l.step.t_end, l.step.end, l.step.slope[last_slope].v);
-      d.add(spec, at_[i], end);
+      d.add(spec, at_[i], end, watch.lands);
       at_[i].take(end, accepted);
     }
     return d;
@@ -342,6 +342,7 @@ struct CrossingFinder {
   int index;  // in the watch list
   const Dense& at;
   CrossingList* lists;
+  bool lands = false;  // as WatchList::lands
   const Watch watch = row_of(spec.kind).watch;
 
   PHYSIM_INLINE void find(const MaskOf<W>& asked) const {
@@ -352,7 +353,7 @@ struct CrossingFinder {
     const MaskOf<W> twice = asked & may_cross_twice(at_start, at_end, rate_start, rate_end);
     using Side = SideOf<W>;
     const W zero(0.0);
-    if (lands(spec))
+    if (lands && spec.kind == EventKind::ground)
       add(asked & MaskOf<W>(side_drops(Side{at_start}, Side{at_end}, Side{rate_start})), zero, zero != zero);
     const W h = at.n1.t - at.n0.t;
     const EndRates<W> rates{rough_rate(c, at.body, spec, at.n0.y, at.n0.a) * h,
@@ -431,7 +432,7 @@ template <class W, class Dense>
 PHYSIM_INLINE void find_crossings(const Conditions<double>& c, const WatchList& watch, const Dense& at,
                                   const MaskOf<W>& asked, CrossingList* lists, WatchedSet items) {
   for (int i = 0; i < watch.count; ++i)
-    if (contains(items, i)) CrossingFinder<W, Dense>{c, watch.item[i].spec, i, at, lists}.find(asked);
+    if (contains(items, i)) CrossingFinder<W, Dense>{c, watch.item[i].spec, i, at, lists, watch.lands}.find(asked);
   for (unsigned left = lane_bits(asked); left != 0; left &= left - 1) lists[__builtin_ctz(left)].put_in_order(watch);
 }
 

@@ -34,14 +34,14 @@ void for_all(const auto& f) {
 TEST(Watch, bits_of_lanes_say_what_numbers_say) {
   for (const Crossing direction : {Crossing::any, Crossing::rising, Crossing::falling}) {
     for (const bool terminal : {false, true}) {
-      const EventSpec spec{EventKind::height, 0, direction, terminal};
+      const EventSpec spec{EventKind::height, 0, direction, terminal};  // nothing lands by it
       for_all([&](double from, double to, double rate_from, double rate_to) {
         const bool once = is_crossed(direction, from, to), twice = turns_behind(from, to, rate_from, rate_to);
         EXPECT_EQ(crosses(direction, from, to), once);
         EXPECT_EQ(may_cross_twice(from, to, rate_from, rate_to), twice);
         for (const int lane : {0, 7, 31}) {
           Detected d;
-          d.add(spec, stand(from, rate_from, lane), stand(to, rate_to, lane));
+          d.add(spec, stand(from, rate_from, lane), stand(to, rate_to, lane), true);
           const unsigned bit = 1u << lane;
           EXPECT_EQ(d.some, once || twice ? bit : 0u) << from << to << rate_from << rate_to;
           EXPECT_EQ(d.surely_terminal, terminal && once && !twice ? bit : 0u) << from << to << rate_from << rate_to;
@@ -50,6 +50,20 @@ TEST(Watch, bits_of_lanes_say_what_numbers_say) {
       });
     }
   }
+}
+
+/// What begins a step on the ground, not upwards, and ends it below has landed, in a flight.
+TEST(Watch, what_drops_from_the_ground_has_landed) {
+  const EventSpec ground{EventKind::ground, 0, Crossing::falling, true};
+  for_all([&](double from, double to, double rate_from, double rate_to) {
+    const bool drops = from == 0 && rate_from <= 0 && to < 0;
+    const bool once = is_crossed(ground.direction, from, to), twice = turns_behind(from, to, rate_from, rate_to);
+    for (const bool lands : {false, true}) {
+      Detected d;
+      d.add(ground, stand(from, rate_from, 3), stand(to, rate_to, 3), lands);
+      EXPECT_EQ(d.some != 0, once || twice || (lands && drops)) << from << to << rate_from << rate_to;
+    }
+  });
 }
 
 bool same(const SideBits& a, const SideBits& b) { return a.at_least == b.at_least && a.at_most == b.at_most; }
