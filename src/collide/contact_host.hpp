@@ -17,6 +17,7 @@ struct GroundBelow {
   double height =
       std::numeric_limits<double>::infinity();  // of the place above the ground; infinite without a ground [m]
   Vec3d up{};                                   // [-]
+  const Ground* ground = nullptr;               // null without one
 };
 
 /// A projectile in its step, as contacts see it. `passed`: time since the step began [s].

@@ -17,6 +17,7 @@
 #include "model/body.hpp"
 #include "model/contact.hpp"
 #include "model/pair_contact.hpp"
+#include "physim/body.hpp"
 #include "physim/event.hpp"
 #include "physim/scene.hpp"
 
@@ -96,6 +97,12 @@ template <class F>
     const Rolled it = rolled(from.velocity, pull, n, on, time);
     return BallWay{time, it.way, {it.velocity, from.spin}};
   });
+}
+
+/// Velocity with which the ground runs [m/s].
+[[nodiscard]] inline Vec3d conveyor_along(const Ground& ground, const Vec3d& n) {
+  const Vec3d v = ground.conveyor.velocity;
+  return v == Vec3d{} ? v : v - n * dot(v, n);
 }
 
 /// A hit with the normal of a triangle towards the projectile that meets its back.

@@ -333,12 +333,12 @@ class SceneContacts : private ContactView {
     const double pressure = -dot(r_.acceleration_at(s, passed), hit.normal), fell = 0.2 * scene_->skin();
     return pressure > 0 && dot(s.v - hit.velocity, hit.normal) >= -std::sqrt(2 * pressure * fell);
   }
-  /// True if the projectile touched the thing when the step began, and comes back to it no faster than twice what
-  /// pulls at it brings it there in a step: forces press it on, and friction of a belt that it lies on.
+  /// True if the projectile touched the thing when the step began, and comes back to it no faster than it is pressed
+  /// on.
   [[nodiscard]] bool is_touched(const State<double>& s, const SceneHit& hit, double passed) const {
-    const double fastest = 2 * length(r_.acceleration_at(s, passed)) * frame() + 1e-9 * length(s.v);
+    const double pressure = std::max(-dot(r_.acceleration_at(s, passed), hit.normal), 0.0);
     return std::ranges::find(touched_, hit.instance) != touched_.end() &&
-           dot(s.v - hit.velocity, hit.normal) >= -fastest;
+           dot(s.v - hit.velocity, hit.normal) >= -pressure * frame() - 1e-9 * length(s.v);
   }
 
   /// Whether something stands in a way at once: it is as near as what is put beside a surface lies off it.
@@ -646,10 +646,14 @@ class SceneContacts : private ContactView {
     const Vec3d u = one.normal * ((first - c * second) * per) + other.normal * ((second - c * first) * per);
     const double left = longest_way(passed);
     const Vec3d along_it = normalized(line), n = normalized(middle);
-    const Vec3d before = along_it * dot(s.v - u, along_it), over = along_it * dot(runs(one, passed), along_it);
-    const auto way_by = [&](const Pull& pull, double time) {
-      if (is_ball()) return ball_between(one, other, {u + before, spin(passed)}, pull, passed, time);
-      BallWay way = point_between(one, other, before, over, pull, along_it, time);
+    const std::array<BallFace, 2> faces{face_of(one, s.x, passed), face_of(other, s.x, passed)};
+    const Vec3d before = along_it * dot(s.v - u, along_it), over = along_it * dot(faces[0].runs, along_it);
+    const auto way_by = [&](const Pull& pull, double time) -> BallWay {
+      const BallMotion motion{u + before, spin(passed)};
+      if (is_ball()) return moved_between(motion, pull.moving, faces, ball(), time);
+      if (over != along_it * dot(faces[1].runs, along_it))
+        return moved_between(motion, pull.moving, faces, kPoint, time);
+      BallWay way = point_between(faces, before, over, pull, along_it, time);
       way.way += u * time, way.motion.velocity += u;
       return way;
     };
@@ -657,43 +661,41 @@ class SceneContacts : private ContactView {
                                  [&](const Pull& by) { return way_by(by, left).motion.velocity - u - over; });
     const BallWay on = way_by(pull, left);
     const Vec3d way = r_.kept(on.way);
-    carried_ = carried_ || u != Vec3d{} || over != Vec3d{};
+    carried_ = carried_ || u != Vec3d{} || faces[0].runs != Vec3d{} || faces[1].runs != Vec3d{};
     const Vec3d above = n * (4 * gap_at(s.x) / dot(n, one.normal));  // the cast goes along both, and meets neither
     SceneHit next = cast(s.x + above, s.x + above + way, passed, left);
     if (is_at_once(next, s.x, way, left)) return rests(s.x, u, passed);
     next.position -= above;
     const After after = along({s.x, before + u}, way, r_.kept(on.motion.velocity), next, passed, one, u);
-    if (is_ball()) r_.put_spin(way_by(pull, after.passed - passed).motion.spin, after.passed);
+    const double taken = after.passed - passed;
+    if (is_ball()) r_.put_spin(taken < left ? way_by(pull, taken).motion.spin : on.motion.spin, after.passed);
     return after;
   }
-  /// The way of a ball along two surfaces.
-  [[nodiscard]] BallWay ball_between(const SceneHit& one, const SceneHit& other, const BallMotion& motion,
-                                     const Pull& pull, double passed, double time) const {
-    const auto face = [&](const SceneHit& hit) {
-      const Surface on = surface(hit);
-      return BallFace{hit.normal, hit.velocity, runs(hit, passed), {on.friction, on.rolling_resistance}};
-    };
-    return moved_between(motion, pull.moving, {face(one), face(other)}, ball(), time);
+  /// One of two surfaces that it lies between: of a thing, or the ground. What does not roll slides against a rolling
+  /// resistance, if a point has one.
+  [[nodiscard]] BallFace face_of(const SceneHit& hit, const Vec3d& x, double passed) const {
+    const Ground* ground = hit.instance ? nullptr : r_.ground_below(x).ground;
+    const Surface on = ground ? surface_between(*ground, r_.surface()) : surface(hit);
+    const Vec3d runs = ground ? r_.kept(conveyor_along(*ground, hit.normal)) : this->runs(hit, passed);
+    const bool rolls = !is_ball() && on.rolling_resistance > 0;
+    return {hit.normal, hit.velocity, runs, {rolls ? on.rolling_resistance : on.friction, on.rolling_resistance}};
   }
   /// The way of a point along the line between two surfaces, of which each resists by what presses the point on it.
-  [[nodiscard]] BallWay point_between(const SceneHit& one, const SceneHit& other, const Vec3d& velocity,
-                                      const Vec3d& over, const Pull& pull, const Vec3d& line, double time) const {
-    const double c = dot(one.normal, other.normal);
-    const double by_one = -dot(pull.moving, one.normal), by_other = -dot(pull.moving, other.normal);
-    double on_one = (by_one - c * by_other) / (1 - c * c), on_other = (by_other - c * by_one) / (1 - c * c);
-    if (on_one <= 0)
-      on_one = 0, on_other = max(by_other, 0.0);
-    else if (on_other <= 0)
-      on_one = max(by_one, 0.0), on_other = 0;
-    const auto resists = [&](const SceneHit& hit) {
-      const Surface on = surface(hit);
-      return on.rolling_resistance > 0 ? on.rolling_resistance : on.friction;
-    };
-    const double resistance = resists(one) * on_one + resists(other) * on_other;
-    const Vec3d up = one.normal, on_it = -up;  // of pressure 1
+  [[nodiscard]] static BallWay point_between(const std::array<BallFace, 2>& faces, const Vec3d& velocity,
+                                             const Vec3d& over, const Pull& pull, const Vec3d& line, double time) {
+    const Vec3d &n0 = faces[0].normal, &n1 = faces[1].normal;
+    const double c = dot(n0, n1), by_0 = -dot(pull.moving, n0), by_1 = -dot(pull.moving, n1);
+    double on_0 = (by_0 - c * by_1) / (1 - c * c), on_1 = (by_1 - c * by_0) / (1 - c * c);
+    if (on_0 <= 0)
+      on_0 = 0, on_1 = max(by_1, 0.0);
+    else if (on_1 <= 0)
+      on_0 = max(by_0, 0.0), on_1 = 0;
+    const double resistance = faces[0].grip.friction * on_0 + faces[1].grip.friction * on_1;
+    const Vec3d on_it = -n0;  // of pressure 1
     const Pull along_it{line * dot(pull.moving, line) + on_it, line * dot(pull.at_rest, line) + on_it};
-    return point_way({velocity, {}}, over, along_it, up, {0, resistance, 0}, time);
+    return point_way({velocity, {}}, over, along_it, n0, {0, resistance, 0}, time);
   }
+  static constexpr Ball kPoint{1, 1, {0.0, 0.0, 0.0}};  // one that friction does not turn
 
   // ------------------------------------------------------------------------------------------- into and through
   /// As the material lets it, see impact(); nothing where it bounces. `normal`: of the surface, whatever it is held by.

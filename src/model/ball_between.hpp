@@ -33,64 +33,112 @@ struct BallFace {
   BallGrip grip;
 };
 
-/// Motion of a ball along both of two surfaces for a time.
-inline BallWay moved_between(BallMotion motion, const Vec3d& a, const std::array<BallFace, 2>& faces, const Ball& ball,
-                             double time) {
-  PHYSIM_ASSERT(time >= 0 && ball.radius > 0 && ball.inertia > 0);
-  constexpr int kParts = 32, kSweeps = 24;
-  const double dt = time / kParts;
-  const Vec3d &n0 = faces[0].normal, &n1 = faces[1].normal;
-  const double c = dot(n0, n1);
-  std::array<double, 2> normal{};   // N
-  std::array<Vec3d, 2> friction{};  // J
-  const auto turn = [&](const BallFace& face, const Vec3d& along) {
-    return component_product(ball.turns, cross(along, face.normal)) * (1 / (ball.inertia * ball.radius));
-  };
-  const auto press = [&](double on_0, double on_1) {
-    motion.velocity += n0 * (on_0 - normal[0]) + n1 * (on_1 - normal[1]);
-    normal = {on_0, on_1};
-  };
-  // Both N at once: of steep grooves one after the other would come near slowly.
-  const auto keep_out = [&] {
-    const double w0 = dot(motion.velocity - faces[0].velocity, n0) - normal[0] - c * normal[1];
-    const double w1 = dot(motion.velocity - faces[1].velocity, n1) - normal[1] - c * normal[0];
-    const double on_0 = (c * w1 - w0) / (1 - c * c), on_1 = (c * w0 - w1) / (1 - c * c);
-    if (on_0 > 0 && on_1 > 0) return press(on_0, on_1);
-    const double alone = max(-w0, 0.0);
-    return w1 + c * alone >= 0 ? press(alone, 0) : press(0, max(-w1, 0.0));
-  };
-  const auto rub = [&](std::size_t i) {
-    const BallFace& face = faces[i];
-    const Vec3d relative = motion.velocity - face.velocity - face.runs;
-    const Vec3d slip =
-        relative - face.normal * dot(relative, face.normal) - cross(motion.spin, face.normal) * ball.radius;
-    const double size = length(slip);
-    const double gives = size > 0 ? 1 + ball.free_part(cross(face.normal, slip * (1 / size))) / ball.inertia : 1;
-    Vec3d along = friction[i] - slip * (1 / gives);
-    const double most = face.grip.friction * normal[i], wanted = length(along);
-    if (wanted > most) along = along * (most / wanted);
-    motion.velocity += along - friction[i];
-    motion.spin += turn(face, along - friction[i]);
-    friction[i] = along;
-  };
-  const auto resist = [&](std::size_t i) {
-    const Vec3d& n = faces[i].normal;
-    const Vec3d rolls = motion.spin - n * dot(motion.spin, n);
-    const double rate = length(rolls);
-    const double lost = faces[i].grip.rolling_resistance * normal[i] / (ball.inertia * ball.radius);
-    if (rate > 0) motion.spin -= rolls * min(lost / rate, 1.0);
-  };
-  Vec3d way{};
-  for (int part = 0; part < kParts; ++part) {
-    const Vec3d before = motion.velocity;
-    motion.velocity += a * dt + n0 * normal[0] + n1 * normal[1] + friction[0] + friction[1];
-    motion.spin += turn(faces[0], friction[0]) + turn(faces[1], friction[1]);
-    for (int sweep = 0; sweep < kSweeps; ++sweep) keep_out(), rub(0), rub(1);
-    keep_out();
-    resist(0), resist(1);
-    way += (before + motion.velocity) * (0.5 * dt);
+/// A ball along both of two surfaces.
+class BallBetween {
+ public:
+  BallBetween(const BallMotion& motion, const std::array<BallFace, 2>& faces, const Ball& ball)
+      : motion_(motion), faces_(faces), ball_(ball), c_(dot(faces[0].normal, faces[1].normal)) {
+    PHYSIM_ASSERT(ball.radius > 0 && ball.inertia > 0);
   }
-  return {time, way, motion};
+
+  /// Its motion for a time.
+  BallWay run(const Vec3d& a, double time) {
+    PHYSIM_ASSERT(time >= 0);
+    constexpr int kParts = 32;
+    const double dt = time / kParts;
+    Vec3d way{};
+    for (int part = 0; part < kParts; ++part) {
+      const Vec3d before = motion_.velocity;
+      motion_.velocity += a * dt;
+      for (std::size_t i = 0; i < faces_.size(); ++i) begin_with_last(i);
+      find_impulses();
+      way += (before + motion_.velocity) * (0.5 * dt);
+    }
+    return {time, way, motion_};
+  }
+
+ private:
+  struct Impulse {
+    double normal = 0;  // N
+    Vec3d friction{};   // J
+    Vec3d torque{};     // of rolling resistance, over the moment of inertia [rad/s]
+  };
+
+  void find_impulses() {
+    constexpr int kSweeps = 24;
+    constexpr double kNear = 1e-15;  // of the motion: what a sweep changes then is rounding [-]
+    for (int sweep = 0; sweep < kSweeps; ++sweep) {
+      const BallMotion was = motion_;
+      keep_out();
+      for (std::size_t i = 0; i < faces_.size(); ++i) rub(i), resist(i);
+      const double changed = length(motion_.velocity - was.velocity) + ball_.radius * length(motion_.spin - was.spin);
+      if (changed <= kNear * (length(motion_.velocity) + ball_.radius * length(motion_.spin))) break;
+    }
+    keep_out();
+  }
+  /// A part begins with the impulses of the part before.
+  void begin_with_last(std::size_t i) {
+    const Impulse& last = impulses_[i];
+    motion_.velocity += faces_[i].normal * last.normal + last.friction;
+    motion_.spin += turn(i, last.friction) + component_product(ball_.turns, last.torque);
+  }
+  /// The spin that an impulse across a normal gives.
+  [[nodiscard]] Vec3d turn(std::size_t i, const Vec3d& friction) const {
+    return component_product(ball_.turns, cross(friction, faces_[i].normal)) * (1 / (ball_.inertia * ball_.radius));
+  }
+  /// Finds both N at once: in steep grooves one after the other would come near slowly.
+  void keep_out() {
+    const double now_0 = impulses_[0].normal, now_1 = impulses_[1].normal;
+    const double w_0 = dot(motion_.velocity - faces_[0].velocity, faces_[0].normal) - now_0 - c_ * now_1;
+    const double w_1 = dot(motion_.velocity - faces_[1].velocity, faces_[1].normal) - now_1 - c_ * now_0;
+    const double on_0 = (c_ * w_1 - w_0) / (1 - c_ * c_), on_1 = (c_ * w_0 - w_1) / (1 - c_ * c_);
+    if (on_0 > 0 && on_1 > 0) return press(on_0, on_1);
+    const double alone = max(-w_0, 0.0);
+    return w_1 + c_ * alone >= 0 ? press(alone, 0) : press(0, max(-w_1, 0.0));
+  }
+  void press(double on_0, double on_1) {
+    motion_.velocity +=
+        faces_[0].normal * (on_0 - impulses_[0].normal) + faces_[1].normal * (on_1 - impulses_[1].normal);
+    impulses_[0].normal = on_0, impulses_[1].normal = on_1;
+  }
+  void rub(std::size_t i) {
+    const BallFace& face = faces_[i];
+    Impulse& impulse = impulses_[i];
+    const Vec3d &n = face.normal, relative = motion_.velocity - face.velocity - face.runs;
+    const Vec3d slip = relative - n * dot(relative, n) - cross(motion_.spin, n) * ball_.radius;
+    const double size = length(slip);
+    const double gives = size > 0 ? 1 + ball_.free_part(cross(n, slip * (1 / size))) / ball_.inertia : 1;
+    const Vec3d friction = within(impulse.friction - slip * (1 / gives), face.grip.friction * impulse.normal);
+    motion_.velocity += friction - impulse.friction;
+    motion_.spin += turn(i, friction - impulse.friction);
+    impulse.friction = friction;
+  }
+  void resist(std::size_t i) {
+    const BallFace& face = faces_[i];
+    Impulse& impulse = impulses_[i];
+    const double most = face.grip.rolling_resistance * impulse.normal / (ball_.inertia * ball_.radius);
+    const Vec3d rolls = motion_.spin - face.normal * dot(motion_.spin, face.normal);
+    const Vec3d torque = within(impulse.torque - rolls, most);
+    motion_.spin += component_product(ball_.turns, torque - impulse.torque);
+    impulse.torque = torque;
+  }
+  /// A vector, cut to a length.
+  [[nodiscard]] static Vec3d within(const Vec3d& v, double most) {
+    const double wanted = length(v);
+    return wanted > most ? v * (most / wanted) : v;
+  }
+
+  BallMotion motion_;
+  const std::array<BallFace, 2>& faces_;
+  const Ball& ball_;
+  double c_;  // cosine between both normals [-]
+  std::array<Impulse, 2> impulses_{};
+};
+
+/// Motion of a ball along both of two surfaces for a time.
+inline BallWay moved_between(const BallMotion& motion, const Vec3d& a, const std::array<BallFace, 2>& faces,
+                             const Ball& ball, double time) {
+  return BallBetween(motion, faces, ball).run(a, time);
 }
 
 }  // namespace physim

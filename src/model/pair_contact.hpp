@@ -14,6 +14,8 @@
 // Equations: u = v_a - v_b - v_n n - (r_a w_a + r_b w_b) x n;  t = u / |u|;
 //   J = -(1 + e) v_n / (n . (M_a + M_b) n);  T = min(mu J, |u| / (t . (M_a + M_b) t + r_a^2/I_a + r_b^2/I_b));
 //   P = J n - T t;  v_a' = v_a + M_a P, v_b' = v_b - M_b P;  w_a' = w_a + (r_a T / I_a) n x t, w_b' likewise.
+//   Where axes are frozen J and T, a vector then, are found together: v_n' = -e v_n, and no slip is left, or |T| = mu J
+//   against the slip that is left.
 //   Contacts at one moment share their impulses: all J >= 0 and v_n' >= -e v_n, one of the two an equality, and T as
 //   above by the motion that all others leave.
 // Source: W. J. Stronge, Impact Mechanics (2000), ch. 3 and 4 (collinear impact of two bodies, friction that slides or

@@ -16,7 +16,7 @@ namespace physim {
 
 [[nodiscard]] inline GroundBelow ground_below(const Conditions<double>& c, const Ground& ground, const Vec3d& x) {
   if (ground.mode == GroundMode::none) return {};
-  return {height(c, x) - ground.height, vertical_at(c, x)};
+  return {height(c, x) - ground.height, vertical_at(c, x), &ground};
 }
 
 /// The contacts of one step.
@@ -67,7 +67,7 @@ class GroundContacts {
     parts_.come_near(passed);
     const Surface on = surface_between(ground_, r_.surface());
     const double frame = frame_of_contact(r_.step_length());
-    const Vec3d runs = conveyor_along(n);
+    const Vec3d runs = conveyor_along(ground_, n);
     const Vec3d v = runs == Vec3d{} ? bounced(s.v, n, on) : bounced(s.v - runs, n, on) + runs;
     const Vec3d along = v - n * dot(v, n);
     const Vec3d a = r_.acceleration_at(s, passed);
@@ -90,11 +90,6 @@ class GroundContacts {
 
  private:
   [[nodiscard]] double height_at(const Vec3d& x) const { return height(r_.conditions(), x); }
-  /// Velocity with which the ground runs [m/s].
-  [[nodiscard]] Vec3d conveyor_along(const Vec3d& n) const {
-    const Vec3d v = ground_.conveyor.velocity;
-    return v == Vec3d{} ? v : v - n * dot(v, n);
-  }
 
   Host& r_;
   const Ground& ground_;

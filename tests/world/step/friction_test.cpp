@@ -198,33 +198,61 @@ TEST(Friction, a_ball_that_only_grazes_a_wall_keeps_its_friction) {
   }
 }
 
-/// What a force, or the belt that it lies on, presses to a wall meets it once, whatever it lies on.
+/// What a force presses to a wall meets it once, whatever it lies on.
 TEST(Friction, what_is_pressed_to_a_wall_has_one_hit) {
-  for (const bool on_ground : {false, true})
-    for (const bool on_belt : {false, true}) {
-      const ConveyorDef belt{.velocity = {on_belt ? 1.0 : 0.0, 0, 0}};
-      Scene scene;
-      const MaterialId dull = *scene.add_material({.restitution = 0, .friction = 1});
-      EXPECT_TRUE(scene.add({.shape = *scene.add_shape(BoxShape{{0.5, 1, 1}}),
-                             .transform = {.position = {1.5, 0, 0}},
-                             .material = dull}));
-      const ShapeId half = *scene.add_shape(PlaneShape{});
-      const bool is_there = on_ground || scene.add({.shape = half, .material = dull, .conveyor = belt});
-      EXPECT_TRUE(is_there);
-      WorldDef def = space();
-      if (on_ground) def.ground = {.mode = GroundMode::bounce, .restitution = 0, .friction = 1, .conveyor = belt};
-      World world = make_world(def, std::move(scene));
-      const ProjectileId id = *world.spawn(puck(), {.position = {0.8, 0, 0}}, sliding(on_belt ? 0.5 : 0));
-      if (!on_belt)
-        must(world.add_force({.law = ConstantAcceleration{{3, 0, 0}}, .target = ForceTarget::everything()}));
-      int hits = 0;
-      for (int i = 0; i < 240; ++i) {
-        world.step(1.0 / 60);
-        for (const Event& event : world.events()) hits += event.kind == EventKind::hit && event.position.x > 0.99;
-      }
-      EXPECT_EQ(hits, 1) << on_ground << ' ' << on_belt;
-      EXPECT_NEAR(world[id].position().x, 1, 1e-6) << on_ground << ' ' << on_belt;
+  for (const bool on_ground : {false, true}) {
+    Scene scene;
+    const MaterialId dull = *scene.add_material({.restitution = 0, .friction = 1});
+    const ShapeId half = *scene.add_shape(PlaneShape{}), block = *scene.add_shape(BoxShape{{0.5, 1, 1}});
+    EXPECT_TRUE(scene.add({.shape = block, .transform = {.position = {1.5, 0, 0}}, .material = dull}));
+    EXPECT_TRUE(on_ground || scene.add({.shape = half, .material = dull}));
+    WorldDef def = space();
+    if (on_ground) def.ground = {.mode = GroundMode::bounce, .restitution = 0, .friction = 1};
+    World world = make_world(def, std::move(scene));
+    const ProjectileId id = *world.spawn(puck(), {.position = {0.8, 0, 0}}, sliding(0));
+    must(world.add_force({.law = ConstantAcceleration{{3, 0, 0}}, .target = ForceTarget::everything()}));
+    int hits = 0;
+    for (int i = 0; i < 240; ++i) {
+      world.step(1.0 / 60);
+      for (const Event& event : world.events()) hits += event.kind == EventKind::hit && event.position.x > 0.99;
     }
+    EXPECT_EQ(hits, 1) << on_ground;
+    EXPECT_NEAR(world[id].position().x, 1, 1e-6) << on_ground;
+  }
+}
+
+/// A wall of a groove that runs drives a point as fast as it runs, beside one that does not rub.
+TEST(Friction, a_wall_that_runs_drives_what_lies_in_a_groove) {
+  Scene scene;
+  const ShapeId half = *scene.add_shape(PlaneShape{});
+  for (const double side : {0.7, -0.7})
+    EXPECT_TRUE(scene.add({.shape = half,
+                           .transform = {.rotation = {std::cos(side / 2), std::sin(side / 2), 0, 0}},
+                           .material = *scene.add_material({.restitution = 0, .friction = side > 0 ? 1.0 : 0.0}),
+                           .conveyor = {.velocity = {side > 0 ? 1.0 : 0.0, 0, 0}}}));
+  World world = make_world(space(), std::move(scene));
+  const ProjectileId id = *world.spawn(puck(), {.position = {0, 1e-9, 0}}, sliding(0.5));
+  run_for(world, 5, 1.0 / 60);
+  EXPECT_NEAR(world[id].velocity().x, 1, 1e-6);
+}
+
+/// On a smooth ground along a smooth wall that leans over it nothing brakes.
+TEST(Friction, the_ground_beside_a_wall_rubs_as_the_ground_does) {
+  for (const double radius : {0.0, 0.05}) {
+    Scene scene;
+    const double lean = 2;  // of its normal, from the vertical [rad]
+    EXPECT_TRUE(scene.add({.shape = *scene.add_shape(PlaneShape{}),
+                           .transform = {.rotation = {std::cos(lean / 2), 0, 0, std::sin(lean / 2)}},
+                           .material = *scene.add_material({.restitution = 0, .friction = 0})}));
+    WorldDef def = space();
+    def.ground = {.mode = GroundMode::bounce, .restitution = 0, .friction = 0};
+    World world = make_world(def, std::move(scene));
+    BodyDef body = sliding(0.5, radius);
+    const ProjectileId id = *world.spawn(puck(), {.position = {-0.3, 0, 0}, .velocity = Vec3d{0, 0, 3}}, body);
+    must(world.add_force({.law = ConstantAcceleration{{5, 0, 0}}, .target = ForceTarget::everything()}));
+    run_for(world, 1, 1.0 / 60);
+    EXPECT_NEAR(world[id].velocity().z, 3, 1e-6) << radius;
+  }
 }
 
 }  // namespace physim::world_friction_test
