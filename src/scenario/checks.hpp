@@ -9,6 +9,7 @@
 #include "scenario/document.hpp"
 #include "scenario/names.hpp"
 #include "scenario/scenario.hpp"
+#include "scenario/suggest.hpp"
 
 namespace physim {
 

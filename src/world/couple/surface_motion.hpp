@@ -5,9 +5,9 @@
 #include <optional>
 
 #include "model/body.hpp"
-#include "model/turning.hpp"
+#include "model/rotor.hpp"
+#include "physim/flight.hpp"
 #include "physim/math.hpp"
-#include "physim/projectile.hpp"
 
 namespace physim {
 
